@@ -1,0 +1,1 @@
+"""The environment program: reads sites, prepares runs, follows them on a connected runtime."""

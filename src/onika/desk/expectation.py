@@ -1,0 +1,60 @@
+"""An expectation of a run: `LAMP == 1`, `flow0/Q_MEZ[2] > 1.5`; a grammar of its own, never code (law 8)."""
+
+import operator
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+_FORM = re.compile(
+    r"""\s*(?P<address>(?:[A-Za-z][\w.-]*/){0,2}[A-Z][A-Z0-9_^]*)   # RUNTIME/SUBSYSTEM/NAME
+        (?:\[(?P<index>\d+(?:\s*,\s*\d+)*)\])?
+        \s*(?P<relation>==|!=|<=|>=|<|>)\s*
+        (?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*\Z""",
+    re.VERBOSE,
+)
+
+_RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<=": operator.le,
+    ">=": operator.ge,
+    "<": operator.lt,
+    ">": operator.gt,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Expectation:
+    """A variable, a relation and a number."""
+
+    text: str
+    address: str
+    """`[SUBSYSTEM/]NAME`."""
+    index: tuple[int, ...]
+    relation: str
+    number: float
+
+    @classmethod
+    def parse(cls, text: str) -> "Expectation":
+        """Read one; raises ValueError that says what was expected."""
+        found = _FORM.match(text)
+        if not found:
+            raise ValueError(f"expected an address, a comparison and a number, as in 'LAMP == 1', found {text!r}")
+        parts = found["address"].split("/")
+        index = tuple(int(one) for one in found["index"].split(",")) if found["index"] else ()
+        return cls(text.strip(), "/".join(parts[-2:]), index, found["relation"], float(found["number"]))
+
+    def found(self, values: dict[str, Any]) -> Any:
+        """The value the expectation speaks of; None where there is none, a vector where no element is named."""
+        value = values.get(self.address)
+        for one in self.index:
+            if not isinstance(value, list) or one >= len(value):
+                return None
+            value = value[one]
+        return value
+
+    def holds(self, values: dict[str, Any]) -> bool:
+        """Whether the value stands in the relation; a missing value, a text or a vector never does."""
+        value = self.found(values)
+        return isinstance(value, int | float) and _RELATIONS[self.relation](value, self.number)

@@ -1,0 +1,22 @@
+"""A picture of a world: its snapshot drawn by a program of its own, so that nothing here needs graphics."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+DRAWER = (sys.executable, "-m", "onika.workcell.picture")
+_PATIENCE_S = 60
+
+
+def draw(snapshot: bytes, path: Path) -> str:
+    """Draw a snapshot into a PNG file; what went wrong in words, or an empty text."""
+    try:
+        drawn = subprocess.run(  # noqa: S603 - our own program
+            [*DRAWER, str(path)], input=snapshot, capture_output=True, timeout=_PATIENCE_S, check=False
+        )
+    except subprocess.TimeoutExpired:
+        return f"no picture: drawing took longer than {_PATIENCE_S} s"
+    if drawn.returncode == 0:
+        return ""
+    said = (drawn.stderr or drawn.stdout).decode("utf-8", "replace").strip()
+    return said.splitlines()[-1] if said else f"no picture: the drawing program ended with code {drawn.returncode}"

@@ -1,0 +1,56 @@
+"""Preparing a run: from a name or file to a plan, with every fault that needs no runtime to be seen (E01)."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.desk.compile import Compiler
+from onika.model.application import Application
+from onika.model.rules import readiness
+from onika.store.program import Program, load
+from onika.store.site import Site
+from onika.wire.plan import Plan
+from onika.wire.request import TargetValues
+from onika.words.fault import Fault, Place
+
+
+@dataclass(frozen=True, slots=True)
+class PreparedRun:
+    """What could be read and compiled; nothing may run while there are faults."""
+
+    name: str
+    application: Application | None
+    plan: Plan | None
+    targets: tuple[TargetValues, ...]
+    faults: tuple[Fault, ...]
+
+
+def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
+    """Read an application and all it needs, judge it by every rule, compile what is there."""
+    path = site.application_file(name_or_path)
+    if path is None:
+        known = sorted({name for base in site.directories for name in base.applications})
+        expected = f"an application file or the name of one ({', '.join(known) or 'none on the search path'})"
+        return _nothing(name_or_path, (Fault(Place(name_or_path), expected, "neither", "nothing is run"),))
+    syntax, faults = site.syntax()
+    if syntax is None:
+        return _nothing(name_or_path, faults)
+    program, read = load(path, site, syntax)
+    if program is None:
+        return _nothing(name_or_path, (*faults, *read))
+    place = Place(str(path))
+    judged = readiness.faults(program.application, syntax, program.configurations, program.tasks, place)
+    compiler = Compiler(program, syntax, place, _places(program, site, path))
+    plan = compiler.plan()
+    found = tuple(dict.fromkeys((*faults, *program.faults, *judged, *compiler.faults)))
+    return PreparedRun(program.application.name, program.application, plan, tuple(compiler.targets), found)
+
+
+def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
+    return PreparedRun(name, None, None, (), faults)
+
+
+def _places(program: Program, site: Site, path: Path) -> dict[str, str]:
+    folder = path.absolute().parent
+    home = site.at(folder.parent) if folder.name == "appl" else site
+    found = {name: home.home_of_task(name) for name in program.tasks}
+    return {name: str(base.task_file(name)) for name, base in found.items() if base is not None}

@@ -1,0 +1,1 @@
+"""Executes applications: news in, orders out, without clock, link or process."""

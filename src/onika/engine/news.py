@@ -1,0 +1,101 @@
+"""What the engine is told: each news names the flow (by number) and, where it has one, the task (law 28)."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """Begin: every flow at its first action."""
+
+
+@dataclass(frozen=True, slots=True)
+class Spawned:
+    """A task is initialised and OFF."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Refused:
+    """A spawn or an `on` did not happen, for this reason."""
+
+    flow: int
+    task: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class TurnedOn:
+    """A task is ON; said for every activation, before the task says anything else in it but that it asks or fails."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Finished:
+    """A trigger has ended its job: GO_TO_FLOW(choice), WHILECONTINUE if `loop`."""
+
+    flow: int
+    task: str
+    choice: int = 0
+    loop: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SwitchedOff:
+    """A task has switched itself off (signal OFF); a passive one may."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """A task is in ERROR."""
+
+    flow: int
+    task: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """A task needs input and waits for an answer; it is ASKING."""
+
+    flow: int
+    task: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Illegal:
+    """A task says that the robot is in a state in which it may not go on (signals ILLEGAL and SHUTDOWN)."""
+
+    flow: int
+    task: str
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Killed:
+    """A task is gone."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Settled:
+    """What had to be read after the last finish has been read; the tasks may go."""
+
+
+@dataclass(frozen=True, slots=True)
+class Abort:
+    """End the application now; the cause is said to the user."""
+
+    cause: str
+
+
+News = Run | Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Asked | Illegal | Killed | Settled | Abort

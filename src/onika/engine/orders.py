@@ -1,0 +1,89 @@
+"""What the engine wants done: orders for the runner beside the robot, and words for whoever watches."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Spawn:
+    """Bring a task of a flow to life, OFF. The runner spawns in the order of constants and reports each one."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Start:
+    """One task to turn ON, with its argument line (empty for all but a trigger with a target) and its rate."""
+
+    task: str
+    arguments: str = ""
+    frequency: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Switch:
+    """One reconfiguration: `off` goes off, `on` comes on in this order, at one instant; what stays is not touched.
+
+    `kept_rates` are tasks that stay ON and change their frequency at this switch (decision 13).
+    """
+
+    flow: int
+    off: tuple[str, ...]
+    on: tuple[Start, ...]
+    kept_rates: tuple[tuple[str, float], ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Off:
+    """Turn one task off, outside a switch (a trigger that has finished is off already)."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Kill:
+    """End a task."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Began:
+    """For the watcher: an action begins; index from 0."""
+
+    flow: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Done:
+    """For the watcher: an action has finished."""
+
+    flow: int
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Note:
+    """For the watcher: something worth knowing that changes nothing."""
+
+    flow: int
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class Settle:
+    """All actions are done: let things settle, read what was asked for, then say Settled."""
+
+
+@dataclass(frozen=True, slots=True)
+class End:
+    """The application is over and every task is gone."""
+
+    completed: bool
+    cause: str = ""
+
+
+Order = Spawn | Switch | Off | Kill | Began | Done | Note | Settle | End

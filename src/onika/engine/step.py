@@ -1,0 +1,62 @@
+"""An action made ready for switching: its tasks in the order of their ranks, their rates, its triggers."""
+
+from collections.abc import Mapping, Set
+from dataclasses import dataclass
+
+from onika.engine.orders import Start
+from onika.wire.plan import PlannedAction, PlannedFlow
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """What a flow switches to."""
+
+    name: str
+    place: str
+    tasks: tuple[str, ...]
+    """To be ON, in the order in which they come on."""
+    rates: Mapping[str, float | None]
+    """Of every task, in hertz; none for a task without a rate."""
+    triggers: tuple[str, ...]
+    """Whoever finishes first ends the action (decision 16); the first one takes the argument line."""
+    arguments: str
+    synch_tag: str | None
+
+    def start(self, task: str) -> Start:
+        """The order to turn one of its tasks ON."""
+        takes_target = self.triggers[:1] == (task,)
+        return Start(task, self.arguments if takes_target else "", self.rates[task])
+
+
+def steps(
+    planned: PlannedFlow,
+    triggers: Mapping[int, str | None],
+    other_triggers: Set[str],
+    ranks: Mapping[str, int],
+) -> tuple[Step, ...]:
+    """The actions of a flow; raises KeyError where a trigger, rank or task that an action needs is not given."""
+    usual = {task.name: task.frequency for task in planned.tasks}
+    return tuple(
+        _step(action, triggers[index], other_triggers, ranks, usual) for index, action in enumerate(planned.actions)
+    )
+
+
+def _step(
+    action: PlannedAction,
+    trigger: str | None,
+    other_triggers: Set[str],
+    ranks: Mapping[str, int],
+    usual: Mapping[str, float | None],
+) -> Step:
+    if trigger is not None and trigger not in action.tasks:
+        raise ValueError(f"{action.place}: expected a trigger out of {action.tasks}, found {trigger}")
+    others = (task for task in action.tasks if task in other_triggers and task != trigger)
+    return Step(
+        name=action.name,
+        place=action.place,
+        tasks=tuple(sorted(action.tasks, key=ranks.__getitem__)),
+        rates={task: usual[task] for task in action.tasks} | dict(action.rates),
+        triggers=() if trigger is None else (trigger, *others),
+        arguments=action.arguments,
+        synch_tag=action.synch_tag,
+    )

@@ -1,0 +1,126 @@
+"""The configuration file, `.conf` (dissertation §A.2)."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+from onika.files.layout import carry_comments
+from onika.files.line import VERSION, Line, Need, Reading, Slot, is_number, row, show_number, split
+from onika.model.configuration import UNKNOWN_RTPU, Configuration, Locus, Placed
+from onika.words.fault import Fault
+from onika.words.name import SVAR_NAME, TASK_NAME
+
+ENDING = ".conf"
+
+_HEAD = (Slot("VERSION", Need.OPTIONAL),)
+_TASK = (
+    Slot("RMODFILE"),
+    Slot("COORDS"),
+    Slot("INLEFT", Need.SINCE_1_3),
+    Slot("FREQ", Need.SINCE_1_3),
+    Slot("RTPU", Need.SINCE_1_3),
+)
+_COUNTS = ("CONNS", "NUMINCONST", "NUMOUTCONST", "NUMINVAR", "NUMOUTVAR", "NUMDOUBLEIN")
+_LOCUS = (
+    Slot("LOCUS"),
+    Slot("COORDS"),
+    *(Slot(keyword, Need.SINCE_1_3) for keyword in _COUNTS),
+    Slot("SHOW", Need.SINCE_1_3),
+)
+
+
+def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, tuple[Fault, ...]]:
+    """The configuration `name` (no ending) of a text; with any fault it is left out."""
+    reading = Reading(place_file, "the configuration is left out")
+    reading.open_versioned(text)
+    if reading.refused or not reading.lines:
+        return None, reading.faults
+    head, *blocks = split(reading.lines, {"RMODFILE", "LOCUS"})
+    reading.arrange(head, _HEAD)
+    placed, loci = [], []
+    for block in blocks:
+        if block[0].keyword == "LOCUS":
+            loci.append(_locus(reading.arrange(block, _LOCUS), reading))
+            continue
+        if loci:
+            reading.fault(block[0].number, "every task before the first LOCUS", str(block[0]))
+        placed.append(_placed(reading.arrange(block, _TASK), reading))
+    _check_twice([block[0] for block in blocks], reading)
+    return (None if reading.broken else Configuration(name, tuple(placed), tuple(loci))), reading.faults
+
+
+def write(configuration: Configuration, former: str = "") -> str:
+    """The text of a configuration, with the comments of its former text."""
+    parts = [row("VERSION", VERSION)]
+    parts += ["\n" + _show_placed(placed) for placed in configuration.placed]
+    parts += ["\n" + _show_locus(locus) for locus in configuration.loci]
+    return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
+
+
+def _show_placed(placed: Placed) -> str:
+    return (
+        row("RMODFILE", placed.task)
+        + row("COORDS", str(placed.x), str(placed.y))
+        + row("INLEFT", "yes" if placed.in_left else "no")
+        + row("FREQ", show_number(placed.frequency))
+        + row("RTPU", placed.rtpu)
+    )
+
+
+def _show_locus(locus: Locus) -> str:
+    counts = (locus.conns, locus.inconst, locus.outconst, locus.invar, locus.outvar, locus.double_in)
+    return (
+        row("LOCUS", locus.svar)
+        + row("COORDS", str(locus.x), str(locus.y))
+        + "".join(row(keyword, str(count)) for keyword, count in zip(_COUNTS, counts, strict=True))
+        + row("SHOW", "yes" if locus.show else "no")
+    )
+
+
+def _placed(found: Mapping[str, list[Line]], reading: Reading) -> Placed:
+    line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+    x, y = reading.wholes(line["COORDS"], (0, 0))
+    return Placed(
+        task=reading.match(line["RMODFILE"], TASK_NAME, "the name of a task"),
+        x=x,
+        y=y,
+        in_left=reading.yes(line["INLEFT"], default=True),
+        frequency=_frequency(line["FREQ"], reading),
+        rtpu=reading.word(line["RTPU"], "the name of a processing unit", UNKNOWN_RTPU),
+    )
+
+
+def _frequency(line: Line | None, reading: Reading) -> float:
+    """Hz; 0 where the task is aperiodic."""
+    if line is None:
+        return 0.0
+    value = float(line.rest) if is_number(line.rest) else math.nan
+    if not (math.isfinite(value) and value >= 0):
+        reading.fault(line.number, "a number of at least 0 (Hz) after FREQ", str(line))
+        return 0.0
+    return abs(value)
+
+
+def _locus(found: Mapping[str, list[Line]], reading: Reading) -> Locus:
+    line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+    x, y = reading.wholes(line["COORDS"], (0, 0))
+    return Locus(
+        reading.match(line["LOCUS"], SVAR_NAME, "the name of a state variable"),
+        x,
+        y,
+        conns=reading.whole(line["CONNS"], 0, low=0),
+        inconst=reading.whole(line["NUMINCONST"], 0, low=0),
+        outconst=reading.whole(line["NUMOUTCONST"], 0, low=0),
+        invar=reading.whole(line["NUMINVAR"], 0, low=0),
+        outvar=reading.whole(line["NUMOUTVAR"], 0, low=0),
+        double_in=reading.whole(line["NUMDOUBLEIN"], 0, low=0),
+        show=reading.yes(line["SHOW"], default=True),
+    )
+
+
+def _check_twice(heads: Sequence[Line], reading: Reading) -> None:
+    """A task, and the locus of a variable, stands in a configuration once."""
+    seen: dict[tuple[str, str], int] = {}
+    for line in heads:
+        first = seen.setdefault((line.keyword, line.rest), line.number)
+        if first != line.number:
+            reading.fault(line.number, f"{line.keyword} {line.rest} once", f"it again after line {first}")

@@ -1,0 +1,118 @@
+"""The lines that describe an onikon in `.onk` and `.appl` alike: ONIKON, DESC, UI, PICT (dissertation §A.3, §A.4)."""
+
+from collections.abc import Mapping, Sequence
+
+from onika.files.line import Line, Need, Reading, Slot, one_line, row, show
+from onika.files.picture import read_rows
+from onika.model.onikon import Onikon
+from onika.model.syntax import DataItem, IconType, Syntax
+from onika.words import argument
+from onika.words.value import Value, ValueType
+
+SLOTS = (
+    Slot("ONIKON"),
+    Slot("DESC", Need.SINCE_1_3),
+    Slot("UI", many=True),
+    Slot("PICT", many=True),
+)
+
+Values = tuple[tuple[Value, ...], ...]
+
+
+def read_icon(name: str, found: Mapping[str, list[Line]], syntax: Syntax, reading: Reading) -> Onikon | None:
+    """The onikon of arranged lines; None for a target of unknown type, which is noted (requirement D16).
+
+    A job or application of unknown type keeps its type's name and acts as a complete one. Other faults break `reading`.
+    """
+    line = found["ONIKON"][0] if found["ONIKON"] else None
+    pictures = [(row.number, row.rest) for row in found["PICT"]]
+    last = pictures[-1][0] if pictures else (line.number if line else 0)
+    picture = read_rows(pictures, last, reading) if pictures else None
+    kind = _kind(line, syntax, reading) if line else None
+    if line is None or kind is None or picture is None:
+        return None
+    values = _values(found["UI"], kind, reading)
+    is_own = syntax.find(line.text) is not None
+    description = found["DESC"][0].text if found["DESC"] else ""
+    return Onikon(name, kind.name if is_own else line.text, description, values, picture)
+
+
+def write_icon(onikon: Onikon) -> str:
+    """The lines of an onikon; raises ValueError for a text value with signs that no line holds."""
+    values = [_show_values(values) for values in onikon.values] or ["none"]
+    return (
+        row("ONIKON", one_line(onikon.type))
+        + row("DESC", one_line(onikon.description))
+        + "".join(row("UI", text) for text in values)
+        + "".join(row("PICT", text) for text in onikon.picture.rows)
+    )
+
+
+def _kind(line: Line, syntax: Syntax, reading: Reading) -> IconType | None:
+    known = syntax.find(line.text)
+    acting = known or syntax.acting(line.text)
+    if acting is None:
+        reading.note(line.number, "a type of icon that the syntax defines", str(line), "the icon is left out")
+    elif known is None:
+        instead = f"it acts as {acting.name}, its data is asked for while it runs"
+        reading.note(line.number, "a type of icon that the syntax defines", str(line), instead)
+    return acting
+
+
+def _values(lines: Sequence[Line], kind: IconType, reading: Reading) -> Values:
+    """One tuple for every data item of the type; `none` where it has none."""
+    if not lines:
+        return ()
+    if not kind.items:
+        for line in lines:
+            if line.rest != "none" or line is not lines[0]:
+                reading.fault(line.number, f"one line UI none for {kind.name}", str(line))
+        return ()
+    if len(lines) != len(kind.items):
+        names = ", ".join(item.name for item in kind.items)
+        reading.fault(lines[-1].number, f"{len(kind.items)} lines UI ({names})", f"{len(lines)}")
+    return tuple(_elements(line, item, reading) for line, item in zip(lines, kind.items, strict=False))
+
+
+def _elements(line: Line, item: DataItem, reading: Reading) -> tuple[Value, ...]:
+    try:
+        words = _words(line, item)
+    except ValueError as error:
+        reading.fault(line.number, *_halves(error))
+        return ()
+    if len(words) != item.count:
+        expected = f"{item.count} elements of type {item.type.value} for {item.name}"
+        reading.fault(line.number, expected, f"{len(words)} in {line}")
+    values: list[Value] = []
+    for word in words:
+        try:
+            values.append(item.type.parse(word))
+        except ValueError as error:
+            reading.fault(line.number, *_halves(error))
+    return tuple(values)
+
+
+def _words(line: Line, item: DataItem) -> list[str]:
+    """The elements as written; a single `line` is the rest of the line unless it is one quoted word (decision 40)."""
+    if item.type is not ValueType.LINE or item.count != 1:
+        return argument.split(line.rest)
+    if not line.rest.startswith('"'):
+        return [line.rest] if line.rest else []
+    try:
+        words = argument.split(line.rest)
+    except ValueError:
+        return [line.rest]
+    return words if len(words) == 1 else [line.rest]
+
+
+def _halves(error: ValueError) -> tuple[str, str]:
+    """What was expected and what was found, of a sentence "expected …, found …"."""
+    expected, _, found = str(error).removeprefix("expected ").partition(", found ")
+    return expected, found or "something else"
+
+
+def _show_values(values: Sequence[Value]) -> str:
+    text = argument.join(value if isinstance(value, str) else repr(value) for value in values)
+    if any(ord(sign) < 32 or 127 <= ord(sign) < 160 for sign in text):
+        raise ValueError(f"expected text that fits on a line, found {show(text)}")
+    return text

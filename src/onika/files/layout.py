@@ -1,0 +1,68 @@
+"""The layout of a text, its comments and blank lines, carried into a newer text of the same file (requirement B01)."""
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from difflib import SequenceMatcher
+
+Key = tuple[str, ...]
+
+_BLANK = re.compile(r"[ \t]+")
+_LINE = re.compile(r"[^\n]*\n|[^\n]+\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class _Entry:
+    """A line with what stands before it, as written."""
+
+    lead: str
+    raw: str
+    key: Key
+
+
+def words_of(line: str) -> Key:
+    """What a line means, whatever its blanks."""
+    return tuple(_BLANK.split(line))
+
+
+def carry(former: str, new: str, key: Callable[[str], Key] = words_of) -> str:
+    """The lines of `new` with the comments of `former`; a line of the same `key` stays as it was written there.
+
+    The comments above a line that changed or went stay where they were. `new` itself must hold no comments.
+    """
+    old_entries, old_tail = _entries(former, key)
+    new_entries, new_tail = _entries(new, key)
+    matcher = SequenceMatcher(None, [e.key for e in old_entries], [e.key for e in new_entries], autojunk=False)
+    parts: list[str] = []
+    for tag, i, i_end, j, j_end in matcher.get_opcodes():
+        if tag == "equal":
+            parts += [entry.lead + entry.raw for entry in old_entries[i:i_end]]
+            continue
+        leads = [entry.lead for entry in old_entries[i:i_end]]
+        fresh = new_entries[j:j_end]
+        parts += [lead + entry.raw for lead, entry in zip(leads, fresh, strict=False)]
+        parts += [_comments(lead) for lead in leads[len(fresh) :]]
+        parts += [entry.lead + entry.raw for entry in fresh[len(leads) :]]
+    return "".join(parts) + (old_tail if old_entries else new_tail)
+
+
+def carry_comments(former: str, new: str) -> str:
+    """As `carry`, where `former` has comments at all; else `new` as it is."""
+    has_comments = any(line.lstrip(" \t").startswith("#") for line in former.split("\n"))
+    return carry(former, new) if has_comments else new
+
+
+def _entries(text: str, key: Callable[[str], Key]) -> tuple[list[_Entry], str]:
+    entries, lead = [], ""
+    for line in _LINE.findall(text):
+        stripped = line.removeprefix("\ufeff").strip(" \t\r\n")
+        if not stripped or stripped.startswith("#"):
+            lead += line
+        else:
+            entries.append(_Entry(lead, line if line.endswith("\n") else line + "\n", key(stripped)))
+            lead = ""
+    return entries, lead
+
+
+def _comments(lead: str) -> str:
+    return "".join(line for line in _LINE.findall(lead) if line.strip())

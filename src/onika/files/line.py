@@ -1,0 +1,271 @@
+"""The lines all formats of Appendix A are made of: a keyword and its words, with `#` comments and blank lines between.
+
+A comment is a line whose first sign is `#`. Runs of blanks and tabs count as one. The order of lines within a block
+is law (decision 41), EOF is the last one, VERSION the first (requirement B06). Every fault of a text is collected.
+"""
+
+import re
+from collections.abc import Mapping, Sequence, Set
+from dataclasses import dataclass
+from enum import Enum
+from typing import TypeVar
+
+from onika.words.fault import Fault, Place
+
+VERSION = "1.3"
+"""The version written into files."""
+
+_T = TypeVar("_T")
+_BLANK = re.compile(r"[ \t]+")
+_CONTROL = re.compile(r"[\x00-\x08\x0a-\x1f\x7f-\x9f]")
+_NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
+_WHOLE = re.compile(r"[+-]?[0-9]{1,18}\Z")
+_VERSION = re.compile(r"[0-9]{1,9}(?:\.[0-9]{1,9})*\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line that is no comment: its number from 1, its keyword and what follows, with inner blanks as they are."""
+
+    number: int
+    keyword: str
+    rest: str
+
+    @property
+    def words(self) -> tuple[str, ...]:
+        """What follows the keyword, word by word."""
+        return tuple(_BLANK.split(self.rest)) if self.rest else ()
+
+    @property
+    def text(self) -> str:
+        """What follows the keyword, with single blanks."""
+        return " ".join(self.words)
+
+    def __str__(self) -> str:
+        return show(f"{self.keyword} {self.text}".strip())
+
+
+class Need(Enum):
+    """When a line must be there."""
+
+    ALWAYS = "always"
+    SINCE_1_3 = "older files may lack it"
+    OPTIONAL = "never"
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A line's place in the order of a block."""
+
+    keyword: str
+    need: Need = Need.ALWAYS
+    many: bool = False
+
+
+class Reading:
+    """One text on its way to a model: its lines up to EOF and the faults found so far.
+
+    `broken` tells that nothing may be made of it, `refused` that it comes from a newer version, `is_old` that lines
+    may be lacking.
+    """
+
+    def __init__(self, file: str, instead: str) -> None:
+        self.file = file
+        self.instead = instead
+        self.broken = False
+        self.refused = False
+        self.is_old = False
+        self.lines: list[Line] = []
+        self._faults: list[Fault] = []
+
+    @property
+    def faults(self) -> tuple[Fault, ...]:
+        """Everything found, in the order of the lines."""
+        return tuple(sorted(self._faults, key=lambda fault: fault.place.line))
+
+    def fault(self, number: int, expected: str, found: str) -> None:
+        """Report something for which the whole text is left out; `number` is its line."""
+        self.broken = True
+        self.note(number, expected, found, self.instead)
+
+    def note(self, number: int, expected: str, found: str, instead: str) -> None:
+        """Report something that can be put right: what is done instead."""
+        self._faults.append(Fault(Place(self.file, number), expected, found, instead))
+
+    # -- the whole text
+
+    def open(self, text: str) -> None:
+        """Take the lines of a text and see that it ends with EOF."""
+        self.lines = _content(text, self)
+        if not self.lines:
+            self.fault(0, "lines with keywords and EOF", "an empty file")
+            return
+        end = next((at for at, line in enumerate(self.lines) if line.keyword == "EOF"), None)
+        if end is None:
+            last = self.lines[-1]
+            self.fault(last.number, "EOF as the last line", f"the end of the file after {last}")
+            return
+        self.bare(self.lines[end])
+        for line in self.lines[end + 1 :]:
+            self.fault(line.number, "nothing after EOF", str(line))
+        self.lines = self.lines[:end]
+
+    def open_versioned(self, text: str) -> None:
+        """As `open`, and look at VERSION: absent or below 1.3, lines may be lacking; above, the text is refused."""
+        self.open(text)
+        line = next((line for line in self.lines if line.keyword == "VERSION"), None)
+        self.is_old = line is None
+        if line is None:
+            return
+        if not _VERSION.match(line.rest):
+            self.fault(line.number, "a version number such as 1.3", str(line))
+            return
+        version, current = _parts(line.rest), _parts(VERSION)
+        self.is_old = version < current
+        if version > current:
+            self._faults.clear()
+            self.fault(line.number, f"a file of version {VERSION} or older", f"version {line.rest}, which is newer")
+            self.refused = True
+
+    def arrange(self, block: Sequence[Line], slots: Sequence[Slot]) -> Mapping[str, list[Line]]:
+        """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is."""
+        places = {slot.keyword: place for place, slot in enumerate(slots)}
+        found: dict[str, list[Line]] = {slot.keyword: [] for slot in slots}
+        reached = -1
+        for line in block:
+            place = places.get(line.keyword)
+            if place is None:
+                self.fault(line.number, _expected(slots, reached), str(line))
+            elif found[line.keyword] and not slots[place].many:
+                self.fault(line.number, f"{line.keyword} once", f"{line} again")
+            else:
+                if place < reached:
+                    self.fault(line.number, f"{line.keyword} before {slots[reached].keyword}", f"{line} after it")
+                reached = max(reached, place)
+                found[line.keyword].append(line)
+        self._check_missing(block, slots, found)
+        return found
+
+    def _check_missing(self, block: Sequence[Line], slots: Sequence[Slot], found: Mapping[str, list[Line]]) -> None:
+        later = {slot.keyword: place for place, slot in enumerate(slots)}
+        for place, slot in enumerate(slots):
+            needed = slot.need is Need.ALWAYS or (slot.need is Need.SINCE_1_3 and not self.is_old)
+            if needed and not found[slot.keyword]:
+                after = [line.number for line in block if later.get(line.keyword, -1) > place]
+                number = after[0] if after else (block[-1].number if block else 0)
+                self.fault(number, f"a line {slot.keyword}", "none")
+
+    # -- the words of one line; each gives `default` where the line is missing or wrong
+
+    def bare(self, line: Line) -> None:
+        """A keyword that stands alone."""
+        if line.rest:
+            self.fault(line.number, f"{line.keyword} alone on its line", str(line))
+
+    def match(self, line: Line | None, pattern: re.Pattern[str], meaning: str, default: str = "") -> str:
+        """One word of a form; `meaning` says which."""
+        if line is None or pattern.match(line.rest):
+            return line.rest if line else default
+        self.fault(line.number, f"{meaning} after {line.keyword}", str(line))
+        return default
+
+    def word(self, line: Line | None, meaning: str, default: str = "") -> str:
+        """One word of any form."""
+        return self.match(line, re.compile(r"[^ \t]+\Z"), meaning, default)
+
+    def choice(self, line: Line | None, choices: Mapping[str, _T], default: _T) -> _T:
+        """One of several words."""
+        if line is None or line.rest in choices:
+            return choices[line.rest] if line else default
+        self.fault(line.number, f"{' or '.join(choices)} after {line.keyword}", str(line))
+        return default
+
+    def yes(self, line: Line | None, default: bool) -> bool:
+        """The word yes or no."""
+        return self.choice(line, {"yes": True, "no": False}, default)
+
+    def wholes(self, line: Line | None, default: tuple[int, ...], low: int = -(10**9)) -> tuple[int, ...]:
+        """As many whole numbers from `low` to 10⁹ as `default` has."""
+        if line is None:
+            return default
+        words = line.words
+        if len(words) == len(default) and all(_WHOLE.match(word) for word in words):
+            numbers = tuple(map(int, words))
+            if all(low <= number <= 10**9 for number in numbers):
+                return numbers
+        what = "a whole number" if len(default) == 1 else f"{len(default)} whole numbers"
+        above = f" of at least {low}" if low >= 0 else ""
+        self.fault(line.number, f"{what}{above} after {line.keyword}", str(line))
+        return default
+
+    def whole(self, line: Line | None, default: int, low: int = -(10**9)) -> int:
+        """One whole number of at least `low`."""
+        return self.wholes(line, (default,), low)[0]
+
+
+def split(lines: Sequence[Line], heads: Set[str]) -> list[list[Line]]:
+    """Cut lines into blocks, each but the first beginning with one of the keywords `heads`."""
+    blocks: list[list[Line]] = [[]]
+    for line in lines:
+        if line.keyword in heads:
+            blocks.append([])
+        blocks[-1].append(line)
+    return blocks
+
+
+def is_number(word: str) -> bool:
+    """Whether a word is a decimal number as files write it, sign and exponent included."""
+    return bool(_NUMBER.match(word))
+
+
+def show_number(value: float) -> str:
+    """A finite number as short as it can be read back: 500, 0.004."""
+    return str(int(value)) if value.is_integer() and abs(value) < 1e15 else repr(value)
+
+
+def row(keyword: str, *words: str) -> str:
+    """A line of a file, its words in a column, with its line end."""
+    return f"{keyword:<11} {' '.join(words)}".rstrip() + "\n"
+
+
+def one_line(text: str) -> str:
+    """A text that fits on a line: control signs, line ends and runs of blanks become one blank."""
+    return " ".join(re.sub(r"[\x00-\x20\x7f-\x9f]+", " ", text).split(" ")).strip()
+
+
+def show(text: str) -> str:
+    """A found text in quotes, shortened for a message."""
+    return repr(text if len(text) <= 60 else text[:57] + "…")
+
+
+def _content(text: str, reading: Reading) -> list[Line]:
+    """The lines that are no comments; signs that no text file holds are reported."""
+    found = []
+    for number, raw in enumerate(text.removeprefix("\ufeff").split("\n"), start=1):
+        line = raw.removesuffix("\r")
+        if _CONTROL.search(line):
+            reading.fault(number, "printable text", show(line))
+            line = _CONTROL.sub("", line)
+        line = line.strip(" \t")
+        if line and not line.startswith("#"):
+            keyword, *rest = _BLANK.split(line, maxsplit=1)
+            found.append(Line(number, keyword, rest[0] if rest else ""))
+    return found
+
+
+def _parts(version: str) -> tuple[int, ...]:
+    """Its numbers without closing zeros: 1.3.0 is 1.3."""
+    parts = [int(part) for part in version.split(".")]
+    while parts and parts[-1] == 0:
+        parts.pop()
+    return tuple(parts)
+
+
+def _expected(slots: Sequence[Slot], reached: int) -> str:
+    """The keywords that may come after slot `reached`, up to the first that must."""
+    names = [slots[reached].keyword] if reached >= 0 and slots[reached].many else []
+    for slot in slots[reached + 1 :]:
+        names.append(slot.keyword)
+        if slot.need is Need.ALWAYS:
+            break
+    return " or ".join(names) if names else "no more lines here"

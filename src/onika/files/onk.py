@@ -1,0 +1,34 @@
+"""The upper-level icon file, `.onk` (dissertation §A.3)."""
+
+from onika.files.icon import SLOTS, read_icon, write_icon
+from onika.files.layout import carry_comments
+from onika.files.line import VERSION, Need, Reading, Slot, row
+from onika.model.onikon import Onikon
+from onika.model.syntax import Syntax
+from onika.words.fault import Fault
+
+ENDING = ".onk"
+
+_SLOTS = (Slot("VERSION", Need.OPTIONAL), *SLOTS)
+
+
+def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon | None, tuple[Fault, ...]]:
+    """The onikon `name` (no ending) of a text; left out with any fault, and where its type is an unknown target.
+
+    A job of unknown type is kept and acts as a complete one, with a note (requirement D16).
+    """
+    reading = Reading(place_file, "the icon is left out")
+    reading.open_versioned(text)
+    if reading.refused or not reading.lines:
+        return None, reading.faults
+    found = reading.arrange(reading.lines, _SLOTS)
+    onikon = read_icon(name, found, syntax, reading)
+    kind = syntax.find(onikon.type) if onikon else None
+    if kind and (kind.is_start or kind.is_end):
+        reading.fault(found["ONIKON"][0].number, "an action or a target", str(found["ONIKON"][0]))
+    return (None if reading.broken else onikon), reading.faults
+
+
+def write(onikon: Onikon, former: str = "") -> str:
+    """The text of an onikon, with the comments of its former text."""
+    return carry_comments(former, row("VERSION", VERSION) + "\n" + write_icon(onikon) + "\n" + row("EOF"))

@@ -1,0 +1,54 @@
+"""The rows of a picture: in PICT lines of icons, and alone in the `.dta` files of the start and stop icons (§A.8)."""
+
+import re
+from collections.abc import Sequence
+
+from onika.files.line import Reading, show
+from onika.model.picture import BLACK, SIZE, Picture, blank, framed
+from onika.words.fault import Fault
+
+ENDING = ".dta"
+
+_ROW = re.compile(rf"[0-9]{{{SIZE}}}\Z")
+
+
+def read(text: str, name: str, place_file: str) -> tuple[Picture | None, tuple[Fault, ...]]:
+    """The picture of a start or stop icon: 32 lines of 32 digits and nothing else; `name` only completes the form."""
+    reading = Reading(place_file, f"the shipped picture stands for {name}")
+    lines = [(number, line.removesuffix("\r")) for number, line in enumerate(text.split("\n"), start=1)]
+    while lines and not lines[-1][1].strip(" \t"):
+        lines.pop()
+    picture = read_rows(lines, lines[-1][0] if lines else 0, reading)
+    return (None if reading.broken else picture), reading.faults
+
+
+def write(picture: Picture) -> str:
+    """The 32 lines of a picture."""
+    return "".join(line + "\n" for line in picture.rows)
+
+
+def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: Reading) -> Picture:
+    """The picture of numbered rows; faults go to `reading`, a missing row to line `last`; then it is blank.
+
+    A 9 is read as black (decision 38) and the border is made black (requirement B11), both with a note.
+    """
+    if len(rows) != SIZE:
+        reading.fault(rows[SIZE][0] if len(rows) > SIZE else last, f"{SIZE} rows of a picture", f"{len(rows)}")
+    wrong = [(number, text) for number, text in rows if not _ROW.match(text)]
+    for number, text in wrong:
+        reading.fault(number, f"{SIZE} digits from 0 to 8", show(text))
+    if wrong or len(rows) != SIZE:
+        return blank()
+    for number, text in rows:
+        if "9" in text:
+            reading.note(number, "colours from 0 to 8", "a 9", "it is read as black")
+    picture = framed([text.replace("9", BLACK) for _, text in rows])
+    _note_border(rows, picture, reading)
+    return picture
+
+
+def _note_border(rows: Sequence[tuple[int, str]], picture: Picture, reading: Reading) -> None:
+    for (number, text), row in zip(rows, picture.rows, strict=True):
+        if text.replace("9", BLACK) != row:
+            reading.note(number, "a black border", "another colour on it", "the border is read as black")
+            return

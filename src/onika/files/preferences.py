@@ -1,0 +1,119 @@
+"""The preference file, `.onika` (dissertation §A.5)."""
+
+from onika.files.layout import carry_comments
+from onika.files.line import VERSION, Line, Need, Reading, Slot, row
+from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
+from onika.words.fault import Fault
+
+NAME = ".onika"
+
+# The format of §A.5 prints STEPWISE where its text says STEPSIZE three times; STEPSIZE is written, both are read.
+_KEYWORDS = (
+    *("VERSION", "LINELEN", "MINSIZE", "MINPINSEP", "STEPSIZE", "PINLENGTH", "CONNSEP"),
+    *("INCONST", "OUTCONST", "INVAR", "OUTVAR", "LOCISIZE", "HITTOL", "RATE"),
+    *("LEXI", "CONF", "STAT", "LOCUS", "DICT", "APPL", "MAIN", "BUTTON", "STATINFO"),
+)
+_SLOTS = tuple(Slot(keyword, Need.OPTIONAL) for keyword in _KEYWORDS)
+
+
+def read(text: str, name: str, place_file: str) -> tuple[Preferences, tuple[Fault, ...]]:
+    """The preferences of a text; what is missing or wrong has its default, so there always are some.
+
+    `name` completes the form of all formats.
+    """
+    reading = Reading(place_file, f"the defaults stand for what is wrong in {name}")
+    reading.open_versioned(text)
+    if reading.refused:
+        return Preferences(), reading.faults
+    lines = [Line(at.number, "STEPSIZE", at.rest) if at.keyword == "STEPWISE" else at for at in reading.lines]
+    line = {key: found[0] if found else None for key, found in reading.arrange(lines, _SLOTS).items()}
+    default = Preferences()
+    preferences = Preferences(
+        line_length=reading.whole(line["LINELEN"], default.line_length, low=1),
+        min_size=reading.whole(line["MINSIZE"], default.min_size, low=1),
+        min_pin_separation=reading.whole(line["MINPINSEP"], default.min_pin_separation, low=1),
+        step_size=reading.whole(line["STEPSIZE"], default.step_size, low=1),
+        pin_length=reading.whole(line["PINLENGTH"], default.pin_length, low=1),
+        connection_separation=reading.whole(line["CONNSEP"], default.connection_separation, low=1),
+        show_inconst=reading.yes(line["INCONST"], default.show_inconst),
+        show_outconst=reading.yes(line["OUTCONST"], default.show_outconst),
+        show_invar=reading.yes(line["INVAR"], default.show_invar),
+        show_outvar=reading.yes(line["OUTVAR"], default.show_outvar),
+        locus_size=reading.whole(line["LOCISIZE"], default.locus_size, low=1),
+        hit_tolerance=reading.whole(line["HITTOL"], default.hit_tolerance, low=1),
+        shows_period=reading.choice(line["RATE"], {"frequency": False, "period": True}, default.shows_period),
+        library=_window(line["LEXI"], default.library, reading),
+        canvas=_window(line["CONF"], default.canvas, reading),
+        status=_spot(line["STAT"], default.status, reading),
+        variables=_spot(line["LOCUS"], default.variables, reading),
+        dictionary=_window(line["DICT"], default.dictionary, reading),
+        workspace=_window(line["APPL"], default.workspace, reading),
+        main=_spot(line["MAIN"], default.main, reading),
+        buttons=_spot(line["BUTTON"], default.buttons, reading),
+        status_columns=_columns(line["STATINFO"], default.status_columns, reading),
+    )
+    return preferences, reading.faults
+
+
+def write(preferences: Preferences, former: str = "") -> str:
+    """The text of preferences, with the comments of its former text."""
+    of = preferences
+    rows = [
+        row("VERSION", VERSION),
+        "\n",
+        row("LINELEN", str(of.line_length)),
+        row("MINSIZE", str(of.min_size)),
+        row("MINPINSEP", str(of.min_pin_separation)),
+        row("STEPSIZE", str(of.step_size)),
+        row("PINLENGTH", str(of.pin_length)),
+        row("CONNSEP", str(of.connection_separation)),
+        row("INCONST", _yes(of.show_inconst)),
+        row("OUTCONST", _yes(of.show_outconst)),
+        row("INVAR", _yes(of.show_invar)),
+        row("OUTVAR", _yes(of.show_outvar)),
+        row("LOCISIZE", str(of.locus_size)),
+        row("HITTOL", str(of.hit_tolerance)),
+        row("RATE", "period" if of.shows_period else "frequency"),
+        row("LEXI", *_place(of.library)),
+        row("CONF", *_place(of.canvas)),
+        row("STAT", *_place(of.status)),
+        row("LOCUS", *_place(of.variables)),
+        row("DICT", *_place(of.dictionary)),
+        row("APPL", *_place(of.workspace)),
+        row("MAIN", *_place(of.main)),
+        row("BUTTON", *_place(of.buttons)),
+        row("STATINFO", *of.status_columns),
+        "\n",
+        row("EOF"),
+    ]
+    return carry_comments(former, "".join(rows))
+
+
+def _yes(shown: bool) -> str:
+    return "yes" if shown else "no"
+
+
+def _place(place: Spot | Window) -> tuple[str, ...]:
+    size = (place.height, place.width) if isinstance(place, Window) else ()
+    return tuple(map(str, (place.x, place.y, *size)))
+
+
+def _spot(line: Line | None, default: Spot, reading: Reading) -> Spot:
+    return Spot(*reading.wholes(line, (default.x, default.y)))
+
+
+def _window(line: Line | None, default: Window, reading: Reading) -> Window:
+    window = Window(*reading.wholes(line, (default.x, default.y, default.height, default.width)))
+    if line and min(window.height, window.width) < 1:
+        reading.fault(line.number, f"a height and width above 0 after {line.keyword}", str(line))
+        return default
+    return window
+
+
+def _columns(line: Line | None, default: tuple[str, ...], reading: Reading) -> tuple[str, ...]:
+    if line is None:
+        return default
+    known = set(line.words) <= set(STATUS_COLUMNS) and len(set(line.words)) == len(line.words)
+    if not known:
+        reading.fault(line.number, f"names out of {' '.join(STATUS_COLUMNS)}, each once", str(line))
+    return line.words if known else default

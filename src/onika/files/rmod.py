@@ -1,0 +1,251 @@
+"""The task parameter file, `.rmod` (dissertation §A.1)."""
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from decimal import Context, Decimal
+from fractions import Fraction
+
+from onika.files.layout import Key, carry, words_of
+from onika.files.line import Line, Need, Reading, Slot, is_number, one_line, row, show_number
+from onika.model.syntax import has_word
+from onika.model.task import LocalLine, Task, TaskType
+from onika.words.fault import Fault
+from onika.words.name import SVAR_NAME, TASK_NAME
+
+ENDING = ".rmod"
+
+_SLOTS = (
+    Slot("MODULE"),
+    Slot("DESC"),
+    Slot("SVARALIAS", Need.OPTIONAL, many=True),
+    Slot("INCONST"),
+    Slot("OUTCONST"),
+    Slot("INVAR"),
+    Slot("OUTVAR"),
+    Slot("TASKTYPE"),
+    Slot("FREQ", Need.OPTIONAL),
+    Slot("PERIOD", Need.OPTIONAL),
+    Slot("ONIKA", Need.OPTIONAL),
+    Slot("OBJECT", Need.OPTIONAL),
+    Slot("LOCAL", Need.OPTIONAL),
+)
+_KEYWORDS = frozenset(slot.keyword for slot in _SLOTS)
+_PORTS = ("INCONST", "OUTCONST", "INVAR", "OUTVAR")
+_OUTPUTS = ("OUTCONST", "OUTVAR")
+_LOCAL_KEY = re.compile(r"[A-Za-z][A-Za-z0-9_^.-]*\Z")
+_ALIAS = re.compile(r"([^ \t=]+)[ \t]*=[ \t]*([^ \t=]+)\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class RmodText:
+    """A task with the text it was read from, whose comments and blanks ride along; "" for a new task."""
+
+    task: Task
+    text: str = ""
+
+
+def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[Fault, ...]]:
+    """The task `name` (no ending) of a text; with any fault the task is left out. `place_file` names the file."""
+    reading = Reading(place_file, "the task is left out")
+    reading.open(text)
+    head = next((at for at, line in enumerate(reading.lines) if line.keyword == "LOCAL"), len(reading.lines))
+    found = reading.arrange(reading.lines[: head + 1], _SLOTS) if reading.lines else {}
+    if not found:
+        return None, reading.faults
+    aliases = _aliases(found["SVARALIAS"], reading)
+    ports = _ports(found, aliases, reading)
+    kind = reading.choice(_first(found["TASKTYPE"]), {kind.value: kind for kind in TaskType}, TaskType.APERIODIC)
+    for alone in found["ONIKA"] + found["LOCAL"]:
+        reading.bare(alone)
+    task = Task(
+        name=name,
+        module=reading.match(_first(found["MODULE"]), TASK_NAME, "the name of a module"),
+        description=found["DESC"][0].text if found["DESC"] else "",
+        aliases=aliases,
+        inconst=ports["INCONST"],
+        outconst=ports["OUTCONST"],
+        invar=ports["INVAR"],
+        outvar=ports["OUTVAR"],
+        type=kind,
+        frequency=_frequency(found, kind, reading),
+        gives_period=bool(found["PERIOD"]),
+        object_type=_object_type(found, reading),
+        local=_local(reading.lines[head + 1 :], reading),
+    )
+    return (None if reading.broken else RmodText(task, text)), reading.faults
+
+
+def write(record: RmodText, task: Task | None = None) -> str:
+    """The text of a record, with what `task` changes in it; every other line stays as it was."""
+    if task is None:
+        task = record.task
+    if record.text and (task, task.gives_period) == (record.task, record.task.gives_period):
+        return record.text
+    return carry(record.text, _canonical(task), _key)
+
+
+def _canonical(task: Task) -> str:
+    rows = [row("MODULE", task.module), row("DESC", one_line(task.description))]
+    rows += [row("SVARALIAS", coded, "=", svar) for coded, svar in task.aliases]
+    for keyword, names in zip(_PORTS, (task.inconst, task.outconst, task.invar, task.outvar), strict=True):
+        rows.append(row(keyword, *(names or ("none",))))
+    rows.append(row("TASKTYPE", task.type.value))
+    if task.frequency is not None:
+        gives = ("PERIOD", _show_period(task.frequency)) if task.gives_period else ("FREQ", show_number(task.frequency))
+        rows += ["\n", row(*gives)]
+    if task.object_type is not None:
+        rows += ["\n", row("ONIKA"), row("OBJECT", one_line(task.object_type))]
+    if task.local:
+        rows += ["\n", row("LOCAL")]
+        rows += [row(line.key, *line.words) for line in task.local]
+    return "".join([*rows, "\n", row("EOF")])
+
+
+def _key(line: str) -> Key:
+    """Two spellings of one alias or rate are one line."""
+    words = words_of(line)
+    if words[0] == "SVARALIAS":
+        return words_of(line.replace("=", " = "))
+    if words[0] in ("FREQ", "PERIOD") and len(words) == 2 and is_number(words[1]):
+        return words[0], repr(float(words[1]))
+    return words
+
+
+def _first(lines: Sequence[Line]) -> Line | None:
+    return lines[0] if lines else None
+
+
+def _aliases(lines: Sequence[Line], reading: Reading) -> tuple[tuple[str, str], ...]:
+    aliases: dict[str, str] = {}
+    for line in lines:
+        found = _ALIAS.match(line.rest)
+        if not found or not (SVAR_NAME.match(found[1]) and SVAR_NAME.match(found[2])):
+            reading.fault(line.number, "SVARALIAS CODED = SVAR with names of state variables", str(line))
+        elif found[1] in aliases:
+            reading.fault(line.number, f"one alias of {found[1]}", str(line))
+        else:
+            aliases[found[1]] = found[2]
+    return tuple(aliases.items())
+
+
+def _ports(
+    found: Mapping[str, list[Line]], aliases: Sequence[tuple[str, str]], reading: Reading
+) -> dict[str, tuple[str, ...]]:
+    listed = {keyword: _names(_first(found[keyword]), reading) for keyword in _PORTS}
+    ports = {keyword: _coded(names, listed, aliases) for keyword, names in listed.items()}
+    for keyword, names in ports.items():
+        if len(set(names)) < len(names):
+            reading.fault(found[keyword][0].number, "every name once", str(found[keyword][0]))
+    _check_aliases(found, ports, aliases, reading)
+    return ports
+
+
+def _names(line: Line | None, reading: Reading) -> tuple[str, ...]:
+    """The words of a port line; `none` stands for no ports."""
+    if line is None or line.words == ("none",):
+        return ()
+    if not line.words or not all(SVAR_NAME.match(word) for word in line.words) or "NONE" in line.words:
+        reading.fault(line.number, f"names of state variables or none after {line.keyword}", str(line))
+        return ()
+    return line.words
+
+
+def _coded(
+    names: Sequence[str], listed: Mapping[str, Sequence[str]], aliases: Sequence[tuple[str, str]]
+) -> tuple[str, ...]:
+    """Coded names for those given by their alias (decision 8).
+
+    A name counts as an alias where the coded name it belongs to stands on no port line.
+    """
+    present = {name for line in listed.values() for name in line}
+    coded = {svar: name for name, svar in aliases if name not in present}
+    own = {name for name, _ in aliases}
+    return tuple(name if name in own else coded.get(name, name) for name in names)
+
+
+def _check_aliases(
+    found: Mapping[str, list[Line]],
+    ports: Mapping[str, Sequence[str]],
+    aliases: Sequence[tuple[str, str]],
+    reading: Reading,
+) -> None:
+    """Every alias belongs to a port, and no two outputs become one variable (decision 9)."""
+    present = {name for names in ports.values() for name in names}
+    if reading.broken:
+        return
+    for line, (name, _) in zip(found["SVARALIAS"], aliases, strict=True):
+        if name not in present:
+            reading.fault(line.number, "an alias of a port of this task", str(line))
+    svars = dict(aliases)
+    writers: dict[str, str] = {}
+    for name in dict.fromkeys(name for keyword in _OUTPUTS for name in ports[keyword]):
+        other = writers.setdefault(svars.get(name, name), name)
+        if other != name:
+            line = next(found[keyword][0] for keyword in reversed(_OUTPUTS) if name in ports[keyword])
+            reading.fault(line.number, "one output for each variable", f"{other} and {name} as {svars.get(name, name)}")
+
+
+def _frequency(found: Mapping[str, list[Line]], kind: TaskType, reading: Reading) -> float | None:
+    """Hz; exactly one of FREQ and PERIOD where the task is periodic or synchronous."""
+    lines = found["FREQ"] + found["PERIOD"]
+    tasktype = _first(found["TASKTYPE"])
+    is_known = tasktype is not None and tasktype.rest in {kind.value for kind in TaskType}
+    if is_known and kind is TaskType.APERIODIC:
+        for line in lines:
+            reading.fault(line.number, "no FREQ and no PERIOD for an aperiodic task", str(line))
+        return None
+    if is_known and tasktype and not lines:
+        reading.fault(tasktype.number, f"FREQ or PERIOD for a {kind.value} task", "neither")
+    if len(lines) > 1:
+        reading.fault(lines[-1].number, "either FREQ or PERIOD", "both")
+    rates = [_rate(line, reading) for line in lines]
+    return rates[0] if rates else None
+
+
+def _rate(line: Line, reading: Reading) -> float:
+    value = float(line.rest) if is_number(line.rest) else math.nan
+    if not (math.isfinite(value) and value > 0):
+        unit = "Hz" if line.keyword == "FREQ" else "s"
+        reading.fault(line.number, f"a number above 0 ({unit}) after {line.keyword}", str(line))
+        return 1.0
+    if line.keyword == "FREQ":
+        return value
+    try:
+        return float(1 / Fraction(line.rest))
+    except OverflowError:
+        reading.fault(line.number, "a period that is no fraction of nothing", str(line))
+        return 1.0
+
+
+def _show_period(frequency: float) -> str:
+    """The shortest decimal number of seconds that reads back as this frequency in Hz."""
+    exact = Fraction(frequency)
+    for digits in range(1, 40):
+        context = Context(prec=digits)
+        text = str(context.divide(Decimal(exact.denominator), Decimal(exact.numerator)))
+        if float(1 / Fraction(text)) == frequency:
+            return text
+    raise ValueError(f"expected a frequency with a period, found {frequency!r}")
+
+
+def _object_type(found: Mapping[str, list[Line]], reading: Reading) -> str | None:
+    onika, line = _first(found["ONIKA"]), _first(found["OBJECT"])
+    if onika and not line:
+        reading.fault(onika.number, "OBJECT after ONIKA", "none")
+    if line and not onika:
+        reading.fault(line.number, "ONIKA before OBJECT", "none")
+    if line and not (has_word(line.text, "job") and len(line.words) > 1):
+        reading.fault(line.number, "a type of job such as Joint job after OBJECT", str(line))
+    return line.text if line else None
+
+
+def _local(lines: Sequence[Line], reading: Reading) -> tuple[LocalLine, ...]:
+    """The parameters of the module; the words of the lines above LOCAL are no names for them."""
+    for line in lines:
+        if line.keyword in _KEYWORDS:
+            reading.fault(line.number, f"{line.keyword} before LOCAL", str(line))
+        elif not _LOCAL_KEY.match(line.keyword):
+            reading.fault(line.number, "the name of a parameter", str(line))
+    return tuple(LocalLine(line.keyword, line.words) for line in lines)

@@ -1,0 +1,137 @@
+"""The syntax definition file, `OnikaUpperSetUp.dta` (dissertation §A.7)."""
+
+from collections.abc import Mapping, Sequence
+
+from onika.files.layout import carry_comments
+from onika.files.line import VERSION, Line, Need, Reading, Slot, one_line, row, show, split
+from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
+from onika.words.fault import Fault
+from onika.words.value import ValueType
+
+NAME = "OnikaUpperSetUp.dta"
+
+_HEAD = (Slot("VERSION", Need.OPTIONAL),)
+_TYPE = (Slot("ONIKON"), Slot("LEFTEDGE"), Slot("RIGHTEDGE"))
+_ITEM = (Slot("VARNAME"), Slot("DATATYPE"), Slot("NELEMS"))
+_EDGE = (Slot("EDGENUM"), Slot("RGB"), Slot("NUMVERTS"), Slot("VERTICES"))
+_TYPES = {kind.value: kind for kind in ValueType}
+
+_Found = Mapping[str, Line | None]
+
+
+def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fault, ...]]:
+    """The syntax of a text, whole or not at all; `name` completes the form of all formats."""
+    reading = Reading(place_file, f"{name} is left out")
+    reading.open_versioned(text)
+    if reading.refused or not reading.lines:
+        return None, reading.faults
+    head, *blocks = split(reading.lines, {"ONIKON", "EDGENUM"})
+    reading.arrange(head, _HEAD)
+    types: list[tuple[int, IconType]] = []
+    edges: list[tuple[int, Edge]] = []
+    for block in blocks:
+        first = block[0]
+        if first.keyword == "EDGENUM":
+            edges.append((first.number, _edge(_arranged(block, _EDGE, reading), reading)))
+            continue
+        if edges:
+            reading.fault(first.number, "every ONIKON before the first EDGENUM", str(first))
+        types.append((first.number, _type(block, reading)))
+    _check_types(types, {edge.number for _, edge in edges}, reading)
+    _check_edges(edges, reading)
+    syntax = Syntax(tuple(kind for _, kind in types), tuple(edge for _, edge in edges))
+    return (None if reading.broken else syntax), reading.faults
+
+
+def write(syntax: Syntax, former: str = "") -> str:
+    """The text of a syntax, with the comments of its former text."""
+    parts = [row("VERSION", VERSION)]
+    parts += ["\n" + _show_type(kind) for kind in syntax.types]
+    parts += ["\n" + _show_edge(edge) for edge in syntax.edges]
+    return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
+
+
+def _show_type(kind: IconType) -> str:
+    parts = [row("ONIKON", one_line(kind.name)), row("LEFTEDGE", str(kind.left_edge))]
+    parts.append(row("RIGHTEDGE", str(kind.right_edge)))
+    for item in kind.items:
+        parts += [row("VARNAME", one_line(item.name)), row("DATATYPE", item.type.value), row("NELEMS", str(item.count))]
+    return "".join(parts)
+
+
+def _show_edge(edge: Edge) -> str:
+    return (
+        row("EDGENUM", str(edge.number))
+        + row("RGB", *map(str, edge.rgb))
+        + row("NUMVERTS", str(len(edge.vertices)))
+        + row("VERTICES", *(str(move) for vertex in edge.vertices for move in vertex))
+    )
+
+
+def _arranged(block: Sequence[Line], slots: Sequence[Slot], reading: Reading) -> _Found:
+    return {keyword: lines[0] if lines else None for keyword, lines in reading.arrange(block, slots).items()}
+
+
+def _type(block: Sequence[Line], reading: Reading) -> IconType:
+    head, *items = split(block, {"VARNAME"})
+    found = _arranged(head, _TYPE, reading)
+    kind = IconType(
+        _text(found["ONIKON"], "the name of a type", reading),
+        reading.whole(found["LEFTEDGE"], 0, low=0),
+        reading.whole(found["RIGHTEDGE"], 0, low=0),
+        tuple(_item(_arranged(item, _ITEM, reading), reading) for item in items),
+    )
+    if items and not kind.is_target:
+        reading.fault(items[0][0].number, "VARNAME only for a type of object", str(items[0][0]))
+    return kind
+
+
+def _item(found: _Found, reading: Reading) -> DataItem:
+    return DataItem(
+        _text(found["VARNAME"], "the name of a data item", reading),
+        reading.choice(found["DATATYPE"], _TYPES, ValueType.STRING),
+        reading.whole(found["NELEMS"], 1, low=1),
+    )
+
+
+def _text(line: Line | None, meaning: str, reading: Reading) -> str:
+    if line and not line.rest:
+        reading.fault(line.number, f"{meaning} after {line.keyword}", str(line))
+    return line.text if line else ""
+
+
+def _edge(found: _Found, reading: Reading) -> Edge:
+    red, green, blue = reading.wholes(found["RGB"], (0, 0, 0), low=0)
+    if found["RGB"] and max(red, green, blue) > 255:
+        reading.fault(found["RGB"].number, "three numbers from 0 to 255 after RGB", str(found["RGB"]))
+    count = reading.whole(found["NUMVERTS"], 0, low=0)
+    line = found["VERTICES"]
+    moves: tuple[int, ...] = ()
+    if line and len(line.words) != 2 * count:
+        reading.fault(line.number, f"{count} pairs of numbers after VERTICES", str(line))
+    elif line and count:
+        moves = reading.wholes(line, (0,) * (2 * count))
+    pairs = tuple(zip(moves[::2], moves[1::2], strict=True))
+    return Edge(reading.whole(found["EDGENUM"], 0, low=0), (red, green, blue), pairs)
+
+
+def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading: Reading) -> None:
+    """Names are unique without case, edges are defined, the types with a meaning of their own are there."""
+    seen: set[str] = set()
+    for number, kind in types:
+        if kind.name.lower() in seen:
+            reading.fault(number, "every type once", f"{show(kind.name)} again")
+        seen.add(kind.name.lower())
+        for edge in sorted({kind.left_edge, kind.right_edge} - edges):
+            reading.fault(number, "edges that are defined by EDGENUM", f"edge {edge} of {show(kind.name)}")
+    for name in SPECIAL_TYPES:
+        if name.lower() not in seen:
+            reading.fault(reading.lines[-1].number, f"the type {name}", "none")
+
+
+def _check_edges(edges: Sequence[tuple[int, Edge]], reading: Reading) -> None:
+    seen: set[int] = set()
+    for number, edge in edges:
+        if edge.number in seen:
+            reading.fault(number, "every edge once", f"edge {edge.number} again")
+        seen.add(edge.number)

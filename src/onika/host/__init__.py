@@ -1,0 +1,1 @@
+"""The runtime program: supervisor, runner, gate, processing units, device server, loader."""

@@ -1,0 +1,222 @@
+"""The device server as a process: steps every world of a runtime on its own absolute grid of wall time (law 16)."""
+
+import argparse
+import select
+import signal
+import socket
+import sys
+from time import monotonic_ns
+
+from msgspec import Struct, msgpack
+
+from onika.host.heartbeat import Heartbeat
+from onika.host.outlet import open_outlets
+from onika.host.post import Post
+from onika.host.rtpu import preload
+from onika.host.schedule import become_real_time
+from onika.host.worlds import open_world, split
+from onika.link.launcher import die_with_parent
+from onika.ring.device import DriveEvent
+from onika.ring.segment import Segment
+from onika.runtime.bus import Bus
+from onika.runtime.command import DeviceGrant
+
+_LONGEST_SLEEP_S = 0.02
+_MOST_BEHIND_NS = 50_000_000
+"""Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
+
+
+class Open(Struct, frozen=True, tag=True):
+    """Open a world; the memory of its bus comes with this datagram."""
+
+    world: str
+
+
+class Claim(Struct, frozen=True, tag=True):
+    """Grant `world:device` to the writer of this epoch."""
+
+    device: str
+    epoch: int
+
+
+class Release(Struct, frozen=True, tag=True):
+    """The claim ends."""
+
+    device: str
+    epoch: int
+
+
+class Fence(Struct, frozen=True, tag=True):
+    """The writer of this epoch is dead."""
+
+    epoch: int
+
+
+class StopAll(Struct, frozen=True, tag=True):
+    """Every drive in hold, latched (law 27)."""
+
+
+class Draw(Struct, frozen=True, tag=True):
+    """Ask for the worlds as they stand."""
+
+
+class Granted(Struct, frozen=True, tag=True):
+    """The answer to a Claim."""
+
+    grant: DeviceGrant
+
+
+class Denied(Struct, frozen=True, tag=True):
+    """The answer to an Open or a Claim that cannot be."""
+
+    reason: str
+
+
+class Opened(Struct, frozen=True, tag=True):
+    """The world is there and steps."""
+
+    world: str
+
+
+class Driven(Struct, frozen=True, tag=True):
+    """A drive has changed its state."""
+
+    world: str
+    device: str
+    state: int
+    at_ns: int
+    previous_step_ns: int
+    last_command_ns: int
+    cause: str
+
+
+class Drawn(Struct, frozen=True, tag=True):
+    """The answer to Draw."""
+
+    snapshots: dict[str, bytes]
+
+
+class Up(Struct, frozen=True, tag=True):
+    """The process is up; what the operating system granted it."""
+
+    granted: dict[str, bool]
+
+
+Order = Open | Claim | Release | Fence | StopAll | Draw
+Word = Granted | Denied | Opened | Driven | Drawn | Up
+
+encode = msgpack.Encoder().encode
+decode_order = msgpack.Decoder(Order).decode
+decode_word = msgpack.Decoder(Word).decode
+
+
+class DeviceServer:
+    """The loop around the buses."""
+
+    def __init__(self, post: Post, heartbeat: Heartbeat, zero_ns: int) -> None:
+        self._post = post
+        self._heartbeat = heartbeat
+        self._zero = zero_ns
+        self._buses: dict[str, Bus] = {}
+        self._behind: dict[str, int] = {}
+        self._segments: list[Segment] = []
+
+    def run(self) -> None:
+        """Until the runtime is gone."""
+        while not self._post.is_closed:
+            self._heartbeat.beat()
+            self._rest()
+            self._take_orders()
+            for name, bus in self._buses.items():
+                self._step(name, bus)
+
+    def _now(self) -> int:
+        return monotonic_ns() - self._zero
+
+    def _rest(self) -> None:
+        now = self._now()
+        wait = _LONGEST_SLEEP_S
+        for name, bus in self._buses.items():
+            due = bus.world.now_ns + bus.world.step_ns + self._behind[name]
+            wait = min(wait, (due - now) * 1e-9)
+        if wait > 0:
+            select.select([self._post], [self._post] if self._post.is_waiting else [], [], wait)
+
+    def _step(self, name: str, bus: Bus) -> None:
+        world = bus.world
+        now = self._now()
+        late = now - self._behind[name] - world.now_ns
+        if late > _MOST_BEHIND_NS:
+            self._behind[name] += late - world.step_ns
+        until = now - self._behind[name]
+        if until >= world.now_ns + world.step_ns:
+            bus.step(until)
+        for one in world.take_events():
+            self._post.send(encode(_driven(name, one)))
+
+    def _take_orders(self) -> None:
+        if self._post.is_waiting:
+            self._post.flush()
+        while (received := self._post.receive()) is not None:
+            answer = self._carry_out(decode_order(received[0]), received[1])
+            if answer is not None:
+                self._post.send(encode(answer))
+
+    def _carry_out(self, order: Order, descriptors: list[int]) -> Word | None:
+        match order:
+            case Open():
+                return self._open(order.world, descriptors[0])
+            case Claim():
+                world, device = split(order.device)
+                try:
+                    return Granted(self._buses[world].grant(device, order.epoch))
+                except ValueError as wrong:
+                    return Denied(str(wrong))
+            case Release():
+                world, device = split(order.device)
+                self._buses[world].release(device, order.epoch)
+            case Fence():
+                for bus in self._buses.values():
+                    bus.world.fence(order.epoch)
+            case StopAll():
+                for bus in self._buses.values():
+                    bus.world.stop()
+            case Draw():
+                return Drawn({name: bus.world.snapshot() for name, bus in self._buses.items()})
+        return None
+
+    def _open(self, name: str, descriptor: int) -> Word:
+        segment = Segment.attach(descriptor)
+        self._segments.append(segment)
+        try:
+            world = open_world(name)
+        except ValueError as wrong:
+            return Denied(str(wrong))
+        self._buses[name] = Bus(name, world, segment)
+        self._behind[name] = self._now() - world.now_ns
+        return Opened(name)
+
+
+def _driven(world: str, one: DriveEvent) -> Driven:
+    return Driven(world, one.device, int(one.state), one.at_ns, one.previous_step_ns, one.last_command_ns, one.cause)
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    for option in ("--fd", "--beat-fd", "--zero", "--parent"):
+        parser.add_argument(option, type=int, required=True)
+    parser.add_argument("--fifo", action="store_true")
+    given = parser.parse_args(words)
+    die_with_parent(given.parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    preload()
+    post = Post(socket.socket(fileno=given.fd))
+    server = DeviceServer(post, Heartbeat(Segment.attach(given.beat_fd)), given.zero)
+    post.send(encode(Up(become_real_time(given.fifo))))
+    server.run()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

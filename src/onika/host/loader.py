@@ -1,0 +1,179 @@
+"""The loader as a process: executes module code to learn of it, so that nothing it does harms the runtime (law 21)."""
+
+import argparse
+import select
+import signal
+import socket
+import subprocess
+import sys
+from time import monotonic_ns
+from typing import Any
+
+from msgspec import Struct, msgpack
+
+from onika.host.loading import DirectLoading
+from onika.host.outlet import open_outlets
+from onika.host.post import Post
+from onika.host.process import start
+from onika.host.rtpu import preload
+from onika.link.launcher import die_with_parent
+from onika.runtime.sheet import ModuleSheet
+from onika.wire.plan import Code
+from onika.wire.request import FaultText
+from onika.words.fault import Fault, Place
+
+PATIENCE_S = 10.0
+"""How long a module may take to be imported and looked at."""
+
+Lines = tuple[tuple[str, tuple[str, ...]], ...]
+
+
+class AskSheet(Struct, frozen=True, tag=True):
+    """Ask for the sheet of a module."""
+
+    code: Code
+
+
+class AskConstants(Struct, frozen=True, tag=True):
+    """Ask for a robot module's constants."""
+
+    code: Code
+    local: Lines
+
+
+class AskReach(Struct, frozen=True, tag=True):
+    """Ask which targets are out of reach."""
+
+    code: Code
+    constants: dict[str, Any]
+    targets: list[tuple[str, list[Any]]]
+
+
+class Sheet(Struct, frozen=True, tag=True):
+    """The answer to AskSheet."""
+
+    sheet: ModuleSheet
+
+
+class Constants(Struct, frozen=True, tag=True):
+    """The answer to AskConstants."""
+
+    values: dict[str, Any]
+
+
+class Reach(Struct, frozen=True, tag=True):
+    """The answer to AskReach: a reason for each target out of reach."""
+
+    reasons: list[str | None]
+
+
+class Wrong(Struct, frozen=True, tag=True):
+    """The module cannot be used."""
+
+    fault: FaultText
+
+
+Question = AskSheet | AskConstants | AskReach
+Answer = Sheet | Constants | Reach | Wrong
+
+encode = msgpack.Encoder().encode
+decode_question = msgpack.Decoder(Question).decode
+decode_answer = msgpack.Decoder(Answer).decode
+
+
+class Loader:
+    """The runtime's end: asks its loader process, which is started at once and again whenever it had to be ended."""
+
+    def __init__(self) -> None:
+        self._post, self._process = self._start()
+
+    def sheet(self, code: Code) -> ModuleSheet | Fault:
+        """The sheet of a module's class."""
+        answer = self._ask(AskSheet(code), code)
+        return answer.sheet if isinstance(answer, Sheet) else _fault(answer)
+
+    def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
+        """A robot module's constants from its LOCAL lines."""
+        answer = self._ask(AskConstants(code, local), code)
+        return answer.values if isinstance(answer, Constants) else _fault(answer)
+
+    def resolve(
+        self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
+    ) -> list[str | None] | Fault:
+        """Why each target is out of reach, or None."""
+        answer = self._ask(AskReach(code, constants, targets), code)
+        return answer.reasons if isinstance(answer, Reach) else _fault(answer)
+
+    def close(self) -> None:
+        """End the process."""
+        self._post.close()
+        self._process.kill()
+        self._process.wait()
+
+    def _start(self) -> tuple[Post, "subprocess.Popen[bytes]"]:
+        ours, theirs = Post.pair()
+        return ours, start("onika.host.loader", theirs)
+
+    def _ask(self, question: Question, code: Code) -> Answer:
+        self._post.send(encode(question))
+        until = monotonic_ns() + round(PATIENCE_S * 1e9)
+        while (left := until - monotonic_ns()) > 0 and not self._post.is_closed:
+            select.select([self._post], [self._post] if self._post.is_waiting else [], [], left * 1e-9)
+            self._post.flush()
+            received = self._post.receive()
+            if received is not None:
+                answer: Answer = decode_answer(received[0])
+                return answer
+        found = "the loader died of it" if self._post.is_closed else f"nothing within {PATIENCE_S:g} s"
+        self.close()
+        self._post, self._process = self._start()
+        instead = f"module {code.module} is not used"
+        return Wrong(FaultText(code.path, 0, "a module that can be imported and looked at", found, instead))
+
+
+def _fault(answer: Answer) -> Fault:
+    if not isinstance(answer, Wrong):
+        raise TypeError(f"expected the answer to the question, found {answer!r}")
+    text = answer.fault
+    return Fault(Place(text.file, text.line), text.expected, text.found, text.instead)
+
+
+def _answer(question: Question, loading: DirectLoading) -> Answer:
+    found: Any
+    match question:
+        case AskSheet():
+            found = loading.sheet(question.code)
+            return _wrong(found) if isinstance(found, Fault) else Sheet(found)
+        case AskConstants():
+            found = loading.constants(question.code, question.local)
+            return _wrong(found) if isinstance(found, Fault) else Constants(found)
+        case AskReach():
+            found = loading.resolve(question.code, question.constants, question.targets)
+            return _wrong(found) if isinstance(found, Fault) else Reach(found)
+
+
+def _wrong(fault: Fault) -> Wrong:
+    return Wrong(FaultText(fault.place.file, fault.place.line, fault.expected, fault.found, fault.instead))
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--fd", type=int, required=True)
+    parser.add_argument("--parent", type=int, required=True)
+    given = parser.parse_args(words)
+    die_with_parent(given.parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    preload()
+    post, loading = Post(socket.socket(fileno=given.fd)), DirectLoading()
+    while not post.is_closed:
+        select.select([post], [post] if post.is_waiting else [], [])
+        post.flush()
+        received = post.receive()
+        if received is not None:
+            post.send(encode(_answer(decode_question(received[0]), loading)))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,62 @@
+"""What is learnt of module code by executing it: sheets, constants, reach. Called in the loader's process only."""
+
+from typing import Any
+
+import numpy as np
+
+from onika.runtime.binding import locals_of
+from onika.runtime.code import line_in, load, told
+from onika.runtime.sheet import ModuleSheet, sheet_of
+from onika.wire.plan import Code
+from onika.words.fault import Fault, Place
+
+Lines = tuple[tuple[str, tuple[str, ...]], ...]
+
+
+class DirectLoading:
+    """Executes module code in this process."""
+
+    def sheet(self, code: Code) -> ModuleSheet | Fault:
+        """The sheet of a module's class."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            return sheet_of(cls)
+        except ValueError as wrong:
+            return self._fault(code, "declarations that agree", wrong)
+
+    def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
+        """A robot module's constants from its LOCAL lines, as plain lists and numbers."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            found = cls.constants(locals_of(cls, dict(local)))
+            return {name: _plain(value) for name, value in found.items()}
+        except Exception as wrong:
+            return self._fault(code, "constants from the LOCAL lines", wrong)
+
+    def resolve(
+        self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
+    ) -> list[str | None] | Fault:
+        """Why each target is out of reach, or None."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            return list(cls.resolve(constants, list(targets)))
+        except Exception as wrong:
+            return self._fault(code, "an answer about the reach of targets", wrong)
+
+    def _fault(self, code: Code, expected: str, wrong: Exception) -> Fault:
+        place = Place(code.path, line_in(code.path, wrong))
+        return Fault(place, expected, told(wrong), f"module {code.module} is not used")
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    return value

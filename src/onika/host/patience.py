@@ -1,0 +1,33 @@
+"""Patience with module code in virtual time: a call that never returns raises after a while of wall time (law 15)."""
+
+import signal
+from types import FrameType
+
+from onika.runtime.module import ModuleError
+
+PATIENCE_S = 5.0
+
+
+class Patience:
+    """A timer of the operating system that interrupts a call in which nothing has come back for two of its rounds.
+
+    The clock of the run stands still meanwhile, so this changes no run whose modules return.
+    """
+
+    def __init__(self, patience_s: float = PATIENCE_S) -> None:
+        self._task = ""
+        self._calls = 0
+        self._seen = -1
+        self._patience_s = patience_s
+        signal.signal(signal.SIGALRM, self._look)
+        signal.setitimer(signal.ITIMER_REAL, patience_s, patience_s)
+
+    def watch(self, task: str) -> None:
+        """Whose code runs from now on; "" for the executive's own."""
+        self._task = task
+        self._calls += 1
+
+    def _look(self, _signal: int, _frame: FrameType | None) -> None:
+        if self._task and self._calls == self._seen:
+            raise ModuleError(f"a call of task {self._task} has not returned for {self._patience_s:g} s")
+        self._seen = self._calls

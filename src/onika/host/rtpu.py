@@ -1,0 +1,132 @@
+"""One RTPU as a process: an executive in one thread, woken by its own grid or by a command (house decision 3)."""
+
+import argparse
+import contextlib
+import importlib
+import select
+import signal
+import socket
+import sys
+from time import monotonic_ns
+
+from msgspec import Struct, msgpack
+
+from onika.host.heartbeat import Heartbeat
+from onika.host.outlet import open_outlets
+from onika.host.post import Post
+from onika.host.schedule import become_real_time
+from onika.link.launcher import die_with_parent
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.executive import Executive
+
+PRELOADED = ("numpy", "mujoco", "ruckig")
+"""Big libraries that modules use; importing them later would cost missed cycles (law 21)."""
+
+_LONGEST_SLEEP_S = 0.02
+
+
+class Share(Struct, frozen=True, tag=True):
+    """Shared memory by this name comes with this datagram."""
+
+    name: str
+
+
+class Ready(Struct, frozen=True, tag=True):
+    """The process is up; what the operating system granted it."""
+
+    granted: dict[str, bool]
+
+
+encode = msgpack.Encoder().encode
+decode_command = msgpack.Decoder(Share | command.Command).decode
+decode_news = msgpack.Decoder(Ready | news.News).decode
+
+
+class Rtpu:
+    """The loop around an executive."""
+
+    def __init__(self, name: str, post: Post, heartbeat: Heartbeat, zero_ns: int) -> None:
+        self._post = post
+        self._heartbeat = heartbeat
+        self._zero = zero_ns
+        self._views: dict[str, memoryview] = {}
+        self._segments: list[Segment] = []
+        self._executive = Executive(name, self._views, heartbeat.watch)
+        self._over = False
+
+    def run(self) -> None:
+        """Until told to quit, or until the runtime is gone: then devices are put in hold."""
+        while not (self._over or self._post.is_closed):
+            self._heartbeat.beat()
+            heard = self._executive.run_next(self._now())
+            if heard is None:
+                self._rest()
+            else:
+                self._tell(heard)
+            self._take_commands()
+        self._executive.handle(command.Stop("the runtime ends"), self._now())
+
+    def _now(self) -> int:
+        return monotonic_ns() - self._zero
+
+    def _rest(self) -> None:
+        due = self._executive.next_release()
+        wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
+        if wait > 0:
+            writable = [self._post] if self._post.is_waiting else []
+            select.select([self._post], writable, [], wait)
+
+    def _tell(self, heard: list[news.News]) -> None:
+        for one in heard:
+            self._post.send(encode(one))
+
+    def _take_commands(self) -> None:
+        if self._post.is_waiting:
+            self._post.flush()
+        while (received := self._post.receive()) is not None:
+            body, descriptors = received
+            order = decode_command(body)
+            if isinstance(order, Share):
+                segment = Segment.attach(descriptors[0])
+                self._segments.append(segment)
+                self._views[order.name] = segment.view
+                continue
+            slow = isinstance(order, command.Spawn)
+            if slow:
+                self._heartbeat.is_slow(True)
+            self._tell(self._executive.handle(order, self._now()))
+            if slow:
+                self._heartbeat.is_slow(False)
+            self._over = self._over or isinstance(order, command.Quit)
+            self._heartbeat.beat()
+
+
+def preload() -> None:
+    """Import the big libraries that are installed."""
+    for name in PRELOADED:
+        with contextlib.suppress(ImportError):  # a module that needs it will say so
+            importlib.import_module(name)
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    for option in ("--fd", "--beat-fd", "--zero", "--parent"):
+        parser.add_argument(option, type=int, required=True)
+    parser.add_argument("--name", required=True)
+    parser.add_argument("--fifo", action="store_true")
+    given = parser.parse_args(words)
+    die_with_parent(given.parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    preload()
+    post = Post(socket.socket(fileno=given.fd))
+    heartbeat = Heartbeat(Segment.attach(given.beat_fd))
+    rtpu = Rtpu(given.name, post, heartbeat, given.zero)
+    post.send(encode(Ready(become_real_time(given.fifo))))
+    rtpu.run()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,338 @@
+"""The runner: carries out the engine's orders on RTPUs and tells the engine what came of them (laws 28, 30).
+
+The same in wall and in virtual time: it is told the time, sends commands through units and tells events through a
+function. It waits for nothing.
+"""
+
+from collections import deque
+from collections.abc import Callable, Mapping
+from typing import Any, Protocol
+
+from onika.engine import news as said
+from onika.engine import orders
+from onika.engine.engine import Engine
+from onika.host.preparation import Preparation
+from onika.host.tally import Tally
+from onika.model.lifecycle import State
+from onika.runtime import command, news
+from onika.runtime.subsystem import Member, Subsystem
+from onika.wire import event
+from onika.wire.request import Begin
+
+Tell = Callable[[event.Event], None]
+
+
+class Units(Protocol):
+    """The RTPUs, by name, and the devices, as the runner sees them."""
+
+    def send(self, rtpu: str, order: command.Command) -> None:
+        """Give an RTPU a command."""
+        ...
+
+    def grant(self, rtpu: str, device: str) -> command.DeviceGrant:
+        """Claim `world:device` for a task on this RTPU; raises ValueError with the reason."""
+        ...
+
+    def release(self, device: str) -> None:
+        """Give a claimed device back: it holds."""
+        ...
+
+
+class Runner:
+    """One run of a prepared plan."""
+
+    def __init__(
+        self,
+        prepared: Preparation,
+        begin: Begin,
+        subsystems: Mapping[int, Subsystem],
+        units: Units,
+        tell: Tell,
+    ) -> None:
+        self._prepared = prepared
+        self._begin = begin
+        self._subsystems = subsystems
+        self._flows = {subsystem.name: number for number, subsystem in subsystems.items()}
+        self._units = units
+        self._tell = tell
+        passive = {
+            (number, wired.name) for number, flow in enumerate(prepared.flows) for wired in flow if wired.sheet.passive
+        }
+        triggers = {(n, wired.name) for n, flow in enumerate(prepared.flows) for wired in flow if wired.sheet.trigger}
+        ranks = {(n, name): rank for n, one in subsystems.items() for name, rank in one.ranks.items()}
+        self._engine = Engine(prepared.plan, prepared.triggers, passive, ranks, triggers)
+        self._waiting_spawns: list[tuple[int, str]] = []
+        self._batches: dict[int, deque[tuple[str, command.Switch]]] = {}
+        self._awaited: dict[int, set[str]] = {}
+        self._claims: list[str] = []
+        self._settle_at: int | None = None
+        self._reports_open: set[str] = set()
+        self._now = 0
+        self.tally = Tally(begin.watch)
+        self.is_over = False
+        self._is_aborting = False
+
+    def start(self, now: int) -> None:
+        """Begin the run."""
+        self._now = now
+        self._feed(said.Run())
+        self._spawn_ready()
+
+    def abort(self, cause: str, now: int) -> None:
+        """End the run: tasks killed, devices in hold; harmless when it is over."""
+        self._now = now
+        self._is_aborting = True
+        self._settle_at = None
+        self._waiting_spawns.clear()
+        self._batches.clear()
+        self._feed(said.Abort(cause))
+
+    def lost(self, rtpu: str, now: int) -> None:
+        """An RTPU is gone: its tasks are."""
+        self._now = now
+        self._reports_open.discard(rtpu)
+        for flow, subsystem in self._subsystems.items():
+            for name, member in subsystem.members.items():
+                if member.rtpu == rtpu and member.state is not State.KILLED and member.is_sent:
+                    self._changed(flow, name, State.KILLED)
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether a task waits for user input."""
+        return any(member.state is State.ASKING for one in self._subsystems.values() for member in one.members.values())
+
+    def wake_at(self) -> int | None:
+        """When `tick` has something to do."""
+        return self._settle_at
+
+    def tick(self, now: int) -> None:
+        """Let time pass: what has settled is read, then the statuses are asked for."""
+        self._now = now
+        if self._settle_at is None or now < self._settle_at:
+            return
+        self._settle_at = None
+        self.tally.read({one.name: one.table for one in self._subsystems.values()})
+        self._reports_open = {member.rtpu for one in self._subsystems.values() for member in one.members.values()}
+        for rtpu in sorted(self._reports_open):
+            self._units.send(rtpu, command.Report())
+
+    # News of RTPUs
+
+    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+        """Take in one piece of news."""
+        self._now = now
+        if isinstance(heard, news.Statuses):
+            self.tally.figures(heard)
+            self._reports_open.discard(rtpu)
+            if not self._reports_open and not self._is_aborting:
+                self._feed(said.Settled())
+            return
+        flow = self._flows.get(heard.subsystem)
+        if flow is None or heard.task not in self._subsystems[flow].members:
+            return
+        self._hear_task(flow, heard)
+
+    def _hear_task(self, flow: int, heard: Any) -> None:
+        task, at = heard.task, getattr(heard, "now_ns", self._now)
+        match heard:
+            case news.Initialised():
+                self._changed(flow, task, State.OFF)
+                self._spawn_ready()
+            case news.Changed():
+                self._changed(flow, task, State(heard.state), heard.signal)
+            case news.Cycled():
+                self.tally.first_cycle(flow, heard.at_ns)
+            case news.Finished():
+                self.tally.finished(flow, at)
+                self._changed(flow, task, State.OFF, quietly=True)
+                self._feed(said.Finished(flow, task, heard.flow, heard.loop))
+            case news.Failed():
+                self._failed(flow, heard)
+            case news.Warned():
+                self._tell(event.Warned(heard.subsystem, task, heard.text, self._seconds(at)))
+            case news.Signalled() if heard.kind in ("ILLEGAL", "SHUTDOWN"):
+                self._feed(said.Illegal(flow, task, f"{heard.kind}: {heard.text}"))
+            case news.Asked():
+                self._asked(flow, heard)
+            case news.Refused():
+                self._settled(flow, task)
+                self._feed(said.Refused(flow, task, f"{heard.command}: {heard.reason}"))
+
+    def _changed(self, flow: int, task: str, state: State, signal: str = "", quietly: bool = False) -> None:
+        member = self._subsystems[flow].members[task]
+        before, member.state = member.state, state
+        self._tell(event.TaskState(self._subsystems[flow].name, task, state.value, self._seconds(self._now)))
+        if quietly:
+            return
+        if state is State.ON:
+            self._settled(flow, task)
+            self._feed(said.TurnedOn(flow, task))
+        elif state is State.KILLED:
+            self._release(member)
+            self._feed(said.Killed(flow, task))
+        elif before is State.WAITING:
+            self._feed(said.Spawned(flow, task))
+        elif signal == "OFF":
+            self._feed(said.SwitchedOff(flow, task))
+
+    def _failed(self, flow: int, heard: news.Failed) -> None:
+        at = self._seconds(heard.now_ns)
+        text = f"{heard.entry}: {heard.text}"
+        self._tell(event.Failed(heard.subsystem, heard.task, text, heard.path, heard.line, heard.traceback, at))
+        self._subsystems[flow].members[heard.task].state = State.ERROR
+        self._tell(event.TaskState(heard.subsystem, heard.task, State.ERROR.value, at))
+        self._settled(flow, heard.task)
+        where = f" ({heard.path}:{heard.line})" if heard.line else ""
+        self._feed(said.Failed(flow, heard.task, f"{text}{where}"))
+
+    def _asked(self, flow: int, heard: news.Asked) -> None:
+        """Answer by what the run was given, else by whoever is there, else the run ends (law 25)."""
+        self._subsystems[flow].members[heard.task].state = State.ASKING
+        self._settled(flow, heard.task)
+        answers = dict(self._begin.answers)
+        at = self._seconds(heard.now_ns)
+        self._tell(event.TaskState(heard.subsystem, heard.task, State.ASKING.value, at))
+        reason = heard.reason
+        self._feed(said.Asked(flow, heard.task, reason))
+        if heard.task in answers and heard.task not in self.tally.answered:
+            self.tally.answered.add(heard.task)
+            self.answer(heard.subsystem, heard.task, answers[heard.task])
+        elif self._begin.may_ask:
+            items = tuple(event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items)
+            self._tell(event.Asked(heard.subsystem, heard.task, reason, items, at))
+        else:
+            wanted = ", ".join(f"{heard.task}.{one.name}" for one in heard.items)
+            said_wrong = f" ({reason})" if reason else ""
+            self._feed(said.Abort(f"task {heard.task} asks for {wanted}{said_wrong} and nobody is there to answer"))
+
+    def answer(self, subsystem: str, task: str, line: str) -> None:
+        """The user's answer to an asking task."""
+        flow = self._flows.get(subsystem)
+        if flow is not None and task in self._subsystems[flow].members:
+            member = self._subsystems[flow].members[task]
+            self._units.send(member.rtpu, command.Answer(subsystem, task, line))
+
+    # Orders of the engine
+
+    def _feed(self, one: said.News) -> None:
+        for order in self._engine.feed(one):
+            self._carry_out(order)
+
+    def _carry_out(self, order: orders.Order) -> None:
+        match order:
+            case orders.Spawn():
+                self._waiting_spawns.append((order.flow, order.task))
+            case orders.Switch():
+                self._switch(order)
+            case orders.Off():
+                self._send(order.flow, order.task, command.Switch(self._name(order.flow), (order.task,), (), ()))
+            case orders.Kill():
+                self._kill(order)
+            case orders.Began():
+                flow = self._prepared.plan.flows[order.flow]
+                action = flow.actions[order.index]
+                at = self._seconds(self._now)
+                self._tell(event.Began(order.flow, order.index, len(flow.actions), action.name, at))
+            case orders.Done():
+                self.tally.done += 1
+                self._tell(event.Done(order.flow, order.index, self._seconds(self._now)))
+            case orders.Note():
+                self._tell(event.Warned(self._name(order.flow), "", order.text, self._seconds(self._now)))
+            case orders.Settle():
+                self._settle_at = self._now + round(self._begin.settle_s * 1e9)
+            case orders.End():
+                self.is_over = True
+                self.tally.end(order.completed, order.cause, self._now)
+
+    def _spawn_ready(self) -> None:
+        """Spawn, in order, every task whose constants are there; the others wait for their suppliers (law 10)."""
+        for flow, task in list(self._waiting_spawns):
+            subsystem = self._subsystems[flow]
+            if (flow, task) in self._waiting_spawns and subsystem.is_ready(task):
+                self._waiting_spawns.remove((flow, task))
+                self._spawn(flow, task)
+
+    def _spawn(self, flow: int, task: str) -> None:
+        subsystem = self._subsystems[flow]
+        member = subsystem.members[task]
+        code = self._prepared.code[member.wired.task.digest]
+        try:
+            device = self._claim(member)
+            order = subsystem.spawn(task, code.source, code.path, self._begin.seed, device)
+        except (KeyError, ValueError) as wrong:
+            self._feed(said.Refused(flow, task, f"spawn: {wrong}"))
+            return
+        member.is_sent = True
+        self._units.send(member.rtpu, order)
+
+    def _claim(self, member: Member) -> command.DeviceGrant | None:
+        device = member.wired.device
+        if device is None:
+            return None
+        grant = self._units.grant(member.rtpu, device)
+        if grant.command_offset is not None:
+            self._claims.append(device)
+        return grant
+
+    def _release(self, member: Member) -> None:
+        device = member.wired.device
+        if device in self._claims:
+            self._claims.remove(device)
+            self._units.release(device)
+
+    def _switch(self, order: orders.Switch) -> None:
+        """Split a switch by RTPU, keeping the order of `on`: a group goes out when the one before it is ON."""
+        subsystem = self._subsystems[order.flow]
+        forget = subsystem.forgotten(order.off, [start.task for start in order.on])
+        groups: deque[tuple[str, command.Switch]] = deque()
+        rtpu_of = {name: member.rtpu for name, member in subsystem.members.items()}
+        for rtpu in sorted({rtpu_of[name] for name in order.off}):
+            off = tuple(name for name in order.off if rtpu_of[name] == rtpu)
+            rates = tuple((name, hz) for name, hz in order.kept_rates if rtpu_of[name] == rtpu)
+            groups.append((rtpu, command.Switch(subsystem.name, off, forget, (), rates)))
+        for start in order.on:
+            launch = command.Launch(start.task, start.arguments, start.frequency)
+            rtpu = rtpu_of[start.task]
+            if groups and groups[-1][0] == rtpu:
+                last = groups[-1][1]
+                groups[-1] = (rtpu, _with(last, launch))
+            else:
+                groups.append((rtpu, command.Switch(subsystem.name, (), forget if not groups else (), (launch,))))
+        self._batches[order.flow] = groups
+        self._next_batch(order.flow)
+
+    def _next_batch(self, flow: int) -> None:
+        groups = self._batches.get(flow)
+        while groups:
+            rtpu, switch = groups.popleft()
+            self._awaited[flow] = {launch.task for launch in switch.on}
+            self._units.send(rtpu, switch)
+            if self._awaited[flow]:
+                return
+
+    def _settled(self, flow: int, task: str) -> None:
+        awaited = self._awaited.get(flow)
+        if awaited and task in awaited:
+            awaited.discard(task)
+            if not awaited:
+                self._next_batch(flow)
+
+    def _kill(self, order: orders.Kill) -> None:
+        member = self._subsystems[order.flow].members[order.task]
+        if member.is_sent and member.state is not State.KILLED:
+            self._send(order.flow, order.task, command.Kill(self._name(order.flow), order.task))
+        else:
+            self._changed(order.flow, order.task, State.KILLED)
+
+    def _send(self, flow: int, task: str, order: command.Command) -> None:
+        self._units.send(self._subsystems[flow].members[task].rtpu, order)
+
+    def _name(self, flow: int) -> str:
+        return self._subsystems[flow].name
+
+    def _seconds(self, now: int) -> float:
+        return round(now * 1e-9, 9)
+
+
+def _with(switch: command.Switch, launch: command.Launch) -> command.Switch:
+    return command.Switch(switch.subsystem, switch.off, switch.forget, (*switch.on, launch), switch.rates)

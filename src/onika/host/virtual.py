@@ -1,0 +1,180 @@
+"""The virtual driver: all RTPUs and worlds of a runtime, stepped in one process by one clock (law 1)."""
+
+import hashlib
+from collections import deque
+from collections.abc import Callable, Sequence
+from time import monotonic_ns
+
+from onika.host.runner import Runner
+from onika.host.worlds import open_world, split
+from onika.ring.device import Drive
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.bus import SEGMENT_SIZE, Bus, World
+from onika.runtime.executive import Executive
+from onika.wire import event
+
+
+class VirtualDriver:
+    """As fast as the processor allows, and bit for bit the same every time: nothing here depends on wall time."""
+
+    def __init__(
+        self,
+        rtpus: Sequence[str],
+        tell: Callable[[event.Event], None],
+        worlds: Callable[[str], World] = open_world,
+        watch: Callable[[str], None] = lambda _task: None,
+    ) -> None:
+        self._now = 0
+        self._worlds = worlds
+        self._tell = tell
+        self._views: dict[str, memoryview] = {}
+        self._executives = {name: Executive(name, self._views, watch) for name in sorted(rtpus)}
+        self._commands: deque[tuple[str, command.Command]] = deque()
+        self._buses: dict[str, Bus] = {}
+        self._claims: dict[str, int] = {}
+        self._epoch = 0
+        self._runner: Runner | None = None
+        self._hash = hashlib.sha256()
+
+    @property
+    def now(self) -> int:
+        """Virtual nanoseconds since this runtime's start."""
+        return self._now
+
+    # Units, as the runner sees them
+
+    def send(self, rtpu: str, order: command.Command) -> None:
+        """Give an RTPU a command; it is carried out before the next cycle."""
+        self._commands.append((rtpu, order))
+
+    def grant(self, rtpu: str, device: str) -> command.DeviceGrant:
+        """Claim a device for a task; the world is opened with its first device."""
+        world, name = split(device)
+        bus = self._bus(world)
+        self._epoch += 1
+        self._claims[device] = self._epoch
+        return bus.grant(name, self._epoch)
+
+    def release(self, device: str) -> None:
+        """Give a device back."""
+        world, name = split(device)
+        self._buses[world].release(name, self._claims.pop(device))
+
+    # A run
+
+    def share(self, name: str, segment: Segment) -> None:
+        """Let the RTPUs see a table."""
+        self._views[name] = segment.view
+
+    def begin(self, runner: Runner) -> None:
+        """Start a run at the present time."""
+        self._runner = runner
+        self._hash = hashlib.sha256()
+        runner.start(self._now)
+        self._deliver()
+
+    def advance(self, wall_ns: int) -> bool:
+        """Run for about so much wall time; False when there is nothing to do until somebody says something."""
+        runner, until = self._runner, monotonic_ns() + wall_ns
+        if runner is None:
+            return False
+        while not runner.is_over:
+            self._deliver()
+            if runner.is_asking or not self._instant(runner):
+                return False
+            if monotonic_ns() > until:
+                return True
+        self._tell_drives()
+        return False
+
+    def abort(self, cause: str) -> None:
+        """End the run; what has to happen at once happens at the present time."""
+        if self._runner is not None:
+            self._runner.abort(cause, self._now)
+            self._deliver()
+
+    def answer(self, subsystem: str, task: str, line: str) -> None:
+        """The user's answer."""
+        if self._runner is not None:
+            self._runner.answer(subsystem, task, line)
+            self._deliver()
+
+    def stop(self) -> None:
+        """Everything off and every drive in hold, latched (law 27)."""
+        for bus in self._buses.values():
+            bus.world.stop()
+        for name in self._executives:
+            self.send(name, command.Stop("stop"))
+        self._deliver()
+
+    @property
+    def digest(self) -> str:
+        """Of everything that happened in this run: every step of the worlds and every word to the runner."""
+        return self._hash.hexdigest()
+
+    def snapshots(self) -> dict[str, bytes]:
+        """The worlds as they stand."""
+        return {name: bus.world.snapshot() for name, bus in self._buses.items()}
+
+    # Inner
+
+    def _instant(self, runner: Runner) -> bool:
+        """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
+        times = [at for at in (one.next_release() for one in self._executives.values()) if at is not None]
+        wake = runner.wake_at()
+        if wake is not None:
+            times.append(wake)
+        if not times:
+            return False
+        now = min(times)
+        if now > self._now:
+            self._now = now
+            for bus in self._buses.values():
+                bus.step(now)
+                self._hash.update(bus.world.fingerprint())
+            self._tell_drives()
+        runner.tick(now)
+        self._deliver()
+        for name, executive in self._executives.items():
+            while (heard := executive.run_next(now)) is not None:
+                if heard:
+                    self._hear(name, heard)
+                    self._deliver()
+        return True
+
+    def _deliver(self) -> None:
+        """Carry out commands until none is left; what they lead to is heard at the same instant."""
+        while self._commands:
+            rtpu, order = self._commands.popleft()
+            self._hear(rtpu, self._executives[rtpu].handle(order, self._now))
+
+    def _hear(self, rtpu: str, heard: Sequence[news.News]) -> None:
+        for one in heard:
+            if not isinstance(one, news.Statuses):  # its times are of the wall
+                self._hash.update(news.encode(one))
+            if self._runner is not None:
+                self._runner.hear(rtpu, one, self._now)
+
+    def _bus(self, world: str) -> Bus:
+        if world not in self._buses:
+            segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+            self._views[f"bus:{world}"] = segment.view
+            bus = Bus(world, self._worlds(world), segment)
+            bus.step(self._now)
+            self._buses[world] = bus
+        return self._buses[world]
+
+    def _tell_drives(self) -> None:
+        for name, bus in self._buses.items():
+            for one in bus.world.take_events():
+                self._tell(
+                    event.Drive(
+                        f"{name}:{one.device}",
+                        Drive(one.state).name,
+                        one.at_ns,
+                        one.previous_step_ns,
+                        one.last_command_ns,
+                        one.cause,
+                    )
+                )

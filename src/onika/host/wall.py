@@ -1,0 +1,222 @@
+"""The wall driver: RTPUs and the device server as processes, the runner between them, in wall time (law 30)."""
+
+import select
+from collections.abc import Callable, Sequence
+from time import monotonic_ns
+
+from onika.host import device_server, rtpu
+from onika.host.runner import Runner
+from onika.host.supervisor import Supervised, Supervisor
+from onika.host.worlds import split
+from onika.ring.device import Drive
+from onika.ring.segment import Segment
+from onika.runtime import command
+from onika.runtime.bus import SEGMENT_SIZE
+from onika.wire import event
+
+DEVICES = "device server"
+_PATIENCE_S = 15.0
+
+
+class WallDriver:
+    """Waits for nothing but grants of devices, before anything moves."""
+
+    def __init__(self, rtpus: Sequence[str], tell: Callable[[event.Event], None], with_fifo: bool) -> None:
+        self._zero = monotonic_ns()
+        self._tell = tell
+        self._supervisor = Supervisor(self._zero, with_fifo)
+        self._segments: list[Segment] = []
+        self._opened: set[str] = set()
+        self._claims: dict[str, tuple[int, str]] = {}
+        self._epoch = 0
+        self._runner: Runner | None = None
+        self._answers: list[device_server.Word] = []
+        self.granted: dict[str, dict[str, bool]] = {}
+        self._devices = self._supervisor.launch(DEVICES, "onika.host.device_server")
+        self._rtpus = {
+            name: self._supervisor.launch(name, "onika.host.rtpu", ("--name", name)) for name in sorted(rtpus)
+        }
+        self._await(lambda: all(one.is_up for one in self._supervisor.processes.values()), "the processes to start")
+
+    @property
+    def digest(self) -> str:
+        """Nothing: wall time never repeats."""
+        return ""
+
+    @property
+    def now(self) -> int:
+        """Nanoseconds since this runtime's start."""
+        return monotonic_ns() - self._zero
+
+    def posts(self) -> list[Supervised]:
+        """What to wait for in `select`."""
+        return [one for one in self._supervisor.processes.values() if not one.is_lost]
+
+    # Units, as the runner sees them
+
+    def send(self, name: str, order: command.Command) -> None:
+        """Give an RTPU a command."""
+        self._rtpus[name].post.send(rtpu.encode(order))
+
+    def grant(self, name: str, device: str) -> command.DeviceGrant:
+        """Claim a device; raises ValueError with the reason."""
+        world, _ = split(device)
+        if world not in self._opened:
+            self._open(world)
+        self._epoch += 1
+        answer = self._ask_devices(device_server.Claim(device, self._epoch))
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
+        if not isinstance(answer, device_server.Granted):
+            raise ValueError(f"the device server does not grant {device}")
+        self._claims[device] = (self._epoch, name)
+        return answer.grant
+
+    def release(self, device: str) -> None:
+        """Give a device back."""
+        epoch, _ = self._claims.pop(device)
+        self._devices.post.send(device_server.encode(device_server.Release(device, epoch)))
+
+    # A run
+
+    def share(self, name: str, segment: Segment) -> None:
+        """Let the RTPUs see a table."""
+        self._segments.append(segment)
+        for one in self._rtpus.values():
+            one.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
+
+    def begin(self, runner: Runner) -> None:
+        """Start a run."""
+        self._runner = runner
+        runner.start(self.now)
+
+    def advance(self, wall_ns: int) -> bool:
+        """Let time pass; never waits. True if a run goes on."""
+        del wall_ns
+        self.look_after()
+        runner = self._runner
+        if runner is None:
+            return False
+        runner.tick(self.now)
+        return not runner.is_over
+
+    def look_after(self) -> None:
+        """Take in what the processes say; end those that fail."""
+        self._receive()
+        for one, reason in self._supervisor.troubles():
+            self._lost(one, reason)
+
+    def wait_s(self) -> float:
+        """How long the loop may sleep before `advance` has something to do."""
+        wake = self._runner.wake_at() if self._runner is not None else None
+        if wake is None:
+            return 0.05
+        return min(max((wake - self.now) * 1e-9, 0.0), 0.05)
+
+    def abort(self, cause: str) -> None:
+        """End the run."""
+        if self._runner is not None:
+            self._runner.abort(cause, self.now)
+
+    def answer(self, subsystem: str, task: str, line: str) -> None:
+        """The user's answer."""
+        if self._runner is not None:
+            self._runner.answer(subsystem, task, line)
+
+    def stop(self) -> None:
+        """Every drive in hold and everything off, straight to the processes (law 27)."""
+        self._devices.post.send(device_server.encode(device_server.StopAll()))
+        for name in self._rtpus:
+            self.send(name, command.Stop("stop"))
+
+    def snapshots(self) -> dict[str, bytes]:
+        """The worlds as they stand."""
+        if self._devices.is_lost:
+            return {}
+        answer = self._ask_devices(device_server.Draw())
+        return answer.snapshots if isinstance(answer, device_server.Drawn) else {}
+
+    def close(self) -> None:
+        """End every process."""
+        self._supervisor.end()
+        for segment in self._segments:
+            segment.close()
+
+    # Inner
+
+    def _receive(self) -> None:
+        for one in self.posts():
+            one.post.flush()
+            while (received := one.post.receive()) is not None:
+                if one is self._devices:
+                    self._word(device_server.decode_word(received[0]))
+                else:
+                    self._news(one, rtpu.decode_news(received[0]))
+
+    def _news(self, one: Supervised, heard: object) -> None:
+        if isinstance(heard, rtpu.Ready):
+            one.is_up = True
+            self.granted[one.name] = heard.granted
+        elif self._runner is not None:
+            self._runner.hear(one.name, heard, self.now)  # type: ignore[arg-type]
+
+    def _word(self, word: device_server.Word) -> None:
+        match word:
+            case device_server.Up():
+                self._devices.is_up = True
+                self.granted[DEVICES] = word.granted
+            case device_server.Driven():
+                self._tell(
+                    event.Drive(
+                        f"{word.world}:{word.device}",
+                        Drive(word.state).name,
+                        word.at_ns,
+                        word.previous_step_ns,
+                        word.last_command_ns,
+                        word.cause,
+                    )
+                )
+            case _:
+                self._answers.append(word)
+
+    def _lost(self, one: Supervised, reason: str) -> None:
+        """A process is gone: fence its claims, let hardware tasks know, end the run and name the cause."""
+        if one is self._devices:
+            for name in self._rtpus:
+                self.send(name, command.Fail(f"the {reason}"))
+            self.abort(f"the {reason}")
+            return
+        for epoch, holder in self._claims.values():
+            if holder == one.name:
+                self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
+        if self._runner is not None:
+            self._runner.lost(one.name, self.now)
+        self.abort(f"processing unit {reason}")
+
+    def _open(self, world: str) -> None:
+        segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+        self._segments.append(segment)
+        self._devices.post.send(device_server.encode(device_server.Open(world)), (segment.fd,))
+        answer = self._answer_of_devices()
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
+        self._opened.add(world)
+        for one in self._rtpus.values():
+            one.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
+
+    def _ask_devices(self, order: device_server.Order) -> device_server.Word:
+        self._devices.post.send(device_server.encode(order))
+        return self._answer_of_devices()
+
+    def _answer_of_devices(self) -> device_server.Word:
+        self._await(lambda: bool(self._answers), "the device server to answer")
+        return self._answers.pop(0)
+
+    def _await(self, is_done: Callable[[], bool], what: str) -> None:
+        """Serve the posts until something is there; raises ValueError when it does not come."""
+        until = monotonic_ns() + round(_PATIENCE_S * 1e9)
+        while not is_done():
+            if monotonic_ns() > until or self._devices.is_lost:
+                raise ValueError(f"waited {_PATIENCE_S:g} s for {what}")
+            select.select([one.post for one in self.posts()], [], [], 0.02)
+            self.look_after()

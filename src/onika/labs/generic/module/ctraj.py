@@ -1,0 +1,73 @@
+"""Straight line of the tool."""
+
+import numpy as np
+
+from onika.laws.frames import pose_of_nine
+from onika.laws.path import Line, quintic
+from onika.module import AskAgain, Input, InVar, Local, Module, OutVar, finish
+
+NEAR = 1e-3  # m, and parts of unit vectors
+STILL = 2e-3  # m/s
+
+
+class Ctraj(Module):
+    """Straight line of the tool to the target, turning evenly about one axis.
+
+    p(t) = p0 + s (p1 - p0), R(t) = R0 exp(s log(R0^T R1)), s of fifth order in t / T
+
+    Kind     trigger, periodic, 20..1000 Hz
+    Ports    INVAR    X_MEZ    double[4,4]     -      measured pose; the start where no reference is in force
+             OUTVAR   X_REF    double[4,4]     -      reference pose; preloaded at `on`, it is the start
+    Local    SPEED             double          m/s    peak speed of the tool
+             TURN              double          rad/s  peak speed of its turning
+             SETTLE            double          s      how long the arm may take to come to rest
+    Input    pose              double[9]       -      approach, normal, position (m) in the world
+             duration          double          s      0.1..600
+    Finish   flow 0, loop FALSE, when t >= T and the tool stands at the target, or SETTLE later
+    Errors   no pose           approach or normal no unit vector, or not square: asks again, stays OFF
+             too fast          duration too short for SPEED and TURN: warns and takes as long as it needs
+    Get/Set  progress 0..1 / -
+    Source   dissertation §4.2.1, §E.1; Craig, Introduction to Robotics, §7.4
+    """
+
+    trigger = True
+
+    X_MEZ = InVar("double[4,4]", "-", "measured pose; the start where no reference is in force")
+    X_REF = OutVar("double[4,4]", "-", "reference pose; preloaded at `on`, it is the start")
+
+    SPEED = Local("double", "m/s", "peak speed of the tool", default=0.3)
+    TURN = Local("double", "rad/s", "peak speed of its turning", default=1.5)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
+
+    pose = Input("double[9]", "-", "approach, normal, position (m) in the world")
+    duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
+
+    def on(self, inputs):
+        try:
+            self._end = pose_of_nine(inputs.pose)
+        except ValueError as wrong:
+            raise AskAgain(str(wrong)) from None
+        start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
+        self._line = Line(start, self._end)
+        shortest = self._line.duration(self.SPEED, self.TURN)
+        if inputs.duration < shortest * (1.0 - 1e-9):
+            self.warn(f"{inputs.duration:g} s is too short for the tool's speed; the motion takes {shortest:.2f} s")
+        self._time, self._duration = 0.0, max(inputs.duration, shortest)
+        self._last = self.X_MEZ.copy()
+        self.X_REF = start
+
+    def cycle(self):
+        self._time += self.dt
+        share, _ = quintic(self._time, self._duration)
+        self._line.at(share, out=self.X_REF)
+        rests = self._rests()
+        over = self._time - self._duration
+        return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
+
+    def get(self, name):
+        return min(self._time / self._duration, 1.0) if name == "progress" else super().get(name)
+
+    def _rests(self):
+        moved = np.abs(self.X_MEZ - self._last).max()
+        self._last[:] = self.X_MEZ
+        return moved < STILL * self.dt and np.abs(self.X_MEZ - self._end).max() < NEAR

@@ -1,0 +1,42 @@
+"""Torque against gravity, Coriolis forces and viscous friction."""
+
+from onika.laws.arm import Arm
+from onika.module import InConst, InVar, Module, OutVar
+
+
+class Gravcomp(Module):
+    """Torque that lets an arm float: against gravity, Coriolis forces and viscous friction.
+
+    tau = g(q) + c(q, qd) + b qd
+
+    Kind     general, periodic, 20..1000 Hz
+    Ports    INCONST  NDOF     int             -      number of joints
+             INCONST  DH       double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
+             INCONST  DYN      double[NDOF,9]  -      mass, centre, inertia, armature, friction of each link (SI)
+             INCONST  LOAD     double[4]       -      the hand: mass kg, centre m in the last frame
+             INCONST  BASE     double[4,4]     -      frame 0 in the world
+             INVAR    Q_MEZ    double[NDOF]    rad    measured position
+             INVAR    Q^_MEZ   double[NDOF]    rad/s  measured speed
+             OUTVAR   TAU_G    double[NDOF]    N m    the torque
+    Source   dissertation §3.2.1; Craig, Introduction to Robotics, §6.4
+    """
+
+    NDOF = InConst("int", "-", "number of joints")
+    DH = InConst("double[NDOF,4]", "-", "a m, alpha rad, d m, theta offset rad")
+    DYN = InConst("double[NDOF,9]", "-", "mass, centre, inertia, armature, friction of each link (SI)")
+    LOAD = InConst("double[4]", "-", "the hand: mass kg, centre m in the last frame")
+    BASE = InConst("double[4,4]", "-", "frame 0 in the world")
+    Q_MEZ = InVar("double[NDOF]", "rad", "measured position")
+    Qd_MEZ = InVar("double[NDOF]", "rad/s", "measured speed", name="Q^_MEZ")
+    TAU_G = OutVar("double[NDOF]", "N m", "the torque")
+
+    def init(self):
+        self._arm = Arm(self.DH, self.DYN, self.LOAD, self.BASE)
+        self._friction = self.DYN[:, 8].copy()
+
+    def on(self, inputs):
+        self.cycle()
+
+    def cycle(self):
+        self._arm.bias(self.Q_MEZ, self.Qd_MEZ, out=self.TAU_G)
+        self.TAU_G += self._friction * self.Qd_MEZ

@@ -1,0 +1,79 @@
+"""Joint path of fifth order."""
+
+import numpy as np
+
+from onika.laws.path import joint_duration, quintic
+from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+
+NEAR = 1e-3  # rad
+STILL = 0.01  # rad/s
+
+
+class Jtraj(Module):
+    """Joint path of fifth order from where the arm is to the target.
+
+    q(t) = q0 + (q1 - q0) (10 s^3 - 15 s^4 + 6 s^5),  s = t / T
+
+    Kind     trigger, periodic, 20..1000 Hz
+    Ports    INCONST  NDOF     int             -      number of joints
+             INCONST  QMIN     double[NDOF]    rad    lower joint limits
+             INCONST  QMAX     double[NDOF]    rad    upper joint limits
+             INCONST  Q^_MAX   double[NDOF]    rad/s  highest joint speeds
+             INVAR    Q_MEZ    double[NDOF]    rad    measured position; q0 where no reference is in force
+             OUTVAR   Q_REF    double[NDOF]    rad    reference position; preloaded at `on`, it is q0
+             OUTVAR   Q^_REF   double[NDOF]    rad/s  reference speed
+    Local    SPEED             double          -      share of Q^_MAX that a motion may peak at
+             SETTLE            double          s      how long the arm may take to come to rest
+    Input    endpoint          double[NDOF]    rad    QMIN..QMAX
+             duration          double          s      0.1..600
+    Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
+    Errors   out of reach      endpoint beyond QMIN..QMAX: asks again, stays OFF
+             too fast          duration too short for SPEED: warns and takes as long as it needs
+    Get/Set  progress 0..1 / -
+    Source   dissertation §4.2.1, Table 9; Craig, Introduction to Robotics, §7.3
+    """
+
+    trigger = True
+
+    NDOF = InConst("int", "-", "number of joints")
+    QMIN = InConst("double[NDOF]", "rad", "lower joint limits")
+    QMAX = InConst("double[NDOF]", "rad", "upper joint limits")
+    Qd_MAX = InConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
+    Q_MEZ = InVar("double[NDOF]", "rad", "measured position; q0 where no reference is in force")
+    Q_REF = OutVar("double[NDOF]", "rad", "reference position; preloaded at `on`, it is q0")
+    Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
+
+    SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
+
+    endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
+    duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)
+
+    def on(self, inputs):
+        self._start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()
+        self._way = inputs.endpoint - self._start
+        self._end = inputs.endpoint
+        shortest = joint_duration(self._start, self._end, self.SPEED * self.Qd_MAX)
+        if inputs.duration < shortest * (1.0 - 1e-9):
+            self.warn(f"{inputs.duration:g} s is too short for the joint speeds; the motion takes {shortest:.2f} s")
+        self._time, self._duration = 0.0, max(inputs.duration, shortest)
+        self._last = self.Q_MEZ.copy()
+        self.Q_REF = self._start
+        self.Qd_REF = 0.0
+
+    def cycle(self):
+        self._time += self.dt
+        share, rate = quintic(self._time, self._duration)
+        self.Q_REF = self._start + share * self._way
+        self.Qd_REF = rate * self._way
+        rests = self._rests()
+        over = self._time - self._duration
+        return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
+
+    def get(self, name):
+        return min(self._time / self._duration, 1.0) if name == "progress" else super().get(name)
+
+    def _rests(self):
+        moved = np.abs(self.Q_MEZ - self._last).max()
+        self._last[:] = self.Q_MEZ
+        return moved < STILL * self.dt and np.abs(self.Q_MEZ - self._end).max() < NEAR

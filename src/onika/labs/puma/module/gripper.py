@@ -1,0 +1,41 @@
+"""The two-finger hand behind its valves."""
+
+from onika.module import InVar, Module, ModuleError, OutVar
+
+
+class Gripper(Module):
+    """The two-finger hand, driven by compressed air: open, close, and what the fingers do.
+
+    Kind     hardware, periodic, 40..1000 Hz
+    Ports    INVAR    GRIP     double          -         +1 opens, -1 closes, 0 changes nothing
+             OUTVAR   GRIP_MEZ double[3]       m,m/s,N   opening, its speed, force on a finger
+    Errors   tripped           the drive has tripped: ERROR; clear brings the drive back to hold
+    Source   dissertation §6.2
+    """
+
+    hardware = True
+
+    GRIP = InVar("double", "-", "+1 opens, -1 closes, 0 changes nothing")
+    GRIP_MEZ = OutVar("double[3]", "m,m/s,N", "opening, its speed, force on a finger")
+
+    def on(self, inputs):
+        self._read()
+
+    def cycle(self):
+        self._read()
+        self.device.write((self.GRIP,))
+
+    def hold(self):
+        self._read()
+        self.device.hold()
+
+    def off(self):
+        self.device.hold()
+
+    def clear(self):
+        self.device.clear()
+
+    def _read(self):
+        self.GRIP_MEZ = self.device.read()
+        if self.device.is_tripped:
+            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")

@@ -1,0 +1,195 @@
+"""Closed-form inverse kinematics of the PUMA family: shoulder offset, two long links, spherical wrist.
+
+The family's standard Denavit-Hartenberg table has alpha = (-90, 0, 90, -90, 90, 0) degrees, a = (0, a2, a3, 0, 0, 0)
+and d = (d1, d2, d3, d4, 0, d6), theta offsets as they like. Eight branches: shoulder, elbow, wrist (Fu, Gonzalez &
+Lee, Robotics, §2.3.2, solved here by the wrist's distance). Singular cases: the wrist on the axis of joint 1's offset
+cylinder and the stretched arm merge two branches; with axes 4 and 6 in line, joint 4 stays where it was.
+"""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from onika.laws.frames import Array, Numbers, inverse_pose
+
+_ALPHAS = np.array([-math.pi / 2, 0.0, math.pi / 2, -math.pi / 2, math.pi / 2, 0.0])
+_TURN = 2.0 * math.pi
+_ROUNDING = 1e-9  # m, rad and shares: how far beyond a border still counts as on it
+_IN_LINE = 1e-8  # sine of joint 5 below which axes 4 and 6 are one
+
+_Flat = tuple[float, ...]
+
+
+def is_puma_family(dh: Array, kind: Array) -> bool:
+    """Whether the closed form fits this table."""
+    if dh.shape != (6, 4) or kind.any():
+        return False
+    a, alpha, d = dh[:, 0], dh[:, 1], dh[:, 2]
+    zeros = (a[0], a[3], a[4], a[5], d[4])
+    return bool(np.allclose(alpha, _ALPHAS, rtol=0.0, atol=1e-12)) and not any(zeros) and a[1] > 0.0 and d[3] > 0.0
+
+
+class PumaInverse:
+    """The inverse of one arm of the family, with its base, tool and limits (double[6], rad)."""
+
+    def __init__(self, dh: Array, base: Array, tool: Array, qmin: Array, qmax: Array) -> None:
+        a, d = dh[:, 0].tolist(), dh[:, 2].tolist()
+        self._d1, self._side, self._d6 = d[0], d[1] + d[2], d[5]
+        self._upper, self._lower, self._bend0 = a[1], math.hypot(a[2], d[3]), math.atan2(d[3], a[2])
+        self._offset: list[float] = dh[:, 3].tolist()
+        self._low, self._high = [float(x) for x in qmin], [float(x) for x in qmax]
+        self._from_base = None if np.array_equal(base, np.eye(4)) else _flat(inverse_pose(base))
+        unturned = np.array_equal(tool[:3, :3], np.eye(3))
+        self._to_flange = None if unturned else _flat(inverse_pose(tool))
+        self._tool = tool[:3, 3].tolist()
+
+    def nearest(self, pose: Array, q_near: Numbers) -> Array | str:
+        """The solution double[6] within limits nearest to `q_near`, or the reason why there is none."""
+        near = q_near if isinstance(q_near, list) else [float(x) for x in q_near]
+        flange = self._flange(pose)
+        arms = self._arm_branches(flange)
+        if isinstance(arms, str):
+            return arms
+        inside = []
+        for arm in arms:
+            placed = self._placed(arm, near, 0)
+            if placed is not None:
+                inside.append((_distance(placed, near, 0), placed, arm))
+        inside.sort()
+        best, solution = math.inf, None
+        for cost, placed, arm in inside:
+            if cost >= best:
+                break
+            for wrist in self._wrist_branches(flange, arm, near):
+                turned = self._placed(wrist, near, 3)
+                if turned is not None and cost + _distance(turned, near, 3) < best:
+                    best, solution = cost + _distance(turned, near, 3), placed + turned
+        return self._why(flange, near) if solution is None else np.array(solution)
+
+    def branches(self, pose: Array, q_near: Numbers) -> list[Array]:
+        """All solutions regardless of limits, each joint turned as near to `q_near` as whole turns allow; none out of reach."""
+        near = [float(x) for x in q_near]
+        return [
+            np.array([q + _TURN * round((n - q) / _TURN) for q, n in zip(branch, near, strict=True)])
+            for branch in self._all_branches(self._flange(pose), near)
+        ]
+
+    def _flange(self, pose: Array) -> _Flat:
+        """Rotation (n, o, a columns by rows) and position of frame 6 in frame 0, twelve numbers by rows."""
+        x = _flat(pose)
+        if self._from_base is not None:
+            x = _product(self._from_base, x)
+        if self._to_flange is not None:
+            return _product(x, self._to_flange)
+        tx, ty, tz = self._tool
+        return (
+            *(x[0], x[1], x[2], x[3] - x[0] * tx - x[1] * ty - x[2] * tz),
+            *(x[4], x[5], x[6], x[7] - x[4] * tx - x[5] * ty - x[6] * tz),
+            *(x[8], x[9], x[10], x[11] - x[8] * tx - x[9] * ty - x[10] * tz),
+        )
+
+    def _arm_branches(self, x: _Flat) -> list[list[float]] | str:
+        """The four (q1, q2, q3) that bring the wrist to its place, or why there is none."""
+        wx, wy, wz = x[3] - self._d6 * x[2], x[7] - self._d6 * x[6], x[11] - self._d6 * x[10]
+        side, upper, lower = self._side, self._upper, self._lower
+        square = wx * wx + wy * wy - side * side
+        if not square >= -_ROUNDING:
+            return f"out of reach: the wrist would be {math.hypot(wx, wy):.3f} m from the axis of joint 1, nearest is {abs(side):.3f} m"
+        forward, down = math.sqrt(max(square, 0.0)), self._d1 - wz
+        along = (forward * forward + down * down - upper * upper - lower * lower) / (2.0 * upper)
+        if not abs(along) <= lower * (1.0 + _ROUNDING):
+            return (
+                f"out of reach: the wrist would be {math.hypot(forward, down):.3f} m from the shoulder, "
+                f"possible are {abs(upper - lower):.3f}..{upper + lower:.3f} m"
+            )
+        bend = math.acos(max(-1.0, min(1.0, along / lower)))
+        lean = math.atan2(lower * math.sin(bend), upper + along)
+        about = math.atan2(wy, wx)
+        o1, o2, o3 = self._offset[0], self._offset[1], self._offset[2]
+        result = []
+        for reach in (forward, -forward):
+            q1, rise = about - math.atan2(side, reach) - o1, math.atan2(down, reach) - o2
+            result.append([q1, rise - lean, self._bend0 + bend - o3])
+            result.append([q1, rise + lean, self._bend0 - bend - o3])
+        return result
+
+    def _wrist_branches(self, x: _Flat, arm: list[float], near: list[float]) -> list[list[float]]:
+        """The two (q4, q5, q6) that turn the hand, given the arm's three joints."""
+        o1, o2, o3, o4, o5, o6 = self._offset
+        q1, q23 = arm[0] + o1, arm[1] + o2 + arm[2] + o3
+        c1, s1, c, s = math.cos(q1), math.sin(q1), math.cos(q23), math.sin(q23)
+        # the hand's approach in frame 3 is (c4 s5, s4 s5, c5)
+        flat = c1 * x[2] + s1 * x[6]
+        ax, ay, az = c * flat - s * x[10], c1 * x[6] - s1 * x[2], s * flat + c * x[10]
+        sine = math.sqrt(ax * ax + ay * ay)
+        if sine < _IN_LINE:
+            q4 = near[3] + o4
+            turn = math.atan2(c1 * x[4] - s1 * x[0], c * (c1 * x[0] + s1 * x[4]) - s * x[8])
+            if az > 0.0:
+                return [[q4 - o4, -o5, turn - q4 - o6]]
+            return [[q4 - o4, math.pi - o5, q4 - turn - math.pi - o6]]
+        q4, q5 = math.atan2(ay, ax), math.atan2(sine, az)
+        nz, oz = s * (c1 * x[0] + s1 * x[4]) + c * x[8], s * (c1 * x[1] + s1 * x[5]) + c * x[9]
+        q6 = math.atan2(oz, -nz)
+        return [[q4 - o4, q5 - o5, q6 - o6], [q4 + math.pi - o4, -q5 - o5, q6 + math.pi - o6]]
+
+    def _placed(self, joints: list[float], near: list[float], first: int) -> list[float] | None:
+        """Three joints turned by whole turns to within limits, as near to `near` as that allows; None if none fits."""
+        placed = []
+        low, high = self._low, self._high
+        for k, q in enumerate(joints, first):
+            turned = q + _TURN * round((near[k] - q) / _TURN)
+            if turned < low[k] - _ROUNDING:
+                turned += _TURN * math.ceil((low[k] - _ROUNDING - turned) / _TURN)
+            elif turned > high[k] + _ROUNDING:
+                turned -= _TURN * math.ceil((turned - high[k] - _ROUNDING) / _TURN)
+            if not low[k] - _ROUNDING <= turned <= high[k] + _ROUNDING:
+                return None
+            placed.append(min(max(turned, low[k]), high[k]))
+        return placed
+
+    def _all_branches(self, flange: _Flat, near: list[float]) -> Iterator[list[float]]:
+        arms = self._arm_branches(flange)
+        if not isinstance(arms, str):
+            for arm in arms:
+                for wrist in self._wrist_branches(flange, arm, near):
+                    yield arm + wrist
+
+    def _why(self, flange: _Flat, near: list[float]) -> str:
+        """Which joint stops the branch that comes nearest to being possible."""
+        mildest, reason = math.inf, ""
+        for branch in self._all_branches(flange, near):
+            excess, k, q = max(self._excess(k, q) for k, q in enumerate(branch))
+            if excess < mildest:
+                mildest = excess
+                reason = f"joint {k + 1} would stand at {q:.3f} rad, beyond {self._low[k]:.3f}..{self._high[k]:.3f}"
+        return reason
+
+    def _excess(self, k: int, q: float) -> tuple[float, int, float]:
+        middle = 0.5 * (self._low[k] + self._high[k])
+        turned = q + _TURN * round((middle - q) / _TURN)
+        return max(self._low[k] - turned, turned - self._high[k]), k, turned
+
+
+def _flat(pose: Array) -> _Flat:
+    return tuple(pose.ravel().tolist()[:12])
+
+
+def _product(a: _Flat, b: _Flat) -> _Flat:
+    """Two poses of twelve numbers by rows, multiplied."""
+    a0, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11 = a
+    b0, b1, b2, b3, b4, b5, b6, b7, b8, b9, b10, b11 = b
+    return (
+        *(a0 * b0 + a1 * b4 + a2 * b8, a0 * b1 + a1 * b5 + a2 * b9),
+        *(a0 * b2 + a1 * b6 + a2 * b10, a0 * b3 + a1 * b7 + a2 * b11 + a3),
+        *(a4 * b0 + a5 * b4 + a6 * b8, a4 * b1 + a5 * b5 + a6 * b9),
+        *(a4 * b2 + a5 * b6 + a6 * b10, a4 * b3 + a5 * b7 + a6 * b11 + a7),
+        *(a8 * b0 + a9 * b4 + a10 * b8, a8 * b1 + a9 * b5 + a10 * b9),
+        *(a8 * b2 + a9 * b6 + a10 * b10, a8 * b3 + a9 * b7 + a10 * b11 + a11),
+    )
+
+
+def _distance(joints: list[float], near: list[float], first: int) -> float:
+    a, b, c = joints[0] - near[first], joints[1] - near[first + 1], joints[2] - near[first + 2]
+    return a * a + b * b + c * c

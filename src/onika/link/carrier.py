@@ -1,0 +1,186 @@
+"""A carrier: one connection that brings payloads, whole and in order, and never makes anybody wait."""
+
+import os
+import select
+import socket
+from collections import deque
+from typing import Protocol
+
+from onika.link import lost
+from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
+
+BUFFER_LIMIT = 16 * 1024 * 1024
+"""Bytes that may wait for a slow reader before the connection is cut."""
+
+_CHUNK = 256 * 1024
+_TURN = 2 * 1024 * 1024
+"""Bytes read in one call at most, so that a fast sender starves nobody."""
+
+
+class Carrier(Protocol):
+    """What the link needs of a connection. One carrier is one connection; a new connection is a new carrier."""
+
+    @property
+    def pending(self) -> int:
+        """Bytes that wait to be sent."""
+
+    def fileno(self) -> int:
+        """The file descriptor to wait for, -1 when there is none."""
+
+    def send(self, payload: bytes) -> None:
+        """Send now what goes and keep the rest; raises LinkLost when too much waits."""
+
+    def flush(self) -> None:
+        """Send what waits, as far as it goes now."""
+
+    def receive(self) -> list[bytes]:
+        """What has come; raises LinkLost at the end of the connection, after all that came before it."""
+
+    def close(self) -> None:
+        """Let the connection go, with all that waits."""
+
+
+class SocketCarrier:
+    """A carrier over a connected stream socket (socket pair, Unix, TCP), which it owns from now on."""
+
+    def __init__(
+        self, connected: socket.socket, frame_limit: int = FRAME_LIMIT, buffer_limit: int = BUFFER_LIMIT
+    ) -> None:
+        self._socket = connected
+        self._socket.setblocking(False)
+        if connected.family in (socket.AF_INET, socket.AF_INET6):
+            connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        self._reader = FrameReader(frame_limit)
+        self._frame_limit = frame_limit
+        self._buffer_limit = buffer_limit
+        self._waiting = bytearray()
+        self._end: lost.LinkLost | None = None
+
+    @property
+    def pending(self) -> int:
+        """Bytes that wait to be sent."""
+        return len(self._waiting)
+
+    def fileno(self) -> int:
+        """The socket's file descriptor, -1 after `close`."""
+        return self._socket.fileno()
+
+    def send(self, payload: bytes) -> None:
+        """Send now what goes and keep the rest; raises LinkLost when too much waits."""
+        self._waiting += frame(payload, self._frame_limit)
+        self.flush()
+        if len(self._waiting) > self._buffer_limit:
+            raise lost.behind(f"{len(self._waiting)} bytes wait to be sent")
+
+    def flush(self) -> None:
+        """Send what waits, as far as it goes now."""
+        try:
+            while self._waiting:
+                with memoryview(self._waiting) as waiting:
+                    sent = self._socket.send(waiting[:_CHUNK])
+                del self._waiting[:sent]
+        except (BlockingIOError, InterruptedError):
+            return
+        except OSError:
+            # reading tells why, after what the other side said last
+            self._waiting.clear()
+
+    def receive(self) -> list[bytes]:
+        """What has come; raises LinkLost at the end of the connection, after all that came before it."""
+        if self._end is not None:
+            raise self._end
+        payloads: list[bytes] = []
+        try:
+            taken = 0
+            while taken < _TURN and self._end is None:
+                data = self._socket.recv(_CHUNK)
+                taken += len(data)
+                payloads += self._reader.feed(data)
+                if not data:
+                    self._end = lost.closed("" if self._reader.is_between_frames else "in the middle of a message")
+        except (BlockingIOError, InterruptedError):
+            pass
+        except ValueError as fault:
+            self._end = lost.garbage(str(fault))
+        except OSError as fault:
+            self._end = lost.closed(os.strerror(fault.errno or 0))
+        if self._end is not None and not payloads:
+            raise self._end
+        return payloads
+
+    def close(self) -> None:
+        """Let the connection go, with all that waits."""
+        self._waiting.clear()
+        self._end = self._end or lost.here()
+        self._socket.close()
+
+
+class MemoryCarrier:
+    """One end of a connection within a program; made in pairs by `memory_pair`."""
+
+    def __init__(self, buffer_limit: int = BUFFER_LIMIT) -> None:
+        self._buffer_limit = buffer_limit
+        self._inbox: deque[bytes] = deque()
+        self._inbox_bytes = 0
+        self._peer: MemoryCarrier | None = None
+        self._end: lost.LinkLost | None = None
+
+    @property
+    def pending(self) -> int:
+        """None: what is sent lies in the other end's inbox at once."""
+        return 0
+
+    def fileno(self) -> int:
+        """There is none."""
+        return -1
+
+    def send(self, payload: bytes) -> None:
+        """Put the payload into the other end's inbox; raises LinkLost when that is full."""
+        if self._peer is None:
+            return
+        self._peer._inbox.append(payload)
+        self._peer._inbox_bytes += len(payload)
+        if self._peer._inbox_bytes > self._buffer_limit:
+            raise lost.behind(f"{self._peer._inbox_bytes} bytes wait to be received")
+
+    def flush(self) -> None:
+        """Nothing ever waits here."""
+
+    def receive(self) -> list[bytes]:
+        """What has come; raises LinkLost when the connection is closed and nothing is left."""
+        payloads = list(self._inbox)
+        self._inbox.clear()
+        self._inbox_bytes = 0
+        if self._end is not None and not payloads:
+            raise self._end
+        return payloads
+
+    def close(self) -> None:
+        """Close both ends; the other one may still take what was sent."""
+        peer, self._peer = self._peer, None
+        self._inbox.clear()
+        self._inbox_bytes = 0
+        self._end = self._end or lost.here()
+        if peer is not None:
+            peer._peer = None
+            peer._end = lost.closed()
+
+
+def memory_pair(buffer_limit: int = BUFFER_LIMIT) -> tuple[MemoryCarrier, MemoryCarrier]:
+    """Two ends of one connection."""
+    here, there = MemoryCarrier(buffer_limit), MemoryCarrier(buffer_limit)
+    here._peer, there._peer = there, here
+    return here, there
+
+
+def socket_pair(frame_limit: int = FRAME_LIMIT) -> tuple[SocketCarrier, SocketCarrier]:
+    """Two ends of one connection through the kernel."""
+    here, there = socket.socketpair()
+    return SocketCarrier(here, frame_limit), SocketCarrier(there, frame_limit)
+
+
+def wait_for(carrier: Carrier, timeout_s: float | None) -> None:
+    """Wait until something came, what waits can be sent on, or the time is over (None: never)."""
+    poller = select.poll()
+    poller.register(carrier.fileno(), select.POLLIN | (select.POLLOUT if carrier.pending else 0))
+    poller.poll(None if timeout_s is None else max(0.0, timeout_s * 1000))

@@ -1,0 +1,291 @@
+"""The environment's end of the link: it asks, and accepts signals once and in order (§5.8.2). No I/O, no clock."""
+
+from dataclasses import dataclass
+
+from onika.link import lost
+from onika.link.happening import EpochChanged, Failed, Fate, Happening, Read, Replied, Resumed, Signalled
+from onika.link.lanes import Lanes
+from onika.link.parts import Gathering, split
+from onika.link.pulse import Pulse
+from onika.link.readings import Readings
+from onika.link.state import LinkEvent, LinkState
+from onika.link.terms import LOCAL, Terms
+from onika.wire.packet import (
+    VERSION,
+    Ack,
+    Beat,
+    Bye,
+    Hello,
+    Packet,
+    Part,
+    Reading,
+    Reply,
+    Request,
+    Signal,
+    Welcome,
+)
+
+
+@dataclass(slots=True)
+class _Wish:
+    """A request that is not answered yet."""
+
+    body: bytes
+    once: bool
+    urgent: bool
+    begin_by_ns: int
+    sent_ns: int | None = None
+
+
+class ClientEnd:
+    """One environment's session with one runtime over one connection after another.
+
+    What it promises: signals of an epoch are accepted in order, each exactly once; every request is answered exactly
+    once or reported as failed; on a new connection nothing is said before the greeting; in a new epoch nothing that
+    was meant for the old one is said.
+    """
+
+    def __init__(self, client: str, terms: Terms = LOCAL) -> None:
+        self.epoch = ""
+        self._client = client
+        self._terms = terms
+        self._happenings: list[Happening] = []
+        self._pulse = Pulse(terms, self._happenings)
+        self._lanes = Lanes(Readings())
+        self._gathering = Gathering(terms.body_limit)
+        self._wishes: dict[int, _Wish] = {}
+        self._asked = 0
+        self._accepted = 0
+        self._ack_due = False
+        self._hello_ns = 0
+        self._reading = 0
+        self._clock_ahead_ns = 0
+
+    @property
+    def state(self) -> LinkState:
+        """How this end stands to the runtime."""
+        return self._pulse.state
+
+    def open(self, now_ns: int) -> None:
+        """There is a new connection, in place of any old one: greet on it."""
+        self._drop_connection()
+        self._pulse.opened(now_ns)
+        self._fail(Fate.LOST, [number for number, wish in self._wishes.items() if wish.once])
+        self._greet(now_ns)
+
+    def cut(self, why: lost.LinkLost) -> None:
+        """The connection is gone or unusable."""
+        if self.state not in (LinkState.APART, LinkState.ENDED):
+            self._end(LinkEvent.CUT, why)
+            if why.cause is lost.Cause.GARBAGE:
+                self._lanes.last(Bye("garbage", str(why)[:1000]))
+
+    def close(self, reason: str = "closed") -> None:
+        """End the link for good; the good-bye is still to be sent."""
+        if self.state is LinkState.ENDED:
+            return
+        linked = self._pulse.is_linked
+        self._end(LinkEvent.CLOSED, lost.here(reason))
+        if linked:
+            self._lanes.last(Bye("closed", reason))
+
+    def request(
+        self, body: bytes, now_ns: int, begin_within_ns: int = 0, once: bool = False, urgent: bool = False
+    ) -> int:
+        """Ask for something; its number.
+
+        begin_within_ns  the runtime refuses it if it comes later than this (0: never too late)
+        once             never said again on another connection: for what moves a robot
+        urgent           passes other requests that wait to be sent
+        """
+        if len(body) > self._terms.body_limit:
+            raise ValueError(f"expected a request of {self._terms.body_limit} bytes at most, found {len(body)}")
+        self._asked += 1
+        begin_by_ns = now_ns + begin_within_ns if begin_within_ns else 0
+        self._wishes[self._asked] = _Wish(body, once, urgent, begin_by_ns)
+        if self._pulse.is_linked:
+            self._send(self._asked, now_ns)
+        elif once or self.state is LinkState.ENDED:
+            self._fail(Fate.UNSENT, [self._asked])
+        return self._asked
+
+    def forget(self, number: int) -> None:
+        """The answer to this request is not wanted any more."""
+        if self._wishes.pop(number, None) is not None:
+            self._gathering.drop(number)
+
+    def feed(self, packet: Packet, now_ns: int) -> None:
+        """A packet came."""
+        if self.state is LinkState.GREETING:
+            self._feed_greeting(packet, now_ns)
+        elif self._pulse.is_linked:
+            self._pulse.heard(now_ns)
+            self._feed_linked(packet, now_ns)
+
+    def tick(self, now_ns: int) -> None:
+        """Time has passed; call when `due_ns` is over, after everything that came was fed."""
+        silence = self._pulse.listen(now_ns)
+        if silence is not None:
+            self._end(LinkEvent.SILENT, silence)
+            return
+        beat = self._pulse.beat(now_ns)
+        if beat is not None:
+            self._lanes.signal(beat)
+        self._retry(now_ns)
+
+    def due_ns(self, now_ns: int) -> int | None:
+        """How long until `tick` has something to do; None: not before something else happens."""
+        return self._pulse.due_ns(now_ns, may_retry=bool(self._wishes))
+
+    def take_packets(self, now_ns: int, room: int) -> list[Packet]:
+        """What is to be sent now, where the connection has room for about so many bytes."""
+        if self._ack_due:
+            self._ack_due = False
+            self._lanes.signal(Ack(self._accepted))
+        return self._lanes.take(room, now_ns)
+
+    def take_happenings(self) -> list[Happening]:
+        """What the owner has not been told yet, in order."""
+        taken = self._happenings.copy()
+        self._happenings.clear()
+        return taken
+
+    def _greet(self, now_ns: int) -> None:
+        self._hello_ns = now_ns
+        self._lanes.signal(Hello(VERSION, self._client, self.epoch, self._accepted))
+
+    def _feed_greeting(self, packet: Packet, now_ns: int) -> None:
+        match packet:
+            case Welcome():
+                self._welcome(packet, now_ns)
+            case Bye():
+                self._bye(packet)
+            case _:
+                # a carrier that reorders may bring other packets first; they will be said again
+                self._unexpected(packet)
+
+    def _feed_linked(self, packet: Packet, now_ns: int) -> None:
+        match packet:
+            case Signal():
+                self._signal(packet)
+            case Reply():
+                self._reply(packet)
+            case Part():
+                self._part(packet)
+            case Reading():
+                self._read(packet)
+            case Beat():
+                self._clock_ahead_ns = packet.clock_ns - now_ns
+            case Bye():
+                self._bye(packet)
+            case _:
+                self._unexpected(packet)
+
+    def _welcome(self, packet: Welcome, now_ns: int) -> None:
+        if packet.version != VERSION:
+            self._end(LinkEvent.REFUSED, lost.version(VERSION, packet.version))
+            return
+        first, resumed = not self.epoch, packet.resumed and packet.epoch == self.epoch
+        self._clock_ahead_ns = packet.clock_ns - now_ns
+        self._pulse.greeted(now_ns)
+        if resumed:
+            self._happenings.append(Resumed(self.epoch))
+        else:
+            if not first:
+                self._fail(Fate.LOST, list(self._wishes))
+            self.epoch = packet.epoch
+            self._accepted = packet.seq
+            self._happenings.append(EpochChanged(self.epoch))
+        for number in list(self._wishes):
+            self._send(number, now_ns)
+
+    def _signal(self, packet: Signal) -> None:
+        # only the very next one: a gap means that what lies between was never said on this connection
+        if packet.seq == self._accepted + 1:
+            self._accepted = packet.seq
+            self._happenings.append(Signalled(packet.seq, packet.body))
+        self._ack_due = True
+
+    def _reply(self, packet: Reply) -> None:
+        if packet.number not in self._wishes:
+            return
+        body = self._gathering.complete(packet.number, packet.parts, packet.body)
+        if body is None:
+            return
+        del self._wishes[packet.number]
+        late = Failed(packet.number, Fate.LATE)
+        self._happenings.append(late if packet.late else Replied(packet.number, body))
+
+    def _part(self, packet: Part) -> None:
+        if packet.number not in self._wishes:
+            return
+        try:
+            self._gathering.put(packet)
+        except ValueError as fault:
+            self._garbage(str(fault))
+
+    def _read(self, packet: Reading) -> None:
+        if packet.count > self._reading:
+            self._reading = packet.count
+            self._happenings.append(Read(packet.key, packet.body))
+
+    def _bye(self, packet: Bye) -> None:
+        if packet.cause == "version":
+            self._end(LinkEvent.REFUSED if self.state is LinkState.GREETING else LinkEvent.CUT, _said(packet))
+        else:
+            self._end(LinkEvent.CUT, _said(packet))
+
+    def _unexpected(self, packet: Packet) -> None:
+        if isinstance(packet, Hello | Request | Ack):
+            self._garbage(f"a runtime does not say {type(packet).__name__}")
+
+    def _garbage(self, detail: str) -> None:
+        self.cut(lost.garbage(detail))
+
+    def _send(self, number: int, now_ns: int) -> None:
+        wish = self._wishes[number]
+        if wish.begin_by_ns and now_ns > wish.begin_by_ns and wish.sent_ns is None:
+            self._fail(Fate.UNSENT, [number])
+            return
+        wish.sent_ns = now_ns
+        # the runtime's clock alone judges lateness; the last reading of it is behind by the way here, never ahead
+        deadline_ns = max(1, wish.begin_by_ns + self._clock_ahead_ns) if wish.begin_by_ns else 0
+        parts, last = split(number, wish.body, self._terms.piece)
+        request = Request(number, next(iter(self._wishes)), deadline_ns, len(parts), last)
+        self._lanes.session(parts, request, wish.urgent)
+
+    def _retry(self, now_ns: int) -> None:
+        retry_ns = self._terms.retry_ns
+        if not retry_ns:
+            return
+        if self.state is LinkState.GREETING and now_ns - self._hello_ns >= retry_ns:
+            self._greet(now_ns)
+        if self._pulse.is_linked:
+            for number, wish in list(self._wishes.items()):
+                if wish.sent_ns is not None and now_ns - wish.sent_ns >= retry_ns:
+                    self._send(number, now_ns)
+
+    def _fail(self, fate: Fate, numbers: list[int]) -> None:
+        for number in numbers:
+            del self._wishes[number]
+            self._happenings.append(Failed(number, fate))
+
+    def _end(self, event: LinkEvent, why: lost.LinkLost) -> None:
+        self._drop_connection()
+        self._pulse.turn(event, why)
+        if self.state is LinkState.ENDED:
+            self._fail(Fate.LOST, list(self._wishes))
+        else:
+            self._fail(Fate.LOST, [number for number, wish in self._wishes.items() if wish.once])
+
+    def _drop_connection(self) -> None:
+        self._lanes.clear()
+        self._gathering.clear()
+        self._ack_due = False
+        self._reading = 0
+
+
+def _said(packet: Bye) -> lost.LinkLost:
+    if packet.cause == "closed":
+        return lost.closed(packet.reason)
+    return lost.LinkLost(lost.Cause(packet.cause), f"the other side ended the connection: {packet.reason}")

@@ -1,0 +1,89 @@
+"""What an end of the link tells its owner."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+from onika.link.lost import LinkLost
+from onika.link.state import LinkState
+
+
+@dataclass(frozen=True, slots=True)
+class Turned:
+    """The link changed its state; `lost` says why where a connection ended."""
+
+    state: LinkState
+    lost: LinkLost | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class EpochChanged:
+    """To the environment: this is another life of the runtime, or the first; whatever was known of it is void."""
+
+    epoch: str
+
+
+@dataclass(frozen=True, slots=True)
+class Resumed:
+    """To the environment: the link goes on where it was cut; nothing was missed."""
+
+    epoch: str
+
+
+@dataclass(frozen=True, slots=True)
+class Signalled:
+    """To the environment: the next signal; `seq` is one more than that of the one before in this epoch."""
+
+    seq: int
+    body: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Replied:
+    """To the environment: the answer to its request."""
+
+    number: int
+    body: bytes
+
+
+class Fate(Enum):
+    """What became of a request that got no answer."""
+
+    UNSENT = "it was not sent, nothing was carried out"
+    LATE = "it came too late and was refused, nothing was carried out"
+    LOST = "the link was lost, it may or may not have been carried out"
+
+
+@dataclass(frozen=True, slots=True)
+class Failed:
+    """To the environment: this request gets no answer any more."""
+
+    number: int
+    fate: Fate
+
+
+@dataclass(frozen=True, slots=True)
+class Read:
+    """To the environment: the newest value under a key."""
+
+    key: str
+    body: bytes
+
+
+@dataclass(frozen=True, slots=True)
+class Greeted:
+    """To the runtime: this environment is there; not resumed means that it begins anew."""
+
+    client: str
+    resumed: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Asked:
+    """To the runtime: carry this out, once, and reply under the ticket."""
+
+    ticket: int
+    client: str
+    body: bytes
+
+
+Happening = Turned | EpochChanged | Resumed | Signalled | Replied | Failed | Read | Greeted | Asked

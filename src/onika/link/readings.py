@@ -1,0 +1,36 @@
+"""Readings that wait to be sent: the newest under each key, dropped when they grow old."""
+
+from onika.wire.packet import Reading
+
+
+class Readings:
+    """At most `keep` keys, oldest first; a newer reading replaces the older one and keeps its turn in the queue."""
+
+    def __init__(self, age_ns: int = 0, keep: int = 4096) -> None:
+        self._age_ns = age_ns
+        self._keep = keep
+        self._waiting: dict[str, tuple[int, bytes]] = {}
+        self._count = 0
+
+    def put(self, key: str, body: bytes, now_ns: int) -> None:
+        """A new reading; the key that has waited longest is dropped when there are too many."""
+        if key not in self._waiting and len(self._waiting) >= self._keep:
+            del self._waiting[next(iter(self._waiting))]
+        self._waiting[key] = (now_ns, body)
+
+    def take(self, room: int, now_ns: int) -> list[Reading]:
+        """Readings for about `room` bytes; those that are too old are dropped."""
+        taken: list[Reading] = []
+        while self._waiting and room > 0:
+            key = next(iter(self._waiting))
+            at_ns, body = self._waiting.pop(key)
+            if self._age_ns and now_ns - at_ns > self._age_ns:
+                continue
+            self._count += 1
+            taken.append(Reading(self._count, key, body))
+            room -= len(body) + 32
+        return taken
+
+    def clear(self) -> None:
+        """Nobody is there to read them."""
+        self._waiting.clear()

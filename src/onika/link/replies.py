@@ -1,0 +1,67 @@
+"""The reply book: what became of each client's requests, so that one asked twice is carried out once."""
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What was answered; late: refused because its deadline had passed."""
+
+    body: bytes
+    late: bool = False
+
+
+@dataclass(slots=True, eq=False)
+class Account:
+    """One client's requests: those under way, those answered but perhaps not received; all below `settled` are over."""
+
+    client: str
+    settled: int = 1
+    under_way: set[int] = field(default_factory=set)
+    answers: dict[int, Answer] = field(default_factory=dict)
+
+    def settle(self, done_below: int) -> None:
+        """The client has what it wants of all numbers below this one."""
+        if done_below > self.settled:
+            self.settled = done_below
+            self.answers = {number: answer for number, answer in self.answers.items() if number >= done_below}
+
+    def is_new(self, number: int) -> bool:
+        """Whether this request was never seen."""
+        return number >= self.settled and number not in self.under_way and number not in self.answers
+
+    def answer(self, number: int, answer: Answer) -> bool:
+        """Note the answer; False when the client does not want it any more."""
+        self.under_way.discard(number)
+        if number < self.settled:
+            return False
+        self.answers[number] = answer
+        return True
+
+
+class ReplyBook:
+    """The accounts of the latest clients; the one that has been away longest is forgotten first."""
+
+    def __init__(self, keep: int = 64) -> None:
+        self._keep = keep
+        self._accounts: dict[str, Account] = {}
+
+    def find(self, client: str) -> Account | None:
+        """The account of a client that is known."""
+        return self._accounts.get(client)
+
+    def begin(self, client: str) -> Account:
+        """A new, empty account for a client, in place of any it had."""
+        self._accounts.pop(client, None)
+        while len(self._accounts) >= self._keep:
+            del self._accounts[next(iter(self._accounts))]
+        self._accounts[client] = account = Account(client)
+        return account
+
+    def renew(self, client: str) -> None:
+        """The client is here again: it becomes the last to be forgotten."""
+        self._accounts[client] = self._accounts.pop(client)
+
+    def close(self, client: str) -> None:
+        """The client said good-bye and will not ask again."""
+        self._accounts.pop(client, None)

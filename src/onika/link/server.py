@@ -1,0 +1,265 @@
+"""The runtime's end of the link: it signals and answers (§5.8.2). No I/O, no clock."""
+
+from dataclasses import dataclass
+
+from onika.link import lost
+from onika.link.happening import Asked, Greeted, Happening
+from onika.link.journal import Journal
+from onika.link.lanes import Lanes
+from onika.link.parts import Gathering, split
+from onika.link.pulse import Pulse
+from onika.link.readings import Readings
+from onika.link.replies import Account, Answer, ReplyBook
+from onika.link.state import LinkEvent, LinkState
+from onika.link.terms import LOCAL, Terms
+from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Packet, Part, Reply, Request, Signal, Welcome
+
+
+@dataclass(frozen=True, slots=True)
+class _Ticket:
+    account: Account
+    number: int
+
+
+class ServerEnd:
+    """A runtime's session with one environment at a time, over one connection after another.
+
+    Several ends may share a journal and a reply book: then several environments hear the same signals.
+    What it promises: a signal is in the journal before it is said, and said again until it is acknowledged; a request
+    is handed over at most once, whatever the connections do; on a new connection nothing is said before the greeting.
+    """
+
+    def __init__(self, journal: Journal, replies: ReplyBook, terms: Terms = LOCAL) -> None:
+        self._journal = journal
+        self._replies = replies
+        self._terms = terms
+        self._happenings: list[Happening] = []
+        self._pulse = Pulse(terms, self._happenings)
+        self._readings = Readings(terms.reading_age_ns)
+        self._lanes = Lanes(self._readings)
+        self._gathering = Gathering(terms.body_limit)
+        self._account: Account | None = None
+        self._welcome: Welcome | None = None
+        self._tickets: dict[int, _Ticket] = {}
+        self._asked = 0
+        self._said = 0
+        self._acked = 0
+        self._progress_ns = 0
+
+    @property
+    def state(self) -> LinkState:
+        """How this end stands to the environment."""
+        return self._pulse.state
+
+    def open(self, now_ns: int) -> None:
+        """There is a new connection, in place of any old one; the environment speaks first."""
+        self._drop_connection()
+        self._pulse.opened(now_ns)
+
+    def cut(self, why: lost.LinkLost) -> None:
+        """The connection is gone or unusable."""
+        if self.state not in (LinkState.APART, LinkState.ENDED):
+            self._end(LinkEvent.CUT, why)
+            if why.cause is lost.Cause.GARBAGE:
+                self._lanes.last(Bye("garbage", str(why)[:1000]))
+
+    def close(self, reason: str = "closed") -> None:
+        """End the link for good; signals and answers so far and the good-bye are still to be sent."""
+        if self.state is LinkState.ENDED:
+            return
+        if self._pulse.is_linked:
+            self._lanes.last(Bye("closed", reason))
+        self._pulse.turn(LinkEvent.CLOSED, lost.here(reason))
+
+    def signal(self, body: bytes, now_ns: int) -> int:
+        """Say something that must arrive, once and in order; its number. Legal in every state."""
+        if len(body) > self._terms.single:
+            raise ValueError(f"expected a signal of {self._terms.single} bytes at most, found {len(body)}")
+        seq = self._journal.append(body)
+        self._say(now_ns)
+        return seq
+
+    def reply(self, ticket: int, body: bytes) -> None:
+        """Answer a request, once; raises KeyError for a ticket that was never given or is answered already."""
+        if len(body) > self._terms.body_limit:
+            raise ValueError(f"expected a reply of {self._terms.body_limit} bytes at most, found {len(body)}")
+        asked = self._tickets.pop(ticket)
+        self._answer(asked.account, asked.number, Answer(body))
+
+    def reading(self, key: str, body: bytes, now_ns: int) -> None:
+        """Show the newest value under a key, if there is somebody to see it and room on the way."""
+        if len(body) > self._terms.single:
+            raise ValueError(f"expected a reading of {self._terms.single} bytes at most, found {len(body)}")
+        if self._pulse.is_linked:
+            self._readings.put(key, body, now_ns)
+
+    def feed(self, packet: Packet, now_ns: int) -> None:
+        """A packet came."""
+        if self.state is LinkState.GREETING:
+            self._feed_greeting(packet, now_ns)
+        elif self._account is not None:
+            self._pulse.heard(now_ns)
+            self._feed_linked(self._account, packet, now_ns)
+
+    def tick(self, now_ns: int) -> None:
+        """Time has passed; call when `due_ns` is over, after everything that came was fed."""
+        silence = self._pulse.listen(now_ns)
+        if silence is not None:
+            self._end(LinkEvent.SILENT, silence)
+            return
+        beat = self._pulse.beat(now_ns)
+        if beat is not None:
+            self._lanes.signal(beat)
+        self._retry(now_ns)
+        self._say(now_ns)
+
+    def due_ns(self, now_ns: int) -> int | None:
+        """How long until `tick` has something to do; None: not before something else happens."""
+        return self._pulse.due_ns(now_ns, may_retry=self._acked < self._said)
+
+    def take_packets(self, now_ns: int, room: int) -> list[Packet]:
+        """What is to be sent now, where the connection has room for about so many bytes."""
+        return self._lanes.take(room, now_ns)
+
+    def take_happenings(self) -> list[Happening]:
+        """What the owner has not been told yet, in order."""
+        taken = self._happenings.copy()
+        self._happenings.clear()
+        return taken
+
+    def _feed_greeting(self, packet: Packet, now_ns: int) -> None:
+        match packet:
+            case Hello():
+                self._hello(packet, now_ns)
+            case Bye():
+                self._bye(packet)
+            case _:
+                self._garbage(f"an environment does not begin with {type(packet).__name__}")
+
+    def _feed_linked(self, account: Account, packet: Packet, now_ns: int) -> None:
+        match packet:
+            case Request():
+                self._request(account, packet, now_ns)
+            case Part():
+                self._part(account, packet)
+            case Ack():
+                self._ack(packet, now_ns)
+            case Hello():
+                self._hello_again(account, packet)
+            case Bye():
+                self._bye(packet)
+            case Beat():
+                pass  # it was heard, that is all it is for
+            case _:
+                self._garbage(f"an environment does not say {type(packet).__name__}")
+
+    def _hello(self, hello: Hello, now_ns: int) -> None:
+        if hello.version != VERSION:
+            self._end(LinkEvent.CUT, lost.version(VERSION, hello.version))
+            self._lanes.last(Bye("version", f"this runtime speaks version {VERSION} of the link, not {hello.version}"))
+            return
+        account = self._replies.find(hello.client)
+        same_epoch = hello.epoch == self._journal.epoch
+        resumed = account is not None and same_epoch and self._journal.reaches_back_to(hello.seq)
+        if account is not None and resumed:
+            self._replies.renew(hello.client)
+            self._account, self._acked = account, hello.seq
+        else:
+            self._account, self._acked = self._replies.begin(hello.client), self._journal.last
+        self._said = self._acked
+        self._progress_ns = now_ns
+        self._welcome = Welcome(VERSION, self._journal.epoch, self._acked, resumed, now_ns)
+        self._lanes.signal(self._welcome)
+        self._pulse.greeted(now_ns)
+        self._happenings.append(Greeted(hello.client, resumed))
+        self._say(now_ns)
+
+    def _hello_again(self, account: Account, hello: Hello) -> None:
+        if hello.client != account.client:
+            self._garbage("a second greeting by somebody else")
+        elif self._welcome is not None:
+            # it may have been lost: the same once more, for what was said since goes on from there
+            self._lanes.signal(self._welcome)
+
+    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+        account.settle(request.done_below)
+        if request.number in account.answers:
+            self._repeat(account, request.number)
+        if not account.is_new(request.number):
+            return
+        body = self._gathering.complete(request.number, request.parts, request.body)
+        if body is None:
+            return
+        account.under_way.add(request.number)
+        if request.deadline_ns and now_ns > request.deadline_ns:
+            self._answer(account, request.number, Answer(b"", late=True))
+            return
+        self._asked += 1
+        self._tickets[self._asked] = _Ticket(account, request.number)
+        self._happenings.append(Asked(self._asked, account.client, body))
+
+    def _answer(self, account: Account, number: int, answer: Answer) -> None:
+        if account.answer(number, answer) and account is self._account and self._pulse.is_linked:
+            self._repeat(account, number)
+
+    def _repeat(self, account: Account, number: int) -> None:
+        answer = account.answers[number]
+        parts, last = split(number, answer.body, self._terms.piece)
+        self._lanes.session(parts, Reply(number, answer.late, len(parts), last))
+
+    def _part(self, account: Account, part: Part) -> None:
+        if not account.is_new(part.number):
+            return
+        try:
+            self._gathering.put(part)
+        except ValueError as fault:
+            self._garbage(str(fault))
+
+    def _ack(self, ack: Ack, now_ns: int) -> None:
+        if ack.seq > self._journal.last:
+            self._garbage(f"signal {ack.seq} acknowledged, {self._journal.last} are there")
+        elif ack.seq > self._acked:
+            self._acked = ack.seq
+            self._said = max(self._said, ack.seq)
+            self._progress_ns = now_ns
+            self._say(now_ns)
+
+    def _say(self, now_ns: int) -> None:
+        """Say what is in the journal and not said yet, as far as the window allows."""
+        if not self._pulse.is_linked:
+            return
+        if self._said == self._acked:
+            self._progress_ns = now_ns
+        if not self._journal.reaches_back_to(self._said):
+            why = f"signal {self._said + 1} is forgotten"
+            self._end(LinkEvent.CUT, lost.behind(why))
+            self._lanes.last(Bye("behind", why))
+            return
+        while self._said < self._journal.last and self._said - self._acked < self._terms.window:
+            self._said += 1
+            self._lanes.signal(Signal(self._said, self._journal.body(self._said)))
+
+    def _retry(self, now_ns: int) -> None:
+        retry_ns = self._terms.retry_ns
+        overdue = retry_ns and now_ns - self._progress_ns >= retry_ns
+        if overdue and self._pulse.is_linked and self._acked < self._said:
+            self._said = self._acked
+            self._progress_ns = now_ns
+
+    def _bye(self, packet: Bye) -> None:
+        if packet.cause == "closed" and self._account is not None:
+            self._replies.close(self._account.client)
+        self._end(LinkEvent.CUT, lost.closed(packet.reason))
+
+    def _garbage(self, detail: str) -> None:
+        self.cut(lost.garbage(detail))
+
+    def _end(self, event: LinkEvent, why: lost.LinkLost) -> None:
+        self._drop_connection()
+        self._pulse.turn(event, why)
+
+    def _drop_connection(self) -> None:
+        self._lanes.clear()
+        self._gathering.clear()
+        self._account = None
+        self._welcome = None

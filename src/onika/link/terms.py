@@ -1,0 +1,38 @@
+"""The terms of a link: how often it beats, what silence means, how much may be under way."""
+
+from dataclasses import dataclass
+
+_MS = 1_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Terms:
+    """Times in ns (0: never), amounts in pieces or bytes. The two ends need not have the same."""
+
+    beat_ns: int = 250 * _MS
+    suspect_ns: int = 1000 * _MS
+    lost_ns: int = 3000 * _MS
+    greeting_ns: int = 5000 * _MS
+    """How long a greeting may take."""
+    retry_ns: int = 0
+    """When to say again what was not answered; 0 where a carrier loses nothing while it lives (stream sockets)."""
+    window: int = 256
+    """Signals under way that are not acknowledged yet."""
+    piece: int = 64 * 1024
+    """Bytes of a body that go in one packet; a longer one is split, so that signals pass it by."""
+    body_limit: int = 64 * 1024 * 1024
+    """Bytes of the longest body of a request or reply."""
+    single: int = 512 * 1024
+    """Bytes of the longest signal or reading, which are never split."""
+    reading_age_ns: int = 500 * _MS
+    """A reading that could not be sent for so long is dropped."""
+
+
+LOCAL = Terms()
+"""Environment and runtime on one machine or a quiet network."""
+
+CHILD = Terms(suspect_ns=2000 * _MS, lost_ns=30_000 * _MS, greeting_ns=60_000 * _MS)
+"""A runtime as a child process: its death closes the connection, so silence means a pause; it starts slowly."""
+
+NO_BEATS = Terms(beat_ns=0, suspect_ns=0, lost_ns=0, greeting_ns=60_000 * _MS, reading_age_ns=0)
+"""Virtual time: nobody is ever late; only a closed connection ends the link."""

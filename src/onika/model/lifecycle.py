@@ -1,0 +1,85 @@
+"""The life of a task as one table: everything that affects its state is in this file (requirement A05, law 11).
+
+WAITING: spawned, but a constant it needs has no supplier yet; `init` is postponed.
+OFF: initialised, not cycling.                ASKING: told to go on, waits for user input.
+ON: cycling, or waiting for its event.        ERROR: gave up; `clear` brings it back to OFF.
+KILLED: gone.
+
+An illegal command changes nothing and is refused with the reason.
+"""
+
+from enum import Enum
+
+
+class State(Enum):
+    """Where a task is in its life."""
+
+    WAITING = "WAITING"
+    OFF = "OFF"
+    ASKING = "ASKING"
+    ON = "ON"
+    ERROR = "ERROR"
+    KILLED = "KILLED"
+
+
+class Step(Enum):
+    """What can happen to a task: commands from outside, and what comes out of its own code."""
+
+    INITIALISED = "initialised"
+    ON = "on"
+    ASK = "ask"
+    ANSWERED = "answered"
+    OFF = "off"
+    FINISH = "finish"
+    FAIL = "fail"
+    CLEAR = "clear"
+    REINIT = "reinit"
+    KILL = "kill"
+
+
+TABLE: dict[State, dict[Step, State]] = {
+    State.WAITING: {Step.INITIALISED: State.OFF, Step.FAIL: State.ERROR, Step.KILL: State.KILLED},
+    State.OFF: {
+        Step.ON: State.ON,
+        Step.ASK: State.ASKING,
+        Step.OFF: State.OFF,
+        Step.REINIT: State.OFF,
+        Step.FAIL: State.ERROR,
+        Step.KILL: State.KILLED,
+    },
+    State.ASKING: {
+        Step.ANSWERED: State.ON,
+        Step.ASK: State.ASKING,
+        Step.OFF: State.OFF,
+        Step.FAIL: State.ERROR,
+        Step.KILL: State.KILLED,
+    },
+    State.ON: {Step.OFF: State.OFF, Step.FINISH: State.OFF, Step.FAIL: State.ERROR, Step.KILL: State.KILLED},
+    State.ERROR: {Step.CLEAR: State.OFF, Step.OFF: State.ERROR, Step.FAIL: State.ERROR, Step.KILL: State.KILLED},
+    State.KILLED: {Step.KILL: State.KILLED, Step.OFF: State.KILLED},
+}
+
+
+class IllegalTransition(Exception):
+    """A step that the table does not allow in this state; nothing has changed."""
+
+
+def after(state: State, step: Step) -> State:
+    """The state after a step; raises IllegalTransition and changes nothing where the table has no entry."""
+    try:
+        return TABLE[state][step]
+    except KeyError:
+        allowed = ", ".join(sorted(known.value for known in TABLE[state]))
+        raise IllegalTransition(f"expected one of {allowed} while {state.value}, found {step.value}") from None
+
+
+def diagram() -> str:
+    """The table as a Mermaid state diagram."""
+    lines = ["stateDiagram-v2", "    [*] --> WAITING : spawn"]
+    lines += [
+        f"    {state.value} --> {following.value} : {step.value}"
+        for state, steps in TABLE.items()
+        for step, following in steps.items()
+        if following is not state
+    ]
+    return "\n".join([*lines, "    KILLED --> [*]"]) + "\n"

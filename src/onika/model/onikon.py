@@ -1,0 +1,34 @@
+"""An onikon: the picture of a job, target or application with its type and values (dissertation §5.4, §A.3)."""
+
+from dataclasses import dataclass
+
+from onika.model.picture import Picture
+from onika.model.syntax import Syntax
+from onika.words import argument
+from onika.words.value import Value
+
+
+@dataclass(frozen=True, slots=True)
+class Onikon:
+    """What an `.onk` file says; `values` holds one tuple per data item of its type, none for actions."""
+
+    name: str
+    type: str
+    description: str
+    values: tuple[tuple[Value, ...], ...]
+    picture: Picture
+
+    def argument_line(self, syntax: Syntax) -> str:
+        """The values in the order of the definition, as the argument line of a task (decision 40).
+
+        Raises ValueError where the type is unknown or the values are not those of its data items.
+        """
+        kind = syntax.find(self.type)
+        items = kind.items if kind else ()
+        counts = tuple(len(values) for values in self.values)
+        if kind is None or counts != tuple(item.count for item in items):
+            expected = ", ".join(f"{item.count} {item.type.value}" for item in items) or "no values"
+            raise ValueError(f"expected {expected} for `{self.name}` of type {self.type!r}, found {self.values!r}")
+        return argument.join(
+            item.type.show(value) for item, values in zip(items, self.values, strict=True) for value in values
+        )

@@ -1,0 +1,1 @@
+"""The rules of both levels; each answers with all its reasons."""

@@ -1,0 +1,70 @@
+"""Whether the loops of a flow are well formed (requirement E01, decision 23)."""
+
+from collections.abc import Iterator
+from itertools import combinations
+
+from onika.model.application import AppFlow, Icon, Step, actions
+from onika.model.syntax import Syntax
+from onika.words.fault import Fault, Place
+
+
+def faults(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> tuple[Fault, ...]:
+    """What is wrong with the loop tags of a flow; `where` names it in the text.
+
+    A tag stands at exactly two different actions of the flow, exactly one of them the test; loops are apart or one
+    within the other. A mark on a target counts for its action (decision 24).
+    """
+    marked = _marked(flow, syntax)
+    return tuple(_fault(place, *fault) for fault in (*_counts(marked, where), *_crossings(marked, where)))
+
+
+def spans(flow: AppFlow, syntax: Syntax) -> dict[str, tuple[int, int]]:
+    """The positions of the first and the last action of every loop, by its tag; tags at one action are left out."""
+    marked = _marked(flow, syntax)
+    ends = {tag: sorted({position for position, _ in marks}) for tag, marks in marked.items()}
+    return {tag: (places[0], places[-1]) for tag, places in ends.items() if len(places) > 1}
+
+
+_Marks = dict[str, list[tuple[int, bool]]]
+
+
+def _marked(flow: AppFlow, syntax: Syntax) -> _Marks:
+    """For every tag the positions of the actions that bear it, each with whether it is the test."""
+    owners: dict[int, int] = {}
+    for position, _, target in actions(flow, syntax):
+        owners |= {position: position} | ({position + 1: position} if target else {})
+    marked: _Marks = {}
+    for at, step in enumerate(flow.steps):
+        tag = _tag(step)
+        if isinstance(step, Icon) and tag is not None:
+            marked.setdefault(tag, []).append((owners.get(at, at), step.while_test))
+    return marked
+
+
+def _tag(step: Step) -> str | None:
+    return step.while_tag if isinstance(step, Icon) else None
+
+
+def _counts(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
+    for tag, marks in marked.items():
+        tests = sum(is_test for _, is_test in marks)
+        if len(marks) != 2:
+            yield f"the loop tag {tag} twice in {where}", f"{len(marks)} times"
+        elif marks[0][0] == marks[1][0]:
+            yield f"the loop tag {tag} at two actions of {where}", "it twice at one"
+        if tests != 1:
+            yield f"exactly one test icon of the loop {tag} in {where}", f"{tests}"
+
+
+def _crossings(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
+    whole = {tag: sorted(position for position, _ in marks) for tag, marks in marked.items() if len(marks) == 2}
+    for (tag, (start, end)), (other, (start2, end2)) in combinations(whole.items(), 2):
+        if start < start2 <= end < end2 or start2 < start <= end2 < end:
+            yield (
+                f"loops that do not cross in {where}",
+                f"{tag} (steps {start} to {end}) and {other} ({start2} to {end2})",
+            )
+
+
+def _fault(place: Place, expected: str, found: str) -> Fault:
+    return Fault(place, expected, found, "the application is not run")

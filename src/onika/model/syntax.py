@@ -1,0 +1,136 @@
+"""The syntax of the upper level: the types of onikons, their data items and their edges (dissertation §5.7.1, §A.7)."""
+
+from dataclasses import dataclass
+
+from onika.words.value import ValueType
+
+START = "Application start"
+END = "Application end"
+COMPLETE_JOB = "Complete job"
+COMPLETE_APPLICATION = "Complete application"
+COMPLETE_NOP = "Complete NOP"
+SPECIAL_TYPES = (START, END, COMPLETE_JOB, COMPLETE_APPLICATION, COMPLETE_NOP)
+"""The types with a meaning of their own, which every syntax defines."""
+
+
+@dataclass(frozen=True, slots=True)
+class DataItem:
+    """One datum of a target type: its name, the type of its elements and how many there are."""
+
+    name: str
+    type: ValueType
+    count: int
+
+
+@dataclass(frozen=True, slots=True)
+class IconType:
+    """A type of onikon; its role follows from the words of its name, without case (requirement D22)."""
+
+    name: str
+    left_edge: int
+    right_edge: int
+    items: tuple[DataItem, ...] = ()
+
+    @property
+    def is_start(self) -> bool:
+        """The type of the icon that begins every flow."""
+        return _same(self.name, START)
+
+    @property
+    def is_end(self) -> bool:
+        """The type of the icon that ends every flow."""
+        return _same(self.name, END)
+
+    @property
+    def is_noop(self) -> bool:
+        """An action that does nothing (requirement D11)."""
+        return _same(self.name, COMPLETE_NOP)
+
+    @property
+    def is_target(self) -> bool:
+        """Data for the action before it."""
+        return has_word(self.name, "object")
+
+    @property
+    def is_complete(self) -> bool:
+        """An action that never takes a target."""
+        return has_word(self.name, "complete")
+
+    @property
+    def is_application(self) -> bool:
+        """An action that runs an application."""
+        return has_word(self.name, "application") and not (self.is_start or self.is_end or self.is_target)
+
+    @property
+    def is_job(self) -> bool:
+        """An action that runs a configuration."""
+        return has_word(self.name, "job") and not self.is_target
+
+    @property
+    def is_action(self) -> bool:
+        """An action of any kind: job, application or no-op."""
+        return self.is_job or self.is_application or self.is_noop
+
+    @property
+    def needs_target(self) -> bool:
+        """An action that is followed by its target."""
+        return (self.is_job or self.is_application) and not self.is_complete
+
+
+@dataclass(frozen=True, slots=True)
+class Edge:
+    """The drawn border of an onikon: colour (0 to 255 each) and relative movements of the pen in pixels."""
+
+    number: int
+    rgb: tuple[int, int, int]
+    vertices: tuple[tuple[int, int], ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Syntax:
+    """All types and edges of one syntax definition."""
+
+    types: tuple[IconType, ...]
+    edges: tuple[Edge, ...]
+
+    def find(self, name: str) -> IconType | None:
+        """The type of this name, compared without case (decision 37)."""
+        return next((kind for kind in self.types if _same(kind.name, name)), None)
+
+    def acting(self, name: str) -> IconType | None:
+        """The type an icon of type `name` acts as: its own, or for unknown jobs and applications the complete one.
+
+        None for an unknown target and for a name that is none of these (requirement D16).
+        """
+        if found := self.find(name):
+            return found
+        if has_word(name, "object"):
+            return None
+        if has_word(name, "job"):
+            return self.find(COMPLETE_JOB)
+        return self.find(COMPLETE_APPLICATION) if has_word(name, "application") else None
+
+    def target_type_of(self, name: str) -> str | None:
+        """The target type that goes with an action type by its words: "Joint job" gives "Joint object".
+
+        None where the action takes no target or the syntax lacks that type (decision 32).
+        """
+        kind = self.find(name)
+        if kind is None or not kind.needs_target:
+            return None
+        words = ["object" if word.lower() in ("job", "application") else word for word in kind.name.split()]
+        target = self.find(" ".join(words))
+        return target.name if target else None
+
+    def edge(self, number: int) -> Edge | None:
+        """The edge of this number."""
+        return next((edge for edge in self.edges if edge.number == number), None)
+
+
+def has_word(name: str, word: str) -> bool:
+    """Whether a type's name contains a word, without case (requirement D22)."""
+    return word in name.lower().split()
+
+
+def _same(one: str, other: str) -> bool:
+    return one.lower().split() == other.lower().split()

@@ -1,0 +1,28 @@
+"""The front door of module authors: everything a control module imports from Onika, and nothing else."""
+
+from onika.model.signal import Signal, finish, illegal, legal, off, shutdown, user_signal
+from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutBoth, OutConst, OutVar
+from onika.runtime.device import Device
+from onika.runtime.module import AskAgain, Module, ModuleError
+
+__all__ = [
+    "AskAgain",
+    "Device",
+    "InBoth",
+    "InConst",
+    "InVar",
+    "Input",
+    "Local",
+    "Module",
+    "ModuleError",
+    "OutBoth",
+    "OutConst",
+    "OutVar",
+    "Signal",
+    "finish",
+    "illegal",
+    "legal",
+    "off",
+    "shutdown",
+    "user_signal",
+]

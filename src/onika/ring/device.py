@@ -1,0 +1,50 @@
+"""What a device of a world says of itself, takes as orders and reports: the words of the device bus."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+
+
+class Order(IntEnum):
+    """What a command asks of a device's drive."""
+
+    HOLD = 0
+    DRIVE = 1
+    CLEAR = 2
+
+
+class Drive(IntEnum):
+    """The state of a device's drive; the number stands in `state[1]` of every device."""
+
+    DRIVEN = 0
+    HELD = 1
+    TRIPPED = 2
+
+
+@dataclass(frozen=True, slots=True)
+class DeviceSheet:
+    """A device by name: the doubles it publishes, the doubles a command carries and who it is.
+
+    `state[0]` is always the world's time in seconds and `state[1]` the state of the drive. `command` is empty for a
+    device that only publishes.
+    """
+
+    name: str
+    state: tuple[str, ...]
+    command: tuple[str, ...]
+    identity: Mapping[str, tuple[float, ...] | str]
+
+
+@dataclass(frozen=True, slots=True)
+class DriveEvent:
+    """One change of a drive's state, in world time: when, at which step before, after which last command, why.
+
+    `last_command_ns` is -1 where no command came since the claim.
+    """
+
+    device: str
+    state: int
+    at_ns: int
+    previous_step_ns: int
+    last_command_ns: int
+    cause: str

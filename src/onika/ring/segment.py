@@ -1,0 +1,35 @@
+"""A piece of memory that several processes share, on a memfd: nothing is left behind when they die (law 31)."""
+
+import mmap
+import os
+
+
+class Segment:
+    """Zeroed shared memory; untouched pages cost nothing. Hand `fd` to another process to share it."""
+
+    def __init__(self, fd: int, size: int) -> None:
+        self.fd = fd
+        self.size = size
+        self._map = mmap.mmap(fd, size)
+        self.view = memoryview(self._map)
+
+    @classmethod
+    def create(cls, name: str, size: int) -> "Segment":
+        """New memory of `size` bytes; the name is only seen in the process's list of files."""
+        fd = os.memfd_create(f"onika-{name}", os.MFD_CLOEXEC)
+        os.ftruncate(fd, size)
+        return cls(fd, size)
+
+    @classmethod
+    def attach(cls, fd: int) -> "Segment":
+        """Memory that another process made, by a file descriptor of our own for it."""
+        return cls(fd, os.fstat(fd).st_size)
+
+    def close(self) -> None:
+        """Give the memory back; views of it that are still in use keep the map alive until they go."""
+        self.view.release()
+        try:
+            self._map.close()
+        except BufferError:
+            pass  # a reader still holds a view: the map goes with the last one
+        os.close(self.fd)

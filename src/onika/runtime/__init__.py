@@ -1,0 +1,1 @@
+"""Execution: tables, tasks, executives, clocks. Knows no process, thread or socket."""

@@ -1,0 +1,89 @@
+"""What is due: a release queue and a ready queue, earliest deadline first; sans-I/O (laws 1, 2).
+
+A task on the agenda is a mutable `Slot`. Released slots wait by (deadline, criticality, rank, name), which fixes the
+order at one instant whatever came before.
+"""
+
+from heapq import heappop, heappush
+
+
+class Slot:
+    """A task's place on the agenda. `key` sorts tasks with the same deadline: (-criticality, rank, name)."""
+
+    __slots__ = ("deadline", "epoch", "is_listed", "key", "missed", "period", "release")
+
+    def __init__(self, key: tuple[int, int, str], period_ns: int) -> None:
+        self.key = key
+        self.period = period_ns
+        self.release = 0
+        self.deadline = 0
+        self.missed = 0
+        self.epoch = 0
+        self.is_listed = False
+
+
+class Agenda:
+    """Slots by release time, then by deadline; time is handed in as integer nanoseconds."""
+
+    def __init__(self) -> None:
+        self._releases: list[tuple[int, tuple[int, int, str], int, Slot]] = []
+        self._ready: list[tuple[int, tuple[int, int, str], int, Slot]] = []
+
+    def enter(self, slot: Slot, now: int) -> None:
+        """Due at once, then on the common grid of multiples of the period."""
+        slot.epoch += 1
+        slot.is_listed = True
+        slot.release = now
+        slot.deadline = _next_on_grid(now, slot.period)
+        heappush(self._releases, (now, slot.key, slot.epoch, slot))
+
+    def leave(self, slot: Slot) -> None:
+        """Not due any more; what still lies in the queues is stale by its epoch."""
+        slot.epoch += 1
+        slot.is_listed = False
+
+    def change(self, slot: Slot, period_ns: int, now: int) -> None:
+        """Another period from now on; the next release is the next point of the new grid."""
+        slot.period = period_ns
+        if slot.is_listed:
+            slot.epoch += 1
+            slot.release = _next_on_grid(now, period_ns)
+            slot.deadline = slot.release + period_ns
+            heappush(self._releases, (slot.release, slot.key, slot.epoch, slot))
+
+    def next_due(self, now: int) -> Slot | None:
+        """The slot to run now, or None; call `done` after its cycle."""
+        releases, ready = self._releases, self._ready
+        while releases and releases[0][0] <= now:
+            _, key, epoch, slot = heappop(releases)
+            if epoch == slot.epoch:
+                heappush(ready, (slot.deadline, key, epoch, slot))
+        while ready:
+            _, _, epoch, slot = heappop(ready)
+            if epoch == slot.epoch:
+                return slot
+        return None
+
+    def done(self, slot: Slot, now: int) -> None:
+        """A cycle is over: release at its deadline; periods that passed meanwhile are counted and skipped."""
+        release = slot.deadline
+        if now > release + slot.period:
+            late = (now - release) // slot.period
+            slot.missed += late
+            release += late * slot.period
+        slot.release = release
+        slot.deadline = release + slot.period
+        heappush(self._releases, (release, slot.key, slot.epoch, slot))
+
+    def next_release(self) -> int | None:
+        """When something becomes due (a time in the past: now); None if nothing ever will."""
+        if any(epoch == slot.epoch for _, _, epoch, slot in self._ready):
+            return self._ready[0][3].release
+        releases = self._releases
+        while releases and releases[0][2] != releases[0][3].epoch:
+            heappop(releases)
+        return releases[0][0] if releases else None
+
+
+def _next_on_grid(now: int, period: int) -> int:
+    return (now // period + 1) * period

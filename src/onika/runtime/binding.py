@@ -1,0 +1,139 @@
+"""A module instance bound to its task: buffers for its ports, its LOCAL parameters, its device (laws 2, 16)."""
+
+import math
+import random
+from collections.abc import Callable, Mapping
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+
+from onika.ring.device import DeviceSheet
+from onika.ring.slots import Ring
+from onika.runtime.command import DeviceGrant, Spawn
+from onika.runtime.declaration import Local, slot
+from onika.runtime.device import Device
+from onika.runtime.module import Module
+from onika.words.name import SVAR_NAME
+from onika.words.shape import Shape
+
+Views = Mapping[str, memoryview]
+"""Shared memory by name: `table:SUBSYSTEM`, `bus:WORLD`."""
+
+
+class Binding:
+    """Ports of one instance: functions that copy in and out, and the rings behind them."""
+
+    def __init__(self, instance: Module, spawn: Spawn, views: Views) -> None:
+        self.instance = instance
+        self.rings: dict[str, Ring] = {}
+        self._real_inputs: list[tuple[str, memoryview]] = []
+        self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
+        self.preloads: list[Callable[[], Any]] = []
+        self.input_rings: list[Ring] = []
+        table = views[f"table:{spawn.subsystem}"]
+        bound = {one.port: one for one in spawn.ports}
+        for attribute, declared in type(instance).declared_ports.items():
+            port = declared.port(attribute)
+            entry = bound[port.name]
+            shape = Shape.parse(entry.shape)
+            ring = Ring(table, entry.offset, shape.size)
+            self.rings[entry.svar] = ring
+            self._bind(attribute, entry.svar, declared.kind.value, shape, ring)
+
+    def _bind(self, attribute: str, svar: str, kind: str, shape: Shape, ring: Ring) -> None:
+        length = shape.count * (shape.type.size if shape.type.is_text else 1)
+        flat = np.zeros(length, dtype=shape.type.code)
+        data = flat.data.cast("B")
+        shown = flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims)  # type: ignore[arg-type]
+        if kind.startswith("IN"):
+            fetch = ring.reader(data)
+            shown = shown.view()
+            shown.flags.writeable = False
+            self._add(kind, "in", fetch)
+            if kind != "INCONST":
+                self.input_rings.append(ring)
+                if shape.type.is_real:
+                    self._real_inputs.append((svar, flat.data))
+        else:
+            self._add(kind, "out", ring.writer(data))
+            if kind != "OUTCONST":
+                self.preloads.append(ring.reader(data))
+        setattr(self.instance, slot(attribute), shown)
+
+    def _add(self, kind: str, way: str, copy: Callable[[], Any]) -> None:
+        if not kind.endswith("VAR"):
+            self._copies[f"init_{way}"].append(copy)
+        if not kind.endswith("CONST"):
+            self._copies[way].append(copy)
+
+    def copies(self, which: str) -> list[Callable[[], Any]]:
+        """The copy functions of `init_in`, `init_out`, `in` or `out`."""
+        return self._copies[which]
+
+    def not_finite(self) -> list[str]:
+        """The variables among the real inputs that hold NaN or infinity (law 5)."""
+        return [svar for svar, values in self._real_inputs if not math.isfinite(sum(values))]
+
+    def in_force(self) -> frozenset[str]:
+        """The variables whose present value still steers something (law 3)."""
+        return frozenset(svar for svar, ring in self.rings.items() if ring.count > ring.mark)
+
+
+def instantiate(cls: type[Module], spawn: Spawn, views: Views) -> Module:
+    """A fresh instance with time, chance, device and parameters; raises ValueError for a bad LOCAL line."""
+    instance = cls()
+    instance.dt = 1.0 / spawn.frequency if spawn.frequency else 0.0
+    instance.random = random.Random(f"{spawn.seed}/{spawn.subsystem}/{spawn.task}")  # noqa: S311 - simulation, no secret
+    if spawn.device is not None:
+        instance.device = attach(spawn.device, views)
+    for name, value in vars(locals_of(cls, dict(spawn.local))).items():
+        setattr(instance, name, value)
+    return instance
+
+
+def attach(grant: DeviceGrant, views: Views) -> Device:
+    """The task's end of a granted device."""
+    view = views[grant.segment]
+    sheet = DeviceSheet(grant.name, grant.state, grant.command, grant.identity)
+    state = Ring(view, grant.state_offset, 8 * len(sheet.state))
+    if grant.command_offset is None:
+        return Device(sheet, grant.epoch, state, None)
+    command = Ring(view, grant.command_offset, 8 * (2 + len(sheet.command)))
+    return Device(sheet, grant.epoch, state, command)
+
+
+def locals_of(cls: type[Module], lines: Mapping[str, tuple[str, ...]]) -> SimpleNamespace:
+    """The parameters a class declares, from the lines of a LOCAL block; raises ValueError that says what is wrong."""
+    found = SimpleNamespace()
+    for name, declared in cls.declared_locals.items():
+        if name in lines:
+            setattr(found, name, _parse(name, declared, lines[name]))
+        elif declared.default is None:
+            raise ValueError(f"expected a LOCAL line {name} {declared.shape} ({declared.meaning}), found none")
+        else:
+            setattr(found, name, declared.default)
+    return found
+
+
+def _parse(name: str, declared: Local, words: tuple[str, ...]) -> Any:
+    kind = declared.shape.type
+    if kind.value == "line":
+        return " ".join(words)
+    if not declared.shape.dims:
+        if len(words) != 1:
+            raise ValueError(f"LOCAL {name}: expected one {kind.value}, found {len(words)} words")
+        return kind.parse(words[0])
+    fixed = all(isinstance(dim, int) for dim in declared.shape.dims)
+    if fixed and len(words) != declared.shape.count:
+        raise ValueError(f"LOCAL {name}: expected {declared.shape.count} values, found {len(words)}")
+    try:
+        return [kind.parse(word) for word in words]
+    except ValueError as wrong:
+        raise ValueError(f"LOCAL {name}: {wrong}") from None
+
+
+def undeclared(instance: Module) -> list[str]:
+    """Attributes that look like state variables but are no port or parameter: typing mistakes that write nothing."""
+    known = set(type(instance).declared_locals)
+    return sorted(name for name in vars(instance) if SVAR_NAME.match(name) and len(name) > 1 and name not in known)

@@ -1,0 +1,160 @@
+"""The device bus of one world: claims, commands in, states out, between rings and the world (laws 16 to 18).
+
+The same code runs in the device server's process in wall time and beside the virtual clock.
+"""
+
+from collections.abc import Callable, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+
+from onika.ring.device import DeviceSheet, DriveEvent
+from onika.ring.segment import Segment
+from onika.ring.slots import Ring
+from onika.runtime.command import DeviceGrant
+
+SEGMENT_SIZE = 1 << 20
+
+
+class World(Protocol):
+    """What a simulated or real workcell offers; see the package of worlds for the meaning of each."""
+
+    step_ns: int
+    now_ns: int
+
+    def devices(self) -> tuple[DeviceSheet, ...]:
+        """Everything that can be granted."""
+        ...
+
+    def claim(self, device: str, epoch: int) -> DeviceSheet:
+        """Take a device for one writer."""
+        ...
+
+    def release(self, device: str, epoch: int) -> None:
+        """Give it back: safe hold."""
+        ...
+
+    def fence(self, epoch: int) -> None:
+        """That writer is dead: its devices trip."""
+        ...
+
+    def command(self, device: str, epoch: int, order: int, values: Any) -> None:
+        """A fresh command; acts from the next step on."""
+        ...
+
+    def step(self, until_ns: int) -> None:
+        """Advance to a time."""
+        ...
+
+    def state(self, device: str) -> Any:
+        """The newest state of a device."""
+        ...
+
+    def stop(self) -> None:
+        """Hold everything, latched."""
+        ...
+
+    def take_events(self) -> list[DriveEvent]:
+        """Changes of drives since the last call."""
+        ...
+
+    def snapshot(self) -> bytes:
+        """Enough to draw the world elsewhere."""
+        ...
+
+    def fingerprint(self) -> bytes:
+        """The world as bytes, to compare two runs."""
+        ...
+
+
+class Bus:
+    """One world on shared memory. `name` is the world's; `segment` is shared with whoever is granted a device."""
+
+    def __init__(self, name: str, world: World, segment: Segment) -> None:
+        self.name = name
+        self.world = world
+        self._view = segment.view
+        self._sheets = {sheet.name: sheet for sheet in world.devices()}
+        self._offsets = _layout(world.devices())
+        self._commands: dict[str, _Commands] = {}
+        self._publishers: dict[str, Callable[[], None]] = {}
+
+    def grant(self, device: str, epoch: int) -> DeviceGrant:
+        """Give a task the device: claimed for one writer if it takes commands, shared if it only publishes.
+
+        Raises ValueError with a sentence where the device is unknown or taken.
+        """
+        sheet = self._sheets.get(device)
+        if sheet is None:
+            known = ", ".join(sorted(self._sheets))
+            raise ValueError(f"expected a device of world {self.name} ({known}), found {device!r}")
+        state_at, command_at = self._offsets[device]
+        if sheet.command:
+            sheet = self.world.claim(device, epoch)
+            ring = Ring(self._view, command_at, 8 * (2 + len(sheet.command)))
+            self._commands[device] = _Commands(device, ring, len(sheet.command))
+        self._publishers[device] = self._publisher(sheet, state_at)
+        self._publishers[device]()
+        command = command_at if sheet.command else None
+        return DeviceGrant(
+            f"bus:{self.name}", device, sheet.state, sheet.command, dict(sheet.identity), epoch, state_at, command
+        )
+
+    def release(self, device: str, epoch: int) -> None:
+        """The claim ends: the drive holds."""
+        commands = self._commands.pop(device, None)
+        if commands is not None:
+            commands.pump(self.world)
+        self.world.release(device, epoch)
+
+    def step(self, until_ns: int) -> None:
+        """Deliver fresh commands, advance the world, publish its devices' states."""
+        self.deliver()
+        self.world.step(until_ns)
+        for publish in self._publishers.values():
+            publish()
+
+    def deliver(self) -> None:
+        """Hand the commands written since the last call to the world."""
+        for commands in self._commands.values():
+            commands.pump(self.world)
+
+    def _publisher(self, sheet: DeviceSheet, offset: int) -> Callable[[], None]:
+        """A function that publishes the device's state; the world may replace its vector, so it is copied each time."""
+        mirror = np.zeros(len(sheet.state))
+        send = Ring(self._view, offset, mirror.nbytes).writer(mirror.data.cast("B"))
+        state, name = self.world.state, sheet.name
+
+        def publish() -> None:
+            mirror[:] = state(name)
+            send()
+
+        return publish
+
+
+class _Commands:
+    """The command ring of one claimed device."""
+
+    def __init__(self, device: str, ring: Ring, count: int) -> None:
+        self._device = device
+        self._ring = ring
+        self._data = np.zeros(2 + count)
+        self._values = self._data[2:]
+        self._fetch = ring.reader(self._data.data.cast("B"))
+        self._seen = ring.count
+
+    def pump(self, world: World) -> None:
+        """Deliver the newest command, once."""
+        if self._ring.count != self._seen:
+            self._seen = self._fetch()
+            world.command(self._device, int(self._data[0]), int(self._data[1]), self._values)
+
+
+def _layout(sheets: Sequence[DeviceSheet]) -> dict[str, tuple[int, int]]:
+    """Offsets of state and command rings of every device, in the world's order."""
+    offsets, end = {}, 0
+    for sheet in sheets:
+        command_at = end + Ring.footprint(8 * len(sheet.state))
+        offsets[sheet.name] = (end, command_at)
+        end = command_at + Ring.footprint(8 * (2 + len(sheet.command)))
+    return offsets

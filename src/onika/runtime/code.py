@@ -1,0 +1,44 @@
+"""A module's file executed: source text to class, anew for every running task, so that nothing is shared (law 14)."""
+
+import traceback
+import types
+
+from onika.runtime.module import Module
+from onika.words.fault import Fault, Place
+
+
+def load(source: str, path: str, module: str) -> type[Module] | Fault:
+    """Execute a module's source and return its one subclass of Module, or the fault with its place."""
+    instead = f"module {module} is not loaded"
+    try:
+        code = compile(source, path, "exec", dont_inherit=True)
+    except SyntaxError as wrong:
+        return Fault(Place(path, wrong.lineno or 0), "Python", f"{wrong.msg}: {(wrong.text or '').strip()}", instead)
+    except ValueError as wrong:
+        return Fault(Place(path), "Python", str(wrong), instead)
+    namespace = types.ModuleType(f"onika_task_{module}")
+    namespace.__file__ = path
+    try:
+        exec(code, namespace.__dict__)  # noqa: S102 - running modules is what a runtime is for; trust is decided before
+    except Exception as wrong:
+        return Fault(Place(path, line_in(path, wrong)), "a module that can be imported", told(wrong), instead)
+    classes = [
+        one
+        for one in vars(namespace).values()
+        if isinstance(one, type) and issubclass(one, Module) and one.__module__ == namespace.__name__
+    ]
+    if len(classes) != 1:
+        names = ", ".join(one.__name__ for one in classes) or "none"
+        return Fault(Place(path), "exactly one subclass of Module", names, instead)
+    return classes[0]
+
+
+def line_in(path: str, wrong: BaseException) -> int:
+    """The last line of a file that an exception passed through; 0 if it did not."""
+    lines = [frame.lineno or 0 for frame in traceback.extract_tb(wrong.__traceback__) if frame.filename == path]
+    return lines[-1] if lines else 0
+
+
+def told(wrong: BaseException) -> str:
+    """An exception in one line."""
+    return f"{type(wrong).__name__}: {wrong}" if str(wrong) else type(wrong).__name__

@@ -1,0 +1,153 @@
+"""What a module's class declares: its ports, the input it takes, the parameters of its LOCAL block."""
+
+from collections.abc import Callable
+from operator import attrgetter
+from typing import Any, ClassVar
+
+from onika.model.port import Port, PortKind
+from onika.words.name import SVAR_NAME
+from onika.words.shape import Shape
+
+Bound = float | str
+"""A number, or the name of an INCONST that holds one (a vector bounds element by element)."""
+
+
+class PortDeclaration:
+    """A port as a class attribute; on an instance it is the module's own copy of the variable.
+
+    A vector is a NumPy array (inputs cannot be written), a scalar a number, a text a str. `name` is the coded name
+    where it is no Python name, as in `Q^_REF`. Assigning writes into place, whole.
+    """
+
+    kind: ClassVar[PortKind]
+
+    def __init__(self, shape: str, unit: str = "-", meaning: str = "", *, name: str = "") -> None:
+        self.shape = Shape.parse(shape)
+        self.unit = unit
+        self.meaning = meaning
+        self.name = name
+
+    def port(self, attribute: str) -> Port:
+        """The port as a value."""
+        name = self.name or attribute
+        if not SVAR_NAME.match(name):
+            raise ValueError(f"expected a port name of capitals, digits, _ and ^, found {name!r}")
+        return Port(self.kind, name, self.shape, self.unit, self.meaning)
+
+    def accessor(self, attribute: str) -> property:
+        """The property that stands in the class in place of the declaration."""
+        key = slot(attribute)
+        return property(_getter(key, self.shape), _setter(key, attribute, self), doc=self.meaning)
+
+
+class InConst(PortDeclaration):
+    """Read once, at initialisation."""
+
+    kind = PortKind.INCONST
+
+
+class OutConst(PortDeclaration):
+    """Written once, by `init`."""
+
+    kind = PortKind.OUTCONST
+
+
+class InVar(PortDeclaration):
+    """Read before every cycle."""
+
+    kind = PortKind.INVAR
+
+
+class OutVar(PortDeclaration):
+    """Written after every cycle."""
+
+    kind = PortKind.OUTVAR
+
+
+class InBoth(PortDeclaration):
+    """A first value at initialisation, then read before every cycle."""
+
+    kind = PortKind.INBOTH
+
+
+class OutBoth(PortDeclaration):
+    """A first value written by `init`, then after every cycle."""
+
+    kind = PortKind.OUTBOTH
+
+
+class Input:
+    """What a task takes from its argument line when it goes on, else asks the user for (dissertation §C.4)."""
+
+    def __init__(
+        self,
+        shape: str,
+        unit: str = "-",
+        meaning: str = "",
+        *,
+        low: Bound | None = None,
+        high: Bound | None = None,
+        default: Any = None,
+    ) -> None:
+        self.shape = Shape.parse(shape)
+        self.unit = unit
+        self.meaning = meaning
+        self.low = low
+        self.high = high
+        self.default = default
+
+
+class Local:
+    """A parameter that the LOCAL block of the `.rmod` gives; its key is the attribute's name.
+
+    Without a default the line must be there. On an instance it is a number, a str, or a list of them.
+    """
+
+    def __init__(self, shape: str, unit: str = "-", meaning: str = "", *, default: Any = None) -> None:
+        self.shape = Shape.parse(shape)
+        self.unit = unit
+        self.meaning = meaning
+        self.default = default
+
+
+def slot(attribute: str) -> str:
+    """The name under which an instance keeps the buffer of a port."""
+    return "_port_" + attribute
+
+
+def _getter(key: str, shape: Shape) -> Callable[[Any], Any]:
+    buffer = attrgetter(key)
+    if shape.type.is_text:
+        return lambda module: buffer(module).tobytes().partition(b"\0")[0].decode("utf-8", "replace")
+    if shape.type.value == "char":
+        return lambda module: chr(buffer(module)[0])
+    if not shape.dims:
+        return lambda module: buffer(module)[0].item()
+    return buffer  # attrgetter runs in C: the fast way for vectors
+
+
+def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[[Any, Any], None]:
+    kind = declaration.kind
+    if kind.is_input:
+
+        def refuse(_module: Any, _value: Any) -> None:
+            raise AttributeError(f"{attribute} is an {kind.value}: it is read, never written")
+
+        return refuse
+    buffer = attrgetter(key)
+    if declaration.shape.type.is_text:
+
+        def write_text(module: Any, value: str) -> None:
+            target = buffer(module)
+            data = value.encode()
+            if len(data) >= len(target):
+                raise ValueError(f"{attribute} holds {len(target) - 1} bytes of text, found {len(data)}")
+            target[:] = 0
+            target[: len(data)] = bytearray(data)
+
+        return write_text
+
+    def write(module: Any, value: Any) -> None:
+        buffer(module)[...] = value
+
+    return write

@@ -1,0 +1,118 @@
+"""A task's end of a device: newest state in, commands out, over the same rings as the state variables (law 16)."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from onika.ring.device import DeviceSheet, Drive, Order
+from onika.ring.slots import Ring
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_HEADER = 2  # world time and drive state before the values; writer's epoch and order before a command's values
+SILENCE_NS = 60_000_000
+"""A device that publishes nothing for so long is taken for dead (law 17: it holds by itself after 50 ms)."""
+
+
+class Device:
+    """Latest-value access to one device; `write` and `hold` command it, where the task claimed it."""
+
+    def __init__(self, sheet: DeviceSheet, epoch: int, state: Ring, command: Ring | None) -> None:
+        self.sheet = sheet
+        self._state = np.zeros(len(sheet.state))
+        self._fetch: Callable[[], int] = state.reader(self._state.data.cast("B"))
+        self._order = np.zeros(_HEADER + len(sheet.command))
+        self._order[0] = epoch
+        self._send = None if command is None else command.writer(self._order.data.cast("B"))
+        self._values = self._state[_HEADER:]
+        self._values.flags.writeable = False
+        self._seen = -1
+        self._heard_ns = -1
+        self._holding = False
+
+    @classmethod
+    def absent(cls) -> "Device":
+        """Stands where a task names no device; every use says so."""
+        return _Absent()
+
+    @property
+    def identity(self) -> Mapping[str, tuple[float, ...] | str]:
+        """What the device says of itself."""
+        return self.sheet.identity
+
+    @property
+    def is_held(self) -> bool:
+        """Whether the drive held (or had tripped) at the last `read`."""
+        return bool(self._state[1] != Drive.DRIVEN)
+
+    @property
+    def is_tripped(self) -> bool:
+        """Whether the drive had tripped at the last `read`; `clear` brings it back to hold."""
+        return bool(self._state[1] == Drive.TRIPPED)
+
+    def read(self) -> "NDArray[np.float64]":
+        """The newest values, in the order of `sheet.state` without time and drive state; the same array each time."""
+        self._fetch()
+        return self._values
+
+    def write(self, values: Sequence[float]) -> None:
+        """Command these values, in the order of `sheet.command`, from the world's next step on.
+
+        While the task still waits for fresh inputs (law 4) a hold is sent instead. Raises ValueError for NaN or
+        infinity: they never reach an actuator.
+        """
+        if self._send is None:
+            raise ValueError(f"{self.sheet.name} takes no commands from this task")
+        order = self._order
+        order[_HEADER:] = values
+        if not math.isfinite(sum(order.data)):  # a sum of finite torques is finite
+            self.hold()
+            raise ValueError(f"expected finite commands for {self.sheet.name}, found {list(values)}")
+        order[1] = Order.HOLD if self._holding else Order.DRIVE
+        self._send()
+
+    def hold(self) -> None:
+        """Command the drive to hold by itself; harmless for a device that takes no commands."""
+        self._plain(Order.HOLD)
+
+    def clear(self) -> None:
+        """Bring a tripped drive back to hold."""
+        self._plain(Order.CLEAR)
+
+    # For the running task
+
+    def holding(self, is_holding: bool) -> None:
+        """Turn every command into a hold, or no longer."""
+        self._holding = is_holding
+
+    def silent_ns(self, now_ns: int) -> int:
+        """How long the device has published nothing new, as far as calls of this function could see."""
+        count = self._fetch()
+        if count != self._seen or self._heard_ns < 0:
+            self._seen, self._heard_ns = count, now_ns
+        return now_ns - self._heard_ns
+
+    def listen_from(self, now_ns: int) -> None:
+        """Count silence from now."""
+        self._heard_ns = now_ns
+
+    def _plain(self, order: Order) -> None:
+        if self._send is not None:
+            self._order[1] = order
+            self._order[_HEADER:] = 0.0
+            self._send()
+
+
+class _Absent(Device):
+    """No device: says what is missing."""
+
+    def __init__(self) -> None:
+        pass
+
+    def __getattribute__(self, name: str) -> Any:
+        if name.startswith("__"):
+            return super().__getattribute__(name)
+        raise AttributeError("this task has no device: its LOCAL block names none (DEVICE world:device)")

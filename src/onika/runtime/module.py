@@ -1,0 +1,132 @@
+"""The module: a plain class with typed port declarations and a fixed set of entry points (dissertation §3.2.1)."""
+
+import random
+from types import SimpleNamespace
+from typing import Any, ClassVar
+
+from onika.model.signal import Signal
+from onika.runtime.declaration import Input, Local, PortDeclaration
+from onika.runtime.device import Device
+
+
+class ModuleError(Exception):
+    """What a module raises when it cannot do its work; goes to its `error` entry first (dissertation §C.2)."""
+
+
+class AskAgain(Exception):
+    """Raised by `on`: the input cannot be used, for this reason; the user is asked again."""
+
+
+class Module:
+    """Subclass this, declare ports, inputs and parameters as class attributes, and fill in entry points.
+
+    Every entry point may be left out. None of them may wait: what must wait or compute for long gets an RTPU of its
+    own. `dt` is the period in seconds, `now` the time of this cycle in seconds since the subsystem's start; take time
+    from nowhere else. `random` is seeded by the run and the task. `device` is there where LOCAL has a DEVICE line.
+    """
+
+    trigger: ClassVar[bool] = False
+    """Ends a job by returning `finish()`."""
+    passive: ClassVar[bool] = False
+    """May fall silent without harm to the job."""
+    hardware: ClassVar[bool] = False
+    """Drives a device: source of the data flow, holds until all its inputs are fresh."""
+    crit: ClassVar[int] = 0
+    """Criticality: among tasks with the same deadline the higher one runs first."""
+
+    declared_ports: ClassVar[dict[str, PortDeclaration]] = {}
+    declared_inputs: ClassVar[dict[str, Input]] = {}
+    declared_locals: ClassVar[dict[str, Local]] = {}
+
+    def __init_subclass__(cls, **kwargs: Any) -> None:
+        super().__init_subclass__(**kwargs)
+        cls.declared_ports = dict(cls.declared_ports)
+        cls.declared_inputs = dict(cls.declared_inputs)
+        cls.declared_locals = dict(cls.declared_locals)
+        for attribute, declared in list(vars(cls).items()):
+            if isinstance(declared, PortDeclaration):
+                cls.declared_ports[attribute] = declared
+                setattr(cls, attribute, declared.accessor(attribute))
+            elif isinstance(declared, Input):
+                cls.declared_inputs[attribute] = declared
+                delattr(cls, attribute)
+            elif isinstance(declared, Local):
+                cls.declared_locals[attribute] = declared
+
+    def __init__(self) -> None:
+        self.dt = 0.0
+        self.now = 0.0
+        self.random = random.Random(0)  # noqa: S311 - noise for simulation, no secret
+        self.device: Device = Device.absent()
+        self.warnings: list[str] = []
+        self.in_force: frozenset[str] = frozenset()
+
+    # What a module may call
+
+    def warn(self, text: str) -> None:
+        """Send a WARNING; nothing else happens."""
+        self.warnings.append(text)
+
+    def continues(self, name: str) -> bool:
+        """During `on`: whether the variable's present value still steers something, so that it must not jump.
+
+        It was written since the last hold of the hardware, and a task that stays ON has been reading it. A motion then
+        starts from it (the port is preloaded with it), else from the measurement (law 3, decision 45).
+        """
+        return name in self.in_force
+
+    # Entry points
+
+    def init(self) -> None:
+        """After the constants are read: allocate, check, compute OUTCONSTs."""
+
+    def reinit(self) -> None:
+        """A constant has changed: as `init` unless said otherwise."""
+        self.init()
+
+    def on(self, inputs: SimpleNamespace) -> None:
+        """All inputs are read, own outputs are preloaded with the table's values; `inputs` holds the user's input."""
+
+    def cycle(self) -> Signal | None:
+        """One period of a periodic task, or the one run of an aperiodic one."""
+
+    def sync(self) -> Signal | None:
+        """A synchronous task's event has arrived."""
+
+    def off(self) -> None:
+        """The task goes off; outputs are not published any more."""
+
+    def kill(self) -> None:
+        """The task ends: give back what `init` took."""
+
+    def error(self, fault: Exception) -> bool:
+        """Something raised in this module. True: mended, go on and tell nobody. False: give up (state ERROR)."""
+        return False
+
+    def clear(self) -> None:
+        """The user wants this task out of ERROR; raise ModuleError if the cause is still there."""
+
+    def get(self, name: str) -> Any:
+        """The present value of something that `status` does not show."""
+        raise ModuleError(f"there is nothing called {name!r} to get")
+
+    def set(self, name: str, value: str) -> None:
+        """Change something while the task lives."""
+        raise ModuleError(f"there is nothing called {name!r} to set")
+
+    def hold(self) -> None:
+        """A hardware task whose inputs are not all fresh yet: called in place of `cycle`; read, command nothing."""
+        self.cycle()
+
+    @classmethod
+    def constants(cls, local: SimpleNamespace) -> dict[str, Any]:
+        """Of a robot module: its OUTCONSTs from its parameters alone, so that reach is known before a run (law 26)."""
+        return {}
+
+    @classmethod
+    def resolve(cls, constants: dict[str, Any], targets: list[Any]) -> list[str | None]:
+        """Of a robot module: for each target (its type in lower case and its values) why it is out of reach, or None.
+
+        A target of a type the robot knows nothing of is none of its business: None.
+        """
+        return [None for _ in targets]

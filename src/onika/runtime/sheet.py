@@ -1,0 +1,141 @@
+"""The sheet of a module's class: what it declares, as plain data that travels (law 24), compared with `.rmod` files."""
+
+from typing import Any
+
+from msgspec import Struct
+
+from onika.model.port import PortKind
+from onika.model.task import Task
+from onika.runtime.module import Module
+from onika.words.fault import Fault, Place
+
+
+class PortSheet(Struct, frozen=True):
+    """A declared port; `shape` as text."""
+
+    kind: str
+    name: str
+    shape: str
+    unit: str
+    meaning: str
+
+
+class InputSheet(Struct, frozen=True):
+    """Declared user input; bounds are numbers or names of INCONSTs."""
+
+    name: str
+    shape: str
+    unit: str
+    meaning: str
+    low: float | str | None
+    high: float | str | None
+    default: Any
+
+
+class LocalSheet(Struct, frozen=True):
+    """A declared parameter of the LOCAL block; without a default the line must be there."""
+
+    name: str
+    shape: str
+    unit: str
+    meaning: str
+    default: Any
+
+
+class ModuleSheet(Struct, frozen=True):
+    """All that is known of a module without running it."""
+
+    ports: tuple[PortSheet, ...]
+    inputs: tuple[InputSheet, ...]
+    locals: tuple[LocalSheet, ...]
+    trigger: bool
+    passive: bool
+    hardware: bool
+    crit: int
+    doc: str
+
+
+def sheet_of(cls: type[Module]) -> ModuleSheet:
+    """Read a class; raises ValueError where its declarations contradict each other."""
+    if cls.trigger and cls.passive:
+        raise ValueError("expected trigger or passive, found both: a passive task is never a trigger")
+    ports = tuple(
+        PortSheet(port.kind.value, port.name, str(port.shape), port.unit, port.meaning)
+        for port in (declared.port(attribute) for attribute, declared in cls.declared_ports.items())
+    )
+    names = [port.name for port in ports]
+    if len(set(names)) < len(names):
+        raise ValueError(f"expected each port name once, found {', '.join(sorted(names))}")
+    return ModuleSheet(
+        ports,
+        tuple(
+            InputSheet(name, str(one.shape), one.unit, one.meaning, one.low, one.high, _plain(one.default))
+            for name, one in cls.declared_inputs.items()
+        ),
+        tuple(
+            LocalSheet(name, str(one.shape), one.unit, one.meaning, _plain(one.default))
+            for name, one in cls.declared_locals.items()
+        ),
+        cls.trigger,
+        cls.passive,
+        cls.hardware,
+        cls.crit,
+        (cls.__doc__ or "").strip(),
+    )
+
+
+def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
+    """Everything in which a `.rmod` and its module's class differ: ports and their kinds, needed LOCAL lines."""
+    instead = f"task {task.name} is left out"
+    declared = {port.name: port.kind for port in sheet.ports}
+    written = {name: kind.value for name, kind in task.kinds().items()}
+    faults = [
+        Fault(place, f"{kind} {name}, as module {task.module} declares", _found(written.get(name)), instead)
+        for name, kind in declared.items()
+        if written.get(name) != kind
+    ]
+    faults += [
+        Fault(place, f"only ports that module {task.module} declares", f"{kind} {name}", instead)
+        for name, kind in written.items()
+        if name not in declared
+    ]
+    given = {line.key for line in task.local}
+    faults += [
+        Fault(place, f"a LOCAL line {one.name} {one.shape} ({one.meaning})", "none", instead)
+        for one in sheet.locals
+        if one.default is None and one.name not in given
+    ]
+    if sheet.hardware and "DEVICE" not in given:
+        faults.append(Fault(place, "a LOCAL line DEVICE world:device, as the module is hardware", "none", instead))
+    if sheet.hardware and task.frequency is not None and task.frequency < SLOWEST_HARDWARE_HZ:
+        faults.append(
+            Fault(place, f"a hardware task of at least {SLOWEST_HARDWARE_HZ:g} Hz", f"{task.frequency:g} Hz", instead)
+        )
+    return faults
+
+
+SLOWEST_HARDWARE_HZ = 40.0
+"""Slower, and the drive would hold between two commands (law 17)."""
+
+
+def _found(kind: str | None) -> str:
+    return "no such port" if kind is None else kind
+
+
+def _plain(value: Any) -> Any:
+    """Defaults as plain lists and numbers, so that a sheet travels."""
+    if value is None or isinstance(value, str | int | float | bool):
+        return value
+    return [_plain(one) for one in value]
+
+
+__all__ = [
+    "SLOWEST_HARDWARE_HZ",
+    "InputSheet",
+    "LocalSheet",
+    "ModuleSheet",
+    "PortKind",
+    "PortSheet",
+    "differences",
+    "sheet_of",
+]

@@ -1,0 +1,105 @@
+"""A subsystem: the tasks that share one table, who is ON, who may be spawned next, what a switch forgets (law 3)."""
+
+from collections.abc import Collection, Iterable, Mapping
+
+from onika.model.lifecycle import State
+from onika.model.rules.order import rank
+from onika.runtime.command import BoundPort, DeviceGrant, Spawn
+from onika.runtime.table import Table
+from onika.runtime.wiring import WiredTask, upstream
+
+
+class Member:
+    """A task of a subsystem as its runner knows it."""
+
+    __slots__ = ("is_sent", "rtpu", "state", "wired")
+
+    def __init__(self, wired: WiredTask, rtpu: str) -> None:
+        self.wired = wired
+        self.rtpu = rtpu
+        self.state = State.WAITING
+        self.is_sent = False
+
+
+class Subsystem:
+    """Owned by the runner; tasks themselves live on RTPUs.
+
+    `known` are constants that robot modules state before they live: a supplier's own shapes may depend on them.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        table: Table,
+        tasks: Iterable[WiredTask],
+        rtpus: Mapping[str, str],
+        known: Mapping[str, int] | None = None,
+    ) -> None:
+        self.name = name
+        self._known = dict(known or {})
+        self.table = table
+        self.members = {wired.name: Member(wired, rtpus[wired.name]) for wired in tasks}
+        wired_tasks = [member.wired for member in self.members.values()]
+        hardware = [wired.name for wired in wired_tasks if wired.sheet.hardware]
+        self.ranks = rank([wired.meeting for wired in wired_tasks], hardware)
+
+    def is_ready(self, task: str) -> bool:
+        """Whether every constant the task needs has a value."""
+        return all(self._is_written(svar) for svar in self.members[task].wired.inconst)
+
+    def unsupplied(self, task: str) -> list[str]:
+        """The constants the task still waits for."""
+        return [svar for svar in self.members[task].wired.inconst if not self._is_written(svar)]
+
+    def spawn(self, task: str, source: str, path: str, seed: int, device: DeviceGrant | None) -> Spawn:
+        """The command that brings a task to life; its entries are made in the table.
+
+        Raises ValueError where a variable's shape does not agree with the table, KeyError for a missing constant.
+        """
+        wired = self.members[task].wired
+        planned = wired.task
+        names = {name for port in wired.ports for name in port.shape.names}
+        constants = {name: self._dimension(name) for name in sorted(names)}
+        ports = []
+        for port in wired.ports:
+            entry = self.table.entry(port.svar, port.shape.resolve(constants))
+            ports.append(BoundPort(port.port, port.svar, str(entry.shape), entry.offset))
+        return Spawn(
+            subsystem=self.name,
+            task=task,
+            module=planned.module,
+            path=path,
+            source=source,
+            task_type=planned.type,
+            frequency=planned.frequency,
+            local=planned.local,
+            ports=tuple(ports),
+            rank=self.ranks[task],
+            seed=seed,
+            device=device,
+        )
+
+    def forgotten(self, off: Collection[str], on: Collection[str]) -> tuple[str, ...]:
+        """What no longer steers anything after this switch: variables whose last reader goes, and whatever a hardware
+        task that comes on is fed from, because it has been holding meanwhile."""
+        staying = [m.wired for m in self.members.values() if m.state is State.ON and m.wired.name not in off]
+        still_read = {svar for wired in staying for svar in wired.invar}
+        gone = {svar for name in off for svar in self.members[name].wired.invar} - still_read
+        coming = [self.members[name].wired for name in on]
+        fed = {svar for wired in coming if wired.sheet.hardware for svar in wired.invar}
+        everyone = [member.wired for member in self.members.values()]
+        return tuple(sorted(gone | (upstream(everyone, fed) if fed else frozenset())))
+
+    def writer(self, svar: str) -> str | None:
+        """The task that is ON and writes the variable."""
+        for name, member in self.members.items():
+            if member.state is State.ON and svar in member.wired.outvar:
+                return name
+        return None
+
+    def _dimension(self, name: str) -> int:
+        """A constant that shapes depend on: as written, else as its supplier said it will be."""
+        return int(self.table.value(name)) if self._is_written(name) else int(self._known[name])
+
+    def _is_written(self, svar: str) -> bool:
+        return svar in self.table.entries and self.table.ring(svar).count > 0

@@ -1,0 +1,76 @@
+"""The state-variable table of a subsystem: named entries of fixed type and shape in shared memory (laws 4, 7)."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from onika.ring.segment import Segment
+from onika.ring.slots import Ring
+from onika.words.shape import Shape
+
+SIZE = 1 << 26
+"""Bytes reserved for a table; untouched ones cost nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """Where a variable lies in its table, and its resolved shape."""
+
+    name: str
+    shape: Shape
+    offset: int
+
+
+class Table:
+    """One writer of the directory (the runner); variables are read and written wherever the segment is shared."""
+
+    def __init__(self, segment: Segment) -> None:
+        self.segment = segment
+        self.entries: dict[str, Entry] = {}
+        self._rings: dict[str, Ring] = {}
+        self._end = 0
+
+    def entry(self, name: str, shape: Shape) -> Entry:
+        """The entry of a variable, made zeroed at first; raises ValueError where the shape differs from the entry's."""
+        known = self.entries.get(name)
+        if known is not None:
+            if known.shape != shape:
+                raise ValueError(f"{name} is {known.shape} in this subsystem, found {shape}")
+            return known
+        need = Ring.footprint(shape.size)
+        if self._end + need > self.segment.size:
+            raise ValueError(f"the table of {self.segment.size} bytes has no room for {name} {shape}")
+        entry = Entry(name, shape, self._end)
+        self._end += need
+        self.entries[name] = entry
+        self._rings[name] = Ring(self.segment.view, entry.offset, shape.size)
+        return entry
+
+    def ring(self, name: str) -> Ring:
+        """The ring of a known variable."""
+        return self._rings[name]
+
+    def value(self, name: str) -> Any:
+        """A copy of a variable as module authors see it: number, str or array; raises KeyError if unknown."""
+        return value_of(self._rings[name].read(), self.entries[name].shape)
+
+    def values(self, names: Iterable[str]) -> dict[str, Any]:
+        """Copies of those variables that are there."""
+        return {name: self.value(name) for name in names if name in self.entries}
+
+    @property
+    def is_zeroed(self) -> bool:
+        """Whether nothing was ever written."""
+        return all(ring.count == 0 for ring in self._rings.values())
+
+
+def value_of(data: bytes, shape: Shape) -> Any:
+    """The bytes of an entry as number, str or array."""
+    if shape.type.is_text:
+        return data.partition(b"\0")[0].decode("utf-8", "replace")
+    if shape.type.value == "char":
+        return chr(data[0])
+    array = np.frombuffer(data, dtype=shape.type.code)
+    return array[0].item() if not shape.dims else array.reshape(shape.dims)

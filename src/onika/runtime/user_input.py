@@ -1,0 +1,104 @@
+"""User input: a task's argument line against what its class declares, or a request to the user (requirement A10)."""
+
+from collections.abc import Mapping
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from msgspec import Struct
+
+from onika.runtime.sheet import InputSheet
+from onika.words import argument
+from onika.words.shape import Shape
+from onika.words.value import Value
+
+
+class AskedItem(Struct, frozen=True):
+    """One value, or vector of values, that the user is asked for; bounds are one number for each element."""
+
+    name: str
+    type: str
+    count: int
+    unit: str
+    meaning: str
+    default: tuple[Value, ...] | None
+    low: tuple[float, ...] | None
+    high: tuple[float, ...] | None
+
+
+class UserInput:
+    """The input of one task, its shapes and bounds resolved by the task's constants."""
+
+    def __init__(self, sheets: tuple[InputSheet, ...], constants: Mapping[str, Any]) -> None:
+        self.items = tuple(_item(sheet, constants) for sheet in sheets)
+        self._scalar = {sheet.name: not Shape.parse(sheet.shape).dims for sheet in sheets}
+
+    def parse(self, line: str) -> SimpleNamespace:
+        """The values of an argument line by their names; raises ValueError that says all that is wrong with it."""
+        try:
+            words = argument.split(line)
+        except ValueError as wrong:
+            raise ValueError(str(wrong)) from None
+        expected = sum(item.count for item in self.items)
+        if len(words) != expected:
+            names = ", ".join(f"{item.name}[{item.count}]" for item in self.items)
+            raise ValueError(f"expected {expected} values ({names}), found {len(words)}")
+        values, wrong_ones = SimpleNamespace(), []
+        for item in self.items:
+            try:
+                parsed = _parse(item, words[: item.count])
+                setattr(values, item.name, parsed[0] if self._scalar[item.name] else _vector(item, parsed))
+            except ValueError as wrong:
+                wrong_ones.append(str(wrong))
+            words = words[item.count :]
+        if wrong_ones:
+            raise ValueError("; ".join(wrong_ones))
+        return values
+
+
+def _item(sheet: InputSheet, constants: Mapping[str, Any]) -> AskedItem:
+    shape = Shape.parse(sheet.shape).resolve(constants)
+    default = None if sheet.default is None else _spread(sheet.default, shape.count)
+    low, high = (_bound(one, constants, shape.count) for one in (sheet.low, sheet.high))
+    return AskedItem(sheet.name, shape.type.value, shape.count, sheet.unit, sheet.meaning, default, low, high)
+
+
+def _bound(bound: float | str | None, constants: Mapping[str, Any], count: int) -> tuple[float, ...] | None:
+    if bound is None:
+        return None
+    value = constants[bound] if isinstance(bound, str) else bound
+    return tuple(float(one) for one in _spread(value, count))
+
+
+def _spread(value: Any, count: int) -> tuple[Any, ...]:
+    if isinstance(value, str) or np.ndim(value) == 0:
+        return (value,) * count
+    return tuple(np.asarray(value).ravel().tolist())
+
+
+def _parse(item: AskedItem, words: list[str]) -> list[Value]:
+    kind = Shape.parse(item.type).type
+    values = []
+    for index, word in enumerate(words):
+        where = item.name if item.count == 1 else f"{item.name}[{index}]"
+        try:
+            value = kind.parse(word)
+        except ValueError as wrong:
+            raise ValueError(f"{where}: {wrong}") from None
+        _within(where, value, item, index)
+        values.append(value)
+    return values
+
+
+def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
+    if isinstance(value, str):
+        return
+    low = -np.inf if item.low is None else item.low[index]
+    high = np.inf if item.high is None else item.high[index]
+    if not low <= value <= high:
+        raise ValueError(f"{where}: expected {low:g}..{high:g} {item.unit}, found {value:g}")
+
+
+def _vector(item: AskedItem, values: list[Value]) -> Any:
+    kind = Shape.parse(item.type).type
+    return values if kind.is_text or kind.value == "char" else np.array(values, dtype=kind.code)

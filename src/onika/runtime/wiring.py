@@ -1,0 +1,118 @@
+"""How tasks of one subsystem meet in its variables: ports by aliased names, and where declarations disagree (law 7)."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from onika.model.port import PortKind
+from onika.model.rules.order import Ports
+from onika.runtime.sheet import ModuleSheet
+from onika.wire.plan import PlannedTask
+from onika.words.fault import Fault, Place
+from onika.words.shape import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class WiredPort:
+    """A port bound by name; the shape's dimensions are aliased names too."""
+
+    port: str
+    kind: PortKind
+    svar: str
+    shape: Shape
+    unit: str
+
+
+@dataclass(frozen=True, slots=True)
+class WiredTask:
+    """A task of a plan with its class sheet and its ports by aliased names, in the sheet's order."""
+
+    task: PlannedTask
+    sheet: ModuleSheet
+    ports: tuple[WiredPort, ...]
+
+    @property
+    def name(self) -> str:
+        """The task's name."""
+        return self.task.name
+
+    def svars(self, *kinds: PortKind) -> tuple[str, ...]:
+        """The variables behind the ports of these kinds."""
+        return tuple(port.svar for port in self.ports if port.kind in kinds)
+
+    @property
+    def inconst(self) -> tuple[str, ...]:
+        """What it reads at initialisation."""
+        return self.svars(PortKind.INCONST, PortKind.INBOTH)
+
+    @property
+    def outconst(self) -> tuple[str, ...]:
+        """What it writes at initialisation."""
+        return self.svars(PortKind.OUTCONST, PortKind.OUTBOTH)
+
+    @property
+    def invar(self) -> tuple[str, ...]:
+        """What it reads at every cycle."""
+        return self.svars(PortKind.INVAR, PortKind.INBOTH)
+
+    @property
+    def outvar(self) -> tuple[str, ...]:
+        """What it writes at every cycle."""
+        return self.svars(PortKind.OUTVAR, PortKind.OUTBOTH)
+
+    @property
+    def meeting(self) -> Ports:
+        """Its variables alone, for the rules of order."""
+        return Ports(self.name, self.inconst, self.outconst, self.invar, self.outvar)
+
+    @property
+    def device(self) -> str | None:
+        """The device its LOCAL block names, as `world:device`."""
+        return next((words[0] for key, words in self.task.local if key == "DEVICE" and words), None)
+
+
+def wire(task: PlannedTask, sheet: ModuleSheet) -> WiredTask:
+    """Bind a task's ports to state variables by its aliases."""
+    aliases = dict(task.aliases)
+
+    def bound(kind: str, name: str, text: str, unit: str) -> WiredPort:
+        shape = Shape.parse(text)
+        dims = tuple(aliases.get(dim, dim) if isinstance(dim, str) else dim for dim in shape.dims)
+        return WiredPort(name, PortKind(kind), aliases.get(name, name), Shape(shape.type, dims), unit)
+
+    return WiredTask(task, sheet, tuple(bound(one.kind, one.name, one.shape, one.unit) for one in sheet.ports))
+
+
+def disagreements(tasks: Sequence[WiredTask]) -> list[Fault]:
+    """Every variable that two tasks of one subsystem declare with another type, shape or unit."""
+    first: dict[str, tuple[WiredTask, WiredPort]] = {}
+    faults = []
+    for task in tasks:
+        for port in task.ports:
+            other, known = first.setdefault(port.svar, (task, port))
+            if (known.shape, known.unit) != (port.shape, port.unit):
+                expected = f"{port.svar} {known.shape} in {known.unit}, as {other.name} declares"
+                found = f"{port.shape} in {port.unit}"
+                faults.append(Fault(Place(task.task.place), expected, found, "the application is not run"))
+    return faults
+
+
+def missing_constants(tasks: Sequence[WiredTask]) -> list[Fault]:
+    """Every constant that a task needs and no task of the subsystem supplies."""
+    supplied = {svar for task in tasks for svar in task.outconst}
+    return [
+        Fault(Place(task.task.place), f"a task that supplies the constant {svar}", "none", "the application is not run")
+        for task in tasks
+        for svar in task.inconst
+        if svar not in supplied
+    ]
+
+
+def upstream(tasks: Iterable[WiredTask], names: Iterable[str]) -> frozenset[str]:
+    """Every variable from which these are made, cycle by cycle, and these themselves."""
+    everyone = list(tasks)
+    found: set[str] = set()
+    open_ = set(names)
+    while open_:
+        found |= open_
+        open_ = {svar for task in everyone if found & set(task.outvar) for svar in task.invar} - found
+    return frozenset(found)

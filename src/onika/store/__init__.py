@@ -1,0 +1,1 @@
+"""Base directories, libraries and dictionaries: where files live."""

@@ -1,0 +1,105 @@
+"""A program: an application with all that was found for it on a site (dissertation §5.9.2)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.files import appl, text
+from onika.model.application import Application, actions
+from onika.model.configuration import Configuration
+from onika.model.syntax import Syntax
+from onika.model.task import Task
+from onika.store.base_directory import Faults
+from onika.store.site import Site
+from onika.words.fault import Fault
+
+
+@dataclass(frozen=True, slots=True)
+class Program:
+    """What a run needs, by name; what was not found is lacking. `faults` are those of the files read."""
+
+    application: Application
+    configurations: Mapping[str, Configuration]
+    tasks: Mapping[str, Task]
+    code: Mapping[str, Path]
+    """The code file of every module of `tasks`, as far as there is one."""
+    applications: Mapping[str, Application]
+    """Those that nested icons run."""
+    faults: Faults
+
+
+def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults]:
+    """The application in the file `path` with the configurations, tasks and code it needs; nothing else is read.
+
+    The base directory of the file, if it lies in an `appl/`, comes before the search path (decision 35). None with
+    the faults where the application itself cannot be read.
+    """
+    content, faults = text.load(path, str(path))
+    if content is None:
+        return None, faults
+    application, faults = appl.read(content, path.name.removesuffix(appl.ENDING), str(path), syntax)
+    if application is None:
+        return None, faults
+    folder = path.absolute().parent
+    gathering = _Gathering(site.at(folder.parent) if folder.name == "appl" else site, syntax)
+    program = gathering.program(application, faults)
+    return program, program.faults
+
+
+class _Gathering:
+    """Reads what an application needs, every file once."""
+
+    def __init__(self, site: Site, syntax: Syntax) -> None:
+        self._site = site
+        self._syntax = syntax
+        self._configurations: dict[str, Configuration] = {}
+        self._applications: dict[str, Application] = {}
+        self._tasks: dict[str, Task] = {}
+        self._seen: set[tuple[str, str]] = set()
+        self._faults: list[Fault] = []
+
+    def program(self, application: Application, faults: Faults) -> Program:
+        self._faults += faults
+        self._enter(application)
+        paths = {task.module: self._site.code_file(task) for task in self._tasks.values()}
+        code = {module: path for module, path in paths.items() if path}
+        found = tuple(self._faults)
+        return Program(application, self._configurations, self._tasks, code, self._applications, found)
+
+    def _enter(self, application: Application) -> None:
+        for flow in application.flows:
+            for _, icon, _ in actions(flow, self._syntax):
+                kind = self._syntax.acting(icon.onikon.type)
+                if kind and kind.is_job:
+                    self._configuration(icon.onikon.name)
+                elif kind and kind.is_application:
+                    self._application(icon.onikon.name)
+
+    def _configuration(self, name: str) -> None:
+        if self._is_new("conf", name):
+            configuration, faults = self._site.configuration(name)
+            self._faults += faults
+            if configuration:
+                self._configurations[name] = configuration
+                for placed in configuration.placed:
+                    self._task(placed.task)
+
+    def _application(self, name: str) -> None:
+        if self._is_new("appl", name):
+            application, faults = self._site.application(name, self._syntax)
+            self._faults += faults
+            if application:
+                self._applications[name] = application
+                self._enter(application)
+
+    def _task(self, name: str) -> None:
+        if self._is_new("module", name):
+            record, faults = self._site.task(name)
+            self._faults += faults
+            if record:
+                self._tasks[name] = record.task
+
+    def _is_new(self, folder: str, name: str) -> bool:
+        is_new = (folder, name) not in self._seen
+        self._seen.add((folder, name))
+        return is_new

@@ -1,0 +1,190 @@
+"""A site: the base directories of a search path and one user's own files, in which names are found (decision 11)."""
+
+import os
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from importlib import resources
+from pathlib import Path
+
+from onika.files import appl, buttons, picture, preferences, syntax, text
+from onika.files.rmod import RmodText
+from onika.model.application import Application
+from onika.model.button import Button
+from onika.model.configuration import Configuration
+from onika.model.onikon import Onikon
+from onika.model.picture import Picture, blank
+from onika.model.preferences import Preferences
+from onika.model.syntax import Syntax
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory, Faults
+from onika.words.fault import Fault, Place
+from onika.words.name import TASK_NAME
+
+_FOLDERS = ("module", "conf", "dict", "appl")
+
+
+@dataclass(frozen=True, slots=True)
+class Site:
+    """Names are found in `directories` in order; `home` holds the user's own files, `prefs` the installation's.
+
+    Reading gives what was found, or None, and all faults.
+    """
+
+    directories: tuple[BaseDirectory, ...]
+    prefs: Path
+    home: Path | None = None
+
+    def at(self, own: Path) -> "Site":
+        """The same site with one base directory before all others."""
+        others = tuple(base for base in self.directories if base.path.resolve() != own.resolve())
+        return replace(self, directories=(BaseDirectory(own), *others))
+
+    # -- the user's and the installation's files
+
+    def syntax(self) -> tuple[Syntax | None, Faults]:
+        """The user's own syntax definition, else the shipped one; whole, never merged (decision 39).
+
+        A faulty one is reported and the next is taken; None only where the shipped one is at fault.
+        """
+        own = () if self.home is None else (self.home / f".{syntax.NAME}", self.home / syntax.NAME)
+        found: list[Fault] = []
+        for path in (*own, self.prefs / syntax.NAME):
+            if path in own and not path.exists():
+                continue
+            content, faults = text.load(path, str(path))
+            found += faults
+            if content is not None:
+                read, faults = syntax.read(content, path.name, str(path))
+                found += faults
+                if read is not None:
+                    return read, tuple(found)
+        return None, tuple(found)
+
+    def preferences(self) -> tuple[Preferences, Faults]:
+        """The user's preferences; defaults for what is missing or wrong (requirement B12)."""
+        content, faults = self._own(preferences.NAME)
+        if content is None:
+            return Preferences(), faults
+        return preferences.read(content, preferences.NAME, str(self._own_path(preferences.NAME)))
+
+    def buttons(self) -> tuple[tuple[Button, ...], Faults]:
+        """The user's buttons; none where the file is missing or at fault."""
+        content, faults = self._own(buttons.NAME)
+        if content is None:
+            return (), faults
+        read, faults = buttons.read(content, buttons.NAME, str(self._own_path(buttons.NAME)))
+        return read or (), faults
+
+    def flow_pictures(self) -> tuple[tuple[Picture, Picture], Faults]:
+        """The pictures of the start and stop icons; blank where they are missing or at fault (§A.8)."""
+        found = []
+        faults: Faults = ()
+        for name in ("OnikaStart.dta", "OnikaStop.dta"):
+            path = self.prefs / name
+            content, new = text.load(path, str(path))
+            read = None
+            if content is not None:
+                read, new = picture.read(content, name, str(path))
+            found.append(read or blank())
+            faults += new
+        return (found[0], found[1]), faults
+
+    # -- finding
+
+    def home_of_task(self, name: str) -> BaseDirectory | None:
+        """The first base directory that holds the task `name`."""
+        return self._first(name, BaseDirectory.task_file)
+
+    def code_file(self, task: Task) -> Path | None:
+        """The code of a task's module: beside the task's own file, else the first on the search path."""
+        home = self.home_of_task(task.name)
+        bases = (*((home,) if home else ()), *self.directories)
+        return next((path for base in bases if (path := base.code_file(task.module)).is_file()), None)
+
+    def application_file(self, name_or_path: str) -> Path | None:
+        """The file of an application given by its name, or by a path where that ends with `.appl` or holds a `/`."""
+        if name_or_path.endswith(appl.ENDING) or os.sep in name_or_path:
+            path = Path(name_or_path)
+            return path if path.is_file() else None
+        base = self._first(name_or_path, BaseDirectory.application_file)
+        return base.application_file(name_or_path) if base else None
+
+    # -- reading by name
+
+    def task(self, name: str) -> tuple[RmodText | None, Faults]:
+        """The task `name`, from the first base directory that holds it."""
+        base = self.home_of_task(name)
+        return base.task(name) if base else (None, ())
+
+    def configuration(self, name: str) -> tuple[Configuration | None, Faults]:
+        """The configuration `name`, from the first base directory that holds it."""
+        base = self._first(name, BaseDirectory.configuration_file)
+        return base.configuration(name) if base else (None, ())
+
+    def onikon(self, name: str, types: Syntax) -> tuple[Onikon | None, Faults]:
+        """The onikon `name`, from the first base directory that holds it."""
+        base = self._first(name, BaseDirectory.onikon_file)
+        return base.onikon(name, types) if base else (None, ())
+
+    def application(self, name: str, types: Syntax) -> tuple[Application | None, Faults]:
+        """The application `name`, from the first base directory that holds it."""
+        base = self._first(name, BaseDirectory.application_file)
+        return base.application(name, types) if base else (None, ())
+
+    def duplicates(self) -> Faults:
+        """Names found in several base directories: the first one counts, each later one is reported (D15, B08)."""
+        kinds: tuple[Callable[[BaseDirectory], tuple[str, ...]], ...] = (
+            lambda base: base.tasks,
+            lambda base: base.configurations,
+            lambda base: base.onikons,
+            lambda base: base.applications,
+        )
+        return tuple(fault for kind, names in zip(_FOLDERS, kinds, strict=True) for fault in self._twice(kind, names))
+
+    def _twice(self, folder: str, names: Callable[[BaseDirectory], tuple[str, ...]]) -> Iterator[Fault]:
+        first: dict[str, BaseDirectory] = {}
+        for base in self.directories:
+            for name in names(base):
+                winner = first.setdefault(name, base)
+                if winner is not base:
+                    place = Place(str(base.path / folder / name))
+                    found = f"it again, first in {winner.path / folder}"
+                    yield Fault(place, f"the name {name} once on the search path", found, "the first one is used")
+
+    def _first(self, name: str, file: Callable[[BaseDirectory, str], Path]) -> BaseDirectory | None:
+        if not TASK_NAME.match(name):
+            return None
+        return next((base for base in self.directories if file(base, name).is_file()), None)
+
+    def _own_path(self, name: str) -> Path | None:
+        return None if self.home is None else self.home / name
+
+    def _own(self, name: str) -> tuple[str | None, Faults]:
+        """The text of one of the user's own files, which are all optional."""
+        path = self._own_path(name)
+        return text.load(path, str(path)) if path and path.exists() else (None, ())
+
+
+def shipped() -> Path:
+    """The directory of the laboratories that come with Onika; its `prefs` are the installation's."""
+    return Path(str(resources.files("onika") / "labs"))
+
+
+def shipped_directories() -> tuple[Path, ...]:
+    """The base directories of the shipped laboratories, by name."""
+    labs = shipped()
+    if not labs.is_dir():
+        return ()
+    return tuple(sorted(path for path in labs.iterdir() if any((path / folder).is_dir() for folder in _FOLDERS)))
+
+
+def open_site(local: Iterable[Path], environment: Mapping[str, str], home: Path | None) -> Site:
+    """The site of a session: the directories `local`, then those of ONIKA_LOCAL, then the shipped laboratories.
+
+    ONIKA_LOCAL is a list parted like PATH; ONIKA_DIR names a directory whose `prefs` stand for the shipped ones.
+    """
+    named = [Path(part) for part in environment.get("ONIKA_LOCAL", "").split(os.pathsep) if part]
+    paths = dict.fromkeys(path.absolute() for path in (*local, *named, *shipped_directories()))
+    root = environment.get("ONIKA_DIR")
+    prefs = Path(root) / "prefs" if root else shipped() / "prefs"
+    return Site(tuple(BaseDirectory(path) for path in paths), prefs, home)

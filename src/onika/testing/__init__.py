@@ -1,0 +1,1 @@
+"""The test kit: builders, playbooks, fakes, a simulated network. Imported by tests only."""

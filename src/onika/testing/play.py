@@ -1,0 +1,57 @@
+"""A playbook: the story of a run, told as news that the engine hears (>>) and orders that must follow (<<).
+
+    assert Play(engine) >> Run() << Spawn(0, "move") >> Spawned(0, "move") << Switch(…) << Began(0, 0)
+
+Every order must be told, in its order, before the next news; `assert` demands that none is left at the end.
+"""
+
+from collections import deque
+from collections.abc import Iterable
+from typing import Self, TypeVar
+
+from onika.engine.engine import Engine
+from onika.engine.news import News
+from onika.engine.orders import Order
+
+Line = TypeVar("Line", News, Order)
+
+
+class Play:
+    """One story; a line that is not what the engine does raises AssertionError with the story so far."""
+
+    def __init__(self, engine: Engine) -> None:
+        self._engine = engine
+        self._story: list[str] = []
+        self._untold: deque[Order] = deque()
+
+    def __rshift__(self, news: News | Iterable[News]) -> Self:
+        for each in _listed(news):
+            self._demand_all_told()
+            self._story.append(f">> {each}")
+            self._untold.extend(self._engine.feed(each))
+        return self
+
+    def __lshift__(self, order: Order | Iterable[Order]) -> Self:
+        for each in _listed(order):
+            found = self._untold.popleft() if self._untold else None
+            if found != each:
+                raise AssertionError(self._tell(f"expected {each}", f"found    {found or 'no order'}"))
+            self._story.append(f"<< {each}")
+        return self
+
+    def __bool__(self) -> bool:
+        self._demand_all_told()
+        return True
+
+    def _demand_all_told(self) -> None:
+        if self._untold:
+            raise AssertionError(
+                self._tell("expected no further order", *(f"found    {each}" for each in self._untold))
+            )
+
+    def _tell(self, *ending: str) -> str:
+        return "\n".join(["the story went", *(f"  {line}" for line in self._story), "and then", *ending])
+
+
+def _listed(line: Line | Iterable[Line]) -> Iterable[Line]:
+    return line if isinstance(line, Iterable) else (line,)

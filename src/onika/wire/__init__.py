@@ -1,0 +1,1 @@
+"""Messages as bytes: what environment and runtime say to each other. No sockets."""

@@ -1,0 +1,127 @@
+"""What a runtime tells while it runs a plan: signals on their way to the user, numbered by the link, never lost.
+
+Times are seconds since the run's start in the runtime's own time.
+"""
+
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+
+
+class Began(Struct, frozen=True, tag=True):
+    """An action begins; `index` counts from 0."""
+
+    flow: int
+    index: int
+    of: int
+    action: str
+    at_s: float
+
+
+class Done(Struct, frozen=True, tag=True):
+    """An action has finished."""
+
+    flow: int
+    index: int
+    at_s: float
+
+
+class TaskState(Struct, frozen=True, tag=True):
+    """A task's state has changed."""
+
+    subsystem: str
+    task: str
+    state: str
+    at_s: float
+
+
+class Warned(Struct, frozen=True, tag=True):
+    """A warning of a task, or something worth knowing about the run (task empty)."""
+
+    subsystem: str
+    task: str
+    text: str
+    at_s: float
+
+
+class Failed(Struct, frozen=True, tag=True):
+    """A task is in ERROR: what its code said and where."""
+
+    subsystem: str
+    task: str
+    text: str
+    path: str
+    line: int
+    traceback: str
+    at_s: float
+
+
+class Item(Struct, frozen=True):
+    """One value or vector that is asked for."""
+
+    name: str
+    type: str
+    count: int
+    unit: str
+    meaning: str
+    default: tuple[Any, ...] | None
+    low: tuple[float, ...] | None
+    high: tuple[float, ...] | None
+
+
+class Asked(Struct, frozen=True, tag=True):
+    """A task waits for user input."""
+
+    subsystem: str
+    task: str
+    reason: str
+    items: tuple[Item, ...]
+    at_s: float
+
+
+class Drive(Struct, frozen=True, tag=True):
+    """A drive's state has changed, in the world's own time: at which step, the step before, the last command."""
+
+    device: str
+    state: str
+    at_ns: int
+    previous_step_ns: int
+    last_command_ns: int
+    cause: str
+
+
+class TaskFigures(Struct, frozen=True):
+    """A task's figures over the run."""
+
+    subsystem: str
+    task: str
+    rtpu: str
+    hz: float
+    cycles: int
+    missed: int
+    mean_us: float
+    most_us: float
+
+
+class Result(Struct, frozen=True, tag=True):
+    """The end of a run: always the last event."""
+
+    completed: bool
+    cause: str
+    done: int
+    of: int
+    runtime_s: float
+    wall_s: float
+    values: dict[str, Any]
+    tasks: tuple[TaskFigures, ...]
+    hash: str
+    """Of a virtual run: everything that happened and every step of the worlds, as SHA-256; else empty."""
+    switches_us: tuple[float, ...] = ()
+    """From each trigger's finish to the first cycle of the next action's tasks, in the runtime's time."""
+
+
+Event = Began | Done | TaskState | Warned | Failed | Asked | Drive | Result
+
+encode = msgspec.msgpack.Encoder().encode
+decode = msgspec.msgpack.Decoder(Event).decode

@@ -1,0 +1,112 @@
+"""What the environment asks of a runtime, and the replies: every request gets exactly one."""
+
+import msgspec
+from msgspec import Struct
+
+from onika.wire.plan import Code, Plan, PlannedTask
+
+
+class FaultText(Struct, frozen=True):
+    """A fault on its way: place, what was expected, what was found, what happens instead."""
+
+    file: str
+    line: int
+    expected: str
+    found: str
+    instead: str
+
+
+class Prepare(Struct, frozen=True, tag=True):
+    """Check a plan against its modules and take it as the next one to run; replied by Prepared."""
+
+    plan: Plan
+    targets: tuple["TargetValues", ...]
+
+
+class TargetValues(Struct, frozen=True):
+    """A target by its place in the plan, for the check of reach: its type in lower case, its values flat."""
+
+    flow: int
+    action: int
+    kind: str
+    values: tuple[float | int | str, ...]
+
+
+class Inspect(Struct, frozen=True, tag=True):
+    """Check tasks against their modules without running anything; replied by Prepared."""
+
+    tasks: tuple[PlannedTask, ...]
+    code: tuple[Code, ...]
+
+
+class Begin(Struct, frozen=True, tag=True):
+    """Run the prepared plan; replied by Begun, then told by events."""
+
+    watch: tuple[str, ...] = ()
+    """Addresses `[SUBSYSTEM/]NAME` of variables to read after the last finish."""
+    settle_s: float = 0.5
+    """How long to wait after the last finish before they are read."""
+    seed: int = 0
+    answers: tuple[tuple[str, str], ...] = ()
+    """Argument lines for tasks that ask, by the task's name."""
+    may_ask: bool = False
+    """Whether somebody is there to answer; else a question without an answer aborts."""
+
+
+class Reply(Struct, frozen=True, tag=True):
+    """The user's answer to an asking task, as an argument line."""
+
+    subsystem: str
+    task: str
+    line: str
+
+
+class Abort(Struct, frozen=True, tag=True):
+    """End the run: tasks off, devices in hold."""
+
+    cause: str
+
+
+class Stop(Struct, frozen=True, tag=True):
+    """Stop everything: every drive in hold, latched; the run ends with this cause (law 27)."""
+
+    cause: str
+
+
+class Snapshot(Struct, frozen=True, tag=True):
+    """Ask for the worlds as they stand, to be drawn elsewhere; replied by Worlds."""
+
+
+class Quit(Struct, frozen=True, tag=True):
+    """End the runtime."""
+
+
+class Prepared(Struct, frozen=True, tag=True):
+    """All that is wrong with a plan or with tasks (nothing: it can run), and what is only worth knowing."""
+
+    faults: tuple[FaultText, ...]
+    notes: tuple[str, ...] = ()
+
+
+class Done(Struct, frozen=True, tag=True):
+    """Carried out."""
+
+
+class Refused(Struct, frozen=True, tag=True):
+    """Not carried out, for this reason."""
+
+    reason: str
+
+
+class Worlds(Struct, frozen=True, tag=True):
+    """Snapshots of worlds by name."""
+
+    snapshots: dict[str, bytes]
+
+
+Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
+Response = Prepared | Done | Refused | Worlds
+
+encode = msgspec.msgpack.Encoder().encode
+decode_request = msgspec.msgpack.Decoder(Request).decode
+decode_response = msgspec.msgpack.Decoder(Response).decode

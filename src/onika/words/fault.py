@@ -1,0 +1,38 @@
+"""What is wrong with something a user gave us, as values that are collected and shown (requirement B07)."""
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Place:
+    """Where a fault stands: a file (or the name of a thing that is no file) and its line; line 0 is the whole."""
+
+    file: str
+    line: int = 0
+
+    def __str__(self) -> str:
+        return f"{self.file}:{self.line}" if self.line else self.file
+
+
+@dataclass(frozen=True, slots=True, order=True)
+class Fault:
+    """One thing that is wrong: where, what was expected, what was found and what happens instead."""
+
+    place: Place
+    expected: str
+    found: str
+    instead: str
+
+    def __str__(self) -> str:
+        return f"{self.place}: expected {self.expected}, found {self.found}; instead: {self.instead}"
+
+
+@dataclass(frozen=True, slots=True)
+class Refusal:
+    """A "no" with its reason in words and what the user could do instead, likeliest first."""
+
+    reason: str
+    remedies: tuple[str, ...] = ()
+
+    def __str__(self) -> str:
+        return self.reason if not self.remedies else f"{self.reason} (you can: {'; '.join(self.remedies)})"

@@ -1,0 +1,62 @@
+"""The type and shape of a state variable or an input: `double[NDOF,4]`, `int`, `byte[128,128]` (requirement A03)."""
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from onika.words.name import SVAR_NAME
+from onika.words.value import ValueType
+
+_FORM = re.compile(r"([a-z]+)(?:\[([^\[\]]*)\])?\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class Shape:
+    """A value type and its dimensions, each a whole number or the name of an INCONST; no dimension is a scalar."""
+
+    type: ValueType
+    dims: tuple[int | str, ...] = ()
+
+    @classmethod
+    def parse(cls, text: str) -> "Shape":
+        """Read `double[NDOF,4]`; raises ValueError that says what was expected."""
+        found = _FORM.match(text.replace(" ", ""))
+        if not found or found[1] not in ValueType._value2member_map_:
+            raise ValueError(f"expected a type such as double, int or double[NDOF,4], found {text!r}")
+        if found[2] is None:
+            return cls(ValueType(found[1]))
+        return cls(ValueType(found[1]), tuple(_dimension(part, text) for part in found[2].split(",")))
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The constants this shape depends on."""
+        return tuple(dim for dim in self.dims if isinstance(dim, str))
+
+    def resolve(self, constants: Mapping[str, int]) -> "Shape":
+        """The same shape with every name replaced by its number; raises KeyError for a missing constant."""
+        dims = tuple(dim if isinstance(dim, int) else int(constants[dim]) for dim in self.dims)
+        if any(dim < 1 for dim in dims):
+            raise ValueError(f"expected dimensions of at least 1, found {self} with {dict(constants)}")
+        return Shape(self.type, dims)
+
+    @property
+    def count(self) -> int:
+        """Number of elements of a resolved shape."""
+        return math.prod(int(dim) for dim in self.dims)
+
+    @property
+    def size(self) -> int:
+        """Bytes in memory of a resolved shape."""
+        return self.count * self.type.size
+
+    def __str__(self) -> str:
+        return self.type.value + (f"[{','.join(map(str, self.dims))}]" if self.dims else "")
+
+
+def _dimension(part: str, whole: str) -> int | str:
+    if part.isdigit() and int(part) > 0:
+        return int(part)
+    if SVAR_NAME.match(part):
+        return part
+    raise ValueError(f"expected a dimension (a whole number above 0 or a constant's name), found {part!r} in {whole!r}")

@@ -1,0 +1,1 @@
+"""Simulated physical worlds, stepped by a device server or by a virtual clock."""

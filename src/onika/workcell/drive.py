@@ -1,0 +1,110 @@
+"""A drive: whether a device follows its commands, holds by itself or has tripped; counted in the world's own time.
+
+    DRIVEN   follows the last command
+    HELD     holds because it was told to, or was never told anything
+    SILENT   holds because no command came for 50 ms; the next one is followed again
+    TRIPPED  holds and stays so until it is cleared: 250 ms of silence, a dead writer, a command that is no number
+    STOPPED  holds and stays so until the world is reset or goes on
+
+Everything that can happen in every state stands in TABLE. A device reports three states: SILENT and STOPPED are HELD.
+"""
+
+from enum import Enum
+
+from onika.ring.device import Drive, Order
+
+SILENCE_NS = 50_000_000
+"""Longer than this without a command, a driven device holds by itself."""
+
+TRIP_NS = 250_000_000
+"""Longer than this without a command, a device that holds by silence trips."""
+
+NEVER_NS = 1 << 62
+"""An instant that does not come."""
+
+
+class Mode(Enum):
+    """The five states of a drive from within."""
+
+    DRIVEN = "driven"
+    HELD = "held"
+    SILENT = "silent"
+    TRIPPED = "tripped"
+    STOPPED = "stopped"
+
+
+class Happening(Enum):
+    """What can happen to a drive; the value is the cause that is reported."""
+
+    DRIVE = "commanded to follow"
+    HOLD = "commanded to hold"
+    CLEAR = "cleared"
+    UNSOUND = "command is not finite"
+    SILENCE = "no command for 50 ms"
+    LONG_SILENCE = "no command for 250 ms"
+    FENCE = "its writer died"
+    RELEASE = "released"
+    STOP = "stop"
+    RESET = "reset"
+
+
+_ORDERS = {Order.DRIVE: Happening.DRIVE, Order.HOLD: Happening.HOLD, Order.CLEAR: Happening.CLEAR}
+
+_SHOWN = {
+    Mode.DRIVEN: Drive.DRIVEN,
+    Mode.HELD: Drive.HELD,
+    Mode.SILENT: Drive.HELD,
+    Mode.TRIPPED: Drive.TRIPPED,
+    Mode.STOPPED: Drive.HELD,
+}
+
+_D, _H, _S, _T, _X = Mode.DRIVEN, Mode.HELD, Mode.SILENT, Mode.TRIPPED, Mode.STOPPED
+
+TABLE: dict[Mode, dict[Happening, Mode]] = {
+    state: dict(zip(Happening, row, strict=True))
+    for state, row in {
+        #   DRIVE HOLD CLEAR UNSOUND SILENCE LONG FENCE RELEASE STOP RESET
+        _D: (_D, _H, _D, _T, _S, _S, _T, _H, _X, _H),
+        _H: (_D, _H, _H, _T, _H, _H, _T, _H, _X, _H),
+        _S: (_D, _H, _H, _T, _S, _T, _T, _H, _X, _H),
+        _T: (_T, _T, _H, _T, _T, _T, _T, _T, _X, _H),
+        _X: (_X, _X, _X, _X, _X, _X, _X, _X, _X, _H),
+    }.items()
+}
+
+
+class DriveUnit:
+    """The drive of one device: its mode and the instant of its last command (-1: none yet)."""
+
+    __slots__ = ("last_ns", "mode")
+
+    def __init__(self) -> None:
+        self.mode = Mode.HELD
+        self.last_ns = -1
+
+    @property
+    def shown(self) -> Drive:
+        """The state that the device reports."""
+        return _SHOWN[self.mode]
+
+    @property
+    def due_ns(self) -> int:
+        """The last instant at which silence is still allowed."""
+        if self.mode is Mode.DRIVEN:
+            return self.last_ns + SILENCE_NS
+        return self.last_ns + TRIP_NS if self.mode is Mode.SILENT else NEVER_NS
+
+    def silence(self, now_ns: int) -> Happening | None:
+        """What silence makes happen at a step at `now_ns`, or None; changes nothing."""
+        if now_ns <= self.due_ns:
+            return None
+        return Happening.SILENCE if self.mode is Mode.DRIVEN else Happening.LONG_SILENCE
+
+    def feed(self, happening: Happening) -> None:
+        """Move as the table says."""
+        self.mode = TABLE[self.mode][happening]
+
+
+def happening_of(order: int) -> Happening:
+    """What a command with finite numbers is; raises ValueError for an unknown order."""
+    return _ORDERS[Order(order)]

@@ -1,0 +1,75 @@
+"""A compiled world: MuJoCo's model and data with its names, able to take over the state of another one by name."""
+
+import mujoco
+import numpy as np
+import numpy.typing as npt
+
+_FEELING, _NUMB = 0, int(mujoco.mjtDisableBit.mjDSBL_SENSOR)
+
+
+class Plant:
+    """One model and its data. Arrays handed out are views that live as long as the plant."""
+
+    def __init__(self, text: str) -> None:
+        self.model = mujoco.MjModel.from_xml_string(text)
+        self.data = mujoco.MjData(self.model)
+        self._option = self.model.opt
+
+    def body(self, name: str) -> int:
+        """Number of a body; raises KeyError for an unknown name."""
+        return int(self.model.body(name).id)
+
+    def shape(self, name: str) -> int:
+        """Number of a shape; raises KeyError for an unknown name."""
+        return int(self.model.geom(name).id)
+
+    def site(self, name: str) -> int:
+        """Number of a marked place; raises KeyError for an unknown name."""
+        return int(self.model.site(name).id)
+
+    def joints(self, names: list[str]) -> tuple[slice, slice]:
+        """Where neighbouring hinges and slides stand in qpos and in qvel."""
+        first = self.model.joint(names[0])
+        q, v = int(first.qposadr[0]), int(first.dofadr[0])
+        return slice(q, q + len(names)), slice(v, v + len(names))
+
+    def signals(self, names: list[str]) -> slice:
+        """Where neighbouring actuators stand in ctrl."""
+        first = int(self.model.actuator(names[0]).id)
+        return slice(first, first + len(names))
+
+    def sensors(self, names: list[str]) -> slice:
+        """Where neighbouring scalar sensors stand in sensordata."""
+        first = int(self.model.sensor(names[0]).adr[0])
+        return slice(first, first + len(names))
+
+    def take(self, other: "Plant") -> None:
+        """Take over positions, speeds and signals of everything that has the same name in `other`."""
+        for k in range(self.model.njnt):
+            name = self.model.joint(k).name
+            if mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_JOINT, name) >= 0:
+                mine, theirs = self.data.joint(name), other.data.joint(name)
+                mine.qpos[:], mine.qvel[:] = theirs.qpos, theirs.qvel
+                mine.qacc_warmstart[:] = theirs.qacc_warmstart
+        for k in range(self.model.nu):
+            name = self.model.actuator(k).name
+            if mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_ACTUATOR, name) >= 0:
+                mine, theirs = self.data.actuator(name), other.data.actuator(name)
+                mine.ctrl[:] = theirs.ctrl
+                if mine.act.size:
+                    mine.act[:] = theirs.act
+
+    def settle(self) -> None:
+        """Work out places, contacts and bias forces from the present positions and speeds, without a step."""
+        mujoco.mj_fwdPosition(self.model, self.data)
+        mujoco.mj_fwdVelocity(self.model, self.data)
+
+    def sense(self) -> None:
+        """Let the touch sensors feel the contacts of the last step; until the next one `sensordata` holds their forces."""
+        self._option.disableflags = _FEELING
+        mujoco.mj_sensorAcc(self.model, self.data)
+        self._option.disableflags = _NUMB
+
+    def poses(self) -> npt.NDArray[np.float32]:
+        """Place (m) and quaternion (w, x, y, z) of each body in the world, float32[bodies,7], as of the last step."""
+        return np.concatenate((self.data.xpos, self.data.xquat), axis=1, dtype=np.float32)

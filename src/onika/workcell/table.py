@@ -1,0 +1,43 @@
+"""The floor and the table as parts: the table's top is where all heights of the assembly are counted from."""
+
+from onika.workcell.part import THINGS, Part
+from onika.workcell.puma import SHOULDER_M
+
+TOP_M = -0.36
+"""Height of the table's top in the world, whose origin is the left arm's shoulder."""
+
+_MIDDLE, _HALF, _THICK = 0.65, (0.35, 0.50), 0.02
+
+
+def floor(drawn: bool) -> Part:
+    """An endless floor."""
+    look = 'material="paper"' if drawn else str(THINGS)
+    return Part(bodies=f'<geom name="floor" type="plane" size="0 0 0.05" pos="0 0 {-SHOULDER_M}" {look}/>')
+
+
+def table(drawn: bool) -> Part:
+    """A table of 0.7 by 1.0 m between the arms."""
+    look = 'material="wood"' if drawn else f'friction="0.6 0.01 0.001" condim="4" {THINGS}'
+    top = (
+        f'<geom name="table" type="box" size="{_HALF[0]} {_HALF[1]} {_THICK}" '
+        f'pos="{_MIDDLE} 0 {TOP_M - _THICK}" {look}/>'
+    )
+    return Part(bodies=top + (_drawn_legs() if drawn else ""))
+
+
+def _drawn_legs() -> str:
+    half = (TOP_M - 2 * _THICK + SHOULDER_M) / 2
+    z = -SHOULDER_M + half
+    legs = "".join(
+        f'<geom type="box" size="0.022 0.022 {half}" pos="{_MIDDLE + i * 0.31} {j * 0.46} {z}" material="wood_dark"/>'
+        for i in (-1, 1)
+        for j in (-1, 1)
+    )
+    rails = "".join(
+        f'<geom type="box" size="0.31 0.012 0.03" pos="{_MIDDLE} {j * 0.46} {TOP_M - 2 * _THICK - 0.03}" material="wood_dark"/>'
+        for j in (-1, 1)
+    ) + "".join(
+        f'<geom type="box" size="0.012 0.46 0.03" pos="{_MIDDLE + i * 0.31} 0 {TOP_M - 2 * _THICK - 0.03}" material="wood_dark"/>'
+        for i in (-1, 1)
+    )
+    return legs + rails

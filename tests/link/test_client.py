@@ -1,0 +1,244 @@
+import pytest
+
+from onika.link import lost
+from onika.link.client import ClientEnd
+from onika.link.happening import EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
+from onika.link.lost import Cause
+from onika.link.state import LinkState
+from onika.link.terms import Terms
+from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
+
+ROOM = 1_000_000
+TERMS = Terms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4)
+
+
+def welcome(epoch="e1", seq=0, resumed=False, clock_ns=0):
+    return Welcome(VERSION, epoch, seq, resumed, clock_ns)
+
+
+def greet(end, packet=None):
+    end.open(0)
+    end.feed(packet or welcome(), 0)
+    end.take_packets(0, ROOM)
+    end.take_happenings()
+    return end
+
+
+def linked(terms=TERMS):
+    return greet(ClientEnd("me", terms))
+
+
+def said(end, now_ns=0):
+    return end.take_packets(now_ns, ROOM)
+
+
+def told(end):
+    return [news for news in end.take_happenings() if not isinstance(news, Turned)]
+
+
+def test_the_first_word_on_a_connection_says_who_and_how_far_and_is_all_until_the_welcome():  # R-F01
+    end = ClientEnd("me", TERMS)
+    end.open(0)
+    end.request(b"what", 0)
+    assert said(end) == [Hello(VERSION, "me", "", 0)]
+    end.feed(welcome(seq=7), 0)
+    assert said(end) == [Request(1, 1, 0, 0, b"what")]
+    assert told(end) == [EpochChanged("e1")]
+    end.feed(Signal(8, b"x"), 0)
+    end.cut(lost.closed())
+    end.open(0)
+    assert said(end) == [Hello(VERSION, "me", "e1", 8)]
+
+
+def test_only_the_very_next_signal_is_accepted_and_all_are_acknowledged_at_once():  # R-F01
+    end = linked()
+    for seq in (1, 3, 1, 2, 2):
+        end.feed(Signal(seq, b"%d" % seq), 0)
+    assert told(end) == [Signalled(1, b"1"), Signalled(2, b"2")]
+    assert said(end) == [Ack(2)]
+    assert said(end) == []
+
+
+def test_a_resumed_link_asks_again_what_was_not_answered():  # R-F01
+    end = linked()
+    end.request(b"a", 0)
+    said(end)
+    end.cut(lost.closed())
+    end.open(0)
+    said(end)
+    end.feed(welcome(resumed=True), 0)
+    assert said(end) == [Request(1, 1, 0, 0, b"a")]
+    assert told(end) == [Resumed("e1")]
+
+
+def test_a_new_epoch_voids_what_was_asked_of_the_old_one():  # R-F01
+    end = linked()
+    end.request(b"a", 0)
+    said(end)
+    end.cut(lost.closed())
+    end.open(0)
+    end.feed(welcome("e2", seq=3, resumed=True), 0)
+    assert told(end) == [Failed(1, Fate.LOST), EpochChanged("e2")]
+    assert said(end) == [Hello(VERSION, "me", "e1", 0)]
+    end.feed(Signal(4, b"new"), 0)
+    assert told(end) == [Signalled(4, b"new")]
+
+
+def test_what_moves_a_robot_is_never_said_on_another_connection():  # R-X12
+    end = linked()
+    end.request(b"go", 0, once=True)
+    end.cut(lost.closed())
+    assert told(end) == [Failed(1, Fate.LOST)]
+    end.request(b"go", 0, once=True)
+    assert told(end) == [Failed(2, Fate.UNSENT)]
+    greet(end, welcome(resumed=True))
+    end.request(b"go", 0, once=True)
+    end.open(0)
+    assert told(end) == [Failed(3, Fate.LOST)]
+
+
+def test_an_answer_is_told_once_and_one_that_is_not_wanted_never():  # R-F07
+    end = linked()
+    end.request(b"a", 0)
+    end.request(b"b", 0)
+    end.forget(2)
+    for packet in (
+        Reply(2, False, 0, b"B"),
+        Reply(1, False, 0, b"A"),
+        Reply(1, False, 0, b"A"),
+        Reply(9, False, 0, b""),
+    ):
+        end.feed(packet, 0)
+    assert told(end) == [Replied(1, b"A")]
+
+
+def test_a_request_names_the_first_number_that_is_not_settled():  # R-F07
+    end = linked()
+    for _ in range(3):
+        end.request(b"", 0)
+    end.feed(Reply(1, False, 0, b""), 0)
+    end.request(b"", 0)
+    assert [packet.done_below for packet in said(end)] == [1, 1, 1, 2]
+
+
+def test_a_deadline_is_told_on_the_clock_of_the_runtime():
+    end = greet(ClientEnd("me", TERMS), welcome(clock_ns=5000))
+    end.request(b"", 100, begin_within_ns=50)
+    end.feed(Beat(1, 9000), 200)
+    end.request(b"", 200, begin_within_ns=50)
+    assert [packet.deadline_ns for packet in said(end)] == [5150, 9050]
+
+
+def test_a_request_that_could_not_be_sent_in_time_is_not_sent():
+    end = ClientEnd("me", TERMS)
+    end.request(b"", 0, begin_within_ns=50)
+    end.open(0)
+    end.feed(welcome(), 51)
+    assert told(end) == [EpochChanged("e1"), Failed(1, Fate.UNSENT)]
+    assert not any(isinstance(packet, Request) for packet in said(end))
+
+
+def test_a_request_refused_as_late_has_failed():
+    end = linked()
+    end.request(b"", 0, begin_within_ns=50)
+    end.feed(Reply(1, True, 0, b""), 0)
+    assert told(end) == [Failed(1, Fate.LATE)]
+
+
+def test_long_bodies_go_and_come_in_parts():  # R-F01
+    end = linked()
+    end.request(b"abcdefghij", 0)
+    assert said(end) == [Part(1, 0, b"abcd"), Part(1, 1, b"efgh"), Request(1, 1, 0, 2, b"ij")]
+    end.feed(Part(1, 0, b"1234"), 0)
+    end.feed(Part(1, 1, b"5678"), 0)
+    end.feed(Reply(1, False, 2, b"90"), 0)
+    assert told(end) == [Replied(1, b"1234567890")]
+
+
+def test_an_overtaken_reading_is_not_shown():
+    end = linked()
+    for count, body in ((1, b"old"), (3, b"new"), (2, b"overtaken")):
+        end.feed(Reading(count, "key", body), 0)
+    assert told(end) == [Read("key", b"old"), Read("key", b"new")]
+
+
+@pytest.mark.parametrize("packet", [Hello(VERSION, "x", "", 0), Request(1, 1, 0, 0, b""), Ack(1)])
+def test_what_only_an_environment_says_ends_the_connection(packet):
+    end = linked()
+    end.feed(packet, 0)
+    (turned,) = end.take_happenings()
+    assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.GARBAGE)
+    (bye,) = said(end)
+    assert (bye.cause, type(packet).__name__ in bye.reason) == ("garbage", True)
+
+
+def test_parts_without_end_end_the_connection():
+    end = linked(Terms(body_limit=1000))
+    end.request(b"", 0)
+    for index in range(20):
+        end.feed(Part(1, index, bytes(100)), 0)
+    assert end.state is LinkState.APART
+
+
+@pytest.mark.parametrize(
+    "packet", [Welcome(VERSION + 1, "e", 0, False, 0), Bye("version", "this runtime speaks version 2 of the link")]
+)
+def test_another_version_ends_the_link_for_good(packet):  # R-B06
+    end = ClientEnd("me", TERMS)
+    end.request(b"", 0)
+    end.open(0)
+    end.feed(packet, 0)
+    turned, failed = end.take_happenings()[1:]
+    assert (turned.state, turned.lost.cause) == (LinkState.ENDED, Cause.VERSION)
+    assert "version 2" in str(turned.lost)
+    assert failed == Failed(1, Fate.LOST)
+
+
+def test_a_good_bye_leaves_the_way_open_for_a_new_connection():
+    end = linked()
+    end.feed(Bye("closed", "going home"), 0)
+    (turned,) = end.take_happenings()
+    assert (turned.state, str(turned.lost)) == (LinkState.APART, "the other side closed the connection: going home")
+    end.open(0)
+    assert end.state is LinkState.GREETING
+
+
+def test_silence_ends_the_connection_and_keeps_what_may_be_asked_again():
+    end = linked()
+    end.request(b"a", 0)
+    end.tick(1000)
+    assert end.state is LinkState.APART
+    assert told(end) == []
+
+
+def test_a_closed_link_says_good_bye_and_fails_what_was_asked():
+    end = linked()
+    end.request(b"a", 0)
+    end.close("enough")
+    assert told(end) == [Failed(1, Fate.LOST)]
+    assert said(end) == [Bye("closed", "enough")]
+    end.close()
+    assert (end.take_happenings(), said(end)) == ([], [])
+    end.request(b"b", 0)
+    assert told(end) == [Failed(2, Fate.UNSENT)]
+
+
+def test_on_a_carrier_that_loses_packets_everything_is_said_again():
+    end = ClientEnd("me", Terms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10))
+    end.open(0)
+    said(end)
+    end.tick(9)
+    assert said(end) == []
+    end.tick(10)
+    assert said(end, 10) == [Hello(VERSION, "me", "", 0)]
+    end.feed(welcome(), 10)
+    end.request(b"a", 10)
+    assert said(end) == [Request(1, 1, 0, 0, b"a")]
+    end.tick(20)
+    assert said(end) == [Request(1, 1, 0, 0, b"a")]
+    assert end.due_ns(20) == 10
+
+
+def test_a_request_that_is_too_long_is_the_programmers_fault():
+    with pytest.raises(ValueError, match="expected a request of 1000 bytes at most, found 1001"):
+        linked(Terms(body_limit=1000)).request(bytes(1001), 0)

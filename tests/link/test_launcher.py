@@ -1,0 +1,158 @@
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from onika.link import launcher
+from onika.link.carrier import wait_for
+from onika.link.connection import Connection
+from onika.link.launcher import launch
+from onika.link.lost import Cause, LinkLost
+from onika.link.terms import CHILD
+
+RUNTIME = """
+import select, sys, time
+from onika.link.happening import Asked
+from onika.link.journal import Journal
+from onika.link.launcher import die_with_parent, inherit
+from onika.link.port import ServerPort
+from onika.link.terms import CHILD
+
+words = dict(zip(sys.argv[1::2], sys.argv[2::2]))
+die_with_parent(int(words["--parent"]))
+port = ServerPort(Journal("child"), terms=CHILD)
+port.attach(inherit(int(words["--link-fd"])), time.monotonic_ns())
+print("ready", words.get("--name", ""), flush=True)
+while port.is_open:
+    due_ns = port.due_ns(time.monotonic_ns())
+    select.select([port], [port] if port.want_write() else [], [], None if due_ns is None else due_ns / 1e9)
+    for news in port.service(time.monotonic_ns()):
+        if isinstance(news, Asked):
+            port.reply(news.ticket, news.body[::-1], time.monotonic_ns())
+sys.exit(7)
+"""
+
+
+def command(tmp_path, text):
+    path = tmp_path / "child.py"
+    path.write_text(text)
+    return (sys.executable, str(path))
+
+
+def test_a_launched_runtime_answers_and_ends_with_its_connection(tmp_path):  # R-A15
+    with launch(["--name", "left"], command(tmp_path, RUNTIME)) as child:
+        connection = Connection(child.carrier, time.monotonic_ns, CHILD)
+        assert connection.request(b"abc", timeout_s=60) == b"cba"
+        assert child.alive()
+        connection.close()
+        assert child.wait(60) == 7
+        assert child.tail() == "ready left\n"
+        assert not child.alive()
+
+
+def test_a_runtime_that_dies_is_noticed_at_once_and_says_why(tmp_path):  # R-F01
+    text = "import sys\nsys.exit('no such laboratory')"
+    with launch([], command(tmp_path, text)) as child:
+        connection = Connection(child.carrier, time.monotonic_ns, CHILD)
+        with pytest.raises(LinkLost) as caught:
+            connection.open(60)
+        assert caught.value.cause is Cause.CLOSED
+        assert child.wait(60) == 1
+        assert child.tail() == "no such laboratory\n"
+
+
+def test_a_runtime_that_does_not_end_is_killed_and_leaves_no_zombie(tmp_path):
+    text = "import signal, time\nsignal.signal(signal.SIGTERM, signal.SIG_IGN)\nwhile True: time.sleep(60)"
+    child = launch([], command(tmp_path, text))
+    assert child.wait(0.01) is None
+    assert child.close(grace_s=0.01) == -signal.SIGKILL
+    with pytest.raises(ProcessLookupError):
+        os.kill(child.pid, 0)
+
+
+def test_a_runtime_inherits_its_link_and_nothing_else(tmp_path):
+    text = """
+import os, sys
+def is_open(number):
+    try:
+        os.fstat(int(number))
+    except OSError:
+        return False
+    return True
+print(is_open(sys.argv[2]), is_open(sys.argv[5]), sys.stdin.read() == "")
+"""
+    secret = os.dup2(2, 300, inheritable=True)
+    with launch([str(secret)], command(tmp_path, text)) as child:
+        assert child.wait(60) == 0
+        assert child.tail() == "True False True\n"
+    os.close(secret)
+
+
+def descriptors():
+    return len(list(Path("/proc/self/fd").iterdir()))
+
+
+def test_a_command_that_does_not_exist_is_an_os_error_and_leaves_nothing_open():
+    before = descriptors()
+    with pytest.raises(FileNotFoundError):
+        launch([], ["/no/such/program"])
+    assert descriptors() == before
+
+
+def test_a_runtime_that_is_over_leaves_nothing_open(tmp_path):
+    before = descriptors()
+    with launch([], command(tmp_path, "pass")) as child:
+        child.wait(60)
+    assert descriptors() == before
+
+
+def test_a_runtime_dies_with_the_program_that_launched_it(tmp_path):  # R-X12
+    stubborn = """
+import os, signal, sys, time
+from onika.link.launcher import die_with_parent
+die_with_parent(int(sys.argv[sys.argv.index("--parent") + 1]))
+print(os.getpid(), flush=True)
+while True: time.sleep(60)
+"""
+    parent = f"""
+import os, sys
+from onika.link.launcher import launch
+child = launch([], {command(tmp_path, stubborn)!r})
+while not child.tail().endswith("\\n"): pass
+print(child.tail(), flush=True)
+os._exit(0)
+"""
+    done = subprocess.run([sys.executable, "-c", parent], capture_output=True, check=True, timeout=60)
+    pid = int(done.stdout)
+    deadline = time.monotonic() + 60
+    while is_running(pid):
+        assert time.monotonic() < deadline, "the runtime outlived its parent"
+
+
+def is_running(pid):
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
+    except FileNotFoundError:
+        return False
+
+
+def test_a_child_whose_parent_is_gone_already_ends_at_once():
+    text = "from onika.link.launcher import die_with_parent\ndie_with_parent(-1)\nprint('alive')"
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, check=False, timeout=60)
+    assert (done.returncode, done.stdout) == (1, b"")
+
+
+def test_a_runtime_can_be_asked_to_end(tmp_path):
+    with launch([], command(tmp_path, "import time\nprint('up', flush=True)\ntime.sleep(600)")) as child:
+        while child.tail() != "up\n":
+            wait_for(child.carrier, 0.01)
+        child.terminate()
+        assert child.wait(60) == -signal.SIGTERM
+
+
+def test_the_command_of_a_runtime_is_this_python_with_the_host():
+    assert list(launcher.RUNTIME) == [sys.executable, "-m", "onika.host"]

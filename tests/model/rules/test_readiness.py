@@ -1,0 +1,166 @@
+from collections.abc import Mapping
+
+from onika.model.application import AppFlow, Application, Hole, Icon
+from onika.model.configuration import Configuration, Placed
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+from onika.model.rules.readiness import faults
+from onika.model.syntax import IconType, Syntax
+from onika.model.task import Task
+from onika.words.fault import Place
+
+KINDS = {
+    "Application start": (0, 0),
+    "Application end": (0, 0),
+    "Complete job": (0, 0),
+    "Complete application": (0, 0),
+    "Complete NOP": (0, 0),
+    "Joint job": (0, 1),
+    "Joint application": (0, 1),
+    "Joint object": (1, 0),
+    "Cartesian job": (0, 2),
+    "Cartesian object": (2, 0),
+}
+SYNTAX = Syntax(tuple(IconType(name, *edges) for name, edges in KINDS.items()), ())
+PLACE = Place("work.appl")
+TASKS = {
+    "jmove": Task("jmove", "jmove", outvar=("Q_REF",), object_type="Joint job"),
+    "grip": Task("grip", "grip", outvar=("GRIP",)),
+}
+
+
+def conf(name: str, *tasks: str) -> Configuration:
+    return Configuration(name, tuple(map(Placed, tasks)))
+
+
+CONFIGURATIONS = {"move": conf("move", "jmove"), "close": conf("close", "grip")}
+
+
+def icon(name: str, kind: str) -> Icon:
+    return Icon(Onikon(name, kind, "", (), blank()))
+
+
+MOVE, THERE, CLOSE = icon("move", "Joint job"), icon("there", "Joint object"), icon("close", "Complete job")
+NOP = icon("wait", "Complete NOP")
+
+
+def found(
+    *flows: tuple[Icon | Hole, ...],
+    configurations: Mapping[str, Configuration] = CONFIGURATIONS,
+    tasks: Mapping[str, Task] = TASKS,
+    applications: Mapping[str, Application] | None = None,
+) -> list[str]:
+    application = Application("work", len(flows) > 1, tuple(map(AppFlow, flows)))
+    given = faults(application, SYNTAX, configurations, tasks, PLACE, applications=applications)
+    assert all(fault.place == PLACE and fault.instead == "the application is not run" for fault in given)
+    return [f"{fault.expected}: {fault.found}" for fault in given]
+
+
+def test_a_whole_application_is_ready() -> None:
+    assert found((MOVE, THERE, CLOSE, NOP)) == []  # R-E01
+
+
+def test_an_application_needs_flows_and_flows_need_actions() -> None:
+    assert found() == ["at least one flow: none"]
+    assert found((CLOSE,), ()) == ["an action in flow 1: none"]
+
+
+def test_every_fault_is_named_at_once() -> None:
+    strange = icon("there", "Strange object")  # R-E01
+    lost = icon("lost", "Complete job")
+    assert found((MOVE, Hole(), lost, strange), (THERE, CLOSE)) == [
+        "an application without holes: a hole at step 1 of flow 0",
+        "a type the syntax defines: Strange object of `there`, step 3 of flow 0",
+        "the configuration lost: none for `lost`, step 2 of flow 0",
+        "an action that takes this target: none before `there`, step 0 of flow 1",
+        "edges that fit: `there` (Joint object) behind Application start, at step 0 of flow 1",
+    ]
+
+
+def test_a_job_needs_its_target() -> None:
+    assert found((MOVE, CLOSE)) == [
+        "a Joint object behind it: none behind `move`, step 0 of flow 0",
+        "edges that fit: `close` (Complete job) behind `move` (Joint job), at step 1 of flow 0",
+    ]
+
+
+def test_a_target_of_other_edges_does_not_fit() -> None:
+    other = icon("pose", "Cartesian object")
+    assert found((MOVE, other)) == [
+        "edges that fit: `pose` (Cartesian object) behind `move` (Joint job), at step 1 of flow 0"
+    ]
+
+
+def test_the_first_and_the_last_icon_must_fit_start_and_end() -> None:
+    assert "edges that fit: Application end behind `move` (Joint job), at step 1 of flow 0" in found((MOVE,))
+
+
+def test_a_missing_task_is_named() -> None:
+    assert found((MOVE, THERE), tasks={}) == ["the task jmove: none for `move`, used in flow 0"]
+
+
+def test_a_configuration_without_tasks_is_named() -> None:
+    assert found((CLOSE,), configurations={"close": conf("close")}) == ["tasks: none in `close`, used in flow 0"]
+
+
+def test_conflicts_within_a_configuration_are_named() -> None:
+    tasks = {**TASKS, "hold": Task("hold", "hold", outvar=("GRIP",))}  # decision 1
+    (fault,) = found((CLOSE,), configurations={"close": conf("close", "grip", "hold")}, tasks=tasks)
+    assert fault == (
+        "tasks that may stand together: `hold` in `close`, used in flow 0: writes GRIP, which `grip` already writes"
+    )
+
+
+def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> None:
+    tasks = {**TASKS, "other": Task("other", "grip")}  # decision 1, law 9
+    configurations = {**CONFIGURATIONS, "open": conf("open", "other")}
+    opened = icon("open", "Complete job")
+    expected = "every module once in a flow: grip in `grip` and `other` of flow 0"
+    assert found((CLOSE, opened), configurations=configurations, tasks=tasks) == [expected]
+    assert found((CLOSE,), (opened,), configurations=configurations, tasks=tasks) == []
+
+
+def test_a_trigger_changed_after_the_job_was_made_is_found() -> None:
+    tasks = {"jmove": Task("jmove", "jmove", object_type="Cartesian job")}  # decision 36
+    expected = "a Cartesian job, as its trigger says: Joint job for `move`, step 0 of flow 0"
+    assert found((MOVE, THERE), tasks=tasks) == [expected]
+    without = {"jmove": Task("jmove", "jmove")}
+    assert found((MOVE, THERE), tasks=without) == ["a task with OBJECT Joint job in `move`: none"]
+
+
+def test_a_job_of_unknown_type_acts_as_a_complete_one() -> None:
+    assert found((icon("close", "Force job"),)) == []  # R-D16
+    assert found((icon("move", "Force job"),)) == []
+
+
+def test_malformed_loops_are_named() -> None:
+    looped = Icon(CLOSE.onikon, while_tag="a", while_test=True)
+    assert found((looped, CLOSE)) == ["the loop tag a twice in flow 0: 1 times"]
+
+
+PART = icon("part", "Complete application")
+
+
+def test_nested_applications_can_be_declared_not_yet_executable() -> None:
+    expected = ["jobs, as nested applications are not yet executable: `part`, step 0 of flow 0"]
+    assert found((PART, CLOSE)) == expected
+
+
+def test_nested_applications_are_checked_with_their_contents() -> None:
+    part = Application("part", False, (AppFlow((icon("lost", "Complete job"), Hole())),))  # R-E06
+    assert found((PART,), applications={}) == ["the application part: none for `part`, step 0 of flow 0"]
+    assert found((PART,), applications={"part": part}) == [
+        "an application without holes: a hole at step 1 of flow 0 of `part` in flow 0",
+        "the configuration lost: none for `lost`, step 0 of flow 0 of `part` in flow 0",
+    ]
+
+
+def test_a_target_fills_the_holes_of_a_nested_application() -> None:
+    part = Application("part", False, (AppFlow((MOVE, Hole(), CLOSE)),))  # R-D09
+    assert found((icon("part", "Joint application"), THERE), applications={"part": part}) == []
+
+
+def test_recursion_is_refused_naming_the_cycle() -> None:
+    part = Application("part", False, (AppFlow((icon("work", "Complete application"),)),))  # R-E06
+    (fault,) = found((PART,), applications={"part": part})
+    assert fault.startswith("no application within itself: work in part in work, at `work`")

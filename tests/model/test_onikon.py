@@ -1,0 +1,31 @@
+import pytest
+
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+from onika.model.syntax import DataItem, IconType, Syntax
+from onika.words.value import ValueType
+
+ITEMS = (
+    DataItem("endpoint", ValueType.DOUBLE, 2),
+    DataItem("count", ValueType.INT, 1),
+    DataItem("say", ValueType.LINE, 1),
+)
+SYNTAX = Syntax((IconType("Joint object", 1, 0, ITEMS), IconType("Complete job", 0, 0)), ())
+
+
+def test_the_argument_line_joins_the_values_in_the_order_of_the_definition() -> None:
+    onikon = Onikon("home", "joint object", "", ((0.5, -1.0), (3,), ("go home",)), blank())
+    assert onikon.argument_line(SYNTAX) == '0.5 -1.0 3 "go home"'  # decision 40
+
+
+def test_an_action_has_an_empty_argument_line() -> None:
+    assert Onikon("stop", "Complete job", "", (), blank()).argument_line(SYNTAX) == ""
+
+
+@pytest.mark.parametrize(
+    ("kind", "values"),
+    [("Joint object", ((0.5,), (3,), ("x",))), ("Joint object", ()), ("Other object", ()), ("Complete job", ((1,),))],
+)
+def test_values_that_are_not_those_of_the_type_are_a_fault_of_the_program(kind: str, values: tuple) -> None:
+    with pytest.raises(ValueError, match="expected .* found"):
+        Onikon("x", kind, "", values, blank()).argument_line(SYNTAX)

@@ -1,0 +1,75 @@
+"""Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, decision 17)."""
+
+from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
+from onika.engine.orders import Began, Done, Note, Settle, Start, Switch
+from onika.testing import build
+from onika.testing.play import Play
+
+SHOW = build.job("move", "view", trigger="move")
+WHERE = "test.appl flow 0 action"
+BOTH = (Start("move", "", 100.0), Start("view", "", 100.0))
+MOVE = (Start("move", "", 100.0),)
+
+
+def started(*jobs):
+    """A run in its first action, SHOW; `view` is passive."""
+    return (
+        Play(build.engine(jobs or [SHOW, SHOW], passive=[(0, "view")]))
+        >> Run() << build.spawns([SHOW])
+        >> [Spawned(0, "move"), Spawned(0, "view")] << Switch(0, (), BOTH) << Began(0, 0)
+        >> [TurnedOn(0, "move"), TurnedOn(0, "view")]
+    )  # fmt: skip
+
+
+def test_a_passive_task_that_switches_itself_off_is_tried_again_with_the_next_action():  # R-A08
+    assert (
+        started()
+        >> SwitchedOff(0, "view") << Note(0, f"{WHERE} 0: view has switched itself off: the job goes on")
+        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), BOTH) << Began(0, 1)
+    )  # fmt: skip
+
+
+def test_a_passive_task_in_error_is_left_off_for_the_rest_of_the_run():  # decision 17
+    assert (
+        started()
+        >> Failed(0, "view", "no screen")
+        << Note(0, f"{WHERE} 0: view is in error and stays off, the job goes on: no screen")
+        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), MOVE) << Began(0, 1)
+        >> TurnedOn(0, "move")
+        >> Finished(0, "move") << Done(0, 1) << Settle()
+    )  # fmt: skip
+
+
+def test_a_passive_task_that_will_not_come_on_is_left_off():
+    alone = build.job("move", trigger="move")
+    assert (
+        started(SHOW, alone, SHOW)
+        >> Refused(0, "view", "broken") << Note(0, f"{WHERE} 0: view stays off, the job goes on: broken")
+        >> Finished(0, "move") << Done(0, 0) << Switch(0, (), MOVE) << Began(0, 1)
+        >> TurnedOn(0, "move")
+        >> Finished(0, "move") << Done(0, 1) << Switch(0, (), MOVE) << Began(0, 2)
+    )  # fmt: skip
+
+
+def test_a_passive_task_that_fails_at_its_spawn_holds_up_nobody():
+    assert (
+        Play(build.engine([SHOW], passive=[(0, "view")]))
+        >> Run() << build.spawns([SHOW])
+        >> Spawned(0, "move")
+        >> Failed(0, "view", "no screen")
+        << Note(0, "view.rmod: view is in error and stays off, the job goes on: no screen")
+        << Switch(0, (), MOVE) << Began(0, 0)
+    )  # fmt: skip
+
+
+def test_another_task_that_switches_itself_off_is_noted_and_the_run_goes_on():  # Table 9
+    engine = build.engine([SHOW])
+    assert (
+        Play(engine)
+        >> Run() << build.spawns([SHOW])
+        >> [Spawned(0, "move"), Spawned(0, "view")] << Switch(0, (), BOTH) << Began(0, 0)
+        >> [TurnedOn(0, "move"), TurnedOn(0, "view")]
+        >> SwitchedOff(0, "view")
+        << Note(0, f"{WHERE} 0: view has switched itself off: ignored, though it is not passive")
+        >> Finished(0, "move") << Done(0, 0) << Settle()
+    )  # fmt: skip

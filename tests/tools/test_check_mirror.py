@@ -1,0 +1,64 @@
+import runpy
+from pathlib import Path
+
+import pytest
+
+TOOL = Path(__file__).parents[2] / "tools" / "check_mirror.py"
+
+
+@pytest.fixture
+def house(tmp_path):
+    """A small house in which every source has its test."""
+    for name in (
+        "src/onika/__init__.py",
+        "src/onika/__main__.py",
+        "src/onika/model/task.py",
+        "src/onika/labs/puma/module/puma.py",
+        "tests/test_main.py",
+        "tests/model/test_task.py",
+        "tests/play/test_run.py",
+        "tests/model/sample.py",
+    ):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    return tmp_path
+
+
+@pytest.fixture
+def tool():
+    """The names of the tool; its functions see these very tables."""
+    return runpy.run_path(str(TOOL))
+
+
+def found(tool, house):
+    return list(tool["complaints"](house))
+
+
+def test_a_house_whose_tests_mirror_it_is_in_order(tool, house):
+    assert found(tool, house) == []
+
+
+def test_a_source_without_its_test_is_named(tool, house):
+    (house / "src/onika/model/port.py").touch()
+    assert found(tool, house) == ["src/onika/model/port.py has no tests/model/test_port.py"]
+
+
+def test_a_test_without_its_source_is_named(tool, house):
+    (house / "src/onika/model/task.py").unlink()
+    assert found(tool, house) == ["tests/model/test_task.py tests no src/onika/model/task.py"]
+
+
+def test_an_exception_stands_only_while_it_is_needed(tool, house):
+    (house / "src/onika/model/port.py").touch()
+    tool["complaints"].__globals__["WITHOUT_TEST"] |= {"model/port.py": "why", "model/task.py": "why", "gone.py": "why"}
+    assert found(tool, house) == [
+        "src/onika/model/task.py has its test: strike it from WITHOUT_TEST",
+        "src/onika/gone.py is gone: strike it from WITHOUT_TEST",
+    ]
+
+
+def test_the_answer_to_the_shell_says_whether_there_is_a_complaint(tool, house, capsys):
+    assert tool["main"](house) == 0
+    (house / "src/onika/model/port.py").touch()
+    assert tool["main"](house) == 1
+    assert capsys.readouterr().out.startswith("src/onika/model/port.py")
