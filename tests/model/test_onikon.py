@@ -27,5 +27,5 @@ def test_an_action_has_an_empty_argument_line() -> None:
     [("Joint object", ((0.5,), (3,), ("x",))), ("Joint object", ()), ("Other object", ()), ("Complete job", ((1,),))],
 )
 def test_values_that_are_not_those_of_the_type_are_a_fault_of_the_program(kind: str, values: tuple) -> None:
-    with pytest.raises(ValueError, match="expected .* found"):
+    with pytest.raises(ValueError, match=r"expected .* found"):
         Onikon("x", kind, "", values, blank()).argument_line(SYNTAX)

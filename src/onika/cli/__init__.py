@@ -1,1 +1,27 @@
 """The command line: one small file per command, no logic."""
+
+import argparse
+import sys
+
+from onika import __version__
+from onika.cli import check, doctor, new, run
+
+_COMMANDS = {"run": run, "check": check, "new": new, "doctor": doctor}
+
+
+def main(words: list[str] | None = None) -> int:
+    """Carry out a command line; the exit code."""
+    parser = argparse.ArgumentParser(prog="onika", description="Programs for robots from tasks, jobs and targets.")
+    parser.add_argument("--version", action="version", version=f"onika {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for name, command in _COMMANDS.items():
+        text = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
+        command.describe(commands.add_parser(name, help=text, description=text.capitalize() + "."))
+    given = parser.parse_args(words)
+    try:
+        return _COMMANDS[given.command].carry_out(given)
+    except KeyboardInterrupt:
+        print("stopped", file=sys.stderr)
+        return 130
+    except BrokenPipeError:
+        return 0  # whoever read our output has seen enough

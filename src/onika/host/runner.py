@@ -83,8 +83,6 @@ class Runner:
         self._now = now
         self._is_aborting = True
         self._settle_at = None
-        self._waiting_spawns.clear()
-        self._batches.clear()
         self._feed(said.Abort(cause))
 
     def lost(self, rtpu: str, now: int) -> None:
@@ -155,8 +153,8 @@ class Runner:
             case news.Asked():
                 self._asked(flow, heard)
             case news.Refused():
-                self._settled(flow, task)
                 self._feed(said.Refused(flow, task, f"{heard.command}: {heard.reason}"))
+                self._settled(flow, task)
 
     def _changed(self, flow: int, task: str, state: State, signal: str = "", quietly: bool = False) -> None:
         member = self._subsystems[flow].members[task]
@@ -181,9 +179,9 @@ class Runner:
         self._tell(event.Failed(heard.subsystem, heard.task, text, heard.path, heard.line, heard.traceback, at))
         self._subsystems[flow].members[heard.task].state = State.ERROR
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ERROR.value, at))
-        self._settled(flow, heard.task)
         where = f" ({heard.path}:{heard.line})" if heard.line else ""
         self._feed(said.Failed(flow, heard.task, f"{text}{where}"))
+        self._settled(flow, heard.task)
 
     def _asked(self, flow: int, heard: news.Asked) -> None:
         """Answer by what the run was given, else by whoever is there, else the run ends (law 25)."""
@@ -298,8 +296,10 @@ class Runner:
                 groups[-1] = (rtpu, _with(last, launch))
             else:
                 groups.append((rtpu, command.Switch(subsystem.name, (), forget if not groups else (), (launch,))))
-        self._batches[order.flow] = groups
-        self._next_batch(order.flow)
+        waiting = self._batches.setdefault(order.flow, deque())
+        waiting.extend(groups)
+        if not self._awaited.get(order.flow):
+            self._next_batch(order.flow)
 
     def _next_batch(self, flow: int) -> None:
         groups = self._batches.get(flow)
@@ -319,6 +319,10 @@ class Runner:
 
     def _kill(self, order: orders.Kill) -> None:
         member = self._subsystems[order.flow].members[order.task]
+        self._batches.pop(order.flow, None)
+        self._awaited.pop(order.flow, None)
+        if (order.flow, order.task) in self._waiting_spawns:
+            self._waiting_spawns.remove((order.flow, order.task))
         if member.is_sent and member.state is not State.KILLED:
             self._send(order.flow, order.task, command.Kill(self._name(order.flow), order.task))
         else:

@@ -13,7 +13,7 @@ PEAK = 1.875
 def quintic(t: float, duration: float) -> tuple[float, float]:
     """Value s and speed ds/dt (1/s) of s = 10 x^3 - 15 x^4 + 6 x^5, x = t / duration held within 0..1.
 
-    Speed and acceleration are zero at both ends (Craig, Introduction to Robotics, §7.3). A duration of 0 is done at once.
+    Speed and acceleration are zero at both ends (Craig, Introduction to Robotics, §7.3). Duration 0 is done at once.
     """
     if t >= duration:
         return 1.0, 0.0

@@ -68,7 +68,7 @@ class PumaInverse:
         return self._why(flange, near) if solution is None else np.array(solution)
 
     def branches(self, pose: Array, q_near: Numbers) -> list[Array]:
-        """All solutions regardless of limits, each joint turned as near to `q_near` as whole turns allow; none out of reach."""
+        """All solutions, limits or not, each joint as near to `q_near` as whole turns allow; empty out of reach."""
         near = [float(x) for x in q_near]
         return [
             np.array([q + _TURN * round((n - q) / _TURN) for q, n in zip(branch, near, strict=True)])
@@ -95,7 +95,8 @@ class PumaInverse:
         side, upper, lower = self._side, self._upper, self._lower
         square = wx * wx + wy * wy - side * side
         if not square >= -_ROUNDING:
-            return f"out of reach: the wrist would be {math.hypot(wx, wy):.3f} m from the axis of joint 1, nearest is {abs(side):.3f} m"
+            radius = math.hypot(wx, wy)
+            return f"out of reach: the wrist would be {radius:.3f} m from the axis of joint 1, nearest is {abs(side):.3f} m"
         forward, down = math.sqrt(max(square, 0.0)), self._d1 - wz
         along = (forward * forward + down * down - upper * upper - lower * lower) / (2.0 * upper)
         if not abs(along) <= lower * (1.0 + _ROUNDING):

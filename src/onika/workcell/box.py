@@ -26,9 +26,12 @@ PATCH_M = 0.006
 SIGNS = ("waves", "triangle", "square", "cross")
 """The boxes from the bottom of the stack to its top."""
 
+GLOWS = 6
+"""Shells of the glow about the lamp, `lamp.glow0` ...; invisible until the lamp is lit."""
+
 _FEET = (*METAL, ("pm", 1, -1), ("mp", -1, 1))
 _FOOT_M, _OUT_M = 0.004, 0.001  # radius of a foot, and how far it stands out below
-_STROKE_M, _SUNK_M = 0.0026, 0.0015  # radius of a sign's strokes, and how deep their middle lies in the face
+_STROKE_M, _SUNK_M = 0.0034, 0.0024  # radius of a sign's strokes, and how deep their middle lies in the face
 
 _Stroke = tuple[tuple[float, float], ...]
 
@@ -98,12 +101,13 @@ class Box:
         return (
             f'<geom type="cylinder" size="0.011 0.003" pos="0 0 {height + 0.003}" material="dark"/>'
             f'<geom name="lamp" type="ellipsoid" size="0.009 0.009 0.014" pos="0 0 {height + 0.008}" material="glass"/>'
-            f'<geom name="lamp.glow1" type="sphere" size="0.017" pos="0 0 {height + 0.012}" material="glow"/>'
-            f'<geom name="lamp.glow2" type="sphere" size="0.028" pos="0 0 {height + 0.012}" material="glow"/>'
-            f'<geom name="lamp.glow3" type="sphere" size="0.044" pos="0 0 {height + 0.012}" material="glow"/>'
+            f'{"".join(self._glow(k, height + 0.011) for k in range(GLOWS))}'
             f'<light name="lamp" pos="0 0 {height + 0.03}" dir="0 0 -1" cutoff="180" active="false" castshadow="false" '
             f'attenuation="0.4 6 60" diffuse="1 0.78 0.3" specular="0.3 0.25 0.1" ambient="0 0 0"/>'
         )
+
+    def _glow(self, k: int, z: float) -> str:
+        return f'<geom name="lamp.glow{k}" type="sphere" size="{0.013 * 1.3**k}" pos="0 0 {z}" material="glow"/>'
 
 
 def _wave(height: float) -> _Stroke:
@@ -123,13 +127,13 @@ def _signs(sign: str) -> str:
     width, depth, height = (size / 2 for size in SIZE_M)
     low = 0.0005
     faces = [
-        ((0.0, -depth, low), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.019),
-        ((0.0, depth, low), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.019),
-        ((-width, 0.0, low), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), 0.019),
-        ((width, 0.0, low), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), 0.019),
+        ((0.0, -depth, low), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.024),
+        ((0.0, depth, low), (-1.0, 0.0, 0.0), (0.0, 0.0, 1.0), 0.024),
+        ((-width, 0.0, low), (0.0, -1.0, 0.0), (0.0, 0.0, 1.0), 0.024),
+        ((width, 0.0, low), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), 0.024),
     ]
     if sign != SIGNS[-1]:
-        faces.append(((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 0.026))
+        faces.append(((0.0, 0.0, height), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), 0.034))
     return "".join(_on_face(stroke, *face) for face in faces for stroke in _STROKES[sign])
 
 

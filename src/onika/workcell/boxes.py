@@ -38,8 +38,8 @@ _DRIVE = int(Order.DRIVE)  # plain numbers compare quicker than names
 class BoxesWorld:
     """The physical world, in steps of 2 ms of its own time; devices are claimed, commanded and read by name.
 
-    `offsets_m` moves each box by a random offset within plus or minus that much on x and y, drawn from `seed`. An arm is part
-    of the world from the first claim of it or of its gripper on.
+    `offsets_m` moves each box by a random offset within plus or minus that much on x and y, drawn from `seed`. An arm is
+    part of the world from the first claim of it or of its gripper on.
     """
 
     step_ns = round(STEP_S * 1e9)
@@ -66,7 +66,7 @@ class BoxesWorld:
         return tuple(unit.sheet for unit in self._units.values())
 
     def claim(self, device: str, epoch: int) -> DeviceSheet:
-        """Give the device to the writer `epoch`; raises ValueError where there is none, it is taken or the writer is dead."""
+        """Give the device to the writer `epoch`; raises ValueError for one unknown or taken, and for a dead writer."""
         unit = self._unit(device)
         if unit.epoch != NOBODY:
             raise ValueError(f"expected a free device, found {device!r} claimed already")
@@ -95,8 +95,8 @@ class BoxesWorld:
     def command(self, device: str, epoch: int, order: int, values: Sequence[float] | Array) -> None:
         """A fresh command, which acts from the next step on; one from a writer without the claim is ignored.
 
-        `values` are as the device's sheet says and are used with Order.DRIVE alone. Raises ValueError for a wrong number of
-        values, an unknown order or a device that takes no commands.
+        `values` are as the device's sheet says and are used with Order.DRIVE alone: doubles in an array or memoryview
+        (quickest), a list or a tuple. Raises ValueError for a wrong number of values or an unknown order.
         """
         unit = self._units[device]
         if epoch == unit.follows and order == _DRIVE:
@@ -249,7 +249,7 @@ class BoxesWorld:
     def _parts(self, drawn: bool) -> Iterator[Part]:
         if drawn:
             yield paints()
-            yield view()
+            yield view(len(self._sides))
         yield floor(drawn)
         yield table(drawn)
         for box in self._boxes:

@@ -1,7 +1,7 @@
 """The pneumatic two-finger hand as a part: two coupled fingers, one binary signal, the force of its cylinder.
 
-Fingers slide along y of the flange's frame; their faces stand 30 to 56 mm from the middle; the point between the pads is
-130 mm beyond the flange, where the arm's TOOL is.
+Fingers slide along y of the flange's frame; their faces stand 30 to 56 mm from the middle; the point between the pads
+is 130 mm beyond the flange, where the arm's TOOL is.
 """
 
 from dataclasses import dataclass
@@ -34,9 +34,10 @@ class Gripper:
     def body(self, touch: Touch, drawn: bool) -> str:
         """The hand as a body to stand in the arm's last link."""
         shapes = _drawn_palm() if drawn else f'<geom type="box" size="0.03 0.062 0.02" pos="0 0 0.034" {touch}/>'
+        fingers = self._finger(1, touch, drawn) + self._finger(2, touch, drawn)
         return (
             f'<body name="{self.name}.hand"><inertial pos="0 0 {_PALM_Z}" mass="{_PALM_KG}" '
-            f'diaginertia="8e-4 4e-4 8e-4"/>{shapes}{self._finger(1, touch, drawn)}{self._finger(2, touch, drawn)}</body>'
+            f'diaginertia="8e-4 4e-4 8e-4"/>{shapes}{fingers}</body>'
         )
 
     def actuators(self) -> str:

@@ -1,8 +1,8 @@
 """A part of a workcell, written in MJCF; a world is a row of parts put into one document.
 
-A part is written twice from the same numbers: as physics sees it (`drawn` false: the shapes that touch) and as people see
-it (`drawn` true: the shapes that are looked at). Bodies, joints and their order are the same in both, so that one set of
-joint positions places either.
+A part is written twice from the same numbers: as physics sees it (`drawn` false: the shapes that touch) and as people
+see it (`drawn` true: the shapes that are looked at). Bodies, joints and their order are the same in both, so that one
+set of joint positions places either.
 """
 
 from collections.abc import Iterable

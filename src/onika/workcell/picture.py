@@ -14,6 +14,7 @@ from pathlib import Path
 import numpy as np
 import numpy.typing as npt
 
+from onika.workcell.box import GLOWS
 from onika.workcell.snapshot import Snapshot, decode
 from onika.workcell.view import CAMERA
 
@@ -27,7 +28,6 @@ MISSING = (
 
 _WAYS = ("egl", "osmesa")
 _WAY = "MUJOCO_GL"
-_GLOWS = {"lamp.glow1": 0.50, "lamp.glow2": 0.20, "lamp.glow3": 0.10}
 
 Pixels = npt.NDArray[np.uint8]
 
@@ -60,9 +60,9 @@ def draw(snapshot: Snapshot, size: tuple[int, int] = SIZE) -> Pixels:
     data = mujoco.MjData(model)
     data.qpos[:] = snapshot.qpos
     if snapshot.lit:
-        for name, opacity in _GLOWS.items():
-            model.geom(name).matid = -1
-            model.geom(name).rgba = (1.0, 0.82, 0.30, opacity)
+        for k in range(GLOWS):
+            model.geom(f"lamp.glow{k}").matid = -1
+            model.geom(f"lamp.glow{k}").rgba = (1.0, 0.80, 0.25, 0.30 / (k + 1))
         model.geom("lamp").matid = -1
         model.geom("lamp").rgba = (1.0, 0.95, 0.70, 1.0)
         model.light("lamp").active = 1

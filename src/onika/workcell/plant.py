@@ -52,12 +52,12 @@ class Plant:
                 mine.qpos[:], mine.qvel[:] = theirs.qpos, theirs.qvel
                 mine.qacc_warmstart[:] = theirs.qacc_warmstart
         for k in range(self.model.nu):
-            name = self.model.actuator(k).name
-            if mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_ACTUATOR, name) >= 0:
-                mine, theirs = self.data.actuator(name), other.data.actuator(name)
-                mine.ctrl[:] = theirs.ctrl
-                if mine.act.size:
-                    mine.act[:] = theirs.act
+            there = mujoco.mj_name2id(other.model, mujoco.mjtObj.mjOBJ_ACTUATOR, self.model.actuator(k).name)
+            if there >= 0:
+                self.data.ctrl[k] = other.data.ctrl[there]
+                mine, theirs = self.model.actuator_actadr[k], other.model.actuator_actadr[there]
+                if mine >= 0:
+                    self.data.act[mine] = other.data.act[theirs]
 
     def settle(self) -> None:
         """Work out places, contacts and bias forces from the present positions and speeds, without a step."""

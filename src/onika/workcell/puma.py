@@ -78,13 +78,12 @@ def _drawn() -> tuple[str, ...]:
     """The shapes of each link that are looked at; z of frame 1 and 2 is the axis of joints 2 and 3."""
     a2, d2, d4 = float(puma560.DH[1, 0]), float(puma560.DH[1, 2]), float(puma560.DH[3, 2])
     return (
-        '<geom type="cylinder" size="0.088 0.055" pos="0 0.03 0" euler="1.5707963 0 0" material="cream"/>'
+        '<geom type="cylinder" size="0.074 0.055" pos="0 0.04 0" euler="1.5707963 0 0" material="cream"/>'
         + _rod(0, 0, -0.075, 0, 0, d2 - 0.055, 0.082, "cream")
         + _rod(0, 0, -0.083, 0, 0, -0.075, 0.058, "orange"),
         _rod(-a2, 0, -0.055, -a2, 0, 0.055, _HUB + 0.012, "cream")
         + _rod(-a2, 0, 0.055, -a2, 0, 0.064, 0.052, "orange")
         + f'<geom type="box" size="{a2 / 2} 0.062 0.046" pos="{-a2 / 2} 0 0" material="cream"/>'
-        + f'<geom type="box" size="{a2 / 2 - 0.1} 0.03 0.0475" pos="{-a2 / 2} 0 0" material="white"/>'
         + _rod(0, 0, -0.055, 0, 0, 0.055, 0.064, "cream")
         + _rod(0, 0, 0.055, 0, 0, 0.064, 0.042, "orange"),
         _rod(0, -0.062, 0, 0, 0.052, 0, _WIDE + 0.006, "cream")

@@ -1,3 +1,5 @@
+from itertools import pairwise
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -86,12 +88,12 @@ def test_misfits_count_the_start_and_the_end_icon() -> None:
 @settings(max_examples=150, deadline=None)
 def test_no_row_of_insertions_and_deletions_makes_two_neighbours_misfit(acts: list[tuple[str, int, bool]]) -> None:
     flow = AppFlow(())  # R-D05
-    for kind, at, inserts in acts:
-        at = min(at, len(flow.steps) - 1)
+    for kind, wish, inserts in acts:
+        at = min(wish, len(flow.steps) - 1)
         if inserts and not refusals(flow, at, icon(kind), SYNTAX):
             flow = insert(flow, at, icon(kind), SYNTAX)
         elif not inserts and at >= 0 and isinstance(flow.steps[at], Icon):
             flow = delete(flow, at, SYNTAX)
         assert misfits(flow, SYNTAX) == ()
         holes = [isinstance(step, Hole) for step in flow.steps]
-        assert not any(one and other for one, other in zip(holes, holes[1:], strict=False))
+        assert not any(one and other for one, other in pairwise(holes))

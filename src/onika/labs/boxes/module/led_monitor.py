@@ -11,8 +11,8 @@ class LedMonitor(Module):
     """Whether the lamp is lit: all contacts of the circuit closed, most of the time.
 
     Kind     general, periodic, 10..100 Hz
-    Ports    OUTVAR   LAMP     int             -      1 while the lamp is lit, else 0
-    Local    WINDOW            double          s      how far back is looked: single contacts flicker
+    Ports    OUTVAR   LAMP  int     -  1 while the lamp is lit, else 0
+    Local    WINDOW         double  s  how far back is looked: single contacts flicker
     Source   dissertation §6.2.3
     """
 

@@ -16,13 +16,13 @@ class Ctraj(Module):
     p(t) = p0 + s (p1 - p0), R(t) = R0 exp(s log(R0^T R1)), s of fifth order in t / T
 
     Kind     trigger, periodic, 20..1000 Hz
-    Ports    INVAR    X_MEZ    double[4,4]     -      measured pose; the start where no reference is in force
-             OUTVAR   X_REF    double[4,4]     -      reference pose; preloaded at `on`, it is the start
-    Local    SPEED             double          m/s    peak speed of the tool
-             TURN              double          rad/s  peak speed of its turning
-             SETTLE            double          s      how long the arm may take to come to rest
-    Input    pose              double[9]       -      approach, normal, position (m) in the world
-             duration          double          s      0.1..600
+    Ports    INVAR    X_MEZ  double[4,4]  -      measured pose; the start where no reference is in force
+             OUTVAR   X_REF  double[4,4]  -      reference pose; preloaded at `on`, it is the start
+    Local    SPEED           double       m/s    peak speed of the tool
+             TURN            double       rad/s  peak speed of its turning
+             SETTLE          double       s      how long the arm may take to come to rest
+    Input    pose            double[9]    -      approach, normal, position (m) in the world
+             duration        double       s      0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the tool stands at the target, or SETTLE later
     Errors   no pose           approach or normal no unit vector, or not square: asks again, stays OFF
              too fast          duration too short for SPEED and TURN: warns and takes as long as it needs

@@ -8,10 +8,10 @@ class Diff(Module):
     """Derivative of measured joint angles, whatever they are called, with a first-order low-pass.
 
     Kind     general, periodic, 100..1000 Hz
-    Ports    INCONST  NDOF     int             -      number of elements
-             INVAR    Y        double[NDOF]    rad    what is measured
-             OUTVAR   Y^       double[NDOF]    rad/s  its derivative
-    Local    CUTOFF            double          Hz     where the low-pass begins
+    Ports    INCONST  NDOF  int           -      number of elements
+             INVAR    Y     double[NDOF]  rad    what is measured
+             OUTVAR   Y^    double[NDOF]  rad/s  its derivative
+    Local    CUTOFF         double        Hz     where the low-pass begins
     Source   dissertation §3.2.1; backward differences, see `onika.laws.filter`
     """
 

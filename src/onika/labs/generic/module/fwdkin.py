@@ -8,12 +8,12 @@ class Fwdkin(Module):
     """Where the tool is: forward kinematics of any arm.
 
     Kind     general, periodic, 20..1000 Hz
-    Ports    INCONST  NDOF     int             -      number of joints
-             INCONST  DH       double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
-             INCONST  BASE     double[4,4]     -      frame 0 in the world
-             INCONST  TOOL     double[4,4]     -      tool in the last frame
-             INVAR    Q_MEZ    double[NDOF]    rad    measured position
-             OUTVAR   X_MEZ    double[4,4]     -      pose of the tool in the world, position in m
+    Ports    INCONST  NDOF   int             -    number of joints
+             INCONST  DH     double[NDOF,4]  -    a m, alpha rad, d m, theta offset rad
+             INCONST  BASE   double[4,4]     -    frame 0 in the world
+             INCONST  TOOL   double[4,4]     -    tool in the last frame
+             INVAR    Q_MEZ  double[NDOF]    rad  measured position
+             OUTVAR   X_MEZ  double[4,4]     -    pose of the tool in the world, position in m
     Source   dissertation §3.2.1; Fu, Gonzalez & Lee, Robotics, §2.2
     """
 

@@ -10,14 +10,14 @@ class Gravcomp(Module):
     tau = g(q) + c(q, qd) + b qd
 
     Kind     general, periodic, 20..1000 Hz
-    Ports    INCONST  NDOF     int             -      number of joints
-             INCONST  DH       double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
-             INCONST  DYN      double[NDOF,9]  -      mass, centre, inertia, armature, friction of each link (SI)
-             INCONST  LOAD     double[4]       -      the hand: mass kg, centre m in the last frame
-             INCONST  BASE     double[4,4]     -      frame 0 in the world
-             INVAR    Q_MEZ    double[NDOF]    rad    measured position
-             INVAR    Q^_MEZ   double[NDOF]    rad/s  measured speed
-             OUTVAR   TAU_G    double[NDOF]    N m    the torque
+    Ports    INCONST  NDOF    int             -      number of joints
+             INCONST  DH      double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
+             INCONST  DYN     double[NDOF,9]  -      mass, centre, inertia, armature, friction of each link (SI)
+             INCONST  LOAD    double[4]       -      the hand: mass kg, centre m in the last frame
+             INCONST  BASE    double[4,4]     -      frame 0 in the world
+             INVAR    Q_MEZ   double[NDOF]    rad    measured position
+             INVAR    Q^_MEZ  double[NDOF]    rad/s  measured speed
+             OUTVAR   TAU_G   double[NDOF]    N m    the torque
     Source   dissertation §3.2.1; Craig, Introduction to Robotics, §6.4
     """
 

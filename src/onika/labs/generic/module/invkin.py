@@ -13,19 +13,19 @@ class Invkin(Module):
     At `on` the joints stay where they are; what the wanted pose differs from that is blended in, so nothing jumps.
 
     Kind     general, periodic, 50..1000 Hz
-    Ports    INCONST  NDOF     int             -      number of joints
-             INCONST  DH       double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
-             INCONST  BASE     double[4,4]     -      frame 0 in the world
-             INCONST  TOOL     double[4,4]     -      tool in the last frame
-             INCONST  QMIN     double[NDOF]    rad    lower joint limits
-             INCONST  QMAX     double[NDOF]    rad    upper joint limits
-             INCONST  Q^_MAX   double[NDOF]    rad/s  highest joint speeds
-             INVAR    X_REF    double[4,4]     -      reference pose of the tool in the world
-             INVAR    Q_MEZ    double[NDOF]    rad    measured position; the start where no reference is in force
-             OUTVAR   Q_REF    double[NDOF]    rad    reference position; preloaded at `on`, it is the start
-             OUTVAR   Q^_REF   double[NDOF]    rad/s  reference speed
-    Local    BLEND             double          s      how long the difference at the start is blended in
-             STEP              double          rad    how large it may be
+    Ports    INCONST  NDOF    int             -      number of joints
+             INCONST  DH      double[NDOF,4]  -      a m, alpha rad, d m, theta offset rad
+             INCONST  BASE    double[4,4]     -      frame 0 in the world
+             INCONST  TOOL    double[4,4]     -      tool in the last frame
+             INCONST  QMIN    double[NDOF]    rad    lower joint limits
+             INCONST  QMAX    double[NDOF]    rad    upper joint limits
+             INCONST  Q^_MAX  double[NDOF]    rad/s  highest joint speeds
+             INVAR    X_REF   double[4,4]     -      reference pose of the tool in the world
+             INVAR    Q_MEZ   double[NDOF]    rad    measured position; the start where no reference is in force
+             OUTVAR   Q_REF   double[NDOF]    rad    reference position; preloaded at `on`, it is the start
+             OUTVAR   Q^_REF  double[NDOF]    rad/s  reference speed
+    Local    BLEND            double          s      how long the difference at the start is blended in
+             STEP             double          rad    how large it may be
     Errors   no posture        the pose is out of reach: ERROR with the reason
              too far           the first pose is more than STEP away: ERROR
              too fast          a joint would pass Q^_MAX: ERROR

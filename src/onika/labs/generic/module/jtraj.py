@@ -15,17 +15,17 @@ class Jtraj(Module):
     q(t) = q0 + (q1 - q0) (10 s^3 - 15 s^4 + 6 s^5),  s = t / T
 
     Kind     trigger, periodic, 20..1000 Hz
-    Ports    INCONST  NDOF     int             -      number of joints
-             INCONST  QMIN     double[NDOF]    rad    lower joint limits
-             INCONST  QMAX     double[NDOF]    rad    upper joint limits
-             INCONST  Q^_MAX   double[NDOF]    rad/s  highest joint speeds
-             INVAR    Q_MEZ    double[NDOF]    rad    measured position; q0 where no reference is in force
-             OUTVAR   Q_REF    double[NDOF]    rad    reference position; preloaded at `on`, it is q0
-             OUTVAR   Q^_REF   double[NDOF]    rad/s  reference speed
-    Local    SPEED             double          -      share of Q^_MAX that a motion may peak at
-             SETTLE            double          s      how long the arm may take to come to rest
-    Input    endpoint          double[NDOF]    rad    QMIN..QMAX
-             duration          double          s      0.1..600
+    Ports    INCONST  NDOF    int           -      number of joints
+             INCONST  QMIN    double[NDOF]  rad    lower joint limits
+             INCONST  QMAX    double[NDOF]  rad    upper joint limits
+             INCONST  Q^_MAX  double[NDOF]  rad/s  highest joint speeds
+             INVAR    Q_MEZ   double[NDOF]  rad    measured position; q0 where no reference is in force
+             OUTVAR   Q_REF   double[NDOF]  rad    reference position; preloaded at `on`, it is q0
+             OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
+    Local    SPEED            double        -      share of Q^_MAX that a motion may peak at
+             SETTLE           double        s      how long the arm may take to come to rest
+    Input    endpoint         double[NDOF]  rad    QMIN..QMAX
+             duration         double        s      0.1..600
     Finish   flow 0, loop FALSE, when t >= T and the arm stands at the target, or SETTLE later
     Errors   out of reach      endpoint beyond QMIN..QMAX: asks again, stays OFF
              too fast          duration too short for SPEED: warns and takes as long as it needs

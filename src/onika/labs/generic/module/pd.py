@@ -11,14 +11,14 @@ class Pd(Module):
     tau = KP (q_ref - q) + KD (qd_ref - qd)
 
     Kind     general, periodic, 100..1000 Hz
-    Ports    INCONST  NDOF     int             -         number of joints
-             INCONST  KP       double[NDOF]    N m/rad   stiffness
-             INCONST  KD       double[NDOF]    N m s/rad damping
-             INVAR    Q_REF    double[NDOF]    rad       reference position
-             INVAR    Q^_REF   double[NDOF]    rad/s     reference speed
-             INVAR    Q_MEZ    double[NDOF]    rad       measured position
-             INVAR    Q^_MEZ   double[NDOF]    rad/s     measured speed
-             OUTVAR   TAU_PD   double[NDOF]    N m       the torque
+    Ports    INCONST  NDOF    int           -          number of joints
+             INCONST  KP      double[NDOF]  N m/rad    stiffness
+             INCONST  KD      double[NDOF]  N m s/rad  damping
+             INVAR    Q_REF   double[NDOF]  rad        reference position
+             INVAR    Q^_REF  double[NDOF]  rad/s      reference speed
+             INVAR    Q_MEZ   double[NDOF]  rad        measured position
+             INVAR    Q^_MEZ  double[NDOF]  rad/s      measured speed
+             OUTVAR   TAU_PD  double[NDOF]  N m        the torque
     Errors   no reference      Q_REF was not written since the hardware held: only brakes until it is
     Source   dissertation §3.2.1; Craig, Introduction to Robotics, §9.4
     """

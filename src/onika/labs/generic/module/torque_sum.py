@@ -9,10 +9,10 @@ class TorqueSum(Module):
     """The torque a robot is given: the servo's and the model's.
 
     Kind     general, periodic, 100..1000 Hz
-    Ports    INCONST  NDOF     int             -      number of joints
-             INVAR    TAU_PD   double[NDOF]    N m    torque of the servo
-             INVAR    TAU_G    double[NDOF]    N m    torque of the model
-             OUTVAR   TAU_REF  double[NDOF]    N m    wanted torque
+    Ports    INCONST  NDOF     int           -    number of joints
+             INVAR    TAU_PD   double[NDOF]  N m  torque of the servo
+             INVAR    TAU_G    double[NDOF]  N m  torque of the model
+             OUTVAR   TAU_REF  double[NDOF]  N m  wanted torque
     Source   dissertation §3.2.1
     """
 

@@ -9,10 +9,10 @@ class Closegrip(Module):
     """Closes the hand and waits until its fingers stand still.
 
     Kind     trigger, periodic, 20..1000 Hz
-    Ports    INVAR    GRIP_MEZ double[3]       m,m/s,N   opening, its speed, force on a finger
-             OUTVAR   GRIP     double          -         -1: fingers together
-    Local    LEAST             double          s         how long it takes at least: air needs time
-             MOST              double          s         how long it takes at most
+    Ports    INVAR    GRIP_MEZ  double[3]  m,m/s,N  opening, its speed, force on a finger
+             OUTVAR   GRIP      double     -        -1: fingers together
+    Local    LEAST              double     s        how long it takes at least: air needs time
+             MOST               double     s        how long it takes at most
     Finish   flow 0, loop FALSE, when the fingers stand still after LEAST, or after MOST
     Source   dissertation §6.2
     """

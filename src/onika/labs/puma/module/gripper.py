@@ -7,8 +7,8 @@ class Gripper(Module):
     """The two-finger hand, driven by compressed air: open, close, and what the fingers do.
 
     Kind     hardware, periodic, 40..1000 Hz
-    Ports    INVAR    GRIP     double          -         +1 opens, -1 closes, 0 changes nothing
-             OUTVAR   GRIP_MEZ double[3]       m,m/s,N   opening, its speed, force on a finger
+    Ports    INVAR    GRIP      double     -        +1 opens, -1 closes, 0 changes nothing
+             OUTVAR   GRIP_MEZ  double[3]  m,m/s,N  opening, its speed, force on a finger
     Errors   tripped           the drive has tripped: ERROR; clear brings the drive back to hold
     Source   dissertation §6.2
     """

@@ -15,22 +15,22 @@ class Puma(Module):
     """The PUMA 560: torques to its six joints, their angles back, and everything that is known of it.
 
     Kind     hardware, periodic, 100..1000 Hz
-    Ports    OUTCONST NDOF     int             -         number of joints
-             OUTCONST DH       double[NDOF,4]  -         a m, alpha rad, d m, theta offset rad
-             OUTCONST DYN      double[NDOF,9]  -         mass, centre, inertia, armature, friction of each link (SI)
-             OUTCONST LOAD     double[4]       -         the hand: mass kg, centre m in the last frame
-             OUTCONST QMIN     double[NDOF]    rad       lower joint limits
-             OUTCONST QMAX     double[NDOF]    rad       upper joint limits
-             OUTCONST Q^_MAX   double[NDOF]    rad/s     highest joint speeds
-             OUTCONST TAUMAX   double[NDOF]    N m       highest joint torques
-             OUTCONST KP       double[NDOF]    N m/rad   stiffness of the joint servo
-             OUTCONST KD       double[NDOF]    N m s/rad damping of the joint servo
-             OUTCONST BASE     double[4,4]     -         frame 0 in the world
-             OUTCONST TOOL     double[4,4]     -         point between the fingers in the last frame
-             OUTCONST ROBOT    string          -         kind of robot
-             INVAR    TAU_REF  double[NDOF]    N m       wanted torque, clipped to TAUMAX
-             OUTVAR   Q_MEZ    double[NDOF]    rad       measured position
-    Local    BASE              double[4]       m, deg    x, y, z and turn about z of frame 0 in the world
+    Ports    OUTCONST NDOF     int             -          number of joints
+             OUTCONST DH       double[NDOF,4]  -          a m, alpha rad, d m, theta offset rad
+             OUTCONST DYN      double[NDOF,9]  -          mass, centre, inertia, armature, friction of each link (SI)
+             OUTCONST LOAD     double[4]       -          the hand: mass kg, centre m in the last frame
+             OUTCONST QMIN     double[NDOF]    rad        lower joint limits
+             OUTCONST QMAX     double[NDOF]    rad        upper joint limits
+             OUTCONST Q^_MAX   double[NDOF]    rad/s      highest joint speeds
+             OUTCONST TAUMAX   double[NDOF]    N m        highest joint torques
+             OUTCONST KP       double[NDOF]    N m/rad    stiffness of the joint servo
+             OUTCONST KD       double[NDOF]    N m s/rad  damping of the joint servo
+             OUTCONST BASE     double[4,4]     -          frame 0 in the world
+             OUTCONST TOOL     double[4,4]     -          point between the fingers in the last frame
+             OUTCONST ROBOT    string          -          kind of robot
+             INVAR    TAU_REF  double[NDOF]    N m        wanted torque, clipped to TAUMAX
+             OUTVAR   Q_MEZ    double[NDOF]    rad        measured position
+    Local    BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
     Errors   another robot     the device is no such robot, or stands elsewhere than BASE says: stays uninitialised
              tripped           the drive has tripped: ERROR; clear brings the drive back to hold
     Source   dissertation §4.3.2, §6.2; Fu, Gonzalez & Lee 1987; Armstrong, Khatib & Burdick 1986

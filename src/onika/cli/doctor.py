@@ -1,0 +1,26 @@
+"""`onika doctor`: say what this machine offers and what that costs."""
+
+import argparse
+
+from rich.console import Console
+from rich.text import Text
+
+from onika.desk.machine import offers
+
+
+def describe(parser: argparse.ArgumentParser) -> None:
+    """It takes nothing."""
+    del parser
+
+
+def carry_out(given: argparse.Namespace) -> int:
+    """Look and say; 0 if everything is there, 1 if something is missing."""
+    del given
+    console, missing = Console(highlight=False), 0
+    for one in offers():
+        missing += not one.is_there
+        mark = Text("ok  ", style="green") if one.is_there else Text("no  ", style="red")
+        console.print(mark, Text(f"{one.name:<12}"), Text(one.found), sep="")
+        if not one.is_there:
+            console.print(Text(f"    {'':<12}cost: {one.cost}", style="yellow"))
+    return 1 if missing else 0

@@ -1,0 +1,73 @@
+"""A run as lines of JSON: one object per event, the result last."""
+
+import sys
+from types import TracebackType
+from typing import Any
+
+import msgspec
+
+from onika.desk.preparation import PreparedRun
+from onika.desk.run import Outcome
+from onika.wire import event
+
+
+class JsonLines:
+    """Writes to standard output."""
+
+    def __enter__(self) -> "JsonLines":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        pass
+
+    def begins(self, prepared: PreparedRun, runtime_pid: int) -> None:
+        """The application and the runtime's process."""
+        self._write({"event": "begins", "application": prepared.name, "runtime_pid": runtime_pid})
+
+    def happens(self, one: event.Event) -> None:
+        """Every event but the result, which comes last with more."""
+        if not isinstance(one, event.Result):
+            fields = msgspec.to_builtins(one)
+            fields["event"] = fields.pop("type").lower()
+            self._write(fields)
+
+    def answer(self, asked: event.Asked) -> str:
+        """Nobody is there to answer."""
+        return ""
+
+    def ended(self, outcome: Outcome, drawn: str) -> None:
+        """The result."""
+        found: dict[str, Any] = {"event": "result", "application": outcome.name, "state": outcome.state}
+        found["faults"] = [
+            {"file": one.place.file, "line": one.place.line, "expected": one.expected, "found": one.found,
+             "instead": one.instead}
+            for one in outcome.faults
+        ]  # fmt: skip
+        found["notes"] = outcome.notes
+        if outcome.result is not None:
+            result = outcome.result
+            found |= {
+                "cause": result.cause,
+                "actions_done": result.done,
+                "actions": result.of,
+                "runtime_s": result.runtime_s,
+                "wall_s": round(result.wall_s, 3),
+                "values": result.values,
+                "expectations": [
+                    {"expect": one.text, "found": value, "holds": holds} for one, value, holds in outcome.expectations
+                ],
+                "missed": {f"{one.subsystem}/{one.task}": one.missed for one in result.tasks},
+                "tasks": msgspec.to_builtins(result.tasks),
+                "switches_us": result.switches_us,
+                "hash": result.hash,
+            }
+        if drawn:
+            found["picture"] = drawn
+        found["exit"] = outcome.exit_code
+        self._write(found)
+
+    def _write(self, fields: dict[str, Any]) -> None:
+        sys.stdout.write(msgspec.json.encode(fields).decode() + "\n")
+        sys.stdout.flush()

@@ -1,0 +1,102 @@
+"""`onika run`: run an application on a robot or simulator, headless."""
+
+import argparse
+import os
+import sys
+from pathlib import Path
+
+from onika.cli.json_lines import JsonLines
+from onika.cli.live import Live
+from onika.cli.place import site_here
+from onika.cli.plain import Plain
+from onika.desk import picture
+from onika.desk.expectation import Expectation
+from onika.desk.run import Outcome, RunSettings, run
+
+
+def describe(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    parser.add_argument("application", metavar="NAME|FILE", help="an application by name, or its .appl file")
+    parser.add_argument("--virtual", action="store_true", help="in virtual time: as fast as it goes, always the same")
+    parser.add_argument(
+        "--expect", action="append", default=[], type=_expectation, metavar="'LAMP == 1'",
+        help="what a variable must be at the end; may be given several times",
+    )  # fmt: skip
+    parser.add_argument(
+        "--settle", type=_seconds, default=0.5, metavar="S", help="seconds to wait before expectations are read (0.5)"
+    )
+    parser.add_argument(
+        "--answer", action="append", default=[], type=_answer, metavar="TASK.NAME=VALUES",
+        help="input for a task that asks; several values of one task in the order in which it asks",
+    )  # fmt: skip
+    parser.add_argument("--picture", type=Path, metavar="OUT.png", help="draw the workcell at the end")
+    parser.add_argument("--json", action="store_true", help="one JSON object per line, the result last")
+    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the tasks' random numbers (0)")
+    parser.add_argument("--local", action="append", default=[], metavar="DIR", help="a base directory to look in first")
+    parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
+
+
+def carry_out(given: argparse.Namespace) -> int:
+    """Run it."""
+    if given.json:
+        watcher: JsonLines | Live | Plain = JsonLines()
+    else:
+        watcher = Live() if sys.stdout.isatty() and os.environ.get("TERM") != "dumb" else Plain()
+    settings = RunSettings(
+        name=given.application,
+        is_virtual=given.virtual,
+        expectations=tuple(given.expect),
+        settle_s=given.settle,
+        seed=given.seed,
+        answers=_joined(given.answer),
+        may_ask=sys.stdin.isatty() and not given.json,
+        wants_picture=given.picture is not None,
+        with_fifo=not given.no_fifo,
+    )
+    with watcher:
+        outcome = run(settings, site_here(given.local), watcher)
+    drawn = _draw(outcome, given.picture) if given.picture is not None else ""
+    watcher.ended(outcome, drawn)
+    return outcome.exit_code
+
+
+def _draw(outcome: Outcome, path: Path) -> str:
+    """Draw the first world; what to say of it."""
+    if outcome.result is None:
+        return ""
+    for snapshot in outcome.snapshots.values():
+        return picture.draw(snapshot, path) or f"picture: {path}"
+    return "no picture: there is no world to draw"
+
+
+def _joined(answers: list[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
+    """One argument line per task."""
+    lines: dict[str, str] = {}
+    for task, values in answers:
+        lines[task] = f"{lines[task]} {values}" if task in lines else values
+    return tuple(lines.items())
+
+
+def _expectation(text: str) -> Expectation:
+    try:
+        return Expectation.parse(text)
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(str(wrong)) from None
+
+
+def _seconds(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
+    if not 0.0 <= seconds <= 3600.0:
+        raise argparse.ArgumentTypeError(f"expected seconds from 0 to 3600, found {text!r}")
+    return seconds
+
+
+def _answer(text: str) -> tuple[str, str]:
+    address, equals, values = text.partition("=")
+    task, dot, name = address.strip().rpartition(".")
+    if not (equals and dot and task and name):
+        raise argparse.ArgumentTypeError(f"expected TASK.NAME=VALUES, found {text!r}")
+    return task, values.replace(",", " ").strip()

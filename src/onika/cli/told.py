@@ -1,0 +1,53 @@
+"""How a run is told to people: one sentence per event and the summary at the end, for terminals and plain text."""
+
+from collections.abc import Iterator
+
+from onika.desk.run import Outcome
+from onika.wire import event
+
+
+def sentence(one: event.Event, total: int) -> str:
+    """One line for an event; empty for those that only machines want."""
+    match one:
+        case event.Began():
+            width = len(str(total))
+            return f"{one.at_s:8.2f} s  {one.index + 1:>{width}}/{total}  {one.action}"
+        case event.Warned():
+            who = f"{one.task}: " if one.task else ""
+            return f"{one.at_s:8.2f} s  note: {who}{one.text}"
+        case event.Failed():
+            where = f" ({one.path}:{one.line})" if one.line else ""
+            return f"{one.at_s:8.2f} s  ERROR {one.subsystem}/{one.task}: {one.text}{where}"
+        case event.Drive() if one.state == "TRIPPED":
+            return f"{one.at_ns * 1e-9:8.2f} s  {one.device} has tripped: {one.cause}"
+        case _:
+            return ""
+
+
+def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
+    """The lines at the end."""
+    for fault in outcome.faults:
+        yield str(fault)
+    for note in outcome.notes:
+        yield f"note: {note}"
+    result = outcome.result
+    if result is None:
+        count = len(outcome.faults)
+        yield f"{outcome.name}: refused, nothing moved ({count} fault{'s' if count != 1 else ''})"
+        return
+    speed = result.runtime_s / result.wall_s if result.wall_s else 0.0
+    took = f"{result.runtime_s:.2f} s, in {result.wall_s:.2f} s of wall time"
+    pace = f" ({speed:.0f}x)" if result.hash and speed > 1.5 else ""
+    yield f"{outcome.name}: {outcome.state}, {result.done} of {result.of} actions, {took}{pace}"
+    if result.cause:
+        yield f"cause: {result.cause}"
+    missed = sum(one.missed for one in result.tasks)
+    cycles = sum(one.cycles for one in result.tasks)
+    if cycles and not result.hash:
+        yield f"cycles: {cycles}, missed {missed}"
+    for one, value, holds in outcome.expectations:
+        yield f"expect {one.text}: " + ("yes" if holds else f"NO, found {'nothing' if value is None else value}")
+    if result.hash:
+        yield f"hash: {result.hash}"
+    if drawn:
+        yield drawn

@@ -1,0 +1,133 @@
+"""A run from the environment's side: prepare, launch a runtime, follow it to its end (requirements E03, E14)."""
+
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from onika.desk.compile import rtpus_of
+from onika.desk.expectation import Expectation
+from onika.desk.preparation import PreparedRun, prepare_run
+from onika.desk.runtime import Runtime
+from onika.link.lost import LinkLost
+from onika.store.site import Site
+from onika.wire import event, request
+from onika.words.fault import Fault, Place
+
+
+@dataclass(frozen=True, slots=True)
+class RunSettings:
+    """What a run is to be."""
+
+    name: str
+    is_virtual: bool = False
+    expectations: tuple[Expectation, ...] = ()
+    settle_s: float = 0.5
+    seed: int = 0
+    answers: tuple[tuple[str, str], ...] = ()
+    may_ask: bool = False
+    wants_picture: bool = False
+    with_fifo: bool = True
+
+
+@dataclass(slots=True)
+class Outcome:
+    """How a run ended. `result` is missing where it was refused; then there are faults."""
+
+    name: str
+    faults: list[Fault] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    result: event.Result | None = None
+    expectations: list[tuple[Expectation, Any, bool]] = field(default_factory=list)
+    snapshots: dict[str, bytes] = field(default_factory=dict)
+
+    @property
+    def state(self) -> str:
+        """`refused`, `completed` or `aborted`."""
+        if self.result is None:
+            return "refused"
+        return "completed" if self.result.completed else "aborted"
+
+    @property
+    def exit_code(self) -> int:
+        """0: completed and every expectation holds; 1: aborted, or one does not hold; 2: refused."""
+        if self.result is None:
+            return 2
+        return 0 if self.result.completed and all(holds for _, _, holds in self.expectations) else 1
+
+
+class Watcher(Protocol):
+    """Whoever watches a run."""
+
+    def begins(self, prepared: PreparedRun, runtime_pid: int) -> None:
+        """Everything is ready and the run begins now."""
+        ...
+
+    def happens(self, one: event.Event) -> None:
+        """Something has happened."""
+        ...
+
+    def answer(self, asked: event.Asked) -> str:
+        """The argument line for a task that asks."""
+        ...
+
+
+def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
+    """Run an application to its end. A KeyboardInterrupt stops it; a second one is passed on."""
+    prepared = prepare_run(settings.name, site)
+    outcome = Outcome(prepared.name, list(prepared.faults))
+    if prepared.plan is None:
+        return outcome
+    with Runtime(rtpus_of(prepared.plan), settings.is_virtual, settings.with_fifo) as runtime:
+        answer = runtime.ask(request.Prepare(prepared.plan, prepared.targets))
+        if isinstance(answer, request.Prepared):
+            outcome.faults += [fault for fault in map(_fault, answer.faults) if fault not in outcome.faults]
+            outcome.notes += answer.notes
+        if outcome.faults:
+            return outcome
+        watcher.begins(prepared, runtime.pid)
+        outcome.result = _follow(settings, runtime, watcher)
+        values = outcome.result.values
+        outcome.expectations = [(one, one.found(values), one.holds(values)) for one in settings.expectations]
+        if settings.wants_picture:
+            outcome.snapshots = _snapshots(runtime)
+    return outcome
+
+
+def _follow(settings: RunSettings, runtime: Runtime, watcher: Watcher) -> event.Result:
+    watch = tuple(dict.fromkeys(one.address for one in settings.expectations))
+    begin = request.Begin(watch, settings.settle_s, settings.seed, settings.answers, settings.may_ask)
+    stopped = False
+    try:
+        answer = runtime.ask(begin)
+        if isinstance(answer, request.Refused):
+            return _aborted(answer.reason)
+        while True:
+            try:
+                for one in runtime.events(0.2):
+                    watcher.happens(one)
+                    if isinstance(one, event.Result):
+                        return one
+                    if isinstance(one, event.Asked):
+                        runtime.ask(request.Reply(one.subsystem, one.task, watcher.answer(one)))
+            except KeyboardInterrupt:
+                if stopped:
+                    raise
+                stopped = True
+                runtime.ask(request.Stop("stopped by the user (Ctrl-C)"))
+    except LinkLost as lost:
+        return _aborted(str(lost))
+
+
+def _snapshots(runtime: Runtime) -> dict[str, bytes]:
+    try:
+        answer = runtime.ask(request.Snapshot())
+    except (LinkLost, TimeoutError):
+        return {}
+    return answer.snapshots if isinstance(answer, request.Worlds) else {}
+
+
+def _aborted(cause: str) -> event.Result:
+    return event.Result(False, cause, 0, 0, 0.0, 0.0, {}, (), "")
+
+
+def _fault(text: request.FaultText) -> Fault:
+    return Fault(Place(text.file, text.line), text.expected, text.found, text.instead)

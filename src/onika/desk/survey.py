@@ -1,0 +1,145 @@
+"""A survey of files: every fault of a base directory, of one file, or of an application and all it needs (B07)."""
+
+from hashlib import sha256
+from pathlib import Path
+
+from onika.desk.compile import UNKNOWN, planned_task, rtpus_of
+from onika.desk.preparation import prepare_run
+from onika.desk.runtime import Runtime
+from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
+from onika.model.syntax import Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.store.site import Site
+from onika.wire import request
+from onika.wire.plan import Code, PlannedTask
+from onika.words.fault import Fault, Place
+
+_FOLDERS = ("module", "conf", "dict", "appl", "prefs")
+
+
+def survey(path: Path, site: Site) -> tuple[list[Path], list[Fault]]:
+    """The files that were read below a path (or the one file), and everything that is wrong with them."""
+    if not path.exists():
+        return [], [Fault(Place(str(path)), "a base directory or a file", "nothing there", "nothing is checked")]
+    types, faults = site.syntax()
+    found = list(faults)
+    files = [path] if path.is_file() else _files(path)
+    if types is not None:
+        for file in files:
+            found += _read(file, types)
+    home = site if path.is_file() else site.at(path)
+    found += _judge(files, home)
+    return files, sorted(set(found))
+
+
+def _files(path: Path) -> list[Path]:
+    folders = [path / name for name in _FOLDERS if (path / name).is_dir()] or [path]
+    return sorted(file for folder in folders for file in folder.iterdir() if file.is_file() and _is_ours(file))
+
+
+def _is_ours(file: Path) -> bool:
+    known = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py")
+    return file.name.endswith(known) or file.name in (preferences.NAME, buttons.NAME)
+
+
+def _read(file: Path, types: Syntax) -> list[Fault]:
+    """The faults of one file by itself."""
+    if file.suffix == ".py":
+        return []  # looked at together with the tasks that use it
+    content, faults = text.load(file, str(file))
+    if content is None:
+        return list(faults)
+    name, place = file.stem, str(file)
+    match file.suffix:
+        case rmod.ENDING:
+            return list(rmod.read(content, name, place)[1])
+        case conf.ENDING:
+            return list(conf.read(content, name, place)[1])
+        case onk.ENDING:
+            return list(onk.read(content, name, place, types)[1])
+        case appl.ENDING:
+            return list(appl.read(content, name, place, types)[1])
+    if file.name.lstrip(".") == syntax.NAME:
+        return list(syntax.read(content, name, place)[1])
+    if file.name == preferences.NAME:
+        return list(preferences.read(content, name, place)[1])
+    if file.name == buttons.NAME:
+        return list(buttons.read(content, name, place)[1])
+    return list(picture.read(content, name, place)[1])
+
+
+def _judge(files: list[Path], site: Site) -> list[Fault]:
+    """What only modules can tell: tasks against their classes, applications against everything."""
+    tasks = [file for file in files if file.suffix == rmod.ENDING]
+    applications = [file for file in files if file.suffix == appl.ENDING]
+    modules = {file.stem for file in files if file.suffix == ".py"}
+    found: list[Fault] = []
+    planned, code = _tasks(tasks, modules, site, found)
+    if not (planned or code or applications):
+        return found
+    prepared = [prepare_run(str(file), site) for file in applications]
+    rtpus = {name for one in prepared if one.plan for name in rtpus_of(one.plan)}
+    with Runtime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
+        found += _asked(runtime, request.Inspect(tuple(planned), tuple(code)))
+        for one in prepared:
+            found += one.faults
+            if one.plan is not None:
+                found += _asked(runtime, request.Prepare(one.plan, one.targets))
+    return found
+
+
+def _asked(runtime: Runtime, question: request.Request) -> list[Fault]:
+    answer = runtime.ask(question)
+    texts = answer.faults if isinstance(answer, request.Prepared) else ()
+    return [Fault(Place(one.file, one.line), one.expected, one.found, one.instead) for one in texts]
+
+
+def _tasks(
+    files: list[Path], modules: set[str], site: Site, found: list[Fault]
+) -> tuple[list[PlannedTask], list[Code]]:
+    """Tasks and code, read anew from their own directories; modules that no task uses are looked at too."""
+    planned: list[PlannedTask] = []
+    code: dict[str, Code] = {}
+    homes = {}
+    for file in files:
+        content, _ = text.load(file, str(file))
+        record = None if content is None else rmod.read(content, file.stem, str(file))[0]
+        if record is None:
+            continue
+        own = BaseDirectory(file.absolute().parent.parent)
+        path = _code_path(own, record.task.module, site, record.task)
+        if path is None:
+            expected = f"{record.task.module}.py beside it or on the search path, as MODULE says"
+            found.append(Fault(Place(str(file)), expected, "none", f"task {record.task.name} is left out"))
+            continue
+        one = _code(path, record.task.module, found)
+        if one is not None:
+            code[one.digest] = one
+            planned.append(planned_task(record.task, UNKNOWN, one.digest, str(file)))
+            homes[record.task.module] = path
+    for module in sorted(modules - homes.keys()):
+        path = next((file for file in _siblings(files, module)), None)
+        one = None if path is None else _code(path, module, found)
+        if one is not None:
+            code.setdefault(one.digest, one)
+    return planned, list(code.values())
+
+
+def _siblings(files: list[Path], module: str) -> list[Path]:
+    return [file.parent / f"{module}.py" for file in files if (file.parent / f"{module}.py").is_file()]
+
+
+def _code_path(own: BaseDirectory, module: str, site: Site, task: object) -> Path | None:
+    beside = own.code_file(module)
+    if beside.is_file():
+        return beside
+    return next((path for base in site.directories if (path := base.code_file(module)).is_file()), None)
+
+
+def _code(path: Path, module: str, found: list[Fault]) -> Code | None:
+    try:
+        source = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as wrong:
+        found.append(Fault(Place(str(path)), "Python source in UTF-8", str(wrong), f"module {module} is left out"))
+        return None
+    return Code(sha256(source.encode()).hexdigest(), module, str(path), source)

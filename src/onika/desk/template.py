@@ -1,0 +1,87 @@
+"""A new module from a template: its code, its `.rmod` and its test, in a base directory."""
+
+from pathlib import Path
+
+from onika.files import whole
+from onika.words.name import TASK_NAME
+
+_CODE = '''\
+"""{name}: says what this module does in one sentence."""
+
+from onika.module import InVar, Local, Module, OutVar
+
+
+class {title}(Module):
+    """Multiplies a number by a gain.
+
+    u = GAIN y
+
+    Kind     periodic, 1..1000 Hz
+    Ports    INVAR    Y        double          -       what comes in
+             OUTVAR   U        double          -       what goes out
+    Local    GAIN              double          -       the gain
+    Errors   none
+    """
+
+    Y = InVar("double", "-", "what comes in")
+    U = OutVar("double", "-", "what goes out")
+    GAIN = Local("double", "-", "the gain", default=1.0)
+
+    def cycle(self):
+        self.U = self.GAIN * self.Y
+'''
+
+_RMOD = """\
+MODULE      {name}
+DESC        Multiplies a number by a gain.
+INCONST     none
+OUTCONST    none
+INVAR       Y
+OUTVAR      U
+TASKTYPE    periodic
+FREQ        100
+
+LOCAL
+GAIN        2.0
+
+EOF
+"""
+
+_TEST = '''\
+"""What {name} does, on the bench: no runtime, no robot."""
+
+from pathlib import Path
+
+from onika.testing.bench import Bench
+
+MODULE = Path(__file__).parent.parent / "module" / "{name}.py"
+
+
+def test_{identifier}_multiplies_by_its_gain():
+    bench = Bench(MODULE, frequency=100, local={{"GAIN": "3"}})
+    bench.init()
+    bench.on()
+    bench.inputs["Y"] = 2.0
+    bench.cycle()
+    assert bench.outputs["U"] == 6.0
+'''
+
+
+def create_module(name: str, base: Path) -> tuple[Path, ...]:
+    """Write the three files; raises ValueError with a sentence where the name is none or a file is there already."""
+    if not TASK_NAME.match(name) or not name.replace("-", "_").replace(".", "_").isidentifier():
+        raise ValueError(f"expected a name of letters, digits and _ that begins with a letter, found {name!r}")
+    identifier = name.replace("-", "_").replace(".", "_")
+    title = "".join(part.capitalize() for part in identifier.split("_"))
+    files = {
+        base / "module" / f"{name}.py": _CODE,
+        base / "module" / f"{name}.rmod": _RMOD,
+        base / "tests" / f"test_{identifier}.py": _TEST,
+    }
+    for path in files:
+        if path.exists():
+            raise ValueError(f"{path} is there already: nothing was written")
+    for path, text in files.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        whole.write(path, text.format(name=name, title=title, identifier=identifier))
+    return tuple(files)

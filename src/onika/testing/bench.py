@@ -1,0 +1,253 @@
+"""A bench for one module: its inputs are set by hand, its outputs read, its entry points run, without a runtime.
+
+    bench = Bench("module/wave.py", frequency=100, local={"AMPLITUDE": 2.0})
+    bench.init().on("0.5 10").cycle(25)
+    assert bench["Y"] == …
+
+The module lives in the same executive as on an RTPU, so the law of the cycle holds here too: nothing is imitated but
+the table's other users, time and the device.
+"""
+
+import inspect
+import weakref
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Self, TypeVar
+
+import numpy as np
+
+from onika.model.lifecycle import State
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.binding import locals_of
+from onika.runtime.code import load
+from onika.runtime.executive import Executive
+from onika.runtime.module import Module
+from onika.runtime.running_task import RunningTask
+from onika.runtime.table import Table
+from onika.testing.bench_device import SEGMENT, BenchDevice
+from onika.words.fault import Fault
+from onika.words.shape import Shape
+
+_Kind = TypeVar("_Kind")
+_HOME, _TASK = "bench", "module"
+_TABLE_BYTES = 1 << 20
+_SECOND = 1_000_000_000
+
+
+class Bench:
+    """One module under test; `module` is its file, or its class if that is the only module of its file.
+
+    `frequency` in Hz (None: aperiodic), `local` the LOCAL lines by name, `constants` the INCONSTs by name and whatever
+    shapes need. Inputs are set and outputs read by index: `bench["Q_MEZ"] = [0.0] * 6`. Calls chain.
+    """
+
+    def __init__(
+        self,
+        module: str | Path | type[Module],
+        *,
+        frequency: float | None = 100.0,
+        local: Mapping[str, object] | None = None,
+        constants: Mapping[str, Any] | None = None,
+        device: BenchDevice | None = None,
+        seed: int = 0,
+    ) -> None:
+        self.path = Path(inspect.getfile(module) if isinstance(module, type) else module)
+        self.now_ns = 0
+        self.cycles = 0
+        self.news: list[news.News] = []
+        self._source = self.path.read_text(encoding="utf-8")
+        self._frequency, self._device, self._seed = frequency, device, seed
+        self._local = tuple((key, _words(value)) for key, value in (local or {}).items())
+        self.cls = _class_of(self._source, self.path)
+        segment = Segment.create(_HOME, _TABLE_BYTES)
+        weakref.finalize(self, segment.close)
+        self.table = Table(segment)
+        views = {f"table:{_HOME}": segment.view}
+        if device is not None:
+            views[SEGMENT] = device.view
+        self._executive = Executive(_HOME, views)
+        self._ports = self._lay_table(constants or {})
+
+    # Variables
+
+    def __setitem__(self, name: str, value: Any) -> None:
+        entry = self._entry(name)
+        self.table.ring(name).write(_bytes_of(value, entry.shape))
+
+    def __getitem__(self, name: str) -> Any:
+        self._entry(name)
+        return self.table.value(name)
+
+    def forget(self, *names: str) -> Self:
+        """Say that these variables steer nothing any more, as after a hold of the hardware (`Module.continues`)."""
+        return self._handle(command.Switch(_HOME, (), names, ()))
+
+    # Entry points
+
+    def init(self) -> Self:
+        """Load the module and initialise it."""
+        device = None if self._device is None else self._device.grant()
+        kind = "periodic" if self._frequency else "aperiodic"
+        return self._handle(
+            command.Spawn(
+                _HOME, _TASK, self.path.stem, str(self.path), self._source, kind, self._frequency, self._local,
+                self._ports, 0, self._seed, device,
+            )
+        )  # fmt: skip
+
+    def on(self, line: str = "") -> Self:
+        """Turn it on with this argument line; without a fitting one it asks (`asked`)."""
+        self._publish()
+        return self._handle(command.Switch(_HOME, (), (), (command.Launch(_TASK, line),)))
+
+    def answer(self, line: str) -> Self:
+        """Answer what it asked."""
+        return self._handle(command.Answer(_HOME, _TASK, line))
+
+    def cycle(self, count: int = 1) -> Self:
+        """Run so many cycles, fewer if it leaves ON meanwhile; raises RuntimeError where it is not ON to begin with."""
+        if self.state is not State.ON:
+            raise RuntimeError(
+                f"expected a task that is ON, found {self.state.value}: {self.why or 'turn it on first'}"
+            )
+        for _ in range(count):
+            due = self._executive.next_release()
+            if due is None:
+                break
+            self.now_ns = due
+            self._publish()
+            self.news += self._executive.run_next(due) or []
+            self.cycles += 1
+        return self
+
+    def off(self) -> Self:
+        """Turn it off."""
+        return self._handle(command.Switch(_HOME, (_TASK,), (), ()))
+
+    def clear(self) -> Self:
+        """Bring it out of ERROR."""
+        return self._handle(command.Clear(_HOME, _TASK))
+
+    def kill(self) -> Self:
+        """End it."""
+        return self._handle(command.Kill(_HOME, _TASK))
+
+    def get(self, name: str) -> Any:
+        """What the module's `get` answers; raises RuntimeError with its refusal."""
+        return self._asked_for(command.Get(_HOME, _TASK, name))
+
+    def set(self, name: str, value: str) -> Any:
+        """Tell the module's `set`; raises RuntimeError with its refusal."""
+        return self._asked_for(command.Set(_HOME, _TASK, name, value))
+
+    # What came of it
+
+    @property
+    def now(self) -> float:
+        """Seconds since the start."""
+        return self.now_ns / _SECOND
+
+    @property
+    def task(self) -> RunningTask | None:
+        """The live task, once it was spawned."""
+        return self._executive.tasks.get((_HOME, _TASK))
+
+    @property
+    def state(self) -> State:
+        """Its state; KILLED where it never came to life."""
+        return self.task.state if self.task else State.KILLED
+
+    @property
+    def finished(self) -> news.Finished | None:
+        """The FINISH signal, if it came."""
+        return self._last(news.Finished)
+
+    @property
+    def failed(self) -> news.Failed | None:
+        """The last error: `text`, `path`, `line`, `traceback`."""
+        return self._last(news.Failed)
+
+    @property
+    def asked(self) -> news.Asked | None:
+        """The last question to the user; `reason` says what was wrong with the argument line."""
+        return self._last(news.Asked)
+
+    @property
+    def warnings(self) -> list[str]:
+        """The texts of all warnings."""
+        return [one.text for one in self.news if isinstance(one, news.Warned)]
+
+    @property
+    def why(self) -> str:
+        """The last refusal, error or question as a sentence; empty if there was none."""
+        for one in reversed(self.news):
+            if isinstance(one, news.Failed):
+                return one.text
+            if isinstance(one, news.Refused | news.Asked):
+                return one.reason
+        return ""
+
+    # Inner
+
+    def _lay_table(self, constants: Mapping[str, Any]) -> tuple[command.BoundPort, ...]:
+        """Entries for all ports, their shapes resolved by `constants` and by what a robot module says of itself."""
+        declared = [one.port(attribute) for attribute, one in self.cls.declared_ports.items()]
+        own = self.cls.constants(locals_of(self.cls, dict(self._local)))
+        known = {**own, **constants}
+        ports = []
+        for port in declared:
+            entry = self.table.entry(port.name, port.shape.resolve(known))
+            ports.append(command.BoundPort(port.name, port.name, str(entry.shape), entry.offset))
+            if port.kind.is_input and port.kind.at_init and port.name in known:
+                self[port.name] = known[port.name]
+        return tuple(ports)
+
+    def _entry(self, name: str) -> Any:
+        if name not in self.table.entries:
+            raise KeyError(f"expected one of {', '.join(self.table.entries)}, found {name}")
+        return self.table.entries[name]
+
+    def _publish(self) -> None:
+        if self._device is not None:
+            self._device.publish(self.now_ns)
+
+    def _handle(self, order: command.Command) -> Self:
+        self.news += self._executive.handle(order, self.now_ns)
+        return self
+
+    def _asked_for(self, order: command.Command) -> Any:
+        answer = self._executive.handle(order, self.now_ns)[-1]
+        if isinstance(answer, news.Got):
+            return answer.value
+        raise RuntimeError(answer.reason if isinstance(answer, news.Refused) else str(answer))
+
+    def _last(self, kind: type[_Kind]) -> _Kind | None:
+        return next((one for one in reversed(self.news) if isinstance(one, kind)), None)
+
+
+def _class_of(source: str, path: Path) -> type[Module]:
+    cls = load(source, str(path), path.stem)
+    if isinstance(cls, Fault):
+        raise ValueError(str(cls))
+    return cls
+
+
+def _words(value: object) -> tuple[str, ...]:
+    if isinstance(value, str):
+        return tuple(value.split())
+    return tuple(str(one) for one in value) if isinstance(value, Iterable) else (str(value),)
+
+
+def _bytes_of(value: Any, shape: Shape) -> bytes:
+    """A value as the table holds it; raises ValueError where it does not fit."""
+    if shape.type.is_text:
+        data = str(value).encode()
+        if len(data) >= shape.size:
+            raise ValueError(f"expected at most {shape.size - 1} bytes of text, found {len(data)}")
+        return data.ljust(shape.size, b"\0")
+    if shape.type.value == "char":
+        return bytes([ord(value)])
+    array = np.zeros(tuple(map(int, shape.dims)), dtype=shape.type.code)
+    array[...] = value
+    return array.tobytes()

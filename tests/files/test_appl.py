@@ -1,0 +1,139 @@
+import pytest
+
+from onika.files.appl import read, write
+from onika.model.application import AppFlow, Application, Hole, Icon
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+from onika.model.syntax import DataItem, IconType, Syntax
+from onika.words.value import ValueType
+
+SYNTAX = Syntax(
+    (
+        IconType("Application start", 0, 0),
+        IconType("Application end", 0, 0),
+        IconType("Complete job", 0, 0),
+        IconType("Joint job", 0, 1),
+        IconType("Joint object", 1, 0, (DataItem("endpoint", ValueType.DOUBLE, 1),)),
+    ),
+    (),
+)
+
+
+def onikon(name: str, kind: str) -> Onikon:
+    return Onikon(name, kind, "", ((1.0,),) if kind.endswith("object") else (), blank())
+
+
+GRIP = Icon(onikon("grip", "Complete job"))
+MOVE = Icon(onikon("move", "Joint job"), marker=True, synch_tag="meet", while_tag="again", while_test=True)
+HOME = Icon(onikon("home", "Joint object"))
+APPLICATION = Application("work", True, (AppFlow((GRIP, MOVE, HOME)), AppFlow((MOVE, Hole(), GRIP))))
+TEXT = write(APPLICATION)
+
+
+def flows(text: str) -> list[str]:
+    """Every flow as the names of its icons, a hole as `_`."""
+    application, faults = read(text, "work", "f", SYNTAX)
+    assert application, faults
+    return [
+        " ".join(step.onikon.name if isinstance(step, Icon) else "_" for step in f.steps) for f in application.flows
+    ]
+
+
+def found(text: str) -> list[str]:
+    _, faults = read(text, "work", "work.appl", SYNTAX)
+    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in faults]
+
+
+def icon(name: str, kind: str, marks: str = "") -> str:
+    text = write(Application("a", False, (AppFlow((Icon(onikon(name, kind)),)),)))
+    block = text[text.index("ROUTINE") : text.index("ENDFLOW")]
+    return block.replace("ONIKON", marks + "ONIKON", 1)
+
+
+def application(*parts: str) -> str:
+    return "VERSION 1.3\nAPPLTYPE conditional\nFLOW\n" + "\n".join(parts) + "\nENDFLOW\nEOF\n"
+
+
+def test_an_application_is_read_and_written() -> None:
+    assert read(TEXT, "work", "work.appl", SYNTAX) == (APPLICATION, ())  # R-B04
+    assert TEXT.startswith(
+        "VERSION     1.3\n\nAPPLTYPE    parallel\n\nFLOW\n\nROUTINE     grip\nMARKER      no\nONIKON"
+    )
+    marks = "MARKER      yes\nSYNCHTAG    meet\nWHILETAG    again\nWHILETEST   yes\nONIKON      Joint job\n"
+    assert marks in TEXT
+
+
+def test_comments_of_the_former_text_are_kept() -> None:
+    former = TEXT.replace("ROUTINE     move", "# go\nROUTINE     move", 1)
+    shorter = Application("work", True, APPLICATION.flows[:1])
+    assert "# go\nROUTINE     move" in write(shorter, former)
+    assert read(write(shorter, former), "work", "f", SYNTAX) == (shorter, ())
+
+
+def test_start_and_end_icons_are_accepted_and_left_out() -> None:
+    text = application(icon("s", "Application start"), icon("grip", "Complete job"), icon("e", "Application end"))
+    assert flows(text) == ["grip"]  # decision 46
+    assert found(text) == []
+
+
+def test_adjacent_holes_are_one() -> None:
+    assert flows(application("ICONHOLE", "ICONHOLE", icon("grip", "Complete job"), "ICONHOLE")) == ["_ grip _"]
+
+
+def test_an_unknown_target_leaves_a_hole_and_an_unknown_job_stays() -> None:
+    parts = (icon("move", "Joint job"), icon("push", "Force object"), icon("press", "Force job"))
+    text = application(*parts).replace("UI          1.0", "UI 1.0")  # R-D16
+    assert flows(text) == ["move _ press"]
+    _, (first, second) = read(text, "work", "f", SYNTAX)
+    assert first.instead == "the icon is left out"
+    assert second.instead == "it acts as Complete job, its data is asked for while it runs"
+
+
+def test_the_marks_of_a_target_belong_to_its_job() -> None:
+    home = icon("home", "Joint object", "SYNCHTAG meet\nWHILETAG again\nWHILETEST yes\n").replace(
+        "MARKER      no", "MARKER yes"
+    )
+    read_, faults = read(application(icon("move", "Joint job"), home), "work", "f", SYNTAX)  # decision 24
+    assert faults == ()
+    assert read_
+    assert read_.flows == (AppFlow((MOVE, HOME)),)
+
+
+def test_two_tags_on_one_action_are_a_fault() -> None:
+    parts = [icon("move", "Joint job", "SYNCHTAG a\n"), icon("home", "Joint object", "SYNCHTAG b\n")]
+    assert [fault.split(": ", 1)[1] for fault in found(application(*parts))] == [
+        "one synch tag for a job and its target / a and b"
+    ]
+
+
+def test_an_older_file_may_lack_type_and_markers() -> None:
+    text = TEXT.replace("VERSION     1.3\n", "").replace("APPLTYPE    parallel\n", "").replace("MARKER      no\n", "")
+    assert flows(text) == ["grip move home", "move _ grip"]  # R-B06
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("parallel", "sideways", "3: parallel or conditional after APPLTYPE / 'APPLTYPE sideways'"),
+        ("FLOW\n", "\n", "7: FLOW / 'ROUTINE grip'"),
+        ("ENDFLOW\n", "\n", "158: ENDFLOW before the next FLOW / 'FLOW'"),
+        ("FLOW\n", "FLOW x\n", "5: FLOW alone on its line / 'FLOW x'"),
+        ("MARKER      no", "MARKER maybe", "8: yes or no after MARKER / 'MARKER maybe'"),
+        ("ROUTINE     grip", "ROUTINE a b", "7: the name of an icon after ROUTINE / 'ROUTINE a b'"),
+        ("WHILETEST   yes\n", "", "48: WHILETEST after WHILETAG / none"),
+        ("WHILETAG    again\n", "", "48: WHILETAG before WHILETEST / none"),
+        ("MARKER      no\n", "SYNCHTAG x\nMARKER no\n", "9: MARKER before SYNCHTAG / 'MARKER no' after it"),
+    ],
+)
+def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
+    text = TEXT.replace(old, new, 1)  # R-B07
+    assert expected in found(text)
+    assert read(text, "work", "f", SYNTAX)[0] is None
+
+
+def test_an_application_without_flows_is_a_fault() -> None:
+    assert found("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["2: at least one FLOW / none"]
+
+
+def test_the_last_flow_must_end() -> None:
+    assert "ENDFLOW / the end of the application" in found(application("ICONHOLE").replace("ENDFLOW\n", ""))[0]

@@ -1,0 +1,78 @@
+import pytest
+
+from onika.files.conf import read, write
+from onika.model.configuration import Configuration, Locus, Placed
+
+TEXT = """\
+VERSION     1.3
+
+RMODFILE    jmove
+COORDS      10 -20
+INLEFT      no
+FREQ        250
+RTPU        rtpu0
+
+RMODFILE    logger
+COORDS      0 0
+INLEFT      yes
+FREQ        0
+RTPU        unknown
+
+LOCUS       Q^_REF
+COORDS      3 4
+CONNS       2
+NUMINCONST  1
+NUMOUTCONST 2
+NUMINVAR    3
+NUMOUTVAR   4
+NUMDOUBLEIN 5
+SHOW        no
+
+EOF
+"""
+CONFIGURATION = Configuration(
+    "move",
+    (Placed("jmove", 10, -20, False, 250.0, "rtpu0"), Placed("logger")),
+    (Locus("Q^_REF", 3, 4, 2, 1, 2, 3, 4, 5, False),),
+)
+
+
+def found(text: str) -> list[str]:
+    _, faults = read(text, "move", "move.conf")
+    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in faults]
+
+
+def test_a_configuration_is_read_and_written() -> None:
+    assert read(TEXT, "move", "move.conf") == (CONFIGURATION, ())  # R-B02
+    assert write(CONFIGURATION) == TEXT
+
+
+def test_comments_of_the_former_text_are_kept() -> None:
+    former = TEXT.replace("RMODFILE    logger", "# writes the log\nRMODFILE    logger")
+    moved = Configuration("move", (Placed("jmove", 1, 2, False, 250.0, "rtpu0"), Placed("logger")), CONFIGURATION.loci)
+    assert write(moved, former) == former.replace("10 -20", "1 2")
+
+
+def test_an_older_file_has_defaults_for_what_it_lacks() -> None:
+    configuration, faults = read("RMODFILE a\nCOORDS 1 2\nLOCUS X\nCOORDS 3 4\nEOF", "c", "f")  # R-B06
+    assert configuration == Configuration("c", (Placed("a", 1, 2),), (Locus("X", 3, 4),))
+    assert faults == ()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("RTPU        rtpu0\n", "", "6: a line RTPU / none"),
+        ("10 -20", "10", "4: 2 whole numbers after COORDS / 'COORDS 10'"),
+        ("FREQ        250", "FREQ nan", "6: a number of at least 0 (Hz) after FREQ / 'FREQ nan'"),
+        ("FREQ        250", "PERIOD 3", "6: FREQ / 'PERIOD 3'"),
+        ("RMODFILE    jmove", "RMODFILE ../jmove", "3: the name of a task after RMODFILE / 'RMODFILE ../jmove'"),
+        ("RMODFILE    jmove", "RMODFILE    logger", "9: RMODFILE logger once / it again after line 3"),
+        ("LOCUS       Q^", "LOCUS q^", "15: the name of a state variable after LOCUS / 'LOCUS q^_REF'"),
+        ("CONNS       2", "CONNS -2", "17: a whole number of at least 0 after CONNS / 'CONNS -2'"),
+        ("EOF", "RMODFILE b\nCOORDS 1 2\nEOF", "25: every task before the first LOCUS / 'RMODFILE b'"),
+    ],
+)
+def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
+    assert expected in found(TEXT.replace(old, new, 1))  # R-B07
+    assert read(TEXT.replace(old, new, 1), "move", "f")[0] is None

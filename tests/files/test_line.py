@@ -1,0 +1,172 @@
+import pytest
+
+from onika.files.line import Line, Need, Reading, Slot, is_number, one_line, row, show, show_number, split
+
+SLOTS = (Slot("A"), Slot("B", Need.SINCE_1_3), Slot("C", Need.OPTIONAL, many=True), Slot("D", Need.OPTIONAL))
+
+
+def opened(text: str, versioned: bool = False) -> Reading:
+    reading = Reading("f", "it is left out")
+    (reading.open_versioned if versioned else reading.open)(text)
+    return reading
+
+
+def found(reading: Reading) -> list[str]:
+    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
+
+
+def arranged(text: str, is_old: bool = False) -> list[str]:
+    reading = opened(text + "\nEOF")
+    reading.is_old = is_old
+    reading.arrange(reading.lines, SLOTS)
+    return found(reading)
+
+
+def test_comments_and_blank_lines_are_no_lines_and_blanks_count_as_one() -> None:
+    reading = opened("# x\n\n \tA \t 1  2\t\n  # y\nB\r\nEOF\n\n# end")  # R-B01
+    assert reading.lines == [Line(3, "A", "1  2"), Line(5, "B", "")]
+    assert reading.lines[0].words == ("1", "2")
+    assert reading.lines[0].text == "1 2"
+    assert found(reading) == []
+
+
+def test_a_sign_within_a_line_begins_no_comment() -> None:
+    assert opened("A x # y\nEOF").lines[0].rest == "x # y"
+
+
+def test_a_file_without_eof_is_truncated() -> None:
+    reading = opened("A 1\nB 2\n")  # R-B07
+    assert found(reading) == ["2: EOF as the last line / the end of the file after 'B 2'"]
+    assert reading.broken
+
+
+def test_an_empty_file_is_a_fault() -> None:
+    assert found(opened("")) == ["0: lines with keywords and EOF / an empty file"]
+    assert found(opened("\n# only this\n")) == ["0: lines with keywords and EOF / an empty file"]
+
+
+def test_nothing_may_follow_eof() -> None:
+    assert found(opened("EOF x\nA 1\n")) == ["1: EOF alone on its line / 'EOF x'", "2: nothing after EOF / 'A 1'"]
+
+
+def test_a_nul_byte_is_named_with_its_line() -> None:
+    assert found(opened("A 1\nB \x002\nEOF")) == ["2: printable text / 'B \\x002'"]  # R-B07
+
+
+def test_a_fault_prints_as_the_requirement_says() -> None:
+    reading = opened("A\n")  # R-B07
+    assert str(reading.faults[0]) == (
+        "f:1: expected EOF as the last line, found the end of the file after 'A'; instead: it is left out"
+    )
+
+
+def test_faults_come_in_the_order_of_the_lines() -> None:
+    reading = Reading("f", "")
+    reading.note(5, "a", "b", "c")
+    reading.fault(2, "d", "e")
+    assert [fault.place.line for fault in reading.faults] == [2, 5]
+
+
+@pytest.mark.parametrize("text", ["A\nB", "A\nB\nC\nC\nD", "A\nB\nD"])
+def test_lines_in_order_are_right(text: str) -> None:
+    assert arranged(text) == []  # decision 41
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("B\nA", ["2: A before B / 'A' after it"]),
+        ("A\nB\nD\nC", ["4: C before D / 'C' after it"]),
+        ("A\nA\nB", ["2: A once / 'A' again"]),
+        ("A\nX 1\nB", ["2: B or C or D / 'X 1'"]),
+        ("A\nB\nC\nX", ["4: C or D / 'X'"]),
+        ("A\nB\nD\nX", ["4: no more lines here / 'X'"]),
+        ("B\nD", ["1: a line A / none"]),
+        ("A", ["1: a line B / none"]),
+        ("X\nY", ["1: A / 'X'", "2: A / 'Y'", "2: a line A / none", "2: a line B / none"]),
+    ],
+)
+def test_every_line_out_of_order_is_named(text: str, expected: list[str]) -> None:
+    assert arranged(text) == expected  # decision 41
+
+
+def test_an_older_file_may_lack_lines() -> None:
+    assert arranged("A", is_old=True) == []  # R-B06
+    assert arranged("B", is_old=True) == ["1: a line A / none"]
+
+
+@pytest.mark.parametrize(
+    ("version", "is_old"), [("1.3", False), ("1.3.0", False), ("1.2.9", True), ("0.9", True), (None, True)]
+)
+def test_files_of_older_versions_are_known(version: str | None, is_old: bool) -> None:
+    reading = opened(f"VERSION {version}\nEOF" if version else "A\nEOF", versioned=True)  # R-B06
+    assert (reading.is_old, reading.refused, found(reading)) == (is_old, False, [])
+
+
+@pytest.mark.parametrize("version", ["1.4", "1.3.1", "2", "10.0"])
+def test_a_newer_file_is_refused_with_one_fault(version: str) -> None:
+    reading = opened(f"VERSION {version}\nNEW\x00 \n", versioned=True)  # R-B06
+    assert reading.refused
+    assert found(reading) == [f"1: a file of version 1.3 or older / version {version}, which is newer"]
+
+
+@pytest.mark.parametrize("version", ["", "new", "1.3x", "-1", "1..3", "1 3"])
+def test_a_version_that_is_no_number_is_a_fault(version: str) -> None:
+    reading = opened(f"VERSION {version}\nEOF", versioned=True)
+    assert reading.broken
+    assert not reading.refused
+
+
+def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -> None:
+    reading = Reading("f", "")
+    assert reading.whole(Line(1, "N", "7"), 3) == 7
+    assert reading.whole(None, 3) == 3
+    assert reading.whole(Line(2, "N", "x"), 3) == 3
+    assert reading.whole(Line(3, "N", "-1"), 3, low=0) == 3
+    assert reading.wholes(Line(4, "XY", "1 2 3"), (5, 6)) == (5, 6)
+    assert reading.wholes(Line(5, "XY", "1 99999999999"), (5, 6)) == (5, 6)
+    assert reading.yes(Line(6, "Y", "yes"), default=False) is True
+    assert reading.yes(Line(7, "Y", "Yes"), default=False) is False
+    assert reading.word(Line(8, "W", "one two"), "a tag", "d") == "d"
+    assert found(reading) == [
+        "2: a whole number after N / 'N x'",
+        "3: a whole number of at least 0 after N / 'N -1'",
+        "4: 2 whole numbers after XY / 'XY 1 2 3'",
+        "5: 2 whole numbers after XY / 'XY 1 99999999999'",
+        "7: yes or no after Y / 'Y Yes'",
+        "8: a tag after W / 'W one two'",
+    ]
+
+
+def test_lines_are_cut_into_blocks_at_their_heads() -> None:
+    lines = [Line(number, keyword, "") for number, keyword in enumerate("VABBA")]
+    assert [[line.keyword for line in block] for block in split(lines, {"A"})] == [["V"], ["A", "B", "B"], ["A"]]
+    assert split([], {"A"}) == [[]]
+
+
+@pytest.mark.parametrize(
+    ("word", "expected"),
+    [("1", True), ("-.5e3", True), ("1.", True), ("nan", False), ("1_0", False), ("0x1", False), ("", False)],
+)
+def test_a_number_is_decimal(word: str, expected: bool) -> None:
+    assert is_number(word) is expected
+
+
+@pytest.mark.parametrize(("value", "text"), [(500.0, "500"), (0.004, "0.004"), (1e300, "1e+300"), (-0.5, "-0.5")])
+def test_numbers_are_written_short(value: float, text: str) -> None:
+    assert show_number(value) == text
+    assert float(text) == value
+
+
+def test_a_row_has_its_words_in_a_column() -> None:
+    assert row("NUMDOUBLEIN", "3") == "NUMDOUBLEIN 3\n"
+    assert row("FREQ", "1", "2") == "FREQ        1 2\n"
+    assert row("EOF") == "EOF\n"
+
+
+def test_a_text_is_made_to_fit_on_a_line() -> None:
+    assert one_line(" a \n\t b\x00c ") == "a b c"
+
+
+def test_a_long_text_is_shortened_in_messages() -> None:
+    assert len(show("x" * 500)) == 60

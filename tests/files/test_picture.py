@@ -1,0 +1,45 @@
+from onika.files.line import Reading
+from onika.files.picture import read, read_rows, write
+from onika.model.picture import SIZE, blank
+
+TEXT = write(blank())
+
+
+def found(text: str) -> list[str]:
+    _, faults = read(text, "start", "OnikaStart.dta")
+    return [f"{fault.place.line}: {fault.expected} / {fault.found} / {fault.instead}" for fault in faults]
+
+
+def test_a_picture_file_is_32_lines_of_32_digits() -> None:
+    assert TEXT.count("\n") == SIZE  # R-B05
+    assert read(TEXT, "start", "f") == (blank(), ())
+    assert read(TEXT.replace("\n", "\r\n") + "\n\n", "start", "f") == (blank(), ())
+
+
+def test_a_9_is_read_as_black_with_a_note() -> None:
+    text = TEXT.replace("8777", "8977", 1)  # decision 38
+    assert found(text) == ["2: colours from 0 to 8 / a 9 / it is read as black"]
+    picture, _ = read(text, "start", "f")
+    assert picture
+    assert picture.rows[1].startswith("8877")
+
+
+def test_a_coloured_border_is_read_as_black_with_one_note() -> None:
+    expected = ["2: a black border / another colour on it / the border is read as black"]
+    assert found(TEXT.replace("\n87", "\n07")) == expected  # R-B11
+
+
+def test_missing_and_wrong_rows_are_faults() -> None:
+    stands = "the shipped picture stands for start"
+    assert found("") == [f"0: 32 rows of a picture / 0 / {stands}"]
+    assert found(TEXT + TEXT) == [f"33: 32 rows of a picture / 64 / {stands}"]
+    assert len(found(TEXT.replace("8777", "x777", 3))) == 3
+    assert read(TEXT.replace("8777", "x777", 3), "start", "f")[0] is None
+
+
+def test_rows_of_icons_go_the_same_way() -> None:
+    reading = Reading("f", "")
+    rows = [(number + 5, row) for number, row in enumerate(blank().rows)]
+    assert read_rows(rows, 36, reading) == blank()
+    read_rows(rows[:-1], 36, reading)
+    assert [fault.place.line for fault in reading.faults] == [36]

@@ -1,0 +1,180 @@
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.files.rmod import RmodText, read, write
+from onika.model.task import LocalLine, Task, TaskType
+
+TEXT = """\
+##### joint path
+
+MODULE      quintic
+DESC        path of  fifth order
+
+SVARALIAS   JOINTS = NDOF
+SVARALIAS   OUT=Q_REF
+INCONST     JOINTS
+OUTCONST    none
+INVAR       Q_MEZ
+OUTVAR      OUT Q^_REF
+TASKTYPE    periodic
+
+FREQ        500
+
+ONIKA
+OBJECT      Joint job
+
+LOCAL
+QMIN        -2.8 -2.8    # these are words
+# a comment
+GAIN        1e3
+
+EOF
+"""
+TASK = Task(
+    name="jmove",
+    module="quintic",
+    description="path of fifth order",
+    aliases=(("JOINTS", "NDOF"), ("OUT", "Q_REF")),
+    inconst=("JOINTS",),
+    invar=("Q_MEZ",),
+    outvar=("OUT", "Q^_REF"),
+    type=TaskType.PERIODIC,
+    frequency=500.0,
+    object_type="Joint job",
+    local=(LocalLine("QMIN", ("-2.8", "-2.8", "#", "these", "are", "words")), LocalLine("GAIN", ("1e3",))),
+)
+
+
+def found(text: str) -> list[str]:
+    record, faults = read(text, "jmove", "jmove.rmod")
+    assert (record is None) == bool(faults)
+    assert all(fault.instead == "the task is left out" for fault in faults)
+    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in faults]
+
+
+def changed(old: str, new: str) -> list[str]:
+    assert old in TEXT
+    return found(TEXT.replace(old, new, 1))
+
+
+def test_a_task_is_read_as_the_file_says() -> None:
+    assert read(TEXT, "jmove", "jmove.rmod") == (RmodText(TASK, TEXT), ())  # R-B01
+
+
+def test_an_untouched_file_is_written_as_it_was() -> None:
+    for text in (TEXT, TEXT.replace("\n", "\r\n"), TEXT + "# after the end"):
+        record, _ = read(text, "jmove", "jmove.rmod")  # R-B01
+        assert record
+        assert write(record) == text
+
+
+def test_a_changed_rate_changes_one_line() -> None:
+    record, _ = read(TEXT, "jmove", "jmove.rmod")  # R-B01, R-C04
+    assert record
+    assert write(record, replace(TASK, frequency=250.0)) == TEXT.replace("FREQ        500", "FREQ        250")
+
+
+def test_a_changed_alias_changes_one_line() -> None:
+    record, _ = read(TEXT, "jmove", "jmove.rmod")  # R-C04
+    assert record
+    aliases = (("JOINTS", "NDOF"), ("OUT", "Q_GOAL"))
+    assert write(record, replace(TASK, aliases=aliases)) == TEXT.replace("OUT=Q_REF", "OUT = Q_GOAL")
+
+
+def test_a_rate_is_rewritten_as_period_when_wanted() -> None:
+    record, _ = read(TEXT, "jmove", "jmove.rmod")
+    assert record
+    assert write(record, replace(TASK, gives_period=True)) == TEXT.replace("FREQ        500", "PERIOD      0.002")
+
+
+def test_every_fault_is_named_at_once() -> None:
+    text = TEXT.replace("MODULE      ", "MODULE ./").replace("Q_MEZ", "q_mez").replace("FREQ        500", "FREQ -1")
+    assert found(text.replace("EOF\n", "")) == [  # R-B07
+        "3: the name of a module after MODULE / 'MODULE ./quintic'",
+        "10: names of state variables or none after INVAR / 'INVAR q_mez'",
+        "14: a number above 0 (Hz) after FREQ / 'FREQ -1'",
+        "22: EOF as the last line / the end of the file after 'GAIN 1e3'",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("Q_MEZ", "Q_MEZ Q_MEZ", "10: every name once / 'INVAR Q_MEZ Q_MEZ'"),
+        ("OUTCONST    none", "OUTCONST", "9: names of state variables or none after OUTCONST / 'OUTCONST'"),
+        (
+            "OUTCONST    none",
+            "OUTCONST X none",
+            "9: names of state variables or none after OUTCONST / 'OUTCONST X none'",
+        ),
+        ("OUTCONST    none", "OUTCONST NONE", "9: names of state variables or none after OUTCONST / 'OUTCONST NONE'"),
+        ("OUT=Q_REF", "OUT", "7: SVARALIAS CODED = SVAR with names of state variables / 'SVARALIAS OUT'"),
+        ("OUT=Q_REF", "JOINTS=N", "7: one alias of JOINTS / 'SVARALIAS JOINTS=N'"),
+        ("OUT=Q_REF", "NOWHERE=X", "7: an alias of a port of this task / 'SVARALIAS NOWHERE=X'"),
+        ("OUT=Q_REF", "OUT=Q^_REF", "11: one output for each variable / OUT and Q^_REF as Q^_REF"),
+        ("periodic", "aperiodic", "14: no FREQ and no PERIOD for an aperiodic task / 'FREQ 500'"),
+        ("periodic", "often", "12: periodic or synchronous or aperiodic after TASKTYPE / 'TASKTYPE often'"),
+        ("FREQ        500", "", "12: FREQ or PERIOD for a periodic task / neither"),
+        ("FREQ        500", "FREQ 500\nPERIOD 0.002", "15: either FREQ or PERIOD / both"),
+        ("FREQ        500", "FREQ 0", "14: a number above 0 (Hz) after FREQ / 'FREQ 0'"),
+        ("FREQ        500", "FREQ inf", "14: a number above 0 (Hz) after FREQ / 'FREQ inf'"),
+        ("FREQ        500", "FREQ 1e999", "14: a number above 0 (Hz) after FREQ / 'FREQ 1e999'"),
+        ("FREQ        500", "PERIOD nan", "14: a number above 0 (s) after PERIOD / 'PERIOD nan'"),
+        ("FREQ        500", "PERIOD 1e-310", "14: a period that is no fraction of nothing / 'PERIOD 1e-310'"),
+        ("ONIKA\n", "\n", "17: ONIKA before OBJECT / none"),
+        ("OBJECT      Joint job\n", "\n", "16: OBJECT after ONIKA / none"),
+        ("Joint job", "Joint object", "17: a type of job such as Joint job after OBJECT / 'OBJECT Joint object'"),
+        ("GAIN ", "?? ", "22: the name of a parameter / '?? 1e3'"),
+        ("GAIN ", "OBJECT ", "22: OBJECT before LOCAL / 'OBJECT 1e3'"),
+        ("LOCAL\n", "LOCAL x\n", "19: LOCAL alone on its line / 'LOCAL x'"),
+        ("DESC ", "DESK ", "4: DESC / 'DESK path of fifth order'"),
+    ],
+)
+def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
+    assert expected in changed(old, new)  # R-B07
+
+
+def test_the_order_of_lines_is_law() -> None:
+    text = TEXT.replace("MODULE      quintic\n", "").replace("TASKTYPE", "MODULE quintic\nTASKTYPE")
+    assert found(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # decision 41
+
+
+def test_a_port_line_may_give_an_aliased_name() -> None:
+    record, _ = read(TEXT.replace("INCONST     JOINTS", "INCONST NDOF"), "jmove", "f")  # decision 8
+    assert record
+    assert record.task == TASK
+
+
+def test_aliases_may_exchange_two_names() -> None:
+    text = TEXT.replace("JOINTS = NDOF", "Q_MEZ = N").replace("OUT=Q_REF", "N = Q_MEZ").replace("JOINTS", "N")
+    record, faults = read(text.replace("OUTVAR      OUT", "OUTVAR     "), "t", "f")  # R-C04
+    assert faults == ()
+    assert record
+    assert record.task.svars(("N", "Q_MEZ")) == ("Q_MEZ", "N")
+
+
+def test_onika_and_local_blocks_may_be_absent() -> None:
+    text = "MODULE m\nDESC\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE aperiodic\nEOF"
+    record, faults = read(text, "t", "f")
+    assert faults == ()
+    assert record
+    assert record.task == Task("t", "m", type=TaskType.APERIODIC)
+
+
+@pytest.mark.parametrize(("period", "frequency"), [("0.004", 250.0), ("0.1", 10.0), ("1e-3", 1000.0), ("3", 1 / 3)])
+def test_a_period_is_exactly_its_frequency(period: str, frequency: float) -> None:
+    record, _ = read(TEXT.replace("FREQ        500", f"PERIOD {period}"), "t", "f")
+    assert record
+    assert record.task.frequency == frequency
+
+
+@given(st.floats(1e-200, 1e200))
+@settings(max_examples=200, deadline=None)
+def test_every_rate_survives_being_written_as_period(frequency: float) -> None:
+    text = write(RmodText(replace(TASK, frequency=frequency, gives_period=True)))  # R-B08
+    record, _ = read(text, "jmove", "f")
+    assert record
+    assert record.task.frequency == frequency

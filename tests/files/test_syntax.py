@@ -1,0 +1,60 @@
+import pytest
+
+from onika.files.syntax import read, write
+from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
+from onika.words.value import ValueType
+
+SYNTAX = Syntax(
+    (
+        *(IconType(name, 0, 0) for name in SPECIAL_TYPES),
+        IconType("Joint job", 0, 7),
+        IconType(
+            "Joint object", 7, 0, (DataItem("end point", ValueType.DOUBLE, 6), DataItem("duration", ValueType.FLOAT, 1))
+        ),
+    ),
+    (Edge(0, (255, 0, 10), ((-5, 5), (5, 5))), Edge(7, (0, 0, 0), ())),
+)
+TEXT = write(SYNTAX)
+
+
+def found(text: str) -> list[str]:
+    syntax, faults = read(text, "the syntax", "OnikaUpperSetUp.dta")
+    assert (syntax is None) == bool(faults)
+    return [f"{fault.expected} / {fault.found}" for fault in faults]
+
+
+def test_a_syntax_is_read_and_written() -> None:
+    assert read(TEXT, "s", "f") == (SYNTAX, ())  # R-B05, R-D02
+    joint = "ONIKON      Joint object\nLEFTEDGE    7\nRIGHTEDGE   0\nVARNAME     end point\nDATATYPE    double\nNELEMS      6\n"
+    assert joint in TEXT
+    assert "EDGENUM     0\nRGB         255 0 10\nNUMVERTS    2\nVERTICES    -5 5 5 5\n" in TEXT
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("Joint job", "joint OBJECT", "every type once / 'Joint object' again"),
+        ("RIGHTEDGE   7", "RIGHTEDGE   9", "edges that are defined by EDGENUM / edge 9 of 'Joint job'"),
+        ("Complete NOP", "Other NOP", "the type Complete NOP / none"),
+        ("EDGENUM     7", "EDGENUM     0", "every edge once / edge 0 again"),
+        ("255 0 10", "256 0 10", "three numbers from 0 to 255 after RGB / 'RGB 256 0 10'"),
+        ("-5 5 5 5", "-5 5 5", "2 pairs of numbers after VERTICES / 'VERTICES -5 5 5'"),
+        ("Joint object", "Joint thing", "VARNAME only for a type of object / 'VARNAME end point'"),
+        ("DATATYPE    double", "DATATYPE    real", "'DATATYPE real'"),
+        ("NELEMS      6", "NELEMS      0", "a whole number of at least 1 after NELEMS / 'NELEMS 0'"),
+        ("NELEMS      6\n", "", "a line NELEMS / none"),
+        ("VARNAME     end point", "VARNAME", "the name of a data item after VARNAME / 'VARNAME'"),
+    ],
+)
+def test_what_is_wrong_is_named(old: str, new: str, expected: str) -> None:
+    assert any(fault.endswith(expected) for fault in found(TEXT.replace(old, new, 1)))  # R-B07
+
+
+def test_types_stand_before_edges() -> None:
+    text = TEXT.replace("EOF", "ONIKON x\nLEFTEDGE 0\nRIGHTEDGE 0\nEOF")
+    assert found(text) == ["every ONIKON before the first EDGENUM / 'ONIKON x'"]
+
+
+def test_comments_of_the_former_text_are_kept() -> None:
+    former = TEXT.replace("EDGENUM     7", "# red\nEDGENUM     7")
+    assert write(SYNTAX, former) == former
