@@ -116,7 +116,7 @@ def test_an_older_file_may_lack_type_and_markers() -> None:
     [
         ("parallel", "sideways", "3: parallel or conditional after APPLTYPE / 'APPLTYPE sideways'"),
         ("FLOW\n", "\n", "7: FLOW / 'ROUTINE grip'"),
-        ("ENDFLOW\n", "\n", "158: ENDFLOW before the next FLOW / 'FLOW'"),
+        ("ENDFLOW\n", "\n", "126: ENDFLOW before the next FLOW / 'FLOW'"),
         ("FLOW\n", "FLOW x\n", "5: FLOW alone on its line / 'FLOW x'"),
         ("MARKER      no", "MARKER maybe", "8: yes or no after MARKER / 'MARKER maybe'"),
         ("ROUTINE     grip", "ROUTINE a b", "7: the name of an icon after ROUTINE / 'ROUTINE a b'"),

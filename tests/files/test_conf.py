@@ -59,6 +59,11 @@ def test_an_older_file_has_defaults_for_what_it_lacks() -> None:
     assert faults == ()
 
 
+def test_a_configuration_may_be_empty() -> None:
+    assert read("EOF", "c", "f") == (Configuration("c"), ())
+    assert read(write(Configuration("c")), "c", "f") == (Configuration("c"), ())
+
+
 @pytest.mark.parametrize(
     ("old", "new", "expected"),
     [

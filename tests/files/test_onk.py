@@ -11,8 +11,10 @@ TEXT = write(ONIKON)
 
 
 def test_an_onikon_is_read_and_written() -> None:
-    head = "VERSION     1.3\n\nONIKON      Joint object\nDESC        where it rests\nUI          0.5 -1.0\nUI          2.0\n"
-    assert TEXT.startswith(head + "PICT        88888888888888888888888888888888\n")  # R-B03
+    head = "VERSION     1.3\n\nONIKON      Joint object\nDESC        where it rests\n"
+    assert TEXT.startswith(
+        head + "UI          0.5 -1.0\nUI          2.0\nPICT        88888888888888888888888888888888\n"
+    )  # R-B03
     assert read(TEXT, "home", "home.onk", SYNTAX) == (ONIKON, ())
 
 

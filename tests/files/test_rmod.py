@@ -156,6 +156,10 @@ def test_aliases_may_exchange_two_names() -> None:
     assert record.task.svars(("N", "Q_MEZ")) == ("Q_MEZ", "N")
 
 
+def test_a_file_with_nothing_but_eof_is_no_task() -> None:
+    assert found("EOF")[0] == "1: a line MODULE / none"
+
+
 def test_onika_and_local_blocks_may_be_absent() -> None:
     text = "MODULE m\nDESC\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE aperiodic\nEOF"
     record, faults = read(text, "t", "f")

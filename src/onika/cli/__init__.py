@@ -19,7 +19,8 @@ def main(words: list[str] | None = None) -> int:
         command.describe(commands.add_parser(name, help=text, description=text.capitalize() + "."))
     given = parser.parse_args(words)
     try:
-        return _COMMANDS[given.command].carry_out(given)
+        code: int = _COMMANDS[given.command].carry_out(given)
+        return code
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130

@@ -43,7 +43,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
     """
     reading = Reading(place_file, "the application is left out")
     reading.open_versioned(text)
-    if reading.refused or not reading.lines:
+    if reading.is_over:
         return None, reading.faults
     head, *blocks = split(reading.lines, {*_ALONE, "ROUTINE"})
     found = reading.arrange(head, _HEAD)
@@ -51,7 +51,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
     is_parallel = reading.choice(found["APPLTYPE"][0] if found["APPLTYPE"] else None, kinds, default=False)
     flows = tuple(_flow(steps, syntax, reading) for steps in _flows(blocks, syntax, reading))
     if not flows:
-        reading.fault(reading.lines[-1].number, "at least one FLOW", "none")
+        reading.fault(reading.end, "at least one FLOW", "none")
     return (None if reading.broken else Application(name, is_parallel, flows)), reading.faults
 
 

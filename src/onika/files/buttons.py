@@ -20,8 +20,8 @@ def read(text: str, name: str, place_file: str) -> tuple[tuple[Button, ...] | No
     """The buttons of a text, all or none; `name` completes the form of all formats."""
     reading = Reading(place_file, f"no button of {name} is made")
     reading.open_versioned(text)
-    if reading.refused or not reading.lines:
-        return (None if reading.broken else ()), reading.faults
+    if reading.is_over:
+        return None, reading.faults
     lines = [Line(at.number, _SPAWN, at.rest) if at.keyword == "SPAWNTTY" else at for at in reading.lines]
     head, *blocks = split(lines, {"BUTTON"})
     reading.arrange(head, _HEAD)

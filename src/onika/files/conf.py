@@ -32,7 +32,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, t
     """The configuration `name` (no ending) of a text; with any fault it is left out."""
     reading = Reading(place_file, "the configuration is left out")
     reading.open_versioned(text)
-    if reading.refused or not reading.lines:
+    if reading.is_over:
         return None, reading.faults
     head, *blocks = split(reading.lines, {"RMODFILE", "LOCUS"})
     reading.arrange(head, _HEAD)

@@ -65,16 +65,17 @@ class Slot:
 class Reading:
     """One text on its way to a model: its lines up to EOF and the faults found so far.
 
-    `broken` tells that nothing may be made of it, `refused` that it comes from a newer version, `is_old` that lines
-    may be lacking.
+    `broken` tells that nothing may be made of it, `is_over` that there is nothing more to find, as it is empty or of
+    a newer version, `is_old` that lines may be lacking. `end` is the number of the line with EOF, or else the last.
     """
 
     def __init__(self, file: str, instead: str) -> None:
         self.file = file
         self.instead = instead
         self.broken = False
-        self.refused = False
+        self.is_over = False
         self.is_old = False
+        self.end = 0
         self.lines: list[Line] = []
         self._faults: list[Fault] = []
 
@@ -99,12 +100,14 @@ class Reading:
         self.lines = _content(text, self)
         if not self.lines:
             self.fault(0, "lines with keywords and EOF", "an empty file")
+            self.is_over = True
             return
+        self.end = self.lines[-1].number
         end = next((at for at, line in enumerate(self.lines) if line.keyword == "EOF"), None)
         if end is None:
-            last = self.lines[-1]
-            self.fault(last.number, "EOF as the last line", f"the end of the file after {last}")
+            self.fault(self.end, "EOF as the last line", f"the end of the file after {self.lines[-1]}")
             return
+        self.end = self.lines[end].number
         self.bare(self.lines[end])
         for line in self.lines[end + 1 :]:
             self.fault(line.number, "nothing after EOF", str(line))
@@ -125,7 +128,7 @@ class Reading:
         if version > current:
             self._faults.clear()
             self.fault(line.number, f"a file of version {VERSION} or older", f"version {line.rest}, which is newer")
-            self.refused = True
+            self.is_over = True
 
     def arrange(self, block: Sequence[Line], slots: Sequence[Slot]) -> Mapping[str, list[Line]]:
         """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is."""
@@ -135,7 +138,7 @@ class Reading:
         for line in block:
             place = places.get(line.keyword)
             if place is None:
-                self.fault(line.number, _expected(slots, reached), str(line))
+                self.fault(line.number, self._expected(slots, reached), str(line))
             elif found[line.keyword] and not slots[place].many:
                 self.fault(line.number, f"{line.keyword} once", f"{line} again")
             else:
@@ -146,13 +149,24 @@ class Reading:
         self._check_missing(block, slots, found)
         return found
 
+    def _expected(self, slots: Sequence[Slot], reached: int) -> str:
+        """The keywords that may come after slot `reached`, up to the first that must."""
+        names = [slots[reached].keyword] if reached >= 0 and slots[reached].many else []
+        for slot in slots[reached + 1 :]:
+            names.append(slot.keyword)
+            if self._needs(slot):
+                break
+        return " or ".join(names) if names else "no more lines here"
+
+    def _needs(self, slot: Slot) -> bool:
+        return slot.need is Need.ALWAYS or (slot.need is Need.SINCE_1_3 and not self.is_old)
+
     def _check_missing(self, block: Sequence[Line], slots: Sequence[Slot], found: Mapping[str, list[Line]]) -> None:
         later = {slot.keyword: place for place, slot in enumerate(slots)}
         for place, slot in enumerate(slots):
-            needed = slot.need is Need.ALWAYS or (slot.need is Need.SINCE_1_3 and not self.is_old)
-            if needed and not found[slot.keyword]:
+            if self._needs(slot) and not found[slot.keyword]:
                 after = [line.number for line in block if later.get(line.keyword, -1) > place]
-                number = after[0] if after else (block[-1].number if block else 0)
+                number = after[0] if after else (block[-1].number if block else self.end)
                 self.fault(number, f"a line {slot.keyword}", "none")
 
     # -- the words of one line; each gives `default` where the line is missing or wrong
@@ -259,13 +273,3 @@ def _parts(version: str) -> tuple[int, ...]:
     while parts and parts[-1] == 0:
         parts.pop()
     return tuple(parts)
-
-
-def _expected(slots: Sequence[Slot], reached: int) -> str:
-    """The keywords that may come after slot `reached`, up to the first that must."""
-    names = [slots[reached].keyword] if reached >= 0 and slots[reached].many else []
-    for slot in slots[reached + 1 :]:
-        names.append(slot.keyword)
-        if slot.need is Need.ALWAYS:
-            break
-    return " or ".join(names) if names else "no more lines here"

@@ -19,7 +19,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
     """
     reading = Reading(place_file, "the icon is left out")
     reading.open_versioned(text)
-    if reading.refused or not reading.lines:
+    if reading.is_over:
         return None, reading.faults
     found = reading.arrange(reading.lines, _SLOTS)
     onikon = read_icon(name, found, syntax, reading)

@@ -23,7 +23,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Preferences, tuple[Faul
     """
     reading = Reading(place_file, f"the defaults stand for what is wrong in {name}")
     reading.open_versioned(text)
-    if reading.refused:
+    if reading.is_over:
         return Preferences(), reading.faults
     lines = [Line(at.number, "STEPSIZE", at.rest) if at.keyword == "STEPWISE" else at for at in reading.lines]
     line = {key: found[0] if found else None for key, found in reading.arrange(lines, _SLOTS).items()}

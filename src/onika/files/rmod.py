@@ -50,10 +50,10 @@ def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[
     """The task `name` (no ending) of a text; with any fault the task is left out. `place_file` names the file."""
     reading = Reading(place_file, "the task is left out")
     reading.open(text)
-    head = next((at for at, line in enumerate(reading.lines) if line.keyword == "LOCAL"), len(reading.lines))
-    found = reading.arrange(reading.lines[: head + 1], _SLOTS) if reading.lines else {}
-    if not found:
+    if reading.is_over:
         return None, reading.faults
+    head = next((at for at, line in enumerate(reading.lines) if line.keyword == "LOCAL"), len(reading.lines))
+    found = reading.arrange(reading.lines[: head + 1], _SLOTS)
     aliases = _aliases(found["SVARALIAS"], reading)
     ports = _ports(found, aliases, reading)
     kind = reading.choice(_first(found["TASKTYPE"]), {kind.value: kind for kind in TaskType}, TaskType.APERIODIC)

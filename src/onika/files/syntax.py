@@ -23,7 +23,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fa
     """The syntax of a text, whole or not at all; `name` completes the form of all formats."""
     reading = Reading(place_file, f"{name} is left out")
     reading.open_versioned(text)
-    if reading.refused or not reading.lines:
+    if reading.is_over:
         return None, reading.faults
     head, *blocks = split(reading.lines, {"ONIKON", "EDGENUM"})
     reading.arrange(head, _HEAD)
@@ -126,7 +126,7 @@ def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading
             reading.fault(number, "edges that are defined by EDGENUM", f"edge {edge} of {show(kind.name)}")
     for name in SPECIAL_TYPES:
         if name.lower() not in seen:
-            reading.fault(reading.lines[-1].number, f"the type {name}", "none")
+            reading.fault(reading.end, f"the type {name}", "none")
 
 
 def _check_edges(edges: Sequence[tuple[int, Edge]], reading: Reading) -> None:

@@ -196,7 +196,7 @@ def _shapeless(wired: Sequence[WiredTask], constants: Mapping[str, Any]) -> list
     return [
         Fault(
             Place(one.task.place),
-            f"{name} from the classmethod `constants` of module {one.task.module}, as {port.svar} {port.shape} needs it",
+            f"{name} from `constants` of module {one.task.module}, as {port.svar} {port.shape} needs it",
             "none",
             NOT_RUN,
         )

@@ -1,6 +1,7 @@
 """The wall driver: RTPUs and the device server as processes, the runner between them, in wall time (law 30)."""
 
 import select
+from collections import deque
 from collections.abc import Callable, Sequence
 from time import monotonic_ns
 
@@ -10,7 +11,7 @@ from onika.host.supervisor import Supervised, Supervisor
 from onika.host.worlds import split
 from onika.ring.device import Drive
 from onika.ring.segment import Segment
-from onika.runtime import command
+from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE
 from onika.wire import event
 
@@ -30,7 +31,8 @@ class WallDriver:
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
         self._runner: Runner | None = None
-        self._answers: list[device_server.Word] = []
+        self._answers: deque[device_server.Word] = deque()
+        self._heard: deque[tuple[str, news.News]] = deque()
         self.granted: dict[str, dict[str, bool]] = {}
         self._devices = self._supervisor.launch(DEVICES, "onika.host.device_server")
         self._rtpus = {
@@ -103,6 +105,9 @@ class WallDriver:
     def look_after(self) -> None:
         """Take in what the processes say; end those that fail."""
         self._receive()
+        while self._heard and self._runner is not None:
+            name, heard = self._heard.popleft()
+            self._runner.hear(name, heard, self.now)
         for one, reason in self._supervisor.troubles():
             self._lost(one, reason)
 
@@ -153,12 +158,12 @@ class WallDriver:
                 else:
                     self._news(one, rtpu.decode_news(received[0]))
 
-    def _news(self, one: Supervised, heard: object) -> None:
+    def _news(self, one: Supervised, heard: rtpu.Ready | news.News) -> None:
         if isinstance(heard, rtpu.Ready):
             one.is_up = True
             self.granted[one.name] = heard.granted
-        elif self._runner is not None:
-            self._runner.hear(one.name, heard, self.now)  # type: ignore[arg-type]
+        else:
+            self._heard.append((one.name, heard))  # heard by the runner in its turn, never in the midst of an order
 
     def _word(self, word: device_server.Word) -> None:
         match word:
@@ -210,7 +215,7 @@ class WallDriver:
 
     def _answer_of_devices(self) -> device_server.Word:
         self._await(lambda: bool(self._answers), "the device server to answer")
-        return self._answers.pop(0)
+        return self._answers.popleft()
 
     def _await(self, is_done: Callable[[], bool], what: str) -> None:
         """Serve the posts until something is there; raises ValueError when it does not come."""
@@ -219,4 +224,7 @@ class WallDriver:
             if monotonic_ns() > until or self._devices.is_lost:
                 raise ValueError(f"waited {_PATIENCE_S:g} s for {what}")
             select.select([one.post for one in self.posts()], [], [], 0.02)
-            self.look_after()
+            self._receive()
+            failed = next((one for one in self._supervisor.processes.values() if one.process.poll() is not None), None)
+            if failed is not None:
+                raise ValueError(f"{failed.name} ended while waiting for {what}")

@@ -96,7 +96,7 @@ class PumaInverse:
         square = wx * wx + wy * wy - side * side
         if not square >= -_ROUNDING:
             radius = math.hypot(wx, wy)
-            return f"out of reach: the wrist would be {radius:.3f} m from the axis of joint 1, nearest is {abs(side):.3f} m"
+            return f"out of reach: the wrist would be {radius:.3f} m from joint 1's axis, nearest is {abs(side):.3f} m"
         forward, down = math.sqrt(max(square, 0.0)), self._d1 - wz
         along = (forward * forward + down * down - upper * upper - lower * lower) / (2.0 * upper)
         if not abs(along) <= lower * (1.0 + _ROUNDING):

@@ -8,7 +8,6 @@ The module lives in the same executive as on an RTPU, so the law of the cycle ho
 the table's other users, time and the device.
 """
 
-import inspect
 import weakref
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -36,7 +35,7 @@ _SECOND = 1_000_000_000
 
 
 class Bench:
-    """One module under test; `module` is its file, or its class if that is the only module of its file.
+    """One module under test, by its file. Raises ValueError for a file that is no module and for bad LOCAL lines.
 
     `frequency` in Hz (None: aperiodic), `local` the LOCAL lines by name, `constants` the INCONSTs by name and whatever
     shapes need. Inputs are set and outputs read by index: `bench["Q_MEZ"] = [0.0] * 6`. Calls chain.
@@ -44,7 +43,7 @@ class Bench:
 
     def __init__(
         self,
-        module: str | Path | type[Module],
+        file: str | Path,
         *,
         frequency: float | None = 100.0,
         local: Mapping[str, object] | None = None,
@@ -52,7 +51,7 @@ class Bench:
         device: BenchDevice | None = None,
         seed: int = 0,
     ) -> None:
-        self.path = Path(inspect.getfile(module) if isinstance(module, type) else module)
+        self.path = Path(file)
         self.now_ns = 0
         self.cycles = 0
         self.news: list[news.News] = []

@@ -6,6 +6,7 @@ at the same places on its top. The last box carries the lamp.
 
 import math
 from dataclasses import dataclass
+from itertools import pairwise
 
 from onika.workcell.part import THINGS, Part
 
@@ -92,16 +93,16 @@ class Box:
         return f'<geom {slab} material="blue"/>{feet}{top}{_signs(self.sign)}'
 
     def _drawn_patches(self, height: float) -> str:
+        places = (f"{i * FEET_M[0]} {j * FEET_M[1]} {height}" for _, i, j in METAL)
         return "".join(
-            f'<geom type="cylinder" size="{PATCH_M} 0.0006" pos="{i * FEET_M[0]} {j * FEET_M[1]} {height}" material="brass"/>'
-            for _, i, j in METAL
+            f'<geom type="cylinder" size="{PATCH_M} 0.0006" pos="{place}" material="brass"/>' for place in places
         )
 
     def _drawn_lamp(self, height: float) -> str:
         return (
             f'<geom type="cylinder" size="0.011 0.003" pos="0 0 {height + 0.003}" material="dark"/>'
             f'<geom name="lamp" type="ellipsoid" size="0.009 0.009 0.014" pos="0 0 {height + 0.008}" material="glass"/>'
-            f'{"".join(self._glow(k, height + 0.011) for k in range(GLOWS))}'
+            f"{''.join(self._glow(k, height + 0.011) for k in range(GLOWS))}"
             f'<light name="lamp" pos="0 0 {height + 0.03}" dir="0 0 -1" cutoff="180" active="false" castshadow="false" '
             f'attenuation="0.4 6 60" diffuse="1 0.78 0.3" specular="0.3 0.25 0.1" ambient="0 0 0"/>'
         )
@@ -151,5 +152,5 @@ def _on_face(
     ]
     return "".join(
         f'<geom type="capsule" size="{_STROKE_M}" fromto="{one} {two}" material="white"/>'
-        for one, two in zip(points, points[1:], strict=False)
+        for one, two in pairwise(points)
     )

@@ -1,6 +1,6 @@
 """The world of the box assembly: four boxes on a table, up to two arms, and a lamp that lights by touch (§6.2)."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 
 import mujoco
 import numpy as np
@@ -9,27 +9,17 @@ from mujoco import mj_step
 
 from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet, DriveEvent, Order
-from onika.workcell.box import SIGNS, Box
-from onika.workcell.drive import Happening, Mode, happening_of
-from onika.workcell.gripper import Gripper
-from onika.workcell.paint import paints
-from onika.workcell.part import ARMS, STEP_S, Part, document
+from onika.workcell import layout
+from onika.workcell.arm_unit import ArmUnit
+from onika.workcell.drive import NEVER_NS, Happening, Mode, happening_of
+from onika.workcell.gripper_unit import GripperUnit
+from onika.workcell.lamp_unit import LampUnit
+from onika.workcell.layout import SIDES, base
+from onika.workcell.part import STEP_S
 from onika.workcell.plant import Plant
-from onika.workcell.puma import arm
 from onika.workcell.scene import Shape3d, shapes
 from onika.workcell.snapshot import Snapshot, encode
-from onika.workcell.table import TOP_M, floor, table
-from onika.workcell.unit import NOBODY, ArmUnit, GripperUnit, LampUnit, Unit
-from onika.workcell.view import LOOK, view
-
-LAYOUT_M = {"waves": (0.70, 0.0), "triangle": (0.70, 0.28), "square": (0.70, -0.28), "cross": (0.50, -0.18)}
-"""Where the boxes stand at the start, x and y in the world."""
-
-SIDES = ("left", "right")
-"""The arms: the left one's frame 0 is the world's, the right one faces it across the table."""
-
-RIGHT_BASE_M = 1.25
-"""Distance between the arms along x; both reach all boxes and their places in the stack."""
+from onika.workcell.unit import Unit
 
 _SENSE_NS = 10_000_000  # how often touch is felt: at the pads of hands and in the lamp's circuit
 _DRIVE = int(Order.DRIVE)  # plain numbers compare quicker than names
@@ -38,27 +28,24 @@ _DRIVE = int(Order.DRIVE)  # plain numbers compare quicker than names
 class BoxesWorld:
     """The physical world, in steps of 2 ms of its own time; devices are claimed, commanded and read by name.
 
-    `offsets_m` moves each box by a random offset within plus or minus that much on x and y, drawn from `seed`. An arm is
-    part of the world from the first claim of it or of its gripper on.
+    `offsets_m` moves each box by up to plus or minus that much on x and y, drawn from `seed`. An arm is part of the
+    world from the first claim of it or of its gripper on.
     """
 
     step_ns = round(STEP_S * 1e9)
 
     def __init__(self, seed: int = 0, offsets_m: float = 0.0) -> None:
-        moved = np.random.default_rng(seed).uniform(-offsets_m, offsets_m, (len(SIGNS), 2)).tolist()
-        self._boxes = [
-            Box(sign, LAYOUT_M[sign][0] + dx, LAYOUT_M[sign][1] + dy, TOP_M)
-            for sign, (dx, dy) in zip(SIGNS, moved, strict=True)
-        ]
+        self._boxes = layout.boxes(seed, offsets_m)
         self.now_ns = 0
         self._lamp = LampUnit()
-        arms: list[Unit] = [unit for side in SIDES for unit in (ArmUnit(side, _base(side)), GripperUnit(side))]
+        arms: list[Unit] = [unit for side in SIDES for unit in (ArmUnit(side, base(side)), GripperUnit(side))]
         self._units: dict[str, Unit] = {unit.sheet.name: unit for unit in (*arms, self._lamp)}
         self._sides: tuple[str, ...] = ()
         self._fenced: set[int] = set()
         self._events: list[DriveEvent] = []
         self._sense_ns = 0
-        self._plant = Plant(self._text(drawn=False))
+        self._due_ns = NEVER_NS
+        self._plant = Plant(layout.text(self._boxes, self._sides, drawn=False))
         self._bind()
 
     def devices(self) -> tuple[DeviceSheet, ...]:
@@ -68,10 +55,10 @@ class BoxesWorld:
     def claim(self, device: str, epoch: int) -> DeviceSheet:
         """Give the device to the writer `epoch`; raises ValueError for one unknown or taken, and for a dead writer."""
         unit = self._unit(device)
-        if unit.epoch != NOBODY:
+        if unit.epoch is not None:
             raise ValueError(f"expected a free device, found {device!r} claimed already")
-        if epoch < 0 or epoch in self._fenced:
-            raise ValueError(f"expected a living writer's epoch of 0 or more, found {epoch}")
+        if epoch in self._fenced:
+            raise ValueError(f"expected a living writer, found epoch {epoch}, which died")
         if unit.side and unit.side not in self._sides:
             self._add(unit.side)
         unit.epoch, unit.drive.last_ns = epoch, -1
@@ -80,30 +67,31 @@ class BoxesWorld:
     def release(self, device: str, epoch: int) -> None:
         """Put the device into hold and free the claim; another writer's wish changes nothing."""
         unit = self._unit(device)
-        if unit.epoch == epoch and epoch != NOBODY:
+        if unit.epoch == epoch:
             self._feed(unit, Happening.RELEASE)
-            unit.epoch = NOBODY
+            unit.epoch = None
 
     def fence(self, epoch: int) -> None:
         """The writer `epoch` died: its devices trip and are free to be claimed; what it still sends is ignored."""
         self._fenced.add(epoch)
         for unit in self._units.values():
-            if unit.epoch == epoch and epoch != NOBODY:
+            if unit.epoch == epoch:
                 self._feed(unit, Happening.FENCE)
-                unit.epoch = NOBODY
+                unit.epoch = None
 
     def command(self, device: str, epoch: int, order: int, values: Sequence[float] | Array) -> None:
         """A fresh command, which acts from the next step on; one from a writer without the claim is ignored.
 
         `values` are as the device's sheet says and are used with Order.DRIVE alone: doubles in an array or memoryview
-        (quickest), a list or a tuple. Raises ValueError for a wrong number of values or an unknown order.
+        (quickest), a list or a tuple. Raises ValueError for a wrong number of values, an unknown order or a device that
+        takes none, KeyError for an unknown device.
         """
         unit = self._units[device]
         if epoch == unit.follows and order == _DRIVE:
             unit.drive.last_ns = self.now_ns
             if not unit.follow(values):
                 self._feed(unit, Happening.UNSOUND)
-        elif epoch == unit.epoch and epoch != NOBODY:
+        elif epoch == unit.epoch:
             self._obey(unit, order, values)
 
     def step(self, until_ns: int) -> None:
@@ -157,7 +145,7 @@ class BoxesWorld:
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when an arm is added."""
-        return shapes(Plant(self._text(drawn=True)))
+        return shapes(Plant(layout.text(self._boxes, self._sides, drawn=True)))
 
     def poses(self) -> npt.NDArray[np.float32]:
         """Place (m) and quaternion (w, x, y, z) of each body, float32[bodies,7]."""
@@ -166,11 +154,14 @@ class BoxesWorld:
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
         qpos = tuple(self._plant.data.qpos.tolist())
-        return encode(Snapshot(self._text(drawn=True), qpos, self.now_ns * 1e-9, self._lamp.lit))
+        return encode(
+            Snapshot(layout.text(self._boxes, self._sides, drawn=True), qpos, self.now_ns * 1e-9, self._lamp.lit)
+        )
 
     def fingerprint(self) -> bytes:
         """Time, positions and speeds, byte for byte: equal runs have equal fingerprints."""
-        return self.now_ns.to_bytes(8, "little") + self._plant.data.qpos.tobytes() + self._plant.data.qvel.tobytes()
+        data = self._plant.data
+        return b"".join((self.now_ns.to_bytes(8, "little"), data.qpos.tobytes(), data.qvel.tobytes()))
 
     def _unit(self, device: str) -> Unit:
         unit = self._units.get(device)
@@ -180,7 +171,11 @@ class BoxesWorld:
 
     def _obey(self, unit: Unit, order: int, values: Sequence[float] | Array) -> None:
         """A command that may change the drive's mode."""
+        if not unit.count:
+            raise ValueError(f"expected a device that takes commands, found {unit.sheet.name!r}")
         happening = happening_of(order)
+        if happening is Happening.DRIVE and len(values) != unit.count:
+            raise ValueError(f"expected {unit.count} values for {unit.sheet.name!r}, found {len(values)}")
         if happening is Happening.DRIVE and not np.isfinite(values).all():
             happening = Happening.UNSOUND
         self._feed(unit, happening)
@@ -210,14 +205,14 @@ class BoxesWorld:
             last = max(self.now_ns - self.step_ns, 0)
             event = DriveEvent(unit.sheet.name, int(after), self.now_ns, last, unit.drive.last_ns, happening.value)
             self._events.append(event)
-        unit.follows = unit.epoch if unit.drive.mode is Mode.DRIVEN else NOBODY
+        unit.follows = unit.epoch if unit.drive.mode is Mode.DRIVEN else None
         self._holding = [one for one in self._present if one.holds and one.drive.mode is not Mode.DRIVEN]
 
     def _add(self, side: str) -> None:
         """One more arm, between two steps: compile anew, then everything takes its state back by name."""
         before = self._plant
         self._sides = tuple(one for one in SIDES if one == side or one in self._sides)
-        self._plant = Plant(self._text(drawn=False))
+        self._plant = Plant(layout.text(self._boxes, self._sides, drawn=False))
         self._bind()
         for unit in self._present:
             if unit.side == side:
@@ -242,26 +237,3 @@ class BoxesWorld:
     def _publish(self) -> None:
         for unit in self._present:
             unit.refresh(self.now_ns * 1e-9)
-
-    def _text(self, drawn: bool) -> str:
-        return document("boxes", self._parts(drawn), LOOK if drawn else "")
-
-    def _parts(self, drawn: bool) -> Iterator[Part]:
-        if drawn:
-            yield paints()
-            yield view(len(self._sides))
-        yield floor(drawn)
-        yield table(drawn)
-        for box in self._boxes:
-            yield box.part(drawn)
-        for side in self._sides:
-            yield arm(f"arm_{side}", _base(side), ARMS[SIDES.index(side)], Gripper(f"gripper_{side}"), drawn)
-
-
-def _base(side: str) -> Array:
-    """Frame 0 of an arm in the world."""
-    pose = np.eye(4)
-    if side == "right":
-        pose[:2, :2] *= -1.0
-        pose[0, 3] = RIGHT_BASE_M
-    return pose

@@ -34,7 +34,8 @@ def paints() -> Part:
     return Part(
         assets=_TILES
         + "".join(
-            f'<material name="{name}"{_EXTRA.get(name, "")} rgba="{" ".join(map(str, rgba))}" specular="{specular}" shininess="{shine}"/>'
+            f'<material name="{name}" rgba="{" ".join(map(str, rgba))}" specular="{specular}" shininess="{shine}"'
+            f"{_EXTRA.get(name, '')}/>"
             for name, (rgba, specular, shine) in _PAINTS.items()
         )
     )

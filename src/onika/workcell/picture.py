@@ -77,7 +77,7 @@ def draw(snapshot: Snapshot, size: tuple[int, int] = SIZE) -> Pixels:
 
 
 def png(pixels: Pixels) -> bytes:
-    """A PNG file of uint8[height,width,3] (RFC 2083), each line as its difference to the one above, which packs well."""
+    """A PNG file of uint8[height,width,3] (RFC 2083), each line as its difference to the one above."""
     height, width, _ = pixels.shape
     lines = pixels.reshape(height, width * 3)
     rows = np.empty((height, 1 + width * 3), dtype=np.uint8)

@@ -65,7 +65,7 @@ class Plant:
         mujoco.mj_fwdVelocity(self.model, self.data)
 
     def sense(self) -> None:
-        """Let the touch sensors feel the contacts of the last step; until the next one `sensordata` holds their forces."""
+        """Let the touch sensors feel the contacts of the last step; read `sensordata` before the next one."""
         self._option.disableflags = _FEELING
         mujoco.mj_sensorAcc(self.model, self.data)
         self._option.disableflags = _NUMB

@@ -26,18 +26,12 @@ def table(drawn: bool) -> Part:
 
 
 def _drawn_legs() -> str:
-    half = (TOP_M - 2 * _THICK + SHOULDER_M) / 2
-    z = -SHOULDER_M + half
-    legs = "".join(
-        f'<geom type="box" size="0.022 0.022 {half}" pos="{_MIDDLE + i * 0.31} {j * 0.46} {z}" material="wood_dark"/>'
-        for i in (-1, 1)
-        for j in (-1, 1)
+    under = TOP_M - 2 * _THICK
+    half = (under + SHOULDER_M) / 2
+    shapes = [(0.022, 0.022, half, i * 0.31, j * 0.46, under - half) for i in (-1, 1) for j in (-1, 1)]
+    shapes += [(0.31, 0.012, 0.03, 0.0, j * 0.46, under - 0.03) for j in (-1, 1)]
+    shapes += [(0.012, 0.46, 0.03, i * 0.31, 0.0, under - 0.03) for i in (-1, 1)]
+    return "".join(
+        f'<geom type="box" size="{wide} {deep} {high}" pos="{_MIDDLE + x} {y} {z}" material="wood_dark"/>'
+        for wide, deep, high, x, y, z in shapes
     )
-    rails = "".join(
-        f'<geom type="box" size="0.31 0.012 0.03" pos="{_MIDDLE} {j * 0.46} {TOP_M - 2 * _THICK - 0.03}" material="wood_dark"/>'
-        for j in (-1, 1)
-    ) + "".join(
-        f'<geom type="box" size="0.012 0.46 0.03" pos="{_MIDDLE + i * 0.31} 0 {TOP_M - 2 * _THICK - 0.03}" material="wood_dark"/>'
-        for i in (-1, 1)
-    )
-    return legs + rails

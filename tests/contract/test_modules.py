@@ -1,0 +1,213 @@
+"""One rule, all modules: the docstring is the class is the `.rmod`; a thousand cycles; errors reach the module."""
+
+import ast
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from onika.files import rmod
+from onika.laws import puma560
+from onika.model.lifecycle import State
+from onika.runtime.sheet import differences, sheet_of
+from onika.testing.bench import Bench
+from onika.testing.bench_device import BenchDevice
+from onika.words.fault import Place
+from onika.workcell.boxes import BoxesWorld
+
+LABS = Path(__file__).parents[2] / "src" / "onika" / "labs"
+TASKS = sorted(LABS.glob("*/module/*.rmod"))
+MODULES = sorted(LABS.glob("*/module/*.py"))
+ALLOWED = sys.stdlib_module_names | {"numpy"}
+KNOWN = {
+    "NDOF": puma560.NDOF,
+    "DH": puma560.DH,
+    "DYN": puma560.DYN,
+    "LOAD": puma560.LOAD,
+    "QMIN": puma560.QMIN,
+    "QMAX": puma560.QMAX,
+    "Q^_MAX": puma560.QDMAX,
+    "TAUMAX": puma560.TAUMAX,
+    "KP": puma560.KP,
+    "KD": puma560.KD,
+    "BASE": np.eye(4),
+    "TOOL": puma560.TOOL,
+}
+"""Constants of a real robot; a module with other ones must be given them here."""
+
+LINES = {"ctraj": "0 0 -1 0 1 0 0.7 0 -0.2 1"}
+"""Argument lines of modules that random numbers within bounds do not satisfy."""
+
+
+def name(path):
+    return f"{path.parts[-3]}-{path.stem}"
+
+
+def task_of(path):
+    record, faults = rmod.read(path.read_text(), path.stem, str(path))
+    assert record is not None, faults
+    return record.task
+
+
+def device_of(task):
+    """A stand-in for the device that the task names."""
+    named = next((line.words[0] for line in task.local if line.key == "DEVICE"), None)
+    if named is None:
+        return None
+    sheet = next(one for one in BoxesWorld().devices() if f"boxes:{one.name}" == named)
+    return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
+
+
+def bench_of(path):
+    task = task_of(path)
+    device = device_of(task)
+    local = {line.key: line.words for line in task.local if line.key != "DEVICE"}
+    code = path.with_name(f"{task.module}.py")
+    return Bench(code, frequency=task.frequency, local=local, constants=KNOWN, device=device), device
+
+
+def argument_line(bench, module, rng):
+    """Random values within the bounds of all inputs."""
+    items = bench.task.input.items if bench.task.input else ()
+    words = [
+        rng.uniform(-1.0 if item.low is None else item.low[k], 1.0 if item.high is None else item.high[k])
+        for item in items
+        for k in range(item.count)
+    ]
+    return LINES.get(module, " ".join(map(repr, words)))
+
+
+def feed(bench, device, rng):
+    """Random finite values for everything that the module reads at a cycle."""
+    for attribute, declared in bench.cls.declared_ports.items():
+        port = declared.port(attribute)
+        shape = bench.table.entries[port.name].shape
+        if port.kind.is_input and port.kind.at_cycle and not shape.type.is_text:
+            bench[port.name] = rng.uniform(-3.0, 3.0, shape.dims)
+    if device is not None:
+        device.state[:] = rng.uniform(-1.0, 1.0, device.state.size)
+
+
+def rows_of(doc, section):
+    """The rows of one table of a docstring, cut at two blanks or more."""
+    rows, here = [], ""
+    for line in doc.splitlines():
+        found = re.match(r"    (\S+)?\s*(.*)$", line)
+        if not found or not line.startswith("    "):
+            here = ""
+            continue
+        here = found[1] if found[1] and line[4] != " " else here
+        if here == section:
+            rows.append(re.split(r"\s{2,}", line[13:].strip()))
+    return rows
+
+
+@pytest.fixture(params=MODULES, ids=name)
+def module_class(request):
+    return Bench(request.param, constants=KNOWN, local={"BASE": "0 0 0 0"}).cls
+
+
+def test_the_ports_of_the_docstring_are_those_of_the_class(module_class):
+    written = [
+        tuple(" ".join(row).split(None, 2)[:2]) + tuple(row[-3:]) for row in rows_of(module_class.__doc__, "Ports")
+    ]
+    declared = [
+        (port.kind.value, port.name, str(port.shape), port.unit, port.meaning)
+        for port in (one.port(attribute) for attribute, one in module_class.declared_ports.items())
+    ]
+    assert written == declared
+
+
+def test_the_parameters_of_the_docstring_are_those_of_the_class(module_class):
+    written = [tuple(row) for row in rows_of(module_class.__doc__, "Local")]
+    declared = [(key, str(one.shape), one.unit, one.meaning) for key, one in module_class.declared_locals.items()]
+    assert written == declared
+
+
+def test_the_inputs_of_the_docstring_are_those_of_the_class(module_class):
+    written = [tuple(row[:3]) for row in rows_of(module_class.__doc__, "Input")]
+    declared = [(key, str(one.shape), one.unit) for key, one in module_class.declared_inputs.items()]
+    assert written == declared
+
+
+def test_the_kind_of_the_docstring_is_that_of_the_class(module_class):
+    kinds = [kind for kind in ("hardware", "trigger", "passive") if getattr(module_class, kind)] or ["general"]
+    assert rows_of(module_class.__doc__, "Kind")[0][0].split(", ")[0] == kinds[0]
+    assert len(kinds) == 1
+    assert bool(rows_of(module_class.__doc__, "Finish")) == module_class.trigger
+
+
+@pytest.mark.parametrize("path", TASKS, ids=name)
+def test_a_task_file_fits_its_module(path):
+    task = task_of(path)
+    cls = bench_of(path)[0].cls
+    assert differences(task, sheet_of(cls), Place(str(path))) == []
+    rates = re.search(r"(\d+)\.\.(\d+) Hz", rows_of(cls.__doc__, "Kind")[0][0])
+    assert int(rates[1]) <= task.frequency <= int(rates[2])
+
+
+def test_every_module_has_a_task_and_every_task_a_module():
+    assert {(path.parent, task_of(path).module) for path in TASKS} == {(path.parent, path.stem) for path in MODULES}
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name)
+def test_a_module_imports_the_front_door_and_the_laws_only(path):  # style: §3, habit 19
+    imported = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            imported |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, "a module sees no sibling"
+            packages = {"onika", "onika.laws"}
+            imported |= {f"{node.module}.{a.name}" for a in node.names} if node.module in packages else {node.module}
+    strange = {
+        one
+        for one in imported
+        if one != "onika.module" and not one.startswith("onika.laws.") and one.partition(".")[0] not in ALLOWED
+    }
+    assert strange == set()
+
+
+@pytest.mark.parametrize("path", TASKS, ids=name)
+def test_a_thousand_cycles_with_any_finite_input_end_well_and_write_finite_numbers(path):  # R-A02
+    rng = np.random.default_rng(1)
+    bench, device = bench_of(path)
+    bench.init()
+    outputs = [
+        port.name for port in (one.port(a) for a, one in bench.cls.declared_ports.items()) if not port.kind.is_input
+    ]
+    for _ in range(1000):
+        if bench.state is State.ERROR:
+            assert bench.failed.text.startswith("ModuleError: "), bench.failed.traceback
+            bench.clear()
+        feed(bench, device, rng)
+        if bench.state is State.OFF:
+            bench.on(argument_line(bench, path.stem, rng))
+        assert bench.state is State.ON, bench.why
+        feed(bench, device, rng)
+        bench.cycle()
+        assert all(np.isfinite(bench[one]).all() for one in outputs if not isinstance(bench[one], str))
+    assert bench.cycles == 1000
+
+
+@pytest.mark.parametrize("path", TASKS, ids=name)
+def test_an_exception_in_a_cycle_reaches_the_error_entry(path):  # R-A09
+    rng = np.random.default_rng(2)
+    bench, device = bench_of(path)
+    bench.init()
+    feed(bench, device, rng)
+    bench.on(argument_line(bench, path.stem, rng))
+    feed(bench, device, rng)
+    planted, heard = RuntimeError("planted"), []
+
+    def fail():
+        raise planted
+
+    bench.task.module.cycle = fail
+    bench.task.module.error = lambda fault: bool(heard.append(fault))
+    bench.cycle()
+    assert heard == [planted]
+    assert bench.state is State.ERROR
+    assert bench.failed.text == "RuntimeError: planted"

@@ -1,0 +1,101 @@
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from onika.files import conf, onk, rmod
+from onika.files.rmod import RmodText
+from onika.model.application import AppFlow, Application, Icon
+from onika.model.configuration import Configuration, Placed
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+from onika.model.syntax import IconType, Syntax
+from onika.model.task import Task, TaskType
+from onika.store.base_directory import BaseDirectory
+
+SYNTAX = Syntax((IconType("Complete job", 0, 0),), ())
+TASK = Task("pid", "pid", invar=("Q_REF",), outvar=("TAU",), frequency=100.0)
+ONIKON = Onikon("hold", "Complete job", "", (), blank())
+CONFIGURATION = Configuration("hold", (Placed("pid"),))
+APPLICATION = Application("work", False, (AppFlow((Icon(ONIKON),)),))
+
+
+@pytest.fixture
+def base(tmp_path: Path) -> BaseDirectory:
+    return BaseDirectory(tmp_path)
+
+
+def test_what_is_saved_is_listed_and_read(base: BaseDirectory) -> None:
+    base.save_task(RmodText(TASK))  # R-B08
+    base.save_configuration(CONFIGURATION)
+    base.save_onikon(ONIKON)
+    base.save_application(APPLICATION)
+    assert (base.tasks, base.configurations, base.onikons, base.applications) == (
+        ("pid",),
+        ("hold",),
+        ("hold",),
+        ("work",),
+    )
+    record, faults = base.task("pid")
+    assert record
+    assert (record.task, faults) == (TASK, ())
+    assert base.configuration("hold") == (CONFIGURATION, ())
+    assert base.onikon("hold", SYNTAX) == (ONIKON, ())
+    assert base.application("work", SYNTAX) == (APPLICATION, ())
+    found = sorted(str(path.relative_to(base.path)) for path in base.path.rglob("*.*"))
+    assert found == ["appl/work.appl", "conf/hold.conf", "dict/hold.onk", "module/pid.rmod"]
+
+
+def test_an_empty_directory_holds_nothing(base: BaseDirectory) -> None:
+    assert base.tasks + base.configurations + base.onikons + base.applications == ()
+    assert base.misnamed == ()
+
+
+def test_a_faulty_file_is_left_out_with_its_path_and_line_and_the_next_is_read(base: BaseDirectory) -> None:
+    base.save_task(RmodText(TASK))  # R-B07, R-C01
+    (base.path / "module" / "bad.rmod").write_bytes(b"MODULE bad\nDESC \xff\n")
+    assert base.tasks == ("bad", "pid")
+    record, (fault,) = base.task("bad")
+    assert record is None
+    assert str(fault).startswith(f"{base.path}/module/bad.rmod:2: expected text in UTF-8")
+    assert base.task("pid")[0] is not None
+
+
+def test_a_missing_file_is_a_fault(base: BaseDirectory) -> None:
+    record, (fault,) = base.configuration("nothing")
+    assert record is None
+    assert fault.found == "No such file or directory"
+
+
+def test_files_that_are_no_names_are_reported(base: BaseDirectory) -> None:
+    (base.path / "module").mkdir()
+    for name in ("1st.rmod", "two words.rmod", ".hidden.rmod", "other.txt"):
+        (base.path / "module" / name).touch()
+    assert base.tasks == ()
+    assert [fault.found for fault in base.misnamed] == ["'1st'", "'two words'"]
+
+
+@pytest.mark.parametrize("name", ["../secret", "/etc/passwd", "", "a/b", ".x", "a\n"])
+def test_no_name_leads_out_of_the_directory(base: BaseDirectory, name: str) -> None:
+    for file in (base.task_file, base.configuration_file, base.onikon_file, base.application_file, base.code_file):
+        with pytest.raises(ValueError, match="expected a name"):
+            file(name)
+
+
+def test_saving_keeps_the_comments_of_the_file(base: BaseDirectory) -> None:
+    base.save_configuration(CONFIGURATION)  # R-B01, R-B07
+    path = base.configuration_file("hold")
+    path.write_text("# how to hold\n" + path.read_text())
+    base.save_configuration(replace(CONFIGURATION, placed=(Placed("pid", 3, 4),)))
+    assert path.read_text() == "# how to hold\n" + conf.write(Configuration("hold", (Placed("pid", 3, 4),)))
+    base.save_onikon(ONIKON)
+    path = base.onikon_file("hold")
+    path.write_text("# mine\n" + path.read_text())
+    base.save_onikon(replace(ONIKON, description="x"))
+    assert path.read_text() == "# mine\n" + onk.write(replace(ONIKON, description="x"))
+
+
+def test_a_module_lies_beside_its_tasks(base: BaseDirectory) -> None:
+    assert base.code_file("pid") == base.path / "module" / "pid.py"
+    assert base.task_file("pid").suffix == rmod.ENDING
+    assert TaskType.PERIODIC is TASK.type

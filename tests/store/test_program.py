@@ -1,0 +1,87 @@
+from pathlib import Path
+
+import pytest
+
+from onika.files.rmod import RmodText
+from onika.model.application import AppFlow, Application, Icon
+from onika.model.configuration import Configuration, Placed
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+from onika.model.syntax import IconType, Syntax
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory
+from onika.store.program import load
+from onika.store.site import Site
+
+SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in ("Complete job", "Complete application", "Complete NOP")), ())
+
+
+def application(name: str, *icons: tuple[str, str]) -> Application:
+    placed = [Icon(Onikon(icon, f"Complete {kind}", "", (), blank())) for icon, kind in icons]
+    return Application(name, False, (AppFlow(tuple(placed)),))
+
+
+@pytest.fixture
+def bases(tmp_path: Path) -> tuple[BaseDirectory, BaseDirectory]:
+    return BaseDirectory(tmp_path / "own"), BaseDirectory(tmp_path / "shared")
+
+
+@pytest.fixture
+def site(bases: tuple[BaseDirectory, BaseDirectory], tmp_path: Path) -> Site:
+    return Site(bases[1:], tmp_path / "prefs")
+
+
+def test_what_an_application_needs_is_gathered_its_own_base_first(
+    site: Site, bases: tuple[BaseDirectory, BaseDirectory]
+) -> None:
+    own, shared = bases  # decision 35
+    work = application("work", ("hold", "job"), ("part", "application"), ("wait", "NOP"), ("hold", "job"))
+    own.save_application(work)
+    part = application("part", ("grip", "job"), ("part", "application"))
+    shared.save_application(part)
+    shared.save_configuration(Configuration("hold", (Placed("lost"),)))
+    own.save_configuration(Configuration("hold", (Placed("pid"), Placed("lost"))))
+    shared.save_configuration(Configuration("grip", (Placed("hand"),)))
+    for name in ("pid", "hand", "unused"):
+        shared.save_task(RmodText(Task(name, name, frequency=1.0)))
+    shared.code_file("pid").touch()
+
+    program, faults = load(own.application_file("work"), site, SYNTAX)
+    assert faults == ()
+    assert program
+    assert program.application == work
+    assert program.configurations == {
+        "hold": Configuration("hold", (Placed("pid"), Placed("lost"))),
+        "grip": Configuration("grip", (Placed("hand"),)),
+    }
+    assert sorted(program.tasks) == ["hand", "pid"]
+    assert program.code == {"pid": shared.code_file("pid")}
+    assert program.applications == {"part": part}
+
+
+def test_the_faults_of_all_files_read_are_given_and_no_others(
+    site: Site, bases: tuple[BaseDirectory, BaseDirectory]
+) -> None:
+    own, shared = bases  # R-B07
+    own.save_application(application("work", ("hold", "job"), ("grip", "job"), ("missing", "job")))
+    shared.save_configuration(Configuration("hold", (Placed("pid"),)))
+    for file in (shared.configuration_file("grip"), shared.task_file("pid"), shared.task_file("unused")):
+        file.parent.mkdir(exist_ok=True)
+        file.write_text("WRONG\nEOF")
+    program, faults = load(own.application_file("work"), site, SYNTAX)
+    assert program
+    assert program.faults == faults
+    files = {Path(fault.place.file).name for fault in faults}
+    assert files == {"pid.rmod", "grip.conf"}
+    assert program.tasks == {}
+
+
+def test_an_application_that_cannot_be_read_is_none(
+    site: Site, bases: tuple[BaseDirectory, BaseDirectory], tmp_path: Path
+) -> None:
+    program, faults = load(tmp_path / "nothing.appl", site, SYNTAX)
+    assert (program, len(faults)) == (None, 1)
+    (tmp_path / "bad.appl").write_text("VERSION 1.3\n")
+    program, faults = load(tmp_path / "bad.appl", site, SYNTAX)
+    assert program is None
+    assert faults
