@@ -296,6 +296,17 @@ def test_no_text_at_all_raises_an_exception(form: Format, text: str) -> None:
 
 @every_format
 @given(data=st.data())
+@settings(max_examples=30, deadline=None)
+def test_lines_in_any_number_and_order_give_a_model_or_a_fault(form: Format, data: st.DataObject) -> None:
+    lines = [line for line in form.write(data.draw(form.models)).splitlines() if line]  # R-B07
+    soup = data.draw(st.lists(st.sampled_from([*lines, "EOF"]), max_size=12))
+    for end in ("", "EOF\n"):
+        model, faults = form.read("".join(line + "\n" for line in soup) + end)
+        assert model is not None or faults
+
+
+@every_format
+@given(data=st.data())
 @settings(max_examples=15, deadline=None)
 def test_comments_and_blank_lines_mean_nothing(form: Format, data: st.DataObject) -> None:
     if form.name == "picture":

@@ -132,7 +132,7 @@ def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str)
 
 
 def test_an_application_without_flows_is_a_fault() -> None:
-    assert found("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["2: at least one FLOW / none"]
+    assert found("VERSION 1.3\nAPPLTYPE parallel\nEOF") == ["3: at least one FLOW / none"]
 
 
 def test_the_last_flow_must_end() -> None:

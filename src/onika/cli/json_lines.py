@@ -62,6 +62,7 @@ class JsonLines:
                 "tasks": msgspec.to_builtins(result.tasks),
                 "switches_us": result.switches_us,
                 "hash": result.hash,
+                "printed": outcome.printed,
             }
         if drawn:
             found["picture"] = drawn

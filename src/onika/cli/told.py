@@ -5,6 +5,8 @@ from collections.abc import Iterator
 from onika.desk.run import Outcome
 from onika.wire import event
 
+_PRINTED = 20
+
 
 def sentence(one: event.Event, total: int) -> str:
     """One line for an event; empty for those that only machines want."""
@@ -41,6 +43,9 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     yield f"{outcome.name}: {outcome.state}, {result.done} of {result.of} actions, {took}{pace}"
     if result.cause:
         yield f"cause: {result.cause}"
+    if outcome.printed.strip():
+        yield "the runtime printed:"
+        yield from (f"  {line}" for line in outcome.printed.strip().splitlines()[-_PRINTED:])
     missed = sum(one.missed for one in result.tasks)
     cycles = sum(one.cycles for one in result.tasks)
     if cycles and not result.hash:

@@ -38,6 +38,8 @@ class Outcome:
     result: event.Result | None = None
     expectations: list[tuple[Expectation, Any, bool]] = field(default_factory=list)
     snapshots: dict[str, bytes] = field(default_factory=dict)
+    printed: str = ""
+    """What the runtime's processes printed, where the run was aborted."""
 
     @property
     def state(self) -> str:
@@ -85,6 +87,7 @@ def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
             return outcome
         watcher.begins(prepared, runtime.pid)
         outcome.result = _follow(settings, runtime, watcher)
+        outcome.printed = "" if outcome.result.completed else runtime.printed()
         values = outcome.result.values
         outcome.expectations = [(one, one.found(values), one.holds(values)) for one in settings.expectations]
         if settings.wants_picture:

@@ -213,8 +213,11 @@ def main(words: list[str]) -> None:
     open_outlets()
     preload()
     post = Post(socket.socket(fileno=given.fd))
-    server = DeviceServer(post, Heartbeat(Segment.attach(given.beat_fd)), given.zero)
-    post.send(encode(Up(become_real_time(given.fifo))))
+    heartbeat = Heartbeat(Segment.attach(given.beat_fd))
+    server = DeviceServer(post, heartbeat, given.zero)
+    granted = become_real_time(given.fifo)
+    heartbeat.beat()  # before it is said to be up: from then on silence counts
+    post.send(encode(Up(granted)))
     server.run()
 
 

@@ -12,6 +12,9 @@ from onika.runtime.table import SIZE, Table
 from onika.wire import request
 from onika.words.fault import Fault
 
+_REST_NS = 300_000_000
+"""How long the end of a run waits at most until every drive holds."""
+
 
 class Driver(Units, Protocol):
     """Where a run happens: in wall or in virtual time."""
@@ -50,6 +53,10 @@ class Driver(Units, Protocol):
         """Every drive in hold, latched."""
         ...
 
+    def is_at_rest(self) -> bool:
+        """Once a run is over: whether every drive holds."""
+        ...
+
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
         ...
@@ -66,6 +73,7 @@ class Program:
         self._prepared: Preparation | None = None
         self._runner: Runner | None = None
         self._began_wall = 0
+        self._over_since = 0
         self._runs = 0
         self.is_over = False
 
@@ -84,11 +92,14 @@ class Program:
         if self._runner is None:
             return False
         goes_on = self._driver.advance(wall_ns)
-        if self._runner.is_over:
+        if not self._runner.is_over:
+            return goes_on
+        self._over_since = self._over_since or monotonic_ns()
+        if self._driver.is_at_rest() or monotonic_ns() - self._over_since > _REST_NS:
             self._tell_result(self._runner)
             self._runner = None
-            return False
-        return goes_on
+            self._over_since = 0
+        return False
 
     def _respond(self, asked: request.Request) -> request.Response:
         match asked:

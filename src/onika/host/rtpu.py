@@ -124,7 +124,9 @@ def main(words: list[str]) -> None:
     post = Post(socket.socket(fileno=given.fd))
     heartbeat = Heartbeat(Segment.attach(given.beat_fd))
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
-    post.send(encode(Ready(become_real_time(given.fifo))))
+    granted = become_real_time(given.fifo)
+    heartbeat.beat()  # before it is said to be up: from then on silence counts
+    post.send(encode(Ready(granted)))
     rtpu.run()
 
 

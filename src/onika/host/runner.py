@@ -68,13 +68,15 @@ class Runner:
         self._settle_at: int | None = None
         self._reports_open: set[str] = set()
         self._now = 0
+        self._began = 0
         self.tally = Tally(begin.watch)
         self.is_over = False
         self._is_aborting = False
 
     def start(self, now: int) -> None:
         """Begin the run."""
-        self._now = now
+        self._now = self._began = now
+        self.tally.began_at = now
         self._feed(said.Run())
         self._spawn_ready()
 
@@ -335,7 +337,7 @@ class Runner:
         return self._subsystems[flow].name
 
     def _seconds(self, now: int) -> float:
-        return round(now * 1e-9, 9)
+        return round((now - self._began) * 1e-9, 9)
 
 
 def _with(switch: command.Switch, launch: command.Launch) -> command.Switch:

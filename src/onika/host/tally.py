@@ -23,6 +23,7 @@ class Tally:
         self.done = 0
         self.completed = False
         self.cause = ""
+        self.began_at = 0
         self.ended_at = 0
 
     def finished(self, flow: int, now: int) -> None:
@@ -72,7 +73,7 @@ class Tally:
             cause=self.cause,
             done=self.done,
             of=actions,
-            runtime_s=round(self.ended_at * 1e-9, 9),
+            runtime_s=round((self.ended_at - self.began_at) * 1e-9, 9),
             wall_s=wall_s,
             values=self.values,
             tasks=tuple(sorted(self._figures, key=lambda one: (one.subsystem, one.task))),

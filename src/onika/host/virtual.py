@@ -85,7 +85,6 @@ class VirtualDriver:
                 return False
             if monotonic_ns() > until:
                 return True
-        self._tell_drives()
         return False
 
     def abort(self, cause: str) -> None:
@@ -112,6 +111,13 @@ class VirtualDriver:
     def digest(self) -> str:
         """Of everything that happened in this run: every step of the worlds and every word to the runner."""
         return self._hash.hexdigest()
+
+    def is_at_rest(self) -> bool:
+        """Steps the worlds once, so that the last commands act; then every drive holds."""
+        for bus in self._buses.values():
+            bus.step(bus.world.now_ns + bus.world.step_ns)
+        self._tell_drives()
+        return True
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""

@@ -33,6 +33,7 @@ class WallDriver:
         self._runner: Runner | None = None
         self._answers: deque[device_server.Word] = deque()
         self._heard: deque[tuple[str, news.News]] = deque()
+        self._drives: dict[str, int] = {}
         self.granted: dict[str, dict[str, bool]] = {}
         self._devices = self._supervisor.launch(DEVICES, "onika.host.device_server")
         self._rtpus = {
@@ -134,6 +135,10 @@ class WallDriver:
         for name in self._rtpus:
             self.send(name, command.Stop("stop"))
 
+    def is_at_rest(self) -> bool:
+        """Whether every drive holds, as far as the device server lives to say so."""
+        return self._devices.is_lost or Drive.DRIVEN not in self._drives.values()
+
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
         if self._devices.is_lost:
@@ -171,6 +176,7 @@ class WallDriver:
                 self._devices.is_up = True
                 self.granted[DEVICES] = word.granted
             case device_server.Driven():
+                self._drives[f"{word.world}:{word.device}"] = word.state
                 self._tell(
                     event.Drive(
                         f"{word.world}:{word.device}",
@@ -194,9 +200,9 @@ class WallDriver:
         for epoch, holder in self._claims.values():
             if holder == one.name:
                 self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
+        self.abort(f"processing unit {reason}")
         if self._runner is not None:
             self._runner.lost(one.name, self.now)
-        self.abort(f"processing unit {reason}")
 
     def _open(self, world: str) -> None:
         segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
@@ -221,7 +227,9 @@ class WallDriver:
         """Serve the posts until something is there; raises ValueError when it does not come."""
         until = monotonic_ns() + round(_PATIENCE_S * 1e9)
         while not is_done():
-            if monotonic_ns() > until or self._devices.is_lost:
+            if self._devices.is_lost:
+                raise ValueError(f"the {DEVICES} is gone, waiting for {what} is in vain")
+            if monotonic_ns() > until:
                 raise ValueError(f"waited {_PATIENCE_S:g} s for {what}")
             select.select([one.post for one in self.posts()], [], [], 0.02)
             self._receive()

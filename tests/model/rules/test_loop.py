@@ -3,7 +3,7 @@ import pytest
 from onika.model.application import AppFlow, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
-from onika.model.rules.loop import faults, spans
+from onika.model.rules.loop import faults
 from onika.model.syntax import IconType, Syntax
 from onika.words.fault import Place
 
@@ -48,4 +48,3 @@ def test_both_tags_on_one_action_are_no_loop() -> None:
 def test_a_tag_on_a_target_counts_for_its_job() -> None:
     flow = AppFlow((icon("-", "Joint job"), icon("a", "Joint object"), icon("a?")))  # decision 24
     assert faults(flow, SYNTAX, "flow 0", Place("a.appl")) == ()
-    assert spans(flow, SYNTAX) == {"a": (0, 2)}

@@ -18,13 +18,6 @@ def faults(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> tuple[Fau
     return tuple(_fault(place, *fault) for fault in (*_counts(marked, where), *_crossings(marked, where)))
 
 
-def spans(flow: AppFlow, syntax: Syntax) -> dict[str, tuple[int, int]]:
-    """The positions of the first and the last action of every loop, by its tag; tags at one action are left out."""
-    marked = _marked(flow, syntax)
-    ends = {tag: sorted({position for position, _ in marks}) for tag, marks in marked.items()}
-    return {tag: (places[0], places[-1]) for tag, places in ends.items() if len(places) > 1}
-
-
 _Marks = dict[str, list[tuple[int, bool]]]
 
 

@@ -26,7 +26,7 @@ class Opengrip(Module):
     MOST = Local("double", "s", "how long it takes at most", default=0.6)
 
     def on(self, inputs):
-        self._time = 0.0
+        self._time = 0.5 * self.dt  # sums of periods are not exact: half a period decides safely
         self.GRIP = 1.0
 
     def cycle(self):

@@ -1,0 +1,210 @@
+"""The shipped laboratories as data: every file reads without fault, and the jobs and applications fit together."""
+
+import numpy as np
+import pytest
+
+from onika.files import syntax as syntax_file
+from onika.laws import puma560
+from onika.laws.arm import Arm
+from onika.laws.frames import pose_of_nine
+from onika.laws.inverse import inverse_for
+from onika.laws.path import PEAK, joint_duration
+from onika.model.application import Icon, actions
+from onika.model.port import PortKind
+from onika.store.site import open_site, shipped, shipped_directories
+from onika.words.value import ValueType
+
+SITE = open_site((), {}, None)
+SYNTAX = SITE.syntax()[0]
+SPEED = 0.6 * puma560.QDMAX  # LOCAL SPEED of jtraj
+COUNTS = {
+    PortKind.INCONST: "inconst",
+    PortKind.OUTCONST: "outconst",
+    PortKind.INVAR: "invar",
+    PortKind.OUTVAR: "outvar",
+}
+
+
+def names(folder, ending):
+    return sorted(path.stem for base in shipped_directories() for path in (base / folder).glob(f"*{ending}"))
+
+
+def read(kind, name, *more):
+    found, faults = getattr(SITE, kind)(name, *more)
+    assert faults == ()
+    return found
+
+
+def tasks_of(configuration):
+    return {placed.task: read("task", placed.task).task for placed in read("configuration", configuration).placed}
+
+
+def test_the_syntax_defines_the_shipped_target_types():  # R-B10, R-D02
+    assert SITE.syntax()[1] == ()
+    targets = {kind.name: [(i.name, i.type, i.count) for i in kind.items] for kind in SYNTAX.types if kind.is_target}
+    double = ValueType.DOUBLE
+    assert targets["Joint object"] == [("endpoint", double, 6), ("duration", double, 1)]
+    assert targets["Cartesian object"] == [("pose", double, 9), ("duration", double, 1)]
+    assert set(targets) == {
+        *("Joint object", "Cartesian object", "Polynomial path object", "Force object", "Pause object"),
+        *("File name object", "Index object", "Picture point object"),
+    }
+    for target in targets:
+        for action in ("job", "application"):
+            assert SYNTAX.target_type_of(target.replace("object", action)) == target
+
+
+def test_edges_differ_by_shape_and_by_colour():  # R-X11
+    speaking = [edge for edge in SYNTAX.edges if edge.number > 1]
+    assert len({edge.vertices for edge in SYNTAX.edges}) == len(SYNTAX.edges)
+    assert len({edge.rgb for edge in speaking}) == len(speaking) == 8
+    for edge in SYNTAX.edges[1:]:
+        assert np.sum(edge.vertices, axis=0).tolist() == [0, 32], "an edge ends below where it began"
+
+
+def test_every_target_type_has_an_edge_of_its_own():  # R-D03: targets follow their own jobs only
+    edges = [kind.left_edge for kind in SYNTAX.types if kind.is_target]
+    assert len(set(edges)) == len(edges)
+    for kind in SYNTAX.types:
+        if kind.needs_target:
+            assert kind.right_edge == SYNTAX.find(SYNTAX.target_type_of(kind.name)).left_edge
+
+
+def test_the_syntax_file_is_written_as_it_was_read():  # R-B08
+    text = (shipped() / "prefs" / syntax_file.NAME).read_text()
+    assert syntax_file.write(SYNTAX) == text
+
+
+def test_the_start_and_stop_pictures_can_be_read():  # R-B05
+    pictures, faults = SITE.flow_pictures()
+    assert faults == ()
+    assert pictures[0] != pictures[1]
+
+
+def test_no_name_is_given_twice():  # R-C01, R-D15
+    assert SITE.duplicates() == ()
+
+
+@pytest.mark.parametrize("name", names("conf", ".conf"))
+def test_a_configuration_begins_with_its_hardware_and_ends_with_its_trigger(name):
+    tasks = list(tasks_of(name).values())
+    assert any(line.key == "DEVICE" for line in tasks[0].local)
+    assert tasks[-1].module in {"jtraj", "ctraj", "opengrip", "closegrip"}
+
+
+@pytest.mark.parametrize("name", names("conf", ".conf"))
+def test_no_input_hangs_and_no_output_is_shared(name):  # R-C07, R-C08 (Equations 2, 3, 6)
+    tasks = tasks_of(name).values()
+    outputs = [svar for task in tasks for svar in task.outputs]
+    assert len(set(outputs)) == len(outputs)
+    assert set().union(*(task.inputs for task in tasks)) <= set(outputs)
+
+
+@pytest.mark.parametrize("name", names("conf", ".conf"))
+def test_every_variable_has_one_locus_with_the_right_counts(name):  # R-B02, R-C09
+    loci = {locus.svar: locus for locus in read("configuration", name).loci}
+    expected = {}
+    for task in tasks_of(name).values():
+        kinds = task.kinds()
+        for coded, svar in zip(kinds, task.svars(tuple(kinds)), strict=True):
+            row = expected.setdefault(svar, {"conns": set()} | dict.fromkeys(COUNTS.values(), 0))
+            row["conns"].add(task.name)
+            row[COUNTS[kinds[coded]]] += 1
+    found = {
+        svar: {"conns": locus.conns} | {count: getattr(locus, count) for count in COUNTS.values()}
+        for svar, locus in loci.items()
+    }
+    assert found == {svar: row | {"conns": len(row["conns"])} for svar, row in expected.items()}
+
+
+@pytest.mark.parametrize("name", names("conf", ".conf"))
+def test_tasks_do_not_lie_on_each_other_and_loci_lie_beside_them(name):  # R-C24
+    configuration, tasks = read("configuration", name), tasks_of(name)
+    boxes = []
+    for placed in configuration.placed:
+        task = tasks[placed.task]
+        rows = max(len(task.inconst + task.invar), len(task.outconst + task.outvar), 1)
+        boxes.append((placed.x, placed.y, placed.x + 136, placed.y + 68 + 18 * rows))
+    for k, (left, top, right, bottom) in enumerate(boxes):
+        for other in boxes[k + 1 :]:
+            assert right <= other[0] or other[2] <= left or bottom <= other[1] or other[3] <= top
+        for locus in configuration.loci:
+            assert not (left < locus.x + 5 < right and top < locus.y + 5 < bottom), locus.svar
+
+
+@pytest.mark.parametrize("name", names("conf", ".conf"))
+def test_every_configuration_has_its_icon_of_the_type_of_its_trigger(name):  # R-C16
+    trigger = list(tasks_of(name).values())[-1]
+    assert read("onikon", name, SYNTAX).type == (trigger.object_type or "Complete job")
+
+
+@pytest.mark.parametrize("name", names("dict", ".onk"))
+def test_every_icon_reads_without_fault(name):  # R-B03
+    onikon = read("onikon", name, SYNTAX)
+    assert onikon.description
+    onikon.argument_line(SYNTAX)
+
+
+def test_pictures_differ_unless_they_show_the_same_job_of_the_other_arm():
+    shown = {}
+    for name in names("dict", ".onk"):
+        shown.setdefault(read("onikon", name, SYNTAX).picture, set()).add(name.replace("_right", ""))
+    assert all(len(same) == 1 for same in shown.values())
+
+
+def test_the_lamp_is_watched_in_all_jobs_of_the_left_arm():  # decision 19 of the runtime's law
+    for name in ("jmoveC", "cmoveC", "opengripC", "closegripC"):
+        assert "led_monitor" in tasks_of(name)
+
+
+@pytest.mark.parametrize(("name", "count", "icons"), [("assemble", 25, 43), ("assemble24", 24, 41)])
+def test_the_assembly_has_the_actions_of_chapter_6(name, count, icons):  # R-K01, decision 50
+    (flow,) = read("application", name, SYNTAX).flows
+    assert len(actions(flow, SYNTAX)) == count
+    assert len(flow.steps) == icons
+
+
+@pytest.mark.parametrize("name", names("appl", ".appl"))
+def test_icons_in_applications_are_those_of_the_dictionaries_and_their_edges_fit(name):  # R-D03, Equation (7)
+    for flow in read("application", name, SYNTAX).flows:
+        edge = SYNTAX.find("Application start").right_edge
+        for step in flow.steps:
+            assert isinstance(step, Icon)
+            assert step.onikon == read("onikon", step.onikon.name, SYNTAX)
+            kind = SYNTAX.find(step.onikon.type)
+            assert kind.left_edge == edge
+            edge = kind.right_edge
+        assert edge == SYNTAX.find("Application end").left_edge
+
+
+@pytest.mark.parametrize("name", names("appl", ".appl"))
+def test_no_motion_of_an_application_needs_more_time_than_its_target_gives(name):
+    arm = Arm(puma560.DH, tool=puma560.TOOL)
+    inverse = inverse_for(puma560.DH, None, puma560.TOOL, puma560.QMIN, puma560.QMAX)
+    for flow in read("application", name, SYNTAX).flows:
+        q = puma560.HOME
+        for _, job, target in actions(flow, SYNTAX):
+            if target is None:
+                continue
+            values, (duration,) = target.onikon.values
+            if job.onikon.type == "Joint job":
+                assert duration >= joint_duration(q, values, SPEED)
+                q = np.array(values)
+                continue
+            pose = pose_of_nine(values)
+            assert duration >= PEAK * np.linalg.norm(pose[:3, 3] - arm.forward(q)[:3, 3]) / 0.3
+            q = inverse.nearest(pose, q)
+            assert not isinstance(q, str)
+
+
+def test_the_arms_of_two_arms_keep_to_their_own_halves():  # R-K02
+    flows = read("application", "two_arms", SYNTAX).flows
+    assert read("application", "two_arms", SYNTAX).is_parallel
+    assert len(flows) == 2
+    left = Arm(puma560.DH, tool=puma560.TOOL)
+    for flow in flows:
+        for k in range(101):
+            aside = np.array(flow.steps[1].onikon.values[0])
+            tool = left.forward(puma560.HOME + k / 100 * (aside - puma560.HOME))[:3, 3]
+            assert tool[1] > -0.2  # in its own frame each arm bends to its left: away from the other one
+            assert tool[2] > 0.2  # well above the boxes

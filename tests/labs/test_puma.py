@@ -1,0 +1,132 @@
+"""The PUMA 560 as a hardware module, and what it can reach."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from onika.laws import puma560
+from onika.model.lifecycle import State
+from onika.ring.device import Drive, Order
+from onika.store.site import shipped
+from onika.testing.bench import Bench
+from onika.testing.bench_device import BenchDevice
+
+CODE = shipped() / "puma" / "module" / "puma.py"
+RIGHT = [-1, 0, 0, 1.25, 0, -1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+
+
+def arm(base=None, robot="puma560"):
+    base = tuple(map(float, np.eye(4).ravel() if base is None else base))
+    joints = range(1, 7)
+    return BenchDevice([f"q{k}" for k in joints], [f"tau{k}" for k in joints], {"ROBOT": robot, "BASE": base})
+
+
+def puma(device, base="0 0 0 0"):
+    return Bench(CODE, frequency=500, local={"BASE": base}, device=device).init()
+
+
+@pytest.fixture
+def constants():
+    cls = puma(arm()).cls
+    return cls, cls.constants(SimpleNamespace(BASE=[0.0, 0.0, 0.0, 0.0]))
+
+
+def test_it_publishes_everything_that_is_known_of_the_robot():
+    bench = puma(arm())
+    assert bench.state is State.OFF
+    assert (bench["NDOF"], bench["ROBOT"]) == (6, "puma560")
+    assert bench["DH"] == pytest.approx(puma560.DH)
+    assert bench["Q^_MAX"] == pytest.approx(puma560.QDMAX)
+    assert bench["BASE"] == pytest.approx(np.eye(4))
+
+
+def test_the_second_arm_faces_the_first_one():  # R-K02
+    bench = puma(arm(RIGHT), "1.25 0 0 180")
+    assert bench.state is State.OFF, bench.why
+    assert bench["BASE"].ravel() == pytest.approx(RIGHT)
+
+
+def test_a_robot_that_stands_elsewhere_is_not_driven():
+    bench = puma(arm(RIGHT))
+    assert bench.state is State.ERROR
+    assert "expected the robot at BASE [0.0, 0.0, 0.0, 0.0]" in bench.why
+
+
+def test_another_robot_is_not_driven():
+    assert "expected a puma560 behind the device, found a adept" in puma(arm(robot="adept")).why
+
+
+def test_joint_angles_are_there_as_soon_as_it_is_on():  # law 3
+    device = arm()
+    device.state[:] = puma560.HOME
+    assert puma(device).on()["Q_MEZ"] == pytest.approx(puma560.HOME)
+
+
+def test_torques_are_clipped_to_what_the_motors_can_do():
+    device = arm()
+    bench = puma(device).on()
+    bench["TAU_REF"] = [1000, -1000, 1, -1, 0, 0]
+    bench.cycle()
+    assert device.order == Order.DRIVE
+    assert device.commands.tolist() == [97.6, -186.4, 1.0, -1.0, 0.0, 0.0]
+
+
+def test_the_drive_holds_until_torques_come_and_when_the_task_goes_off():  # laws 4 and 12
+    device = arm()
+    bench = puma(device).on().cycle(3)
+    assert device.order == Order.HOLD
+    bench["TAU_REF"] = np.ones(6)
+    bench.cycle()
+    assert device.order == Order.DRIVE
+    bench.off()
+    assert device.order == Order.HOLD
+
+
+def test_a_torque_that_is_no_number_is_an_error_and_a_hold():  # law 5
+    device = arm()
+    bench = puma(device).on()
+    bench["TAU_REF"] = [np.nan, 0, 0, 0, 0, 0]
+    bench.cycle()
+    assert "NaN or infinity in TAU_REF" in bench.why
+    assert device.order == Order.HOLD
+
+
+def test_a_tripped_drive_is_an_error_that_clear_mends():  # law 17, R-C28
+    device = arm()
+    bench = puma(device).on()
+    device.values[1] = Drive.TRIPPED
+    bench.cycle()
+    assert (bench.state, "the drive has tripped" in bench.why) == (State.ERROR, True)
+    bench.clear()
+    assert device.order == Order.CLEAR
+    device.values[1] = Drive.HELD
+    assert bench.on().cycle().state is State.ON
+
+
+def test_joint_targets_are_judged_joint_by_joint(constants):  # law 26, R-E09
+    cls, known = constants
+    targets = [("joint object", [0, 0, 4.1, 0, 0, 0, 1.0]), ("joint object", [*puma560.HOME, 1.0])]
+    assert cls.resolve(known, targets) == ["joint 3 at 4.10 rad is beyond 3.93", None]
+    assert cls.resolve(known, [("joint object", [0.0])]) == ["expected 6 joint values, found 1"]
+
+
+def test_cartesian_targets_are_judged_by_inverse_kinematics(constants):  # law 26, R-E09
+    cls, known = constants
+    near, far = [0, 0, -1, 0, 1, 0, 0.7, 0.28, -0.3346, 1.4], [0, 0, -1, 0, 1, 0, 1.7, 0.28, -0.3346, 1.4]
+    crooked = [0, 0, -1, 0, 0, 1, 0.7, 0.28, -0.3346, 1.4]
+    reachable, out, askew = cls.resolve(known, [("cartesian object", one) for one in (near, far, crooked)])
+    assert reachable is None
+    assert out.startswith("out of reach: the wrist would be")
+    assert askew == "expected approach and normal square to each other, found a · n = -1"
+
+
+def test_targets_of_other_types_are_none_of_its_business(constants):
+    cls, known = constants
+    assert cls.resolve(known, [("file name object", ["x"])]) == [None]
+
+
+def test_constants_may_come_as_plain_lists(constants):
+    cls, known = constants
+    plain = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in known.items()}
+    assert cls.resolve(plain, [("cartesian object", [0, 0, -1, 0, 1, 0, 0.7, 0, -0.2, 1.0])]) == [None]

@@ -1,0 +1,59 @@
+import math
+
+import numpy as np
+
+from onika.laws import puma560
+from onika.laws.arm import Arm
+from onika.laws.damped import DampedInverse
+
+# shoulder, elbow, quill, roll: four joints, approach always straight down
+DH = np.array([[0.425, 0.0, 0.3, 0.0], [0.375, math.pi, 0.0, 0.0], [0.0, 0.0, 0.24, 0.0], [0.0, 0.0, 0.0, 0.0]])
+KIND = np.array([0.0, 0.0, 1.0, 0.0])
+LOW, HIGH = np.array([-2.4, -2.4, 0.0, -4.0]), np.array([2.4, 2.4, 0.295, 4.0])
+SCARA = Arm(DH, kind=KIND)
+INVERSE = DampedInverse(DH, np.eye(4), np.eye(4), LOW, HIGH, KIND)
+
+
+def test_an_arm_of_four_joints_reaches_what_its_joints_allow():  # R-K03, R-E09
+    random = np.random.default_rng(3)
+    for _ in range(30):
+        q = random.uniform(LOW, HIGH)
+        pose = SCARA.forward(q)
+        solution = INVERSE.nearest(pose, np.clip(q + 0.2, LOW, HIGH))
+        assert not isinstance(solution, str)
+        assert np.abs(SCARA.forward(solution) - pose).max() < 1e-7
+        assert ((LOW <= solution) & (solution <= HIGH)).all()
+
+
+def test_an_orientation_that_its_joints_do_not_allow_is_out_of_reach():  # R-E09
+    pose = SCARA.forward([0.3, 0.4, 0.1, 0.2])
+    pose[:3, :3] = np.eye(3)
+    reason = INVERSE.nearest(pose, np.zeros(4))
+    assert isinstance(reason, str)
+    assert "rad away" in reason
+
+
+def test_a_place_too_far_says_how_far():
+    pose = SCARA.forward([0.0, 0.0, 0.1, 0.0])
+    pose[0, 3] += 0.25
+    reason = INVERSE.nearest(pose, np.zeros(4))
+    assert isinstance(reason, str)
+    assert "0.250 m" in reason
+
+
+def test_the_way_is_found_from_a_posture_that_leads_nowhere():
+    inverse = DampedInverse(puma560.DH, np.eye(4), puma560.TOOL, puma560.QMIN, puma560.QMAX, np.zeros(6))
+    arm = Arm(puma560.DH, tool=puma560.TOOL)
+    pose = arm.forward([0.1814, -0.6254, 2.7006, 0.0, 1.0664, 1.7522])
+    solution = inverse.nearest(pose, [0.0, 0.5, 0.0, -1.5, -1.0, -3.0])
+    assert not isinstance(solution, str)
+    assert np.abs(arm.forward(solution) - pose).max() < 1e-7
+
+
+def test_equal_questions_have_equal_answers():
+    pose, far = SCARA.forward([0.9, -1.2, 0.2, 0.5]), np.array([-2.0, 2.0, 0.0, -3.0])
+    assert np.array_equal(INVERSE.nearest(pose, far), INVERSE.nearest(pose, far))
+
+
+def test_a_pose_that_is_not_finite_is_refused():
+    assert INVERSE.nearest(np.full((4, 4), math.nan), np.zeros(4)) == "the pose is not finite"

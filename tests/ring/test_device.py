@@ -1,0 +1,18 @@
+import dataclasses
+
+import pytest
+
+from onika.ring.device import DeviceSheet, Drive, DriveEvent, Order
+
+
+def test_the_numbers_on_the_bus_are_fixed():
+    assert [int(order) for order in (Order.HOLD, Order.DRIVE, Order.CLEAR)] == [0, 1, 2]
+    assert [int(state) for state in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED)] == [0, 1, 2]
+
+
+def test_sheets_and_events_are_values():
+    sheet = DeviceSheet("lamp", ("time", "drive"), (), {})
+    assert sheet == DeviceSheet("lamp", ("time", "drive"), (), {})
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        sheet.name = "other"  # type: ignore[misc]
+    assert DriveEvent("arm", 1, 4, 2, 0, "stop") == DriveEvent("arm", 1, 4, 2, 0, "stop")
