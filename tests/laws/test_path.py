@@ -57,7 +57,9 @@ def test_a_line_is_straight_and_turns_evenly(start, end, share):
     assert np.allclose(there[:3, 3], start[:3, 3] + share * (end[:3, 3] - start[:3, 3]))
     assert np.allclose(there[:3, :3] @ there[:3, :3].T, np.eye(3), atol=1e-12)
     if line.angle < math.pi - 1e-3:
-        assert np.linalg.norm(rotation_log(start[:3, :3].T @ there[:3, :3])) == pytest.approx(share * line.angle, abs=1e-6)
+        assert np.linalg.norm(rotation_log(start[:3, :3].T @ there[:3, :3])) == pytest.approx(
+            share * line.angle, abs=1e-6
+        )
 
 
 def test_a_line_without_a_turn_keeps_the_orientation_to_the_last_bit():

@@ -57,7 +57,7 @@ def test_all_eight_branches_reach_the_pose(share):
     q = _within(share)
     pose = ARMS["moved"].forward(q)
     branches = INVERSES["moved"].branches(pose, q)
-    assert len(branches) in (4, 8)
+    assert 4 <= len(branches) <= 8  # fewer than eight where axes 4 and 6 are in line
     for branch in branches:
         assert np.abs(ARMS["moved"].forward(branch) - pose).max() < 1e-6
 
@@ -79,7 +79,11 @@ def test_theta_offsets_are_taken_off():
 
 @pytest.mark.parametrize(
     ("place", "sentence"),
-    [((2.0, 0.0, 0.0), "from the shoulder"), ((0.0, 0.05, 0.3), "from joint 1's axis"), ((math.nan, 0, 0), "out of reach")],
+    [
+        ((2.0, 0.0, 0.0), "from the shoulder"),
+        ((0.0, 0.05, 0.3), "from joint 1's axis"),
+        ((math.nan, 0, 0), "out of reach"),
+    ],
 )
 def test_out_of_reach_says_so(place, sentence):  # R-E09
     pose = np.eye(4)
@@ -91,7 +95,7 @@ def test_out_of_reach_says_so(place, sentence):  # R-E09
 
 def test_beyond_limits_names_the_joint_and_its_limits():  # R-E09
     high = puma560.QMAX.copy()
-    high[2] = 2.0
+    high[2] = 0.3
     inverse = PumaInverse(puma560.DH, np.eye(4), puma560.TOOL, puma560.QMIN, high)
     q = np.array([0.18, -0.63, 2.70, 0.0, 1.07, 1.75])
     reason = inverse.nearest(ARMS["plain"].forward(q), q)

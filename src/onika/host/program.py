@@ -101,6 +101,30 @@ class Program:
             self._over_since = 0
         return False
 
+    def take(self, prepared: Preparation) -> None:
+        """The next plan to run; one with faults leaves nothing to run."""
+        self._prepared = None if prepared.faults else prepared
+
+    def begin(self, asked: request.Begin) -> request.Response:
+        """Start a run of the prepared plan on empty, zeroed tables (law 4)."""
+        if self._runner is not None:
+            return request.Refused("an application runs already")
+        if self._prepared is None:
+            return request.Refused("no plan is prepared, or it has faults")
+        self._runs += 1
+        subsystems = {}
+        for number, flow in enumerate(self._prepared.plan.flows):
+            table = Table(Segment.create(f"table-{flow.subsystem}", SIZE))
+            self._driver.share(f"table:{flow.subsystem}", table.segment)
+            rtpus = {task.name: self._rtpu(task.rtpu) for task in flow.tasks}
+            subsystems[number] = Subsystem(
+                flow.subsystem, table, self._prepared.flows[number], rtpus, self._prepared.constants[number]
+            )
+        self._began_wall = monotonic_ns()
+        self._runner = Runner(self._prepared, asked, subsystems, self._driver, self._gate.tell)
+        self._driver.begin(self._runner)
+        return request.Done()
+
     def _respond(self, asked: request.Request) -> request.Response:
         match asked:
             case request.Prepare():
@@ -108,7 +132,7 @@ class Program:
             case request.Inspect():
                 return request.Prepared(_texts(inspect(asked.tasks, asked.code, self._loading)))
             case request.Begin():
-                return self._begin(asked)
+                return self.begin(asked)
             case request.Reply():
                 self._driver.answer(asked.subsystem, asked.task, asked.line)
             case request.Abort():
@@ -124,27 +148,8 @@ class Program:
 
     def _prepare(self, asked: request.Prepare) -> request.Response:
         prepared = prepare(asked.plan, asked.targets, self._loading)
-        self._prepared = None if prepared.faults else prepared
+        self.take(prepared)
         return request.Prepared(_texts(prepared.faults), tuple(prepared.notes))
-
-    def _begin(self, asked: request.Begin) -> request.Response:
-        if self._runner is not None:
-            return request.Refused("an application runs already")
-        if self._prepared is None:
-            return request.Refused("no plan is prepared, or it has faults")
-        self._runs += 1
-        subsystems = {}
-        for number, flow in enumerate(self._prepared.plan.flows):
-            table = Table(Segment.create(f"table-{flow.subsystem}", SIZE))  # empty and zeroed (law 4)
-            self._driver.share(f"table:{flow.subsystem}", table.segment)
-            rtpus = {task.name: self._rtpu(task.rtpu) for task in flow.tasks}
-            subsystems[number] = Subsystem(
-                flow.subsystem, table, self._prepared.flows[number], rtpus, self._prepared.constants[number]
-            )
-        self._began_wall = monotonic_ns()
-        self._runner = Runner(self._prepared, asked, subsystems, self._driver, self._gate.tell)
-        self._driver.begin(self._runner)
-        return request.Done()
 
     def _rtpu(self, wanted: str) -> str:
         """The unit a task runs on: the named one, else the first (decision 12)."""

@@ -7,6 +7,7 @@ import select
 import signal
 import socket
 import sys
+from collections.abc import Sequence
 from time import monotonic_ns
 
 from msgspec import Struct, msgpack
@@ -77,7 +78,7 @@ class Rtpu:
             writable = [self._post] if self._post.is_waiting else []
             select.select([self._post], writable, [], wait)
 
-    def _tell(self, heard: list[news.News]) -> None:
+    def _tell(self, heard: Sequence[news.News]) -> None:
         for one in heard:
             self._post.send(encode(one))
 

@@ -65,6 +65,7 @@ class Runner:
         self._batches: dict[int, deque[tuple[str, command.Switch]]] = {}
         self._awaited: dict[int, set[str]] = {}
         self._claims: list[str] = []
+        self._asking: set[tuple[int, str]] = set()
         self._settle_at: int | None = None
         self._reports_open: set[str] = set()
         self._now = 0
@@ -99,7 +100,7 @@ class Runner:
     @property
     def is_asking(self) -> bool:
         """Whether a task waits for user input."""
-        return any(member.state is State.ASKING for one in self._subsystems.values() for member in one.members.values())
+        return bool(self._asking)
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
@@ -161,6 +162,7 @@ class Runner:
     def _changed(self, flow: int, task: str, state: State, signal: str = "", quietly: bool = False) -> None:
         member = self._subsystems[flow].members[task]
         before, member.state = member.state, state
+        self._asking.discard((flow, task))
         self._tell(event.TaskState(self._subsystems[flow].name, task, state.value, self._seconds(self._now)))
         if quietly:
             return
@@ -180,6 +182,7 @@ class Runner:
         text = f"{heard.entry}: {heard.text}"
         self._tell(event.Failed(heard.subsystem, heard.task, text, heard.path, heard.line, heard.traceback, at))
         self._subsystems[flow].members[heard.task].state = State.ERROR
+        self._asking.discard((flow, heard.task))
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ERROR.value, at))
         where = f" ({heard.path}:{heard.line})" if heard.line else ""
         self._feed(said.Failed(flow, heard.task, f"{text}{where}"))
@@ -188,6 +191,7 @@ class Runner:
     def _asked(self, flow: int, heard: news.Asked) -> None:
         """Answer by what the run was given, else by whoever is there, else the run ends (law 25)."""
         self._subsystems[flow].members[heard.task].state = State.ASKING
+        self._asking.add((flow, heard.task))
         self._settled(flow, heard.task)
         answers = dict(self._begin.answers)
         at = self._seconds(heard.now_ns)

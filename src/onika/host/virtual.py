@@ -14,6 +14,8 @@ from onika.runtime.bus import SEGMENT_SIZE, Bus, World
 from onika.runtime.executive import Executive
 from onika.wire import event
 
+_HASHED_EVERY_NS = 10_000_000  # what differs once differs ever after: to look at every step would only cost
+
 
 class VirtualDriver:
     """As fast as the processor allows, and bit for bit the same every time: nothing here depends on wall time."""
@@ -36,6 +38,7 @@ class VirtualDriver:
         self._epoch = 0
         self._runner: Runner | None = None
         self._hash = hashlib.sha256()
+        self._hash_at = 0
 
     @property
     def now(self) -> int:
@@ -71,6 +74,7 @@ class VirtualDriver:
         """Start a run at the present time."""
         self._runner = runner
         self._hash = hashlib.sha256()
+        self._hash_at = self._now
         runner.start(self._now)
         self._deliver()
 
@@ -80,7 +84,8 @@ class VirtualDriver:
         if runner is None:
             return False
         while not runner.is_over:
-            self._deliver()
+            if self._commands:
+                self._deliver()
             if runner.is_asking or not self._instant(runner):
                 return False
             if monotonic_ns() > until:
@@ -109,7 +114,7 @@ class VirtualDriver:
 
     @property
     def digest(self) -> str:
-        """Of everything that happened in this run: every step of the worlds and every word to the runner."""
+        """Of everything that happened in this run: the worlds every 10 ms and every word to the runner."""
         return self._hash.hexdigest()
 
     def is_at_rest(self) -> bool:
@@ -127,21 +132,25 @@ class VirtualDriver:
 
     def _instant(self, runner: Runner) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
-        times = [at for at in (one.next_release() for one in self._executives.values()) if at is not None]
-        wake = runner.wake_at()
-        if wake is not None:
-            times.append(wake)
-        if not times:
+        now = runner.wake_at()
+        for executive in self._executives.values():
+            release = executive.next_release()
+            if release is not None and (now is None or release < now):
+                now = release
+        if now is None:
             return False
-        now = min(times)
         if now > self._now:
             self._now = now
             for bus in self._buses.values():
                 bus.step(now)
-                self._hash.update(bus.world.fingerprint())
+                if now >= self._hash_at:
+                    self._hash.update(bus.world.fingerprint())
+            if now >= self._hash_at:
+                self._hash_at = now + _HASHED_EVERY_NS
             self._tell_drives()
         runner.tick(now)
-        self._deliver()
+        if self._commands:
+            self._deliver()
         for name, executive in self._executives.items():
             while (heard := executive.run_next(now)) is not None:
                 if heard:

@@ -26,7 +26,7 @@ class Agenda:
     """Slots by release time, then by deadline; time is handed in as integer nanoseconds."""
 
     def __init__(self) -> None:
-        self._releases: list[tuple[int, tuple[int, int, str], int, Slot]] = []
+        self._releases: list[tuple[int, int, tuple[int, int, str], int, Slot]] = []
         self._ready: list[tuple[int, tuple[int, int, str], int, Slot]] = []
 
     def enter(self, slot: Slot, now: int) -> None:
@@ -35,7 +35,7 @@ class Agenda:
         slot.is_listed = True
         slot.release = now
         slot.deadline = _next_on_grid(now, slot.period)
-        heappush(self._releases, (now, slot.key, slot.epoch, slot))
+        heappush(self._releases, (now, slot.deadline, slot.key, slot.epoch, slot))
 
     def leave(self, slot: Slot) -> None:
         """Not due any more; what still lies in the queues is stale by its epoch."""
@@ -49,15 +49,17 @@ class Agenda:
             slot.epoch += 1
             slot.release = _next_on_grid(now, period_ns)
             slot.deadline = slot.release + period_ns
-            heappush(self._releases, (slot.release, slot.key, slot.epoch, slot))
+            heappush(self._releases, (slot.release, slot.deadline, slot.key, slot.epoch, slot))
 
     def next_due(self, now: int) -> Slot | None:
         """The slot to run now, or None; call `done` after its cycle."""
         releases, ready = self._releases, self._ready
         while releases and releases[0][0] <= now:
-            _, key, epoch, slot = heappop(releases)
+            release, deadline, key, epoch, slot = heappop(releases)
             if epoch == slot.epoch:
-                heappush(ready, (slot.deadline, key, epoch, slot))
+                if release == now and not ready:
+                    return slot  # all that is due was released at this very instant, and lies in order already
+                heappush(ready, (deadline, key, epoch, slot))
         while ready:
             _, _, epoch, slot = heappop(ready)
             if epoch == slot.epoch:
@@ -66,21 +68,23 @@ class Agenda:
 
     def done(self, slot: Slot, now: int) -> None:
         """A cycle is over: release at its deadline; periods that passed meanwhile are counted and skipped."""
-        release = slot.deadline
-        if now > release + slot.period:
-            late = (now - release) // slot.period
+        release, period = slot.deadline, slot.period
+        if now > release + period:
+            late = (now - release) // period
             slot.missed += late
-            release += late * slot.period
+            release += late * period
         slot.release = release
-        slot.deadline = release + slot.period
-        heappush(self._releases, (release, slot.key, slot.epoch, slot))
+        slot.deadline = deadline = release + period
+        heappush(self._releases, (release, deadline, slot.key, slot.epoch, slot))
 
     def next_release(self) -> int | None:
         """When something becomes due (a time in the past: now); None if nothing ever will."""
-        if any(epoch == slot.epoch for _, _, epoch, slot in self._ready):
-            return self._ready[0][3].release
-        releases = self._releases
-        while releases and releases[0][2] != releases[0][3].epoch:
+        ready, releases = self._ready, self._releases
+        while ready and ready[0][2] != ready[0][3].epoch:
+            heappop(ready)
+        if ready:
+            return ready[0][3].release
+        while releases and releases[0][3] != releases[0][4].epoch:
             heappop(releases)
         return releases[0][0] if releases else None
 

@@ -73,7 +73,10 @@ class Binding:
 
     def not_finite(self) -> list[str]:
         """The variables among the real inputs that hold NaN or infinity (law 5)."""
-        return [svar for svar, values in self._real_inputs if not math.isfinite(sum(values))]
+        for _, values in self._real_inputs:
+            if not math.isfinite(sum(values)):
+                return [svar for svar, numbers in self._real_inputs if not math.isfinite(sum(numbers))]
+        return []
 
     def in_force(self) -> frozenset[str]:
         """The variables whose present value still steers something (law 3)."""

@@ -47,7 +47,7 @@ class World(Protocol):
         ...
 
     def state(self, device: str) -> Any:
-        """The newest state of a device."""
+        """The newest state of a device: a vector of float64, always the same one."""
         ...
 
     def stop(self) -> None:
@@ -120,16 +120,9 @@ class Bus:
             commands.pump(self.world)
 
     def _publisher(self, sheet: DeviceSheet, offset: int) -> Callable[[], None]:
-        """A function that publishes the device's state; the world may replace its vector, so it is copied each time."""
-        mirror = np.zeros(len(sheet.state))
-        send = Ring(self._view, offset, mirror.nbytes).writer(mirror.data.cast("B"))
-        state, name = self.world.state, sheet.name
-
-        def publish() -> None:
-            mirror[:] = state(name)
-            send()
-
-        return publish
+        """A function that publishes the device's state, straight from the world's vector, which is always the same."""
+        state = self.world.state(sheet.name)
+        return Ring(self._view, offset, state.nbytes).writer(state.data.cast("B"))
 
 
 class _Commands:
@@ -138,16 +131,18 @@ class _Commands:
     def __init__(self, device: str, ring: Ring, count: int) -> None:
         self._device = device
         self._ring = ring
-        self._data = np.zeros(2 + count)
-        self._values = self._data[2:]
-        self._fetch = ring.reader(self._data.data.cast("B"))
+        data = np.zeros(2 + count).data
+        self._head = data[:2]
+        self._values = data[2:]
+        self._fetch = ring.reader(data.cast("B"))
         self._seen = ring.count
 
     def pump(self, world: World) -> None:
         """Deliver the newest command, once."""
         if self._ring.count != self._seen:
             self._seen = self._fetch()
-            world.command(self._device, int(self._data[0]), int(self._data[1]), self._values)
+            epoch, order = self._head
+            world.command(self._device, int(epoch), int(order), self._values)
 
 
 def _layout(sheets: Sequence[DeviceSheet]) -> dict[str, tuple[int, int]]:

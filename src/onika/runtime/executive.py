@@ -4,7 +4,7 @@ Sans-I/O: `handle` takes a command and the time, `run_next` runs one cycle; both
 owner delivers the news and the commands that came meanwhile, in this order (law 2).
 """
 
-from collections.abc import Callable, MutableMapping
+from collections.abc import Callable, MutableMapping, Sequence
 
 from onika.model.lifecycle import IllegalTransition, State, Step, after
 from onika.model.signal import Signal, SignalKind
@@ -17,6 +17,7 @@ from onika.runtime.running_task import Counters, RunningTask
 from onika.words.fault import Fault
 
 Address = tuple[str, str]
+_NOTHING: Sequence[news.News] = ()
 
 
 class Executive:
@@ -62,23 +63,36 @@ class Executive:
         """When the next cycle is due, if any."""
         return self._agenda.next_release()
 
-    def run_next(self, now: int) -> list[news.News] | None:
-        """Run the one task that is due first; its news, or None if nothing is due."""
+    def run_next(self, now: int) -> Sequence[news.News] | None:
+        """Run the one task that is due first; its news (mostly none), or None if nothing is due."""
         slot = self._agenda.next_due(now)
         if slot is None:
             return None
         task = self._slots[id(slot)]
         epoch = slot.epoch
-        self._run(task, task.cycle, now)
+        self._watch(slot.key[2])
+        signal = None
+        try:
+            signal = task.cycle(now)
+        except Exception as wrong:
+            self._fail(task, "cycle", wrong, now)
+        self._watch("")
+        if signal is not None or task.is_first or task.warnings:
+            self._after_cycle(task, signal, now)
         if slot.epoch == epoch and task.is_periodic:
             self._agenda.done(slot, now)
-        return self._take_news()
+        return self._take_news() if self._news else _NOTHING
 
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
         task = self.tasks.get(address)
         if task is not None and task.state is State.ON:
-            self._run(task, task.event, now)
+            signal: Signal | None = None
+            try:
+                signal = task.event(now)
+            except Exception as wrong:
+                self._fail(task, "cycle", wrong, now)
+            self._after_cycle(task, signal, now)
         return self._take_news()
 
     # Inner: commands
@@ -270,23 +284,16 @@ class Executive:
             self._watch("")
         return True
 
-    def _run(self, task: RunningTask, cycle: Callable[[int], Signal | None], now: int) -> None:
-        """One cycle and what it led to."""
-        self._watch(task.slot.key[2])
-        signal = None
-        try:
-            signal = cycle(now)
-        except Exception as wrong:
-            self._fail(task, "cycle", wrong, now)
-        self._watch("")
+    def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int) -> None:
+        """What a cycle led to besides its outputs."""
         if task.is_first:
             task.is_first = False
             self._news.append(news.Cycled(*_address(task), now))
             self._check_strays(task, now)
-        if task.module.warnings:
-            task.counters.warnings += len(task.module.warnings)
-            self._news += [news.Warned(*_address(task), text, now) for text in task.module.warnings]
-            task.module.warnings.clear()
+        if task.warnings:
+            task.counters.warnings += len(task.warnings)
+            self._news += [news.Warned(*_address(task), text, now) for text in task.warnings]
+            task.warnings.clear()
         if signal is not None and task.state is State.ON:
             self._signal(task, signal, now)
 

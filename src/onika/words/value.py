@@ -1,6 +1,7 @@
 """The nine types of values that tasks, targets and user input are made of (dissertation §C.4)."""
 
 import math
+import re
 import struct
 from enum import Enum
 
@@ -102,21 +103,23 @@ _CODES = {
 }
 
 
+_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?\Z|[+-]?(inf|infinity|nan)\Z", re.ASCII | re.IGNORECASE)
+_DIGITS = re.compile(r"[+-]?\d+\Z", re.ASCII)
+
+
 def _real(text: str, kind: ValueType) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        raise ValueError(f"expected a number ({kind.value}), found {text!r}") from None
+    if not _NUMBER.match(text):
+        raise ValueError(f"expected a number ({kind.value}), found {text!r}")
+    value = float(text)
     if not math.isfinite(value):
         raise ValueError(f"expected a finite number ({kind.value}), found {text!r}")
     return value
 
 
 def _whole(text: str, kind: ValueType) -> int:
-    try:
-        value = int(text)
-    except ValueError:
-        raise ValueError(f"expected a whole number ({kind.value}), found {text!r}") from None
+    if not _DIGITS.match(text):
+        raise ValueError(f"expected a whole number ({kind.value}), found {text!r}")
+    value = int(text)
     low, high = _WHOLE[kind]
     if not low <= value <= high:
         raise ValueError(f"expected a {kind.value} from {low} to {high}, found {text}")

@@ -64,7 +64,8 @@ class Gripper:
             f'<body name="{self.name}.finger{k}"><inertial pos="0 {face + side * 0.01} {_TIP - 0.01}" '
             f'mass="{_FINGER_KG}" diaginertia="6e-5 6e-5 2e-5"/>'
             f'<joint name="{self.name}.finger{k}" type="slide" axis="0 {side} 0" range="0 {TRAVEL_M}" '
-            f'damping="150" armature="0.1"/>{shapes}</body>'
+            # firm stops: the usual soft ones give way 5 mm to the cylinder
+            f'solreflimit="0.004 1" solimplimit="0.95 0.99 0.001" damping="150" armature="0.1"/>{shapes}</body>'
         )
 
     def _touching_finger(self, k: int, side: int, face: float, touch: Touch) -> str:
