@@ -60,12 +60,17 @@ def device_of(task):
     return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
 
 
-def bench_of(path):
+def bench_of(path, code=None):
     task = task_of(path)
     device = device_of(task)
     local = {line.key: line.words for line in task.local if line.key != "DEVICE"}
-    code = path.with_name(f"{task.module}.py")
-    return Bench(code, frequency=task.frequency, local=local, constants=KNOWN, device=device), device
+    return Bench(
+        code or path.with_name(f"{task.module}.py"),
+        frequency=task.frequency,
+        local=local,
+        constants=KNOWN,
+        device=device,
+    ), device
 
 
 def argument_line(bench, module, rng):
@@ -192,22 +197,36 @@ def test_a_thousand_cycles_with_any_finite_input_end_well_and_write_finite_numbe
     assert bench.cycles == 1000
 
 
+PLANTED = """
+
+def _fail(self, sound={name}.cycle):
+    if hasattr(self, "_planted"):
+        raise RuntimeError("planted")
+    return sound(self)
+
+
+def _hear(self, fault):
+    self._heard = fault
+    return False
+
+
+{name}.cycle, {name}.error = _fail, _hear
+"""
+
+
 @pytest.mark.parametrize("path", TASKS, ids=name)
-def test_an_exception_in_a_cycle_reaches_the_error_entry(path):  # R-A09
+def test_an_exception_in_a_cycle_reaches_the_error_entry(path, tmp_path):  # R-A09
     rng = np.random.default_rng(2)
-    bench, device = bench_of(path)
+    sound, _ = bench_of(path)
+    copy = tmp_path / sound.path.name
+    copy.write_text(sound.path.read_text() + PLANTED.format(name=sound.cls.__name__))
+    bench, device = bench_of(path, copy)
     bench.init()
     feed(bench, device, rng)
     bench.on(argument_line(bench, path.stem, rng))
+    bench.task.module._planted = True
     feed(bench, device, rng)
-    planted, heard = RuntimeError("planted"), []
-
-    def fail():
-        raise planted
-
-    bench.task.module.cycle = fail
-    bench.task.module.error = lambda fault: bool(heard.append(fault))
     bench.cycle()
-    assert heard == [planted]
     assert bench.state is State.ERROR
     assert bench.failed.text == "RuntimeError: planted"
+    assert str(bench.task.module._heard) == "planted"

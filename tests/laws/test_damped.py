@@ -22,7 +22,7 @@ def test_an_arm_of_four_joints_reaches_what_its_joints_allow():  # R-K03, R-E09
         solution = INVERSE.nearest(pose, np.clip(q + 0.2, LOW, HIGH))
         assert not isinstance(solution, str)
         assert np.abs(SCARA.forward(solution) - pose).max() < 1e-7
-        assert ((LOW <= solution) & (solution <= HIGH)).all()
+        assert ((solution >= LOW) & (solution <= HIGH)).all()
 
 
 def test_an_orientation_that_its_joints_do_not_allow_is_out_of_reach():  # R-E09
@@ -57,3 +57,9 @@ def test_equal_questions_have_equal_answers():
 
 def test_a_pose_that_is_not_finite_is_refused():
     assert INVERSE.nearest(np.full((4, 4), math.nan), np.zeros(4)) == "the pose is not finite"
+
+
+def test_a_joint_is_never_taken_beyond_its_limits():
+    reason = INVERSE.nearest(SCARA.forward([0.3, 0.4, 0.40, 0.2]), np.zeros(4))
+    assert isinstance(reason, str)
+    assert "0.105 m" in reason  # the quill ends at 0.295 m

@@ -45,9 +45,9 @@ def test_nearest_is_the_nearest_of_all_branches_within_limits(share, near):
     pose, q_near = ARMS["plain"].forward(_within(share)), _within(near)
     solution = INVERSES["plain"].nearest(pose, q_near)
     assert not isinstance(solution, str)
-    assert ((puma560.QMIN <= solution) & (solution <= puma560.QMAX)).all()
+    assert ((solution >= puma560.QMIN) & (solution <= puma560.QMAX)).all()
     for branch in INVERSES["plain"].branches(pose, q_near):
-        if ((puma560.QMIN <= branch) & (branch <= puma560.QMAX)).all():
+        if ((branch >= puma560.QMIN) & (branch <= puma560.QMAX)).all():
             assert np.sum((solution - q_near) ** 2) <= np.sum((branch - q_near) ** 2) + 1e-6
 
 

@@ -12,7 +12,6 @@ from onika.laws.path import Line, joint_duration, quintic
 from onika.ring.device import Drive, DriveEvent, Order
 from onika.workcell.boxes import BoxesWorld
 from onika.workcell.layout import LAYOUT_M
-from onika.workcell.snapshot import decode
 from onika.workcell.table import TOP_M
 
 DT, MS = 0.002, 1_000_000
@@ -270,6 +269,15 @@ def test_a_released_device_holds_and_is_free_again():
     assert world.state("arm_left")[1] == Drive.HELD
 
 
+def test_only_the_present_writer_keeps_a_device_driven():
+    world = claimed("arm_left", epoch=2)
+    world.command("arm_left", 2, Order.DRIVE, np.zeros(6))
+    for _ in range(30):
+        world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+        world.step(world.now_ns + 2 * MS)
+    assert world.state("arm_left")[1] == Drive.HELD
+
+
 def test_a_dead_writers_devices_trip_and_its_late_commands_are_ignored():  # law 17
     world = claimed("arm_left", "gripper_left")
     world.claim("arm_right", 2)
@@ -318,21 +326,12 @@ def test_commands_that_keep_coming_keep_it_driven():
 def test_a_commanded_hold_does_not_trip_and_the_arm_stays_where_it_was():
     world = BoxesWorld()
     operator = Operator(world)
-    operator.turn(puma560.HOME + [0.3, 0.4, 0.3, 0.2, 0.5, 0.1])
+    operator.turn(np.add(puma560.HOME, [0.3, 0.4, 0.3, 0.2, 0.5, 0.1]))
     there = operator.q.copy()
     world.command("arm_left", 1, Order.HOLD, ())
     world.step(world.now_ns + 1000 * MS)
     assert world.state("arm_left")[1] == Drive.HELD
     assert np.allclose(operator.q, there, atol=2e-3)
-
-
-def test_a_hand_that_holds_keeps_its_pressure():  # law 17
-    world = BoxesWorld()
-    operator = Operator(world)
-    operator.grip(1.0)
-    world.step(world.now_ns + 1000 * MS)
-    assert world.state("gripper_left")[1] == Drive.TRIPPED
-    assert world.state("gripper_left")[2] == pytest.approx(0.112, abs=2e-3)
 
 
 @pytest.mark.parametrize("device", ["arm_left", "gripper_left"])
@@ -390,7 +389,7 @@ def test_commands_of_the_wrong_shape_are_faults():
         ("lamp", Order.DRIVE, [1.0]),
         ("lamp", Order.HOLD, ()),
     ):
-        with pytest.raises(ValueError, match="expected|9"):
+        with pytest.raises(ValueError, match=r"expected|9"):
             world.command(device, 1, order, values)
     assert not world.take_events()
 
@@ -401,17 +400,3 @@ def test_nobody_drives_what_nobody_claims():
         world.command("arm_left", epoch, Order.DRIVE, np.zeros(6))
     assert world.state("arm_left")[1] == Drive.HELD
     assert not world.take_events()
-
-
-# ---- drawing ----
-
-
-def test_scene_poses_and_snapshot_speak_of_the_same_bodies():
-    world = claimed("arm_left")
-    world.step(20 * MS)
-    poses, snapshot = world.poses(), decode(world.snapshot())
-    assert poses.dtype == np.float32
-    assert poses.shape == (max(shape.body for shape in world.scene()) + 1, 7)
-    assert snapshot.time_s == pytest.approx(0.020)
-    assert not snapshot.lit
-    assert len(snapshot.qpos) == 4 * 7 + 8

@@ -1,5 +1,7 @@
+import numpy as np
 import pytest
 
+from onika.workcell.boxes import BoxesWorld
 from onika.workcell.snapshot import Snapshot, decode, encode
 
 SNAPSHOT = Snapshot("<mujoco/>", (0.1, -2.5), 3.5, True)
@@ -14,3 +16,15 @@ def test_any_cut_of_its_bytes_is_refused():
     for length in range(len(data)):
         with pytest.raises(ValueError, match=r".+"):
             decode(data[:length])
+
+
+def test_scene_poses_and_snapshot_speak_of_the_same_bodies():
+    world = BoxesWorld()
+    world.claim("arm_left", 1)
+    world.step(20_000_000)
+    poses, snapshot = world.poses(), decode(world.snapshot())
+    assert poses.dtype == np.float32
+    assert poses.shape == (max(shape.body for shape in world.scene()) + 1, 7)
+    assert snapshot.time_s == pytest.approx(0.020)
+    assert not snapshot.lit
+    assert len(snapshot.qpos) == 4 * 7 + 8

@@ -73,9 +73,9 @@ def _wall(program: Program, gate: Gate, driver: WallDriver) -> None:
     while gate.is_open and not program.is_over:
         readers: list[Gate | Post] = [gate, *(one.post for one in driver.posts())]
         select.select(readers, [gate] if gate.is_waiting else [], [], driver.wait_s())
-        program.serve()
-        driver.look_after()
+        driver.look_after()  # first the robot, then the listeners
         program.advance(0)
+        program.serve()
     _say_last(gate)
 
 

@@ -13,6 +13,7 @@ class Gate:
     def __init__(self, port: ServerPort, clock: Callable[[], int]) -> None:
         self._port = port
         self._clock = clock
+        self._told: list[event.Event] = []
 
     @property
     def is_open(self) -> bool:
@@ -29,11 +30,21 @@ class Gate:
         return self._port.want_write()
 
     def tell(self, one: event.Event) -> None:
-        """Send an event: numbered, acknowledged, never lost."""
-        self._port.signal(event.encode(one), self._clock())
+        """Say an event: numbered, acknowledged, never lost. It goes out at the next `flush`, so that telling never
+        stands between a trigger's finish and the next job."""
+        self._told.append(one)
+
+    def flush(self) -> None:
+        """Send what was told."""
+        if self._told:
+            told, self._told = self._told, []
+            now = self._clock()
+            for one in told:
+                self._port.signal(event.encode(one), now)
 
     def requests(self) -> list[tuple[int, request.Request]]:
         """What was asked since the last call, by ticket; what is no request is refused at once."""
+        self.flush()
         asked = []
         for happening in self._port.service(self._clock()):
             if not isinstance(happening, Asked):
@@ -45,5 +56,6 @@ class Gate:
         return asked
 
     def reply(self, ticket: int, response: request.Response) -> None:
-        """Answer a request."""
+        """Answer a request; what was told before goes first."""
+        self.flush()
         self._port.reply(ticket, request.encode(response), self._clock())

@@ -41,7 +41,8 @@ class Ready(Struct, frozen=True, tag=True):
 
 encode = msgpack.Encoder().encode
 decode_command = msgpack.Decoder(Share | command.Command).decode
-decode_news = msgpack.Decoder(Ready | news.News).decode
+decode_news = msgpack.Decoder(list[Ready | news.News]).decode
+"""News come as lists: what one command or cycle led to is one datagram."""
 
 
 class Rtpu:
@@ -79,8 +80,8 @@ class Rtpu:
             select.select([self._post], writable, [], wait)
 
     def _tell(self, heard: Sequence[news.News]) -> None:
-        for one in heard:
-            self._post.send(encode(one))
+        if heard:
+            self._post.send(encode(list(heard)))
 
     def _take_commands(self) -> None:
         if self._post.is_waiting:
@@ -127,7 +128,7 @@ def main(words: list[str]) -> None:
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
     heartbeat.beat()  # before it is said to be up: from then on silence counts
-    post.send(encode(Ready(granted)))
+    post.send(encode([Ready(granted)]))
     rtpu.run()
 
 

@@ -161,7 +161,8 @@ class WallDriver:
                 if one is self._devices:
                     self._word(device_server.decode_word(received[0]))
                 else:
-                    self._news(one, rtpu.decode_news(received[0]))
+                    for heard in rtpu.decode_news(received[0]):
+                        self._news(one, heard)
 
     def _news(self, one: Supervised, heard: rtpu.Ready | news.News) -> None:
         if isinstance(heard, rtpu.Ready):

@@ -27,8 +27,8 @@ class Segment:
 
     def close(self) -> None:
         """Give the memory back; views of it that are still in use keep the map alive until they go."""
-        self.view.release()
         try:
+            self.view.release()
             self._map.close()
         except BufferError:
             pass  # a reader still holds a view: the map goes with the last one

@@ -1,7 +1,8 @@
 """What is due: a release queue and a ready queue, earliest deadline first; sans-I/O (laws 1, 2).
 
 A task on the agenda is a mutable `Slot`. Released slots wait by (deadline, criticality, rank, name), which fixes the
-order at one instant whatever came before.
+order at one instant whatever came before. A slot whose deadline has passed before it could run is late: the periods
+it is late by are counted and skipped, and it runs once for the period that is open.
 """
 
 from heapq import heappop, heappush
@@ -21,6 +22,12 @@ class Slot:
         self.epoch = 0
         self.is_listed = False
 
+    def skip(self, now: int) -> None:
+        """Move on to the period that is open at `now`, counting the whole periods it is late by."""
+        self.missed += (now - self.release) // self.period
+        self.release = now - now % self.period
+        self.deadline = self.release + self.period
+
 
 class Agenda:
     """Slots by release time, then by deadline; time is handed in as integer nanoseconds."""
@@ -28,10 +35,11 @@ class Agenda:
     def __init__(self) -> None:
         self._releases: list[tuple[int, int, tuple[int, int, str], int, Slot]] = []
         self._ready: list[tuple[int, tuple[int, int, str], int, Slot]] = []
+        self._epoch = 0
 
     def enter(self, slot: Slot, now: int) -> None:
         """Due at once, then on the common grid of multiples of the period."""
-        slot.epoch += 1
+        self._renew(slot)
         slot.is_listed = True
         slot.release = now
         slot.deadline = _next_on_grid(now, slot.period)
@@ -39,16 +47,17 @@ class Agenda:
 
     def leave(self, slot: Slot) -> None:
         """Not due any more; what still lies in the queues is stale by its epoch."""
-        slot.epoch += 1
+        self._renew(slot)
         slot.is_listed = False
 
     def change(self, slot: Slot, period_ns: int, now: int) -> None:
-        """Another period from now on; the next release is the next point of the new grid."""
+        """Another period from now on; a release that is due already stays due, later ones lie on the new grid."""
         slot.period = period_ns
         if slot.is_listed:
-            slot.epoch += 1
-            slot.release = _next_on_grid(now, period_ns)
-            slot.deadline = slot.release + period_ns
+            self._renew(slot)
+            if slot.release > now:
+                slot.release = _next_on_grid(now, period_ns)
+            slot.deadline = _next_on_grid(slot.release, period_ns)
             heappush(self._releases, (slot.release, slot.deadline, slot.key, slot.epoch, slot))
 
     def next_due(self, now: int) -> Slot | None:
@@ -61,20 +70,18 @@ class Agenda:
                     return slot  # all that is due was released at this very instant, and lies in order already
                 heappush(ready, (deadline, key, epoch, slot))
         while ready:
-            _, _, epoch, slot = heappop(ready)
+            deadline, key, epoch, slot = heappop(ready)
             if epoch == slot.epoch:
-                return slot
+                if deadline > now:
+                    return slot
+                slot.skip(now)
+                heappush(ready, (slot.deadline, key, epoch, slot))
         return None
 
-    def done(self, slot: Slot, now: int) -> None:
-        """A cycle is over: release at its deadline; periods that passed meanwhile are counted and skipped."""
-        release, period = slot.deadline, slot.period
-        if now > release + period:
-            late = (now - release) // period
-            slot.missed += late
-            release += late * period
-        slot.release = release
-        slot.deadline = deadline = release + period
+    def done(self, slot: Slot) -> None:
+        """A cycle is over: the next release is its deadline."""
+        slot.release = release = slot.deadline
+        slot.deadline = deadline = release + slot.period
         heappush(self._releases, (release, deadline, slot.key, slot.epoch, slot))
 
     def next_release(self) -> int | None:
@@ -87,6 +94,11 @@ class Agenda:
         while releases and releases[0][3] != releases[0][4].epoch:
             heappop(releases)
         return releases[0][0] if releases else None
+
+    def _renew(self, slot: Slot) -> None:
+        """Make all entries of the slot stale. Epochs are never given twice, so that two entries never compare equal."""
+        self._epoch += 1
+        slot.epoch = self._epoch
 
 
 def _next_on_grid(now: int, period: int) -> int:

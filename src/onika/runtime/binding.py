@@ -86,6 +86,7 @@ class Binding:
 def instantiate(cls: type[Module], spawn: Spawn, views: Views) -> Module:
     """A fresh instance with time, chance, device and parameters; raises ValueError for a bad LOCAL line."""
     instance = cls()
+    Module.__init__(instance)  # once more: a class with an __init__ of its own may have forgotten it
     instance.dt = 1.0 / spawn.frequency if spawn.frequency else 0.0
     instance.random = random.Random(f"{spawn.seed}/{spawn.subsystem}/{spawn.task}")  # noqa: S311 - simulation, no secret
     if spawn.device is not None:

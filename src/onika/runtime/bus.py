@@ -92,7 +92,7 @@ class Bus:
         if sheet.command:
             sheet = self.world.claim(device, epoch)
             ring = Ring(self._view, command_at, 8 * (2 + len(sheet.command)))
-            self._commands[device] = _Commands(device, ring, len(sheet.command))
+            self._commands[device] = _Commands(device, epoch, ring, len(sheet.command))
         self._publishers[device] = self._publisher(sheet, state_at)
         self._publishers[device]()
         command = command_at if sheet.command else None
@@ -102,9 +102,10 @@ class Bus:
 
     def release(self, device: str, epoch: int) -> None:
         """The claim ends: the drive holds."""
-        commands = self._commands.pop(device, None)
-        if commands is not None:
+        commands = self._commands.get(device)
+        if commands is not None and commands.epoch == epoch:
             commands.pump(self.world)
+            del self._commands[device]
         self.world.release(device, epoch)
 
     def step(self, until_ns: int) -> None:
@@ -128,7 +129,8 @@ class Bus:
 class _Commands:
     """The command ring of one claimed device."""
 
-    def __init__(self, device: str, ring: Ring, count: int) -> None:
+    def __init__(self, device: str, epoch: int, ring: Ring, count: int) -> None:
+        self.epoch = epoch
         self._device = device
         self._ring = ring
         data = np.zeros(2 + count).data

@@ -1,5 +1,6 @@
 """A module's file executed: source text to class, anew for every running task, so that nothing is shared (law 14)."""
 
+import sys
 import traceback
 import types
 
@@ -18,10 +19,13 @@ def load(source: str, path: str, module: str) -> type[Module] | Fault:
         return Fault(Place(path), "Python", str(wrong), instead)
     namespace = types.ModuleType(f"onika_task_{module}")
     namespace.__file__ = path
+    sys.modules[namespace.__name__] = namespace  # dataclasses look their own file up while they are made
     try:
         exec(code, namespace.__dict__)  # noqa: S102 - running modules is what a runtime is for; trust is decided before
-    except Exception as wrong:
+    except (Exception, SystemExit) as wrong:
         return Fault(Place(path, line_in(path, wrong)), "a module that can be imported", told(wrong), instead)
+    finally:
+        sys.modules.pop(namespace.__name__, None)
     classes = [
         one
         for one in vars(namespace).values()

@@ -5,8 +5,10 @@ from operator import attrgetter
 from typing import Any, ClassVar
 
 from onika.model.port import Port, PortKind
+from onika.words import letters
 from onika.words.name import SVAR_NAME
 from onika.words.shape import Shape
+from onika.words.value import ValueType
 
 Bound = float | str
 """A number, or the name of an INCONST that holds one (a vector bounds element by element)."""
@@ -15,8 +17,8 @@ Bound = float | str
 class PortDeclaration:
     """A port as a class attribute; on an instance it is the module's own copy of the variable.
 
-    A vector is a NumPy array (inputs cannot be written), a scalar a number, a text a str. `name` is the coded name
-    where it is no Python name, as in `Q^_REF`. Assigning writes into place, whole.
+    A vector is a NumPy array (inputs cannot be written), a scalar a number, a text or character a str, several of them
+    a list. `name` is the coded name where it is no Python name, as in `Q^_REF`. Assigning writes into place, whole.
     """
 
     kind: ClassVar[PortKind]
@@ -117,13 +119,16 @@ def slot(attribute: str) -> str:
 
 def _getter(key: str, shape: Shape) -> Callable[[Any], Any]:
     buffer = attrgetter(key)
-    if shape.type.is_text:
-        return lambda module: buffer(module).tobytes().partition(b"\0")[0].decode("utf-8", "replace")
-    if shape.type.value == "char":
-        return lambda module: chr(buffer(module)[0])
+    if _is_lettered(shape):
+        is_vector = bool(shape.dims)
+        return lambda module: letters.decode(buffer(module).tobytes(), shape.type, is_vector)
     if not shape.dims:
         return lambda module: buffer(module)[0].item()
     return buffer  # attrgetter runs in C: the fast way for vectors
+
+
+def _is_lettered(shape: Shape) -> bool:
+    return shape.type.is_text or shape.type is ValueType.CHAR
 
 
 def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[[Any, Any], None]:
@@ -135,17 +140,16 @@ def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[
 
         return refuse
     buffer = attrgetter(key)
-    if declaration.shape.type.is_text:
+    if _is_lettered(declaration.shape):
 
-        def write_text(module: Any, value: str) -> None:
-            target = buffer(module)
-            data = value.encode()
-            if len(data) >= len(target):
-                raise ValueError(f"{attribute} holds {len(target) - 1} bytes of text, found {len(data)}")
-            target[:] = 0
-            target[: len(data)] = bytearray(data)
+        def write_letters(module: Any, value: Any) -> None:
+            target = buffer(module).reshape(-1)
+            try:
+                target[:] = bytearray(letters.encode(value, declaration.shape.type, target.size))
+            except ValueError as wrong:
+                raise ValueError(f"{attribute}: {wrong}") from None
 
-        return write_text
+        return write_letters
 
     def write(module: Any, value: Any) -> None:
         buffer(module)[...] = value

@@ -71,12 +71,15 @@ class Device:
         """
         if self._send is None:
             raise ValueError(f"{self.sheet.name} takes no commands from this task")
+        if self._holding:
+            self.hold()
+            return
         order = self._order
         order[_HEADER:] = values
         if not math.isfinite(sum(self._numbers)):  # a sum of finite torques is finite
             self.hold()
             raise ValueError(f"expected finite commands for {self.sheet.name}, found {list(values)}")
-        self._numbers[1] = _HOLD if self._holding else _DRIVE
+        self._numbers[1] = _DRIVE
         self._send()
 
     def hold(self) -> None:

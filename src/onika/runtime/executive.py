@@ -5,6 +5,7 @@ owner delivers the news and the commands that came meanwhile, in this order (law
 """
 
 from collections.abc import Callable, MutableMapping, Sequence
+from operator import index
 
 from onika.model.lifecycle import IllegalTransition, State, Step, after
 from onika.model.signal import Signal, SignalKind
@@ -13,11 +14,13 @@ from onika.runtime.agenda import Agenda
 from onika.runtime.binding import Views
 from onika.runtime.code import load, told
 from onika.runtime.module import AskAgain, ModuleError
-from onika.runtime.running_task import Counters, RunningTask
+from onika.runtime.running_task import LawBroken, RunningTask
 from onika.words.fault import Fault
 
 Address = tuple[str, str]
 _NOTHING: Sequence[news.News] = ()
+_RAISED = (Exception, SystemExit)
+"""What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
 
 
 class Executive:
@@ -74,24 +77,29 @@ class Executive:
         signal = None
         try:
             signal = task.cycle(now)
-        except Exception as wrong:
+        except _RAISED as wrong:
             self._fail(task, "cycle", wrong, now)
         self._watch("")
         if signal is not None or task.is_first or task.warnings:
             self._after_cycle(task, signal, now)
-        if slot.epoch == epoch and task.is_periodic:
-            self._agenda.done(slot, now)
+        if slot.epoch == epoch:
+            if task.is_periodic:
+                self._agenda.done(slot)
+            else:
+                self._agenda.leave(slot)
         return self._take_news() if self._news else _NOTHING
 
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
         task = self.tasks.get(address)
-        if task is not None and task.state is State.ON:
+        if task is not None and task.state is State.ON and task.spawn.task_type == "synchronous":
             signal: Signal | None = None
+            self._watch(task.slot.key[2])
             try:
                 signal = task.event(now)
-            except Exception as wrong:
+            except _RAISED as wrong:
                 self._fail(task, "cycle", wrong, now)
+            self._watch("")
             self._after_cycle(task, signal, now)
         return self._take_news()
 
@@ -103,14 +111,14 @@ class Executive:
             reason = "this unit was stopped" if self.is_stopped else "a task of this name lives here already"
             self._news.append(news.Refused(*address, "spawn", reason))
             return
-        cls = load(order.source, order.path, order.module)
-        if isinstance(cls, Fault):
-            self._news.append(news.Refused(*address, "spawn", str(cls)))
-            return
         self._watch(f"{order.subsystem}/{order.task}")
         try:
+            cls = load(order.source, order.path, order.module)
+            if isinstance(cls, Fault):
+                self._news.append(news.Refused(*address, "spawn", str(cls)))
+                return
             task = RunningTask(order, cls, self._views, now)
-        except Exception as wrong:
+        except _RAISED as wrong:
             self._news.append(news.Refused(*address, "spawn", told(wrong)))
             return
         finally:
@@ -141,12 +149,13 @@ class Executive:
 
     def _rate(self, address: Address, frequency: float, now: int) -> None:
         task = self.tasks.get(address)
-        if task is None or frequency <= 0:
-            self._news.append(news.Refused(*address, "rate", "no such task or rate"))
+        if task is None:
+            self._news.append(news.Refused(*address, "rate", "no such task"))
             return
-        task.period_ns = round(1e9 / frequency)
-        task.module.dt = 1.0 / frequency
-        self._agenda.change(task.slot, task.period_ns, now)
+        try:
+            self._agenda.change(task.slot, task.change_rate(frequency), now)
+        except ValueError as wrong:
+            self._news.append(news.Refused(*address, "rate", str(wrong)))
 
     def _on(self, address: Address, launch: command.Launch, now: int) -> None:
         task = self.tasks.get(address)
@@ -200,25 +209,27 @@ class Executive:
         task = self.tasks.get(address)
         if task is None or task.state not in (State.ON, State.ASKING):
             return  # off already: turning off what is off harms nothing
-        self._leave(task, Step.OFF, now)
-        self._news.append(news.Changed(*address, task.state.value, now))
+        if self._leave(task, Step.OFF, now):
+            self._news.append(news.Changed(*address, task.state.value, now))
 
-    def _leave(self, task: RunningTask, step: Step, now: int) -> None:
-        """Out of ON or ASKING; `off` runs only after an `on`."""
-        was_on = task.state is State.ON
+    def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
+        """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
         self._agenda.leave(task.slot)
-        if was_on:
-            self._try(task, "off", now, task.off)
-        if task.state is not State.ERROR:
-            task.step(step)
+        if task.state is State.ON and not self._try(task, "off", now, task.off):
+            return False
+        task.step(step)
+        return True
 
     def _clear(self, order: command.Clear, now: int) -> None:
         task = self.tasks.get((order.subsystem, order.task))
         if task is None or task.state is not State.ERROR:
             self._news.append(news.Refused(order.subsystem, order.task, "clear", "the task is not in ERROR"))
-        elif self._try(task, "clear", now, task.module.clear):
+            return
+        was_initialised = task.is_initialised
+        if self._try(task, "clear", now, task.clear):
             task.step(Step.CLEAR)
-            self._news.append(news.Changed(*_address(task), task.state.value, now))
+            told_off = news.Changed(*_address(task), task.state.value, now)
+            self._news.append(told_off if was_initialised else news.Initialised(*_address(task), 0))
 
     def _get_or_set(self, order: command.Get | command.Set, now: int) -> None:
         task = self.tasks.get((order.subsystem, order.task))
@@ -229,10 +240,12 @@ class Executive:
             if isinstance(order, command.Set):
                 task.module.set(order.name, order.value)
             value = task.module.get(order.name) if isinstance(order, command.Get) else order.value
-        except Exception as wrong:
+            got = news.Got(*_address(task), order.name, value)
+            news.encode(got)  # a module may hand out what cannot travel
+        except _RAISED as wrong:
             self._news.append(news.Refused(*_address(task), "get or set", told(wrong)))
             return
-        self._news.append(news.Got(*_address(task), order.name, value))
+        self._news.append(got)
         if task.spawn.task_type == "aperiodic" and task.state is State.ON and isinstance(order, command.Set):
             self._agenda.enter(task.slot, now)
 
@@ -275,57 +288,67 @@ class Executive:
         self._watch(task.slot.key[2])
         try:
             call()
-        except Exception as wrong:
+        except _RAISED as wrong:
             if passing is not None and isinstance(wrong, passing):
                 raise
             self._fail(task, entry, wrong, now)
             return False
         finally:
             self._watch("")
+        self._warn(task, now)
         return True
 
     def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int) -> None:
         """What a cycle led to besides its outputs."""
         if task.is_first:
             task.is_first = False
-            self._news.append(news.Cycled(*_address(task), now))
-            self._check_strays(task, now)
+            if task.state is State.ON:
+                self._news.append(news.Cycled(*_address(task), now))
+                self._check_strays(task, now)
+        self._warn(task, now)
+        if signal is not None and task.state is State.ON:
+            self._signal(task, signal, now)
+
+    def _warn(self, task: RunningTask, now: int) -> None:
+        """Pass on what the module warned of."""
         if task.warnings:
             task.counters.warnings += len(task.warnings)
             self._news += [news.Warned(*_address(task), text, now) for text in task.warnings]
             task.warnings.clear()
-        if signal is not None and task.state is State.ON:
-            self._signal(task, signal, now)
 
-    def _signal(self, task: RunningTask, signal: Signal | object, now: int) -> None:
+    def _signal(self, task: RunningTask, returned: object, now: int) -> None:
         address = _address(task)
-        if not isinstance(signal, Signal):
-            self._fail(task, "cycle", TypeError(f"expected a signal or None from cycle, found {signal!r}"), now)
-        elif signal.kind is SignalKind.FINISH and not task.trigger:
-            self._fail(task, "cycle", TypeError("only a trigger finishes a job (dissertation §C.1)"), now)
-        elif signal.kind is SignalKind.FINISH:
-            self._leave(task, Step.FINISH, now)
-            self._news.append(news.Finished(*address, signal.flow, signal.loop, now))
+        try:
+            signal = _sound(returned, task.trigger)
+        except TypeError as wrong:
+            self._fail(task, "cycle", wrong, now)
+            return
+        if signal.kind is SignalKind.FINISH:
+            if self._leave(task, Step.FINISH, now):
+                self._news.append(news.Finished(*address, signal.flow, signal.loop, now))
         elif signal.kind is SignalKind.OFF:
-            self._leave(task, Step.OFF, now)
-            self._news.append(news.Changed(*address, task.state.value, now, "OFF"))
+            if self._leave(task, Step.OFF, now):
+                self._news.append(news.Changed(*address, task.state.value, now, "OFF"))
         else:
             self._news.append(news.Signalled(*address, signal.kind.value, signal.number, signal.text, now))
 
-    def _fail(self, task: RunningTask, entry: str, wrong: Exception, now: int) -> None:
-        """The module's `error` entry first: it mends, and nobody is told, or the task goes to ERROR (A09)."""
-        if entry == "cycle" and self._mended(task, wrong):
+    def _fail(self, task: RunningTask, entry: str, wrong: BaseException, now: int) -> None:
+        """The module's `error` entry first: it mends, and nobody is told, or the task goes to ERROR (A09).
+
+        A device holds either way: this cycle has not commanded it.
+        """
+        task.hold()
+        if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mended(task, wrong):
             return
         self._agenda.leave(task.slot)
-        task.hold()
         task.step(Step.FAIL)
         path, line, trace = task.where(wrong)
         self._news.append(news.Failed(*_address(task), entry, told(wrong), path, line, trace, now))
 
-    def _mended(self, task: RunningTask, wrong: Exception) -> bool:
+    def _mended(self, task: RunningTask, wrong: BaseException) -> bool:
         try:
             return bool(task.module.error(wrong))
-        except Exception:
+        except _RAISED:
             return False
 
     def _check_strays(self, task: RunningTask, now: int) -> None:
@@ -336,7 +359,7 @@ class Executive:
     def _statuses(self, now: int) -> news.Statuses:
         span = max(now - self._busy_since_ns, 1)
         total = sum(task.counters.total_ns for task in self.tasks.values())
-        tasks = tuple(_status(task, now) for task in self.tasks.values())
+        tasks = tuple(task.report(now) for task in self.tasks.values())
         self._busy_since_ns = now
         return news.Statuses(self.rtpu, total / span, tasks)
 
@@ -357,28 +380,10 @@ def _refusal(state: State, step: Step) -> str:
     return ""
 
 
-def _status(task: RunningTask, now: int) -> news.TaskStatus:
-    counters, spawn = task.counters, task.spawn
-    span = max(now - counters.since_ns, 1) * 1e-9
-    mean = counters.total_ns / counters.cycles if counters.cycles else 0.0
-    status = news.TaskStatus(
-        subsystem=spawn.subsystem,
-        task=spawn.task,
-        module=spawn.module,
-        state=task.state.value,
-        type=spawn.task_type,
-        crit=-task.slot.key[0],
-        cycle=counters.cycles,
-        miss=task.slot.missed,
-        warn=counters.warnings,
-        reference_hz=1e9 / task.period_ns,
-        measured_hz=counters.cycles / span,
-        profiled_s=span,
-        total_us=counters.total_ns / 1e3,
-        least_us=counters.least_ns / 1e3,
-        mean_us=mean / 1e3,
-        most_us=counters.most_ns / 1e3,
-    )
-    task.counters = Counters(now)
-    task.slot.missed = 0
-    return status
+def _sound(signal: object, trigger: bool) -> Signal:
+    """What `cycle` returned, as a signal of plain values; raises TypeError where it is none, or not this task's."""
+    if not isinstance(signal, Signal):
+        raise TypeError(f"expected a signal or None from cycle, found {signal!r}")
+    if signal.kind is SignalKind.FINISH and not trigger:
+        raise TypeError("only a trigger finishes a job (dissertation §C.1)")
+    return Signal(signal.kind, index(signal.flow), bool(signal.loop), index(signal.number), str(signal.text))

@@ -65,7 +65,7 @@ class Module:
 
     def warn(self, text: str) -> None:
         """Send a WARNING; nothing else happens."""
-        self.warnings.append(text)
+        self.warnings.append(str(text))
 
     def continues(self, name: str) -> bool:
         """During `on`: whether the variable's present value still steers something, so that it must not jump.
@@ -99,7 +99,7 @@ class Module:
     def kill(self) -> None:
         """The task ends: give back what `init` took."""
 
-    def error(self, fault: Exception) -> bool:
+    def error(self, fault: BaseException) -> bool:
         """Something raised in this module. True: mended, go on and tell nobody. False: give up (state ERROR)."""
         return False
 

@@ -136,5 +136,11 @@ class Statuses(Struct, frozen=True, tag=True):
 
 News = Initialised | Changed | Cycled | Finished | Failed | Warned | Signalled | Asked | Refused | Got | Statuses
 
-encode = msgspec.msgpack.Encoder().encode
+
+def _plain(value: Any) -> Any:
+    """What a module may hand out by `get` and msgpack does not know: arrays and NumPy's numbers, else as text."""
+    return value.tolist() if hasattr(value, "tolist") else str(value)
+
+
+encode = msgspec.msgpack.Encoder(enc_hook=_plain).encode
 decode = msgspec.msgpack.Decoder(News).decode

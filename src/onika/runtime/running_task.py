@@ -10,33 +10,27 @@ from onika.runtime.agenda import Slot
 from onika.runtime.binding import Binding, Views, instantiate, undeclared
 from onika.runtime.code import told
 from onika.runtime.command import Spawn
+from onika.runtime.counters import Counters
 from onika.runtime.device import SILENCE_NS, Device
 from onika.runtime.module import Module, ModuleError
+from onika.runtime.news import TaskStatus
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
 
 
-class Counters:
-    """What is counted since the last status."""
+SLOWEST_GRID_NS = 1_000_000_000
+"""The grid of deadlines of a task without a rate."""
 
-    __slots__ = ("cycles", "least_ns", "most_ns", "since_ns", "total_ns", "warnings")
 
-    def __init__(self, now: int) -> None:
-        self.since_ns = now
-        self.cycles = 0
-        self.warnings = 0
-        self.total_ns = 0
-        self.least_ns = 0
-        self.most_ns = 0
+class LawBroken(ModuleError):
+    """What the law, not the module, finds wrong in a cycle of a hardware task: no `error` entry may mend it (law 5)."""
 
-    def add(self, took_ns: int) -> None:
-        """One more cycle."""
-        self.total_ns += took_ns
-        if took_ns > self.most_ns:  # noqa: PLR1730 - a call of max would cost more than the rest of this function
-            self.most_ns = took_ns
-        if took_ns < self.least_ns or not self.cycles:
-            self.least_ns = took_ns
-        self.cycles += 1
+
+def period_of(frequency: float) -> int:
+    """The period of a rate in hertz, in whole nanoseconds (law 13); raises ValueError where there is none."""
+    if not 0.0 < frequency <= 1e9:
+        raise ValueError(f"expected a rate above 0 Hz and up to 1e9 Hz, found {frequency:g}")
+    return round(1e9 / frequency)
 
 
 class RunningTask:
@@ -50,16 +44,16 @@ class RunningTask:
         self.hardware = cls.hardware
         self.passive = cls.passive
         self.trigger = cls.trigger
-        self.period_ns = round(1e9 / spawn.frequency) if spawn.frequency else 1_000_000_000
+        self.period_ns = SLOWEST_GRID_NS if spawn.frequency is None else period_of(spawn.frequency)
         name = f"{spawn.subsystem}/{spawn.task}"
         self.slot = Slot((-cls.crit, spawn.rank, name), self.period_ns)
         self.counters = Counters(now)
         self.is_first = False
+        self.is_initialised = False
         self.warnings = self.module.warnings
         self.is_periodic = spawn.task_type == "periodic"
         self._reads = self.binding.copies("in")
         self._writes = self.binding.copies("out")
-        self._work = self.module.cycle
         self._wanted = cls.declared_inputs
         self._input: UserInput | None = None
         self._waits_for_fresh = False
@@ -86,6 +80,19 @@ class RunningTask:
             write()
         if self._wanted:
             self._input = UserInput(sheet_of(type(self.module)).inputs, self._constants())
+        self.is_initialised = True
+
+    def clear(self) -> None:
+        """`clear`, and `init` where that has not succeeded yet."""
+        self.module.clear()
+        if not self.is_initialised:
+            self.init()
+
+    def change_rate(self, frequency: float) -> int:
+        """Another rate in hertz from the next cycle on; the new period. Raises ValueError where there is none."""
+        self.period_ns = period_of(frequency)
+        self.module.dt = 1.0 / frequency
+        return self.period_ns
 
     def on(self, now: int, inputs: SimpleNamespace) -> None:
         """All inputs in, own outputs preloaded, `on`, out."""
@@ -100,7 +107,6 @@ class RunningTask:
         if self.hardware:
             self._begin_hold(now)
         self.module.on(inputs)
-        self._no_strays()
         for write in self._writes:
             write()
         self.is_first = True
@@ -108,10 +114,12 @@ class RunningTask:
     def cycle(self, now: int) -> Signal | None:
         """Copy in, cycle, copy out, times."""
         began = perf_counter_ns()
+        if self._waits_for_fresh:
+            self._look_for_fresh()
         for read in self._reads:
             read()
         self.module.now = now * 1e-9
-        signal = self._hardware_cycle(now) if self.hardware else self._work()
+        signal = self._hardware_cycle(now) if self.hardware else self.module.cycle()
         for write in self._writes:
             write()
         self.counters.add(perf_counter_ns() - began)
@@ -166,6 +174,31 @@ class RunningTask:
         lines = traceback.format_list(frames[own[0] :])
         return self.spawn.path, frames[own[-1]].lineno or 0, "".join([*lines, told(wrong)])
 
+    def report(self, now: int) -> TaskStatus:
+        """The figures since the last report; counting begins anew."""
+        counters, spawn = self.counters, self.spawn
+        status = TaskStatus(
+            subsystem=spawn.subsystem,
+            task=spawn.task,
+            module=spawn.module,
+            state=self.state.value,
+            type=spawn.task_type,
+            crit=-self.slot.key[0],
+            cycle=counters.cycles,
+            miss=self.slot.missed,
+            warn=counters.warnings,
+            reference_hz=0.0 if spawn.frequency is None else 1e9 / self.period_ns,
+            measured_hz=counters.cycles / counters.span_s(now),
+            profiled_s=counters.span_s(now),
+            total_us=counters.total_ns / 1e3,
+            least_us=counters.least_ns / 1e3,
+            mean_us=counters.mean_ns / 1e3,
+            most_us=counters.most_ns / 1e3,
+        )
+        self.counters = Counters(now)
+        self.slot.missed = 0
+        return status
+
     # Hardware
 
     def _begin_hold(self, now: int) -> None:
@@ -180,18 +213,20 @@ class RunningTask:
     def _hardware_cycle(self, now: int) -> Signal | None:
         device = self.module.device
         if device.silent_ns(now) > SILENCE_NS:
-            raise ModuleError(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
+            raise LawBroken(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
+        if self._waits_for_fresh:
+            self.module.hold()
+            return None
         bad = self.binding.not_finite()
         if bad:
-            raise ModuleError(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
-        if self._waits_for_fresh:
-            rings = self.binding.input_rings
-            self._waits_for_fresh = any(ring.count == mark for ring, mark in zip(rings, self._marks, strict=True))
-            device.holding(self._waits_for_fresh)
-            if self._waits_for_fresh:
-                self.module.hold()
-                return None
-        return self._work()
+            raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
+        return self.module.cycle()
+
+    def _look_for_fresh(self) -> None:
+        """Before the inputs are copied in: a value written meanwhile may only be newer than what is counted here."""
+        rings = self.binding.input_rings
+        self._waits_for_fresh = any(ring.count == mark for ring, mark in zip(rings, self._marks, strict=True))
+        self.module.device.holding(self._waits_for_fresh)
 
     # Inner
 

@@ -66,6 +66,7 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
     names = [port.name for port in ports]
     if len(set(names)) < len(names):
         raise ValueError(f"expected each port name once, found {', '.join(sorted(names))}")
+    _check_bounds(cls, {port.name for port in ports if port.kind in ("INCONST", "INBOTH")})
     return ModuleSheet(
         ports,
         tuple(
@@ -116,6 +117,13 @@ def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
 
 SLOWEST_HARDWARE_HZ = 40.0
 """Slower, and the drive would hold between two commands (law 17)."""
+
+
+def _check_bounds(cls: type[Module], constants: set[str]) -> None:
+    for name, one in cls.declared_inputs.items():
+        for bound in (one.low, one.high):
+            if isinstance(bound, str) and bound not in constants:
+                raise ValueError(f"input {name}: expected a bound that is a number or an INCONST, found {bound!r}")
 
 
 def _found(kind: str | None) -> str:

@@ -40,16 +40,22 @@ class Subsystem:
         self.table = table
         self.members = {wired.name: Member(wired, rtpus[wired.name]) for wired in tasks}
         wired_tasks = [member.wired for member in self.members.values()]
+        self._supplied = {svar for wired in wired_tasks for svar in wired.outconst}
         hardware = [wired.name for wired in wired_tasks if wired.sheet.hardware]
+        self._fed = {
+            wired.name: upstream(wired_tasks, wired.invar) for wired in wired_tasks if wired.sheet.hardware
+        }
         self.ranks = rank([wired.meeting for wired in wired_tasks], hardware)
 
     def is_ready(self, task: str) -> bool:
         """Whether every constant the task needs has a value."""
-        return all(self._is_written(svar) for svar in self.members[task].wired.inconst)
+        return not self.unsupplied(task)
 
     def unsupplied(self, task: str) -> list[str]:
         """The constants the task still waits for."""
-        return [svar for svar in self.members[task].wired.inconst if not self._is_written(svar)]
+        wired = self.members[task].wired
+        needed = [svar for svar in wired.inconst if svar not in wired.first_values or svar in self._supplied]
+        return [svar for svar in needed if not self._is_written(svar)]
 
     def spawn(self, task: str, source: str, path: str, seed: int, device: DeviceGrant | None) -> Spawn:
         """The command that brings a task to life; its entries are made in the table.
@@ -85,10 +91,8 @@ class Subsystem:
         staying = [m.wired for m in self.members.values() if m.state is State.ON and m.wired.name not in off]
         still_read = {svar for wired in staying for svar in wired.invar}
         gone = {svar for name in off for svar in self.members[name].wired.invar} - still_read
-        coming = [self.members[name].wired for name in on]
-        fed = {svar for wired in coming if wired.sheet.hardware for svar in wired.invar}
-        everyone = [member.wired for member in self.members.values()]
-        return tuple(sorted(gone | (upstream(everyone, fed) if fed else frozenset())))
+        fed = [self._fed[name] for name in on if name in self._fed]
+        return tuple(sorted(gone.union(*fed)))
 
     def writer(self, svar: str) -> str | None:
         """The task that is ON and writes the variable."""

@@ -8,7 +8,9 @@ import numpy as np
 
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
+from onika.words import letters
 from onika.words.shape import Shape
+from onika.words.value import ValueType
 
 SIZE = 1 << 26
 """Bytes reserved for a table; untouched ones cost nothing."""
@@ -53,7 +55,7 @@ class Table:
         return self._rings[name]
 
     def value(self, name: str) -> Any:
-        """A copy of a variable as module authors see it: number, str or array; raises KeyError if unknown."""
+        """A copy of a variable as module authors see it: number, str, list of str or array; raises KeyError if unknown."""
         return value_of(self._rings[name].read(), self.entries[name].shape)
 
     def values(self, names: Iterable[str]) -> dict[str, Any]:
@@ -67,10 +69,8 @@ class Table:
 
 
 def value_of(data: bytes, shape: Shape) -> Any:
-    """The bytes of an entry as number, str or array."""
-    if shape.type.is_text:
-        return data.partition(b"\0")[0].decode("utf-8", "replace")
-    if shape.type.value == "char":
-        return chr(data[0])
+    """The bytes of an entry as number, str, list of str or array."""
+    if shape.type.is_text or shape.type is ValueType.CHAR:
+        return letters.decode(data, shape.type, bool(shape.dims))
     array = np.frombuffer(data, dtype=shape.type.code)
     return array[0].item() if not shape.dims else array.reshape(shape.dims)

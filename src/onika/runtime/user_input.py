@@ -10,7 +10,7 @@ from msgspec import Struct
 from onika.runtime.sheet import InputSheet
 from onika.words import argument
 from onika.words.shape import Shape
-from onika.words.value import Value
+from onika.words.value import Value, ValueType
 
 
 class AskedItem(Struct, frozen=True):
@@ -58,26 +58,32 @@ class UserInput:
 
 def _item(sheet: InputSheet, constants: Mapping[str, Any]) -> AskedItem:
     shape = Shape.parse(sheet.shape).resolve(constants)
-    default = None if sheet.default is None else _spread(sheet.default, shape.count)
-    low, high = (_bound(one, constants, shape.count) for one in (sheet.low, sheet.high))
+    default = None if sheet.default is None else _spread(sheet.name, sheet.default, shape.count)
+    low, high = (_bound(sheet.name, one, constants, shape.count) for one in (sheet.low, sheet.high))
     return AskedItem(sheet.name, shape.type.value, shape.count, sheet.unit, sheet.meaning, default, low, high)
 
 
-def _bound(bound: float | str | None, constants: Mapping[str, Any], count: int) -> tuple[float, ...] | None:
+def _bound(
+    name: str, bound: float | str | None, constants: Mapping[str, Any], count: int
+) -> tuple[float, ...] | None:
     if bound is None:
         return None
     value = constants[bound] if isinstance(bound, str) else bound
-    return tuple(float(one) for one in _spread(value, count))
+    return tuple(float(one) for one in _spread(name, value, count))
 
 
-def _spread(value: Any, count: int) -> tuple[Any, ...]:
+def _spread(name: str, value: Any, count: int) -> tuple[Any, ...]:
+    """One value for each element: a single one for all, or as many as there are."""
     if isinstance(value, str) or np.ndim(value) == 0:
         return (value,) * count
-    return tuple(np.asarray(value).ravel().tolist())
+    values = tuple(np.asarray(value).ravel().tolist())
+    if len(values) != count:
+        raise ValueError(f"input {name} has {count} elements: expected as many bounds or defaults, found {len(values)}")
+    return values
 
 
 def _parse(item: AskedItem, words: list[str]) -> list[Value]:
-    kind = Shape.parse(item.type).type
+    kind = ValueType(item.type)
     values = []
     for index, word in enumerate(words):
         where = item.name if item.count == 1 else f"{item.name}[{index}]"
@@ -100,5 +106,5 @@ def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
 
 
 def _vector(item: AskedItem, values: list[Value]) -> Any:
-    kind = Shape.parse(item.type).type
+    kind = ValueType(item.type)
     return values if kind.is_text or kind.value == "char" else np.array(values, dtype=kind.code)

@@ -60,6 +60,11 @@ class WiredTask:
         return self.svars(PortKind.OUTVAR, PortKind.OUTBOTH)
 
     @property
+    def first_values(self) -> tuple[str, ...]:
+        """What it reads at initialisation if somebody supplies it by then, else as it stands (decision 6)."""
+        return self.svars(PortKind.INBOTH)
+
+    @property
     def meeting(self) -> Ports:
         """Its variables alone, for the rules of order."""
         return Ports(self.name, self.inconst, self.outconst, self.invar, self.outvar)
@@ -97,13 +102,14 @@ def disagreements(tasks: Sequence[WiredTask]) -> list[Fault]:
 
 
 def missing_constants(tasks: Sequence[WiredTask]) -> list[Fault]:
-    """Every constant that a task needs and no task of the subsystem supplies."""
+    """Every constant that a task needs and no task of the subsystem supplies; an INBOTH takes an OUTVAR too."""
     supplied = {svar for task in tasks for svar in task.outconst}
+    written = supplied | {svar for task in tasks for svar in task.outvar}
     return [
         Fault(Place(task.task.place), f"a task that supplies the constant {svar}", "none", "the application is not run")
         for task in tasks
         for svar in task.inconst
-        if svar not in supplied
+        if svar not in (written if svar in task.first_values else supplied)
     ]
 
 

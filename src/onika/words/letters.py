@@ -1,0 +1,34 @@
+"""Texts and characters as they lie in memory: a text as UTF-8 filled up with zeros, a character as one byte (law 7)."""
+
+from collections.abc import Iterable
+
+from onika.words.value import ValueType
+
+
+def decode(data: bytes, kind: ValueType, is_vector: bool) -> str | list[str]:
+    """The text or character in `data`, or the list of them; bytes that are no UTF-8 are replaced."""
+    found = [_decode(data[start : start + kind.size], kind) for start in range(0, len(data), kind.size)]
+    return found if is_vector else found[0]
+
+
+def encode(value: str | Iterable[str], kind: ValueType, size: int) -> bytes:
+    """A text or character, or several, as `size` bytes; raises ValueError where they do not fit."""
+    values = [value] if isinstance(value, str) and kind.is_text else list(value)
+    if len(values) * kind.size != size:
+        raise ValueError(f"expected {size // kind.size} of type {kind.value}, found {len(values)}")
+    return b"".join(_encode(one, kind) for one in values)
+
+
+def _decode(data: bytes, kind: ValueType) -> str:
+    return data.partition(b"\0")[0].decode("utf-8", "replace") if kind.is_text else chr(data[0])
+
+
+def _encode(one: str, kind: ValueType) -> bytes:
+    if not kind.fits(one):
+        raise ValueError(f"expected a value of type {kind.value}, found {one!r}")
+    if not kind.is_text:
+        return bytes([ord(one)])
+    data = one.encode()
+    if len(data) >= kind.size:
+        raise ValueError(f"expected at most {kind.size - 1} bytes of text, found {len(data)}")
+    return data.ljust(kind.size, b"\0")
