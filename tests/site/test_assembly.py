@@ -34,7 +34,10 @@ def carry(box, slot):
 
 def assembly(*boxes):
     """The program with 25 actions, these boxes going to the three places from the bottom to the top."""
-    return [OPEN, *(one for box, slot in zip(boxes, (TRIANGLE, SQUARE, CROSS), strict=True) for one in carry(box, slot))]
+    return [
+        OPEN,
+        *(one for box, slot in zip(boxes, (TRIANGLE, SQUARE, CROSS), strict=True) for one in carry(box, slot)),
+    ]
 
 
 def without(program, *positions):
@@ -93,8 +96,9 @@ def test_equal_programs_give_equal_hashes_whatever_the_hash_seed_of_python():  #
 
 
 def test_a_program_that_draws_no_random_numbers_is_the_same_with_any_seed(capsys):  # R-X08
-    assert result_of(capsys, "go_home", "--virtual", "--seed", "1")["hash"] == (
-        result_of(capsys, "go_home", "--virtual", "--seed", "2")["hash"]
+    assert (
+        result_of(capsys, "go_home", "--virtual", "--seed", "1")["hash"]
+        == (result_of(capsys, "go_home", "--virtual", "--seed", "2")["hash"])
     )
 
 

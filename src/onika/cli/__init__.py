@@ -5,6 +5,7 @@ import sys
 
 from onika import __version__
 from onika.cli import check, doctor, new, run
+from onika.link.lost import LinkLost
 
 _COMMANDS = {"run": run, "check": check, "new": new, "doctor": doctor}
 
@@ -21,6 +22,9 @@ def main(words: list[str] | None = None) -> int:
     try:
         code: int = _COMMANDS[given.command].carry_out(given)
         return code
+    except (LinkLost, TimeoutError) as lost:
+        print(lost, file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print("stopped", file=sys.stderr)
         return 130

@@ -3,14 +3,16 @@
 import argparse
 from pathlib import Path
 
-from onika.cli.place import site_here
+from onika.cli.place import directory, site_here
 from onika.desk.survey import survey
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="a base directory or one file")
-    parser.add_argument("--local", action="append", default=[], metavar="DIR", help="a base directory to look in first")
+    parser.add_argument(
+        "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
+    )
 
 
 def carry_out(given: argparse.Namespace) -> int:

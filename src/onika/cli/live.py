@@ -29,14 +29,14 @@ class Live:
 
     def __init__(self) -> None:
         self._console = Console(highlight=False)
-        self._screen = Screen(console=self._console, refresh_per_second=12, get_renderable=self._panel, transient=True)
         self._name = ""
         self._totals: list[int] = []
         self._done = 0
         self._now: dict[int, str] = {}
         self._states: dict[tuple[str, str], str] = {}
         self._since = monotonic()
-        self._runtime_s = 0.0
+        # last, because it draws at once
+        self._screen = Screen(console=self._console, refresh_per_second=12, get_renderable=self._panel, transient=True)
 
     def __enter__(self) -> "Live":
         self._screen.start()
@@ -57,7 +57,6 @@ class Live:
 
     def happens(self, one: event.Event) -> None:
         """Remember it for the panel; say it above where it is worth a line."""
-        self._runtime_s = max(self._runtime_s, getattr(one, "at_s", 0.0))
         match one:
             case event.Began():
                 self._now[one.flow] = one.action

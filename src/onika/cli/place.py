@@ -1,5 +1,6 @@
 """Where a command looks for files: the site of this user, this folder and this environment."""
 
+import argparse
 import os
 from pathlib import Path
 
@@ -9,3 +10,10 @@ from onika.store.site import Site, open_site
 def site_here(local: list[str]) -> Site:
     """The site: directories named on the command line first, then ONIKA_LOCAL, then what is shipped."""
     return open_site([Path(one) for one in local], os.environ, Path.home())
+
+
+def directory(text: str) -> str:
+    """A directory on the command line; raises ArgumentTypeError where there is none."""
+    if not Path(text).is_dir():
+        raise argparse.ArgumentTypeError(f"expected a base directory, found none at {text!r}")
+    return text

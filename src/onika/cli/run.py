@@ -2,12 +2,13 @@
 
 import argparse
 import os
+import re
 import sys
 from pathlib import Path
 
 from onika.cli.json_lines import JsonLines
 from onika.cli.live import Live
-from onika.cli.place import site_here
+from onika.cli.place import directory, site_here
 from onika.cli.plain import Plain
 from onika.desk import picture
 from onika.desk.expectation import Expectation
@@ -31,8 +32,10 @@ def describe(parser: argparse.ArgumentParser) -> None:
     )  # fmt: skip
     parser.add_argument("--picture", type=Path, metavar="OUT.png", help="draw the workcell at the end")
     parser.add_argument("--json", action="store_true", help="one JSON object per line, the result last")
-    parser.add_argument("--seed", type=int, default=0, metavar="N", help="of the tasks' random numbers (0)")
-    parser.add_argument("--local", action="append", default=[], metavar="DIR", help="a base directory to look in first")
+    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="of the tasks' random numbers (0)")
+    parser.add_argument(
+        "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
+    )
     parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
 
 
@@ -92,6 +95,12 @@ def _seconds(text: str) -> float:
     if not 0.0 <= seconds <= 3600.0:
         raise argparse.ArgumentTypeError(f"expected seconds from 0 to 3600, found {text!r}")
     return seconds
+
+
+def _whole(text: str) -> int:
+    if not re.fullmatch(r"[+-]?[0-9]{1,18}", text):
+        raise argparse.ArgumentTypeError(f"expected a whole number of at most 18 digits, found {text!r}")
+    return int(text)
 
 
 def _answer(text: str) -> tuple[str, str]:

@@ -93,7 +93,7 @@ class Compiler:
             target=None if target is None else target.onikon.name,
             place=f"{self._place.file}, flow {number}, step {position}",
             tasks=tuple(one.task for one in present),
-            rates=tuple((one.task, one.frequency) for one in present if self._keeps_time(one.task)),
+            rates=tuple((one.task, one.frequency) for one in present if one.frequency and self._keeps_time(one.task)),
             arguments=arguments,
             marker=job.marker or (target is not None and target.marker),
             synch_tag=job.synch_tag or (target.synch_tag if target is not None else None),

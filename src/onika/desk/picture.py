@@ -1,5 +1,6 @@
 """A picture of a world: its snapshot drawn by a program of its own, so that nothing here needs graphics."""
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -10,6 +11,8 @@ _PATIENCE_S = 60
 
 def draw(snapshot: bytes, path: Path) -> str:
     """Draw a snapshot into a PNG file; what went wrong in words, or an empty text."""
+    if not os.access(path.parent, os.W_OK):
+        return f"no picture: expected a folder that can be written to, found none at {path.parent}"
     try:
         drawn = subprocess.run(  # noqa: S603 - our own program
             [*DRAWER, str(path)], input=snapshot, capture_output=True, timeout=_PATIENCE_S, check=False

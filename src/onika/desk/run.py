@@ -5,12 +5,17 @@ from typing import Any, Protocol
 
 from onika.desk.compile import rtpus_of
 from onika.desk.expectation import Expectation
+from onika.desk.interruption import Interruption
 from onika.desk.preparation import PreparedRun, prepare_run
 from onika.desk.runtime import Runtime
 from onika.link.lost import LinkLost
 from onika.store.site import Site
 from onika.wire import event, request
+from onika.wire.plan import Plan
 from onika.words.fault import Fault, Place
+
+_LOOK_S = 0.05
+"""How long a Ctrl-C waits at most."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,51 +78,60 @@ class Watcher(Protocol):
 
 
 def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
-    """Run an application to its end. A KeyboardInterrupt stops it; a second one is passed on."""
+    """Run an application to its end. Ctrl-C stops it; a second one is a KeyboardInterrupt."""
     prepared = prepare_run(settings.name, site)
     outcome = Outcome(prepared.name, list(prepared.faults))
     if prepared.plan is None:
         return outcome
-    with Runtime(rtpus_of(prepared.plan), settings.is_virtual, settings.with_fifo) as runtime:
-        answer = runtime.ask(request.Prepare(prepared.plan, prepared.targets))
-        if isinstance(answer, request.Prepared):
-            outcome.faults += [fault for fault in map(_fault, answer.faults) if fault not in outcome.faults]
-            outcome.notes += answer.notes
-        if outcome.faults:
-            return outcome
-        watcher.begins(prepared, runtime.pid)
-        outcome.result = _follow(settings, runtime, watcher)
-        outcome.printed = "" if outcome.result.completed else runtime.printed()
-        values = outcome.result.values
-        outcome.expectations = [(one, one.found(values), one.holds(values)) for one in settings.expectations]
-        if settings.wants_picture:
-            outcome.snapshots = _snapshots(runtime)
+    try:
+        with Runtime(rtpus_of(prepared.plan), settings.is_virtual, settings.with_fifo) as runtime:
+            _prepare(prepared, prepared.plan, runtime, outcome)
+            if not outcome.faults:
+                watcher.begins(prepared, runtime.pid)
+                _carry_out(settings, prepared.plan, runtime, watcher, outcome)
+    except (LinkLost, TimeoutError) as lost:
+        outcome.result = _aborted(str(lost), prepared.plan)
     return outcome
 
 
-def _follow(settings: RunSettings, runtime: Runtime, watcher: Watcher) -> event.Result:
+def _prepare(prepared: PreparedRun, plan: Plan, runtime: Runtime, outcome: Outcome) -> None:
+    answer = runtime.ask(request.Prepare(plan, prepared.targets))
+    if isinstance(answer, request.Prepared):
+        outcome.faults += [fault for fault in map(_fault, answer.faults) if fault not in outcome.faults]
+        outcome.notes += answer.notes
+
+
+def _carry_out(settings: RunSettings, plan: Plan, runtime: Runtime, watcher: Watcher, outcome: Outcome) -> None:
+    outcome.result = _follow(settings, plan, runtime, watcher)
+    outcome.printed = "" if outcome.result.completed else runtime.printed()
+    values = outcome.result.values
+    outcome.expectations = [(one, one.found(values), one.holds(values)) for one in settings.expectations]
+    if settings.wants_picture:
+        outcome.snapshots = _snapshots(runtime)
+
+
+def _follow(settings: RunSettings, plan: Plan, runtime: Runtime, watcher: Watcher) -> event.Result:
     watch = tuple(dict.fromkeys(one.address for one in settings.expectations))
     begin = request.Begin(watch, settings.settle_s, settings.seed, settings.answers, settings.may_ask)
-    stopped = False
+    done = 0
     try:
         answer = runtime.ask(begin)
         if isinstance(answer, request.Refused):
-            return _aborted(answer.reason)
-        while True:
-            try:
-                for one in runtime.events(0.2):
+            return _aborted(answer.reason, plan)
+        with Interruption() as interruption:
+            while True:
+                if interruption.is_new():
+                    runtime.ask(request.Stop("stopped by the user (Ctrl-C)"))
+                for one in runtime.events(_LOOK_S):
                     watcher.happens(one)
+                    done += isinstance(one, event.Done)
                     if isinstance(one, event.Result):
                         return one
                     if isinstance(one, event.Asked):
-                        runtime.ask(request.Reply(one.subsystem, one.task, watcher.answer(one)))
-            except KeyboardInterrupt:
-                if stopped:
-                    raise
-                stopped = True
-                runtime.ask(request.Stop("stopped by the user (Ctrl-C)"))
-    except LinkLost as lost:
-        return _aborted(str(lost))
+                        with interruption.at_once():
+                            runtime.ask(request.Reply(one.subsystem, one.task, watcher.answer(one)))
+    except (LinkLost, TimeoutError) as lost:
+        return _aborted(str(lost), plan, done)
 
 
 def _snapshots(runtime: Runtime) -> dict[str, bytes]:
@@ -128,8 +142,9 @@ def _snapshots(runtime: Runtime) -> dict[str, bytes]:
     return answer.snapshots if isinstance(answer, request.Worlds) else {}
 
 
-def _aborted(cause: str) -> event.Result:
-    return event.Result(False, cause, 0, 0, 0.0, 0.0, {}, (), "")
+def _aborted(cause: str, plan: Plan, done: int = 0) -> event.Result:
+    """What the environment knows of a run whose runtime can say nothing any more (E10)."""
+    return event.Result(False, cause, done, sum(len(flow.actions) for flow in plan.flows), 0.0, 0.0, {}, (), "")
 
 
 def _fault(text: request.FaultText) -> Fault:

@@ -1,11 +1,12 @@
 """A runtime as the environment sees it: a child process behind a link, asked and listened to (house decision 1)."""
 
+from collections import deque
 from collections.abc import Iterator
 from time import monotonic_ns
 from types import TracebackType
 
 from onika.link.connection import Connection
-from onika.link.happening import Signalled, Turned
+from onika.link.happening import Happening, Signalled, Turned
 from onika.link.launcher import Child, launch
 from onika.link.lost import Cause, LinkLost
 from onika.link.terms import CHILD
@@ -25,6 +26,7 @@ class Runtime:
             words.append("--no-fifo")
         self._child: Child = launch(words)
         self._connection = Connection(self._child.carrier, monotonic_ns, CHILD)
+        self._news: deque[Happening] = deque()
 
     def __enter__(self) -> "Runtime":
         try:
@@ -55,7 +57,10 @@ class Runtime:
 
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """The events since the last call, at least one within the time-out or none; raises LinkLost at the end."""
-        for happening in self._connection.poll(timeout_s):
+        if not self._news:
+            self._news += self._connection.poll(timeout_s)
+        while self._news:  # one by one: whoever stops listening hears the others next time
+            happening = self._news.popleft()
             if isinstance(happening, Signalled):
                 yield event.decode(happening.body)
             elif isinstance(happening, Turned) and happening.lost is not None:

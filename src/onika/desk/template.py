@@ -59,11 +59,9 @@ MODULE = Path(__file__).parent.parent / "module" / "{name}.py"
 
 def test_{identifier}_multiplies_by_its_gain():
     bench = Bench(MODULE, frequency=100, local={{"GAIN": "3"}})
-    bench.init()
-    bench.on()
-    bench.inputs["Y"] = 2.0
-    bench.cycle()
-    assert bench.outputs["U"] == 6.0
+    bench["Y"] = 2.0
+    bench.init().on().cycle()
+    assert bench["U"] == 6.0
 '''
 
 

@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 from onika.model.rules.order import constant_order
 from onika.model.task import LocalLine, Task, TaskType
-from onika.runtime.sheet import ModuleSheet, differences
+from onika.runtime.sheet import SLOWEST_HARDWARE_HZ, ModuleSheet, differences
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
@@ -14,6 +14,9 @@ from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
 
 NOT_RUN = "the application is not run"
+
+_FASTEST_HZ = 1e6
+"""No task cycles more often; and no period rounds to nothing."""
 
 
 class Loading(Protocol):
@@ -58,8 +61,11 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
         if len(wired) == len(flow.tasks):  # else every further word would only repeat what is missing
             found.faults += disagreements(wired) + missing_constants(wired) + _conflicts(wired) + _cycles(wired)
         _actions(number, flow, wired, found)
+        _rates(flow, sheets, found)
         _values(number, flow, wired, targets, loading, found)
-    found.faults += _shared_devices(found.flows)
+    found.faults += _shared_devices(
+        [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
+    )
     found.faults = sorted(set(found.faults))
     return found
 
@@ -132,11 +138,11 @@ def _cycles(wired: Sequence[WiredTask]) -> list[Fault]:
     ]
 
 
-def _shared_devices(flows: Sequence[Sequence[WiredTask]]) -> list[Fault]:
+def _shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
     """A device that takes commands is claimed by one task, over all flows."""
     claimed: dict[str, WiredTask] = {}
     faults = []
-    for one in (one for flow in flows for one in flow if one.sheet.hardware and one.device):
+    for one in (one for one in tasks if one.sheet.hardware and one.device):
         other = claimed.setdefault(one.device or "", one)
         if other is not one:
             faults.append(_union(one, f"device {one.device} for one task", f"task {other.name} claims it too"))
@@ -156,6 +162,21 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: 
         if len(triggers) > 1:
             others = ", ".join(triggers[1:])
             found.notes.append(f"{action.place}: {action.job} ends with {triggers[0]}; {others} is a trigger too")
+
+
+def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparation) -> None:
+    """Rates that configurations or tasks give: a period of whole nanoseconds, for hardware short enough (law 17)."""
+    hardware = {task.name for task in flow.tasks if task.digest in sheets and sheets[task.digest].hardware}
+    given = [(action.place, f" in {action.job}", name, hz) for action in flow.actions for name, hz in action.rates]
+    given += [(task.place, "", task.name, task.frequency) for task in flow.tasks if task.frequency is not None]
+    for place, where, name, hz in given:
+        if hz > _FASTEST_HZ:
+            found.faults.append(
+                Fault(Place(place), f"at most {_FASTEST_HZ:g} Hz for {name}{where}", f"{hz:g} Hz", NOT_RUN)
+            )
+        elif hz < SLOWEST_HARDWARE_HZ and name in hardware and where:  # without: told as a difference to its module
+            expected = f"hardware task {name}{where} at {SLOWEST_HARDWARE_HZ:g} Hz or more"
+            found.faults.append(Fault(Place(place), expected, f"{hz:g} Hz", NOT_RUN))
 
 
 def _values(

@@ -7,14 +7,14 @@ from time import monotonic_ns
 
 from onika.host.runner import Runner
 from onika.host.worlds import open_world, split
-from onika.ring.device import Drive
+from onika.ring.device import Drive, DriveEvent
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Bus, World
 from onika.runtime.executive import Executive
 from onika.wire import event
 
-_HASHED_EVERY_NS = 10_000_000  # what differs once differs ever after: to look at every step would only cost
+_HASHED_EVERY_NS = 50_000_000  # what differs once differs ever after: to look at every step would only cost
 
 
 class VirtualDriver:
@@ -114,14 +114,14 @@ class VirtualDriver:
 
     @property
     def digest(self) -> str:
-        """Of everything that happened in this run: the worlds every 10 ms and every word to the runner."""
+        """Of everything that happened in this run: the worlds every 50 ms and every word to the runner."""
         return self._hash.hexdigest()
 
     def is_at_rest(self) -> bool:
         """Steps the worlds once, so that the last commands act; then every drive holds."""
-        for bus in self._buses.values():
+        for name, bus in self._buses.items():
             bus.step(bus.world.now_ns + bus.world.step_ns)
-        self._tell_drives()
+            self._tell_drives(name, bus.world.take_events())
         return True
 
     def snapshots(self) -> dict[str, bytes]:
@@ -132,7 +132,7 @@ class VirtualDriver:
 
     def _instant(self, runner: Runner) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
-        now = runner.wake_at()
+        now = wake = runner.wake_at()
         for executive in self._executives.values():
             release = executive.next_release()
             if release is not None and (now is None or release < now):
@@ -140,16 +140,9 @@ class VirtualDriver:
         if now is None:
             return False
         if now > self._now:
-            self._now = now
-            for bus in self._buses.values():
-                bus.step(now)
-                if now >= self._hash_at:
-                    self._hash.update(bus.world.fingerprint())
-            if now >= self._hash_at:
-                self._hash_at = now + _HASHED_EVERY_NS
-            self._tell_drives()
-        runner.tick(now)
-        if self._commands:
+            self._step(now)
+        if now == wake:
+            runner.tick(now)
             self._deliver()
         for name, executive in self._executives.items():
             while (heard := executive.run_next(now)) is not None:
@@ -157,6 +150,19 @@ class VirtualDriver:
                     self._hear(name, heard)
                     self._deliver()
         return True
+
+    def _step(self, now: int) -> None:
+        """All worlds step to this time."""
+        self._now = now
+        for name, bus in self._buses.items():
+            bus.step(now)
+            events = bus.world.take_events()
+            if events:
+                self._tell_drives(name, events)
+        if now >= self._hash_at:
+            self._hash_at = now + _HASHED_EVERY_NS
+            for bus in self._buses.values():
+                self._hash.update(bus.world.fingerprint())
 
     def _deliver(self) -> None:
         """Carry out commands until none is left; what they lead to is heard at the same instant."""
@@ -180,16 +186,15 @@ class VirtualDriver:
             self._buses[world] = bus
         return self._buses[world]
 
-    def _tell_drives(self) -> None:
-        for name, bus in self._buses.items():
-            for one in bus.world.take_events():
-                self._tell(
-                    event.Drive(
-                        f"{name}:{one.device}",
-                        Drive(one.state).name,
-                        one.at_ns,
-                        one.previous_step_ns,
-                        one.last_command_ns,
-                        one.cause,
-                    )
+    def _tell_drives(self, world: str, events: Sequence[DriveEvent]) -> None:
+        for one in events:
+            self._tell(
+                event.Drive(
+                    f"{world}:{one.device}",
+                    Drive(one.state).name,
+                    one.at_ns,
+                    one.previous_step_ns,
+                    one.last_command_ns,
+                    one.cause,
                 )
+            )

@@ -143,7 +143,10 @@ class WallDriver:
         """The worlds as they stand."""
         if self._devices.is_lost:
             return {}
-        answer = self._ask_devices(device_server.Draw())
+        try:
+            answer = self._ask_devices(device_server.Draw())
+        except ValueError:
+            return {}  # it does not answer any more: there is nothing to draw
         return answer.snapshots if isinstance(answer, device_server.Drawn) else {}
 
     def close(self) -> None:

@@ -18,24 +18,24 @@ class Derivative:
         if not (dt > 0.0 and cutoff > 0.0):
             raise ValueError(f"expected dt and cutoff above 0, found {dt} s and {cutoff} Hz")
         tau = 1.0 / (2.0 * math.pi * cutoff)
-        self._keep, self._take = tau / (tau + dt), 1.0 / (tau + dt)
-        self._last = np.zeros(n)
-        self._step = np.zeros(n)
+        # arrays, because NumPy multiplies two arrays quicker than an array and a number
+        self._keep, self._take = np.full(n, tau / (tau + dt)), np.full(n, 1.0 / (tau + dt))
+        self._scaled = np.zeros(n)
+        self._carried = np.zeros(n)  # keep v - take x of the sample before: what the next one is added to
         self.value = np.zeros(n)
 
     def reset(self, x: Numbers) -> None:
         """Start at rest at x: the derivative is zero."""
-        self._last[:] = x
+        np.multiply(x, -self._take, out=self._carried)
         self.value[:] = 0.0
 
     def update(self, x: Numbers, out: Array | None = None) -> Array:
         """Take the next sample; gives the derivative double[n] per second, written into `out` where given."""
-        step, value = self._step, self.value
-        np.subtract(x, self._last, out=step)
-        self._last[:] = x
-        step *= self._take
-        value *= self._keep
-        value += step
+        scaled, carried, value = self._scaled, self._carried, self.value
+        np.multiply(x, self._take, out=scaled)
+        np.add(scaled, carried, out=value)
+        np.multiply(value, self._keep, out=carried)
+        np.subtract(carried, scaled, out=carried)
         if out is None:
             return value.copy()
         out[:] = value

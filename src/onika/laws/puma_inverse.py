@@ -46,21 +46,19 @@ class PumaInverse:
 
     def nearest(self, pose: Array, q_near: Numbers) -> Array | str:
         """The solution double[6] within limits nearest to `q_near`, or the reason why there is none."""
-        near = q_near if isinstance(q_near, list) else [float(x) for x in q_near]
+        near = q_near.tolist() if isinstance(q_near, np.ndarray) else [float(x) for x in q_near]
         flange = self._flange(pose)
         arms = self._arm_branches(flange)
         if isinstance(arms, str):
             return arms
-        inside = []
-        for arm in arms:
-            placed = self._placed(arm, near, 0)
-            if placed is not None:
-                inside.append((_distance(placed, near, 0), placed, arm))
-        inside.sort()
         best, solution = math.inf, None
-        for cost, placed, arm in inside:
-            if cost >= best:
-                break
+        for bound, arm in sorted((_turned_distance(arm, near), arm) for arm in arms):
+            if bound >= best:
+                break  # limits only lead further away
+            placed = self._placed(arm, near, 0)
+            if placed is None:
+                continue
+            cost = _distance(placed, near, 0)
             for wrist in self._wrist_branches(flange, arm, near):
                 turned = self._placed(wrist, near, 3)
                 if turned is not None and cost + _distance(turned, near, 3) < best:
@@ -189,6 +187,15 @@ def _product(a: _Flat, b: _Flat) -> _Flat:
         *(a8 * b0 + a9 * b4 + a10 * b8, a8 * b1 + a9 * b5 + a10 * b9),
         *(a8 * b2 + a9 * b6 + a10 * b10, a8 * b3 + a9 * b7 + a10 * b11 + a11),
     )
+
+
+def _turned_distance(arm: list[float], near: list[float]) -> float:
+    """Squared distance of three joints to `near`, by whole turns as near as can be."""
+    one, two, three = arm[0] - near[0], arm[1] - near[1], arm[2] - near[2]
+    one -= _TURN * round(one / _TURN)
+    two -= _TURN * round(two / _TURN)
+    three -= _TURN * round(three / _TURN)
+    return one * one + two * two + three * three
 
 
 def _distance(joints: list[float], near: list[float], first: int) -> float:

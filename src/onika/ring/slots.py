@@ -13,12 +13,12 @@ _SLOTS = 4
 
 
 class Ring:
-    """An entry of `size` bytes at `offset` of a shared view."""
+    """An entry of `size` bytes at `offset` of a shared view; `words` holds its counter and its mark."""
 
     def __init__(self, view: memoryview, offset: int, size: int) -> None:
         stride = _stride(size)
         self.size = size
-        self._words = view[offset : offset + LINE].cast("Q")
+        self.words = view[offset : offset + LINE].cast("Q")
         first = offset + LINE
         self._slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(_SLOTS))
 
@@ -30,16 +30,16 @@ class Ring:
     @property
     def count(self) -> int:
         """How often the entry was written."""
-        return self._words[0]
+        return self.words[0]
 
     @property
     def mark(self) -> int:
         """The count at which its value was last forgotten: what was written before is no longer in force."""
-        return self._words[1]
+        return self.words[1]
 
     def forget(self) -> None:
         """Mark the present value as no longer in force; readers still see it."""
-        self._words[1] = self._words[0]
+        self.words[1] = self.words[0]
 
     def write(self, source: memoryview | bytes) -> None:
         """Publish a value of exactly `size` bytes. One writer at a time, which its owner sees to."""
@@ -53,7 +53,7 @@ class Ring:
 
     def writer(self, source: memoryview) -> Callable[[], None]:
         """A fast function that publishes what lies in `source` (bytes, `size` of them) at the time of the call."""
-        words, slots = self._words, self._slots
+        words, slots = self.words, self._slots
         _check(source, self.size)
 
         def publish() -> None:
@@ -65,17 +65,33 @@ class Ring:
 
     def reader(self, target: memoryview) -> Callable[[], int]:
         """A fast function that copies the newest value into `target` and returns the count it belongs to."""
-        words, slots = self._words, self._slots
+        words, slots = self.words, self._slots
         _check(target, self.size)
 
         def fetch() -> int:
             while True:
-                count = words[0]
+                count: int = words[0]
                 target[:] = slots[count & 3]
                 if words[0] - count < 3:
                     return count
 
         return fetch
+
+    def refresher(self, target: memoryview) -> Callable[[], None]:
+        """As `reader`, for a buffer that nothing else fills: nothing is copied where nothing new was written."""
+        words, slots = self.words, self._slots
+        _check(target, self.size)
+        seen = -1
+
+        def refresh() -> None:
+            nonlocal seen
+            while seen != (count := words[0]):
+                target[:] = slots[count & 3]
+                if words[0] - count < 3:
+                    seen = count
+                    return
+
+        return refresh
 
 
 def _stride(size: int) -> int:

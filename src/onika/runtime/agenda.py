@@ -33,8 +33,8 @@ class Agenda:
     """Slots by release time, then by deadline; time is handed in as integer nanoseconds."""
 
     def __init__(self) -> None:
-        self._releases: list[tuple[int, int, tuple[int, int, str], int, Slot]] = []
-        self._ready: list[tuple[int, tuple[int, int, str], int, Slot]] = []
+        self._releases: list[tuple[int, int, int, int, str, int, Slot]] = []
+        self._ready: list[tuple[int, int, int, str, int, Slot]] = []
         self._epoch = 0
 
     def enter(self, slot: Slot, now: int) -> None:
@@ -43,7 +43,7 @@ class Agenda:
         slot.is_listed = True
         slot.release = now
         slot.deadline = _next_on_grid(now, slot.period)
-        heappush(self._releases, (now, slot.deadline, slot.key, slot.epoch, slot))
+        heappush(self._releases, (now, slot.deadline, *slot.key, slot.epoch, slot))
 
     def leave(self, slot: Slot) -> None:
         """Not due any more; what still lies in the queues is stale by its epoch."""
@@ -58,40 +58,41 @@ class Agenda:
             if slot.release > now:
                 slot.release = _next_on_grid(now, period_ns)
             slot.deadline = _next_on_grid(slot.release, period_ns)
-            heappush(self._releases, (slot.release, slot.deadline, slot.key, slot.epoch, slot))
+            heappush(self._releases, (slot.release, slot.deadline, *slot.key, slot.epoch, slot))
 
     def next_due(self, now: int) -> Slot | None:
         """The slot to run now, or None; call `done` after its cycle."""
         releases, ready = self._releases, self._ready
         while releases and releases[0][0] <= now:
-            release, deadline, key, epoch, slot = heappop(releases)
+            release, deadline, crit, rank, name, epoch, slot = heappop(releases)
             if epoch == slot.epoch:
                 if release == now and not ready:
                     return slot  # all that is due was released at this very instant, and lies in order already
-                heappush(ready, (deadline, key, epoch, slot))
+                heappush(ready, (deadline, crit, rank, name, epoch, slot))
         while ready:
-            deadline, key, epoch, slot = heappop(ready)
+            deadline, crit, rank, name, epoch, slot = heappop(ready)
             if epoch == slot.epoch:
                 if deadline > now:
                     return slot
                 slot.skip(now)
-                heappush(ready, (slot.deadline, key, epoch, slot))
+                heappush(ready, (slot.deadline, crit, rank, name, epoch, slot))
         return None
 
     def done(self, slot: Slot) -> None:
         """A cycle is over: the next release is its deadline."""
         slot.release = release = slot.deadline
         slot.deadline = deadline = release + slot.period
-        heappush(self._releases, (release, deadline, slot.key, slot.epoch, slot))
+        crit, rank, name = slot.key
+        heappush(self._releases, (release, deadline, crit, rank, name, slot.epoch, slot))
 
     def next_release(self) -> int | None:
         """When something becomes due (a time in the past: now); None if nothing ever will."""
         ready, releases = self._ready, self._releases
-        while ready and ready[0][2] != ready[0][3].epoch:
+        while ready and ready[0][-2] != ready[0][-1].epoch:
             heappop(ready)
         if ready:
-            return ready[0][3].release
-        while releases and releases[0][3] != releases[0][4].epoch:
+            return ready[0][-1].release
+        while releases and releases[0][-2] != releases[0][-1].epoch:
             heappop(releases)
         return releases[0][0] if releases else None
 

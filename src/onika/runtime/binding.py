@@ -31,6 +31,7 @@ class Binding:
         self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
         self.preloads: list[Callable[[], Any]] = []
         self.input_rings: list[Ring] = []
+        self.first_values: list[tuple[str, Ring]] = []
         table = views[f"table:{spawn.subsystem}"]
         bound = {one.port: one for one in spawn.ports}
         for attribute, declared in type(instance).declared_ports.items():
@@ -47,10 +48,12 @@ class Binding:
         data = flat.data.cast("B")
         shown = flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims)  # type: ignore[arg-type]
         if kind.startswith("IN"):
-            fetch = ring.reader(data)
+            fetch = ring.refresher(data)
             shown = shown.view()
             shown.flags.writeable = False
             self._add(kind, "in", fetch)
+            if kind == "INBOTH":
+                self.first_values.append((svar, ring))
             if kind != "INCONST":
                 self.input_rings.append(ring)
                 if shape.type.is_real:

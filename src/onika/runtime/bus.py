@@ -118,7 +118,8 @@ class Bus:
     def deliver(self) -> None:
         """Hand the commands written since the last call to the world."""
         for commands in self._commands.values():
-            commands.pump(self.world)
+            if commands.words[0] != commands.seen:
+                commands.pump(self.world)
 
     def _publisher(self, sheet: DeviceSheet, offset: int) -> Callable[[], None]:
         """A function that publishes the device's state, straight from the world's vector, which is always the same."""
@@ -132,17 +133,17 @@ class _Commands:
     def __init__(self, device: str, epoch: int, ring: Ring, count: int) -> None:
         self.epoch = epoch
         self._device = device
-        self._ring = ring
         data = np.zeros(2 + count).data
         self._head = data[:2]
         self._values = data[2:]
         self._fetch = ring.reader(data.cast("B"))
-        self._seen = ring.count
+        self.words = ring.words
+        self.seen = ring.count
 
     def pump(self, world: World) -> None:
         """Deliver the newest command, once."""
-        if self._ring.count != self._seen:
-            self._seen = self._fetch()
+        if self.words[0] != self.seen:
+            self.seen = self._fetch()
             epoch, order = self._head
             world.command(self._device, int(epoch), int(order), self._values)
 

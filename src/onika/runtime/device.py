@@ -25,12 +25,13 @@ class Device:
     def __init__(self, sheet: DeviceSheet, epoch: int, state: Ring, command: Ring | None) -> None:
         self.sheet = sheet
         self._state = np.zeros(len(sheet.state))
-        self._ring = state
+        self._words = state.words
         self._flat = self._state.data
         self._fetch: Callable[[], int] = state.reader(self._state.data.cast("B"))
         self._order = np.zeros(_HEADER + len(sheet.command))
         self._order[0] = epoch
-        self._numbers = self._order.data
+        self._numbers: Any = self._order.data
+        self._wanted = self._order[_HEADER:]
         self._send = None if command is None else command.writer(self._order.data.cast("B"))
         self._values = self._state[_HEADER:]
         self._values.flags.writeable = False
@@ -74,8 +75,7 @@ class Device:
         if self._holding:
             self.hold()
             return
-        order = self._order
-        order[_HEADER:] = values
+        self._wanted[:] = values
         if not math.isfinite(sum(self._numbers)):  # a sum of finite torques is finite
             self.hold()
             raise ValueError(f"expected finite commands for {self.sheet.name}, found {list(values)}")
@@ -98,7 +98,7 @@ class Device:
 
     def silent_ns(self, now_ns: int) -> int:
         """How long the device has published nothing new, as far as calls of this function could see."""
-        count = self._ring.count
+        count = self._words[0]
         if count != self._seen or self._heard_ns < 0:
             self._seen, self._heard_ns = count, now_ns
         return now_ns - self._heard_ns

@@ -26,11 +26,12 @@ _RAISED = (Exception, SystemExit)
 class Executive:
     """Tasks of any subsystems on one processing unit. `watch` is told the task before its code runs, "" after."""
 
-    def __init__(self, rtpu: str, views: Views, watch: Callable[[str], None] = lambda _task: None) -> None:
+    def __init__(self, rtpu: str, views: Views, watch: Callable[[str], None] | None = None) -> None:
         self.rtpu = rtpu
         self.tasks: dict[Address, RunningTask] = {}
         self._views = views
-        self._watch = watch
+        self._watches = watch is not None
+        self._watch: Callable[[str], None] = watch or (lambda _task: None)
         self._agenda = Agenda()
         self._slots: MutableMapping[int, RunningTask] = {}
         self._news: list[news.News] = []
@@ -73,13 +74,15 @@ class Executive:
             return None
         task = self._slots[id(slot)]
         epoch = slot.epoch
-        self._watch(slot.key[2])
+        if self._watches:
+            self._watch(slot.key[2])
         signal = None
         try:
             signal = task.cycle(now)
         except _RAISED as wrong:
             self._fail(task, "cycle", wrong, now)
-        self._watch("")
+        if self._watches:
+            self._watch("")
         if signal is not None or task.is_first or task.warnings:
             self._after_cycle(task, signal, now)
         if slot.epoch == epoch:
@@ -286,6 +289,7 @@ class Executive:
     ) -> bool:
         """Call into a module; what it raises puts the task in ERROR and gives False, but for the kind that passes."""
         self._watch(task.slot.key[2])
+        task.module.now = now * 1e-9
         try:
             call()
         except _RAISED as wrong:

@@ -17,7 +17,6 @@ from onika.runtime.news import TaskStatus
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
 
-
 SLOWEST_GRID_NS = 1_000_000_000
 """The grid of deadlines of a task without a rate."""
 
@@ -72,6 +71,9 @@ class RunningTask:
 
     def init(self) -> None:
         """Constants in, `init`, constants out."""
+        for svar, ring in self.binding.first_values:
+            if not ring.count:
+                self.module.warn(f"{svar} was never written: its first value here is zero")
         for read in self.binding.copies("init_in"):
             read()
         self.module.init()
@@ -96,7 +98,6 @@ class RunningTask:
 
     def on(self, now: int, inputs: SimpleNamespace) -> None:
         """All inputs in, own outputs preloaded, `on`, out."""
-        self.module.now = now * 1e-9
         for read in self.binding.copies("init_in"):
             read()
         for read in self._reads:

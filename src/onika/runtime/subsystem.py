@@ -42,9 +42,7 @@ class Subsystem:
         wired_tasks = [member.wired for member in self.members.values()]
         self._supplied = {svar for wired in wired_tasks for svar in wired.outconst}
         hardware = [wired.name for wired in wired_tasks if wired.sheet.hardware]
-        self._fed = {
-            wired.name: upstream(wired_tasks, wired.invar) for wired in wired_tasks if wired.sheet.hardware
-        }
+        self._fed = {wired.name: upstream(wired_tasks, wired.invar) for wired in wired_tasks if wired.sheet.hardware}
         self.ranks = rank([wired.meeting for wired in wired_tasks], hardware)
 
     def is_ready(self, task: str) -> bool:

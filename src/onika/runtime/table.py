@@ -55,7 +55,7 @@ class Table:
         return self._rings[name]
 
     def value(self, name: str) -> Any:
-        """A copy of a variable as module authors see it: number, str, list of str or array; raises KeyError if unknown."""
+        """A copy of a variable as module authors see it; raises KeyError if unknown."""
         return value_of(self._rings[name].read(), self.entries[name].shape)
 
     def values(self, names: Iterable[str]) -> dict[str, Any]:

@@ -63,9 +63,7 @@ def _item(sheet: InputSheet, constants: Mapping[str, Any]) -> AskedItem:
     return AskedItem(sheet.name, shape.type.value, shape.count, sheet.unit, sheet.meaning, default, low, high)
 
 
-def _bound(
-    name: str, bound: float | str | None, constants: Mapping[str, Any], count: int
-) -> tuple[float, ...] | None:
+def _bound(name: str, bound: float | str | None, constants: Mapping[str, Any], count: int) -> tuple[float, ...] | None:
     if bound is None:
         return None
     value = constants[bound] if isinstance(bound, str) else bound

@@ -109,13 +109,12 @@ class Console:
         """Ctrl-C: to everyone in the foreground."""
         os.killpg(self.pid, signal.SIGINT)
 
-    def left_over(self) -> list[str]:
-        """The processes that outlive this one, once they had every chance to end."""
-        while monotonic() < self._until:
+    def left_over(self, within_s: float = 20.0) -> list[str]:
+        """The processes that outlive this one, though they had so long to end."""
+        until, alive = monotonic() + within_s, [""]
+        while alive and monotonic() < until:
             alive = [words for pid, words in self._pids.items() if words and _words(pid) == words]
-            if not alive:
-                return []
-            select.select([], [], [], 0.02)
+            select.select([], [], [], 0.02 if alive else 0.0)
         return alive
 
     # Inner

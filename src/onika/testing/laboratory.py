@@ -19,7 +19,14 @@ HOLE = "ICONHOLE\n"
 
 def job(name: str, kind: str = "Complete job", *marks: str) -> str:
     """The icon of a job as it stands in an application; `marks` are whole lines (`SYNCHTAG meet`)."""
-    lines = [f"ROUTINE     {name}", "MARKER      no", *marks, f"ONIKON      {kind}", "DESC        a job", "UI          none"]
+    lines = [
+        f"ROUTINE     {name}",
+        "MARKER      no",
+        *marks,
+        f"ONIKON      {kind}",
+        "DESC        a job",
+        "UI          none",
+    ]
     return "\n".join(lines) + "\n" + _PICTURE
 
 
@@ -48,7 +55,9 @@ class Laboratory:
         """A task by the lines of its `.rmod`, without the last one."""
         return self._write("module", f"{name}.rmod", f"{text.strip()}\n\nEOF\n")
 
-    def plain_task(self, name: str, *, reads: str = "none", writes: str = "none", hz: float = 100, local: str = "") -> Path:
+    def plain_task(
+        self, name: str, *, reads: str = "none", writes: str = "none", hz: float = 100, local: str = ""
+    ) -> Path:
         """A periodic task of the module of its own name, by its INVARs, its OUTVARs and its LOCAL lines."""
         rows = (
             f"MODULE      {name}\nDESC        a task\nINCONST     none\nOUTCONST    none\n"
@@ -62,7 +71,9 @@ class Laboratory:
         for one in placed:
             task, frequency, *rtpu = one.split()
             unit = rtpu[0] if rtpu else "unknown"
-            blocks.append(f"RMODFILE    {task}\nCOORDS      9 9\nINLEFT      yes\nFREQ        {frequency}\nRTPU        {unit}\n")
+            blocks.append(
+                f"RMODFILE    {task}\nCOORDS      9 9\nINLEFT      yes\nFREQ        {frequency}\nRTPU        {unit}\n"
+            )
         return self._write("conf", f"{name}.conf", "\n".join(["VERSION     1.3\n", *blocks, "EOF\n"]))
 
     def application(self, name: str, *flows: Sequence[str], parallel: bool = False) -> Path:

@@ -116,7 +116,7 @@ class Result(Struct, frozen=True, tag=True):
     values: dict[str, Any]
     tasks: tuple[TaskFigures, ...]
     hash: str
-    """Of a virtual run: everything that happened and the worlds every 10 ms, as SHA-256; else empty."""
+    """Of a virtual run: everything that happened and the worlds every 50 ms, as SHA-256; else empty."""
     switches_us: tuple[float, ...] = ()
     """From each trigger's finish to the first cycle of the next action's tasks, in the runtime's time."""
 

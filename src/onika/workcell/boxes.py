@@ -21,7 +21,7 @@ from onika.workcell.scene import Shape3d, shapes
 from onika.workcell.snapshot import Snapshot, encode
 from onika.workcell.unit import Unit
 
-_SENSE_NS = 10_000_000  # how often touch is felt: at the pads of hands and in the lamp's circuit
+_SENSE_NS = 20_000_000  # how often touch is felt: at the pads of hands and in the lamp's circuit
 _DRIVE = int(Order.DRIVE)  # plain numbers compare quicker than names
 
 

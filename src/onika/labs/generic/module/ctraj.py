@@ -60,8 +60,10 @@ class Ctraj(Module):
         self._time += self.dt
         share, _ = quintic(self._time, self._duration)
         self._line.at(share, out=self.X_REF)
-        rests = self._rests()
         over = self._time - self._duration
+        if over < -2.0 * self.dt:
+            return None  # far from the end nobody asks whether the arm stands still
+        rests = self._rests()
         return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
 
     def get(self, name):

@@ -38,5 +38,6 @@ class Gravcomp(Module):
         self.cycle()
 
     def cycle(self):
-        self._arm.bias(self.Q_MEZ, self.Qd_MEZ, out=self.TAU_G)
-        self.TAU_G += self._friction * self.Qd_MEZ
+        torque, speed = self.TAU_G, self.Qd_MEZ
+        self._arm.bias(self.Q_MEZ, speed, out=torque)
+        torque += self._friction * speed

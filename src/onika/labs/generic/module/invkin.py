@@ -70,9 +70,12 @@ class Invkin(Module):
             self._offset = self._first_offset(posture)
         self._posture = posture
         self._time += self.dt
-        wanted = posture + (1.0 - quintic(self._time, self.BLEND)[0]) * self._offset
+        wanted = posture
+        if self._time < self.BLEND:
+            wanted = posture + (1.0 - quintic(self._time, self.BLEND)[0]) * self._offset
         speed = (wanted - self.Q_REF) / self.dt
-        self._see_speed(speed)
+        if np.maximum.reduce(np.abs(speed) - self.Qd_MAX) > 0.0:
+            self._too_fast(speed)
         self.Q_REF = wanted
         self.Qd_REF = speed
 
@@ -84,9 +87,7 @@ class Invkin(Module):
             raise ModuleError(f"expected a first pose within {self.STEP:g} rad, found {away}")
         return offset
 
-    def _see_speed(self, speed):
-        share = np.abs(speed) / self.Qd_MAX
-        joint = int(share.argmax())
-        if share[joint] > 1.0:
-            found = f"{abs(speed[joint]):.2f} rad/s"
-            raise ModuleError(f"expected joint {joint + 1} within {self.Qd_MAX[joint]:.2f} rad/s, found {found}")
+    def _too_fast(self, speed):
+        joint = int((np.abs(speed) / self.Qd_MAX).argmax())
+        found = f"{abs(speed[joint]):.2f} rad/s"
+        raise ModuleError(f"expected joint {joint + 1} within {self.Qd_MAX[joint]:.2f} rad/s, found {found}")

@@ -66,8 +66,10 @@ class Jtraj(Module):
         share, rate = quintic(self._time, self._duration)
         self.Q_REF = self._start + share * self._way
         self.Qd_REF = rate * self._way
-        rests = self._rests()
         over = self._time - self._duration
+        if over < -2.0 * self.dt:
+            return None  # far from the end nobody asks whether the arm stands still
+        rests = self._rests()
         return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
 
     def get(self, name):

@@ -84,7 +84,7 @@ class Puma(Module):
             raise ModuleError(f"expected a {puma560.ROBOT} behind the device, found a {said['ROBOT']}")
         if not np.allclose(said["BASE"], known["BASE"].ravel(), atol=1e-6):
             raise ModuleError(f"expected the robot at BASE {self.BASE}, found its frame 0 at {said['BASE']}")
-        self._torque = np.zeros(self.NDOF)
+        self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
 
     def on(self, inputs):
         self.Q_MEZ = self.device.read()
@@ -93,8 +93,8 @@ class Puma(Module):
     def cycle(self):
         self.Q_MEZ = self.device.read()
         self._see_drive()
-        np.minimum(self.TAU_REF, self.TAUMAX, out=self._torque)
-        self.device.write(np.maximum(self._torque, -self.TAUMAX, out=self._torque))
+        torque = np.minimum(self.TAU_REF, self._highest, out=self._torque)
+        self.device.write(np.maximum(torque, self._lowest, out=torque))
 
     def hold(self):
         self.Q_MEZ = self.device.read()

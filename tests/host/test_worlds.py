@@ -1,0 +1,31 @@
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from onika.host.worlds import open_world, split
+
+
+def test_a_world_is_found_by_its_name():  # law 16
+    world = open_world("boxes")
+    assert {"arm_left", "gripper_left", "lamp"} <= {sheet.name for sheet in world.devices()}
+    assert open_world("boxes") is not world
+
+
+def test_an_unknown_world_names_those_there_are():  # law 16
+    with pytest.raises(ValueError, match=r"expected a world \(boxes.*\), found 'atlantis'"):
+        open_world("atlantis")
+
+
+def test_a_device_is_a_world_and_a_name():  # law 16
+    assert split("boxes:arm_left") == ("boxes", "arm_left")
+    assert split("a:b:c") == ("a", "b:c")
+
+
+@given(st.text(max_size=10))
+def test_whatever_is_no_device_is_refused_with_what_was_expected(text):
+    world, colon, name = text.partition(":")
+    if world and colon and name:
+        assert split(text) == (world, name)
+    else:
+        with pytest.raises(ValueError, match="expected WORLD:DEVICE"):
+            split(text)

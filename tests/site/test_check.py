@@ -1,0 +1,134 @@
+"""`onika check` and `onika new module`: what is wrong with files, and a new file that is right (B07)."""
+
+import re
+import subprocess
+import sys
+
+import pytest
+
+from onika.cli import main
+from onika.store.site import shipped_directories
+from onika.testing.laboratory import HOLE, Laboratory, job, joints, target
+
+pytestmark = pytest.mark.site
+
+LINE = re.compile(r"(?P<place>.+?)(:\d+)?: expected .+, found .+; instead: .+")
+
+
+def check(capsys, *words):
+    code = main(["check", *map(str, words)])
+    *faults, last = capsys.readouterr().out.splitlines()
+    assert re.fullmatch(r"\d+ files? read, (no|\d+) faults?", last)
+    return code, faults, last
+
+
+@pytest.mark.parametrize("base", shipped_directories(), ids=lambda path: path.name)
+def test_a_shipped_base_directory_has_no_fault(capsys, base):  # R-B07, R-E01
+    code, faults, last = check(capsys, base)
+    assert (code, faults) == (0, [])
+    assert last.endswith(", no faults")
+
+
+def plant(laboratory):
+    """One fault of every kind, and where each of them is."""
+    laboratory.module(
+        "liar", "from onika.module import InVar, Module\n\nclass Liar(Module):\n    Y = InVar('double')\n"
+    )
+    laboratory.plain_task("liar", reads="X")
+    laboratory.module("broken", "class Broken(:\n    pass\n")
+    laboratory.plain_task("broken")
+    laboratory.module("two", "from onika.module import Module\nclass A(Module): pass\nclass B(Module): pass\n")
+    laboratory.module("idle", "x = 1\n")
+    laboratory.plain_task("idle")
+    laboratory.plain_task("ghost")
+    laboratory.task("garbled", "MODULE      idle\nDESC        a task\nTASKTYPE    sometimes")
+    laboratory.configuration("oddC", "liar fast")
+    (laboratory.path / "dict").mkdir()
+    (laboratory.path / "dict" / "odd.onk").write_text("VERSION 1.3\nONIKON Joint object\nUI NaN 0 0 0 0 0\nUI 1\nEOF\n")
+    (laboratory.path / "module" / "noise.rmod").write_bytes(b"MODULE\xff\xfe")
+    laboratory.application("holey", [job("jmoveC", "Joint job"), HOLE])
+    laboratory.application("wild", [job("jmoveC", "Joint job"), joints("wild", 0.0, 99.0, 0.0, 0.0, 0.0, 0.0)])
+    laboratory.application("odd", [job("opengripC", "Wobbly job"), target("x", "Joint object", "inf 0 0 0 0 0", "1")])
+    cut = laboratory.application("cut", [job("opengripC")])
+    cut.write_text(cut.read_text()[:-40])
+    return {
+        "liar.rmod", "broken.py:1", "two.py", "idle.py", "ghost.rmod", "garbled.rmod:", "oddC.conf:", "odd.onk:",
+        "noise.rmod:1", "holey.appl", "wild.appl", "odd.appl:", "cut.appl:",
+    }  # fmt: skip
+
+
+def test_every_planted_fault_is_reported_with_its_place(capsys, tmp_path):  # R-B07, R-E01
+    planted = plant(Laboratory(tmp_path))
+    code, faults, last = check(capsys, tmp_path)
+    assert code == 1
+    assert all(LINE.fullmatch(fault) for fault in faults), faults
+    missed = {place for place in planted if not any(f"/{place}" in fault for fault in faults)}
+    assert missed == set()
+    assert f"{len(faults)} faults" in last
+    assert faults == sorted(set(faults)) or len(faults) == len(set(faults))
+
+
+def test_one_file_is_checked_by_itself(capsys, tmp_path):  # R-B07
+    laboratory = Laboratory(tmp_path)
+    plant(laboratory)
+    code, faults, last = check(capsys, tmp_path / "conf" / "oddC.conf")
+    assert code == 1
+    assert last.startswith("1 file read, ")
+    assert all("oddC.conf:" in fault for fault in faults)
+
+
+def test_nothing_at_a_path_is_a_fault(capsys, tmp_path):  # R-B07
+    code, faults, _ = check(capsys, tmp_path / "nowhere")
+    assert code == 1
+    assert "nowhere: expected a base directory or a file, found nothing there" in faults[0]
+
+
+def test_several_paths_are_checked_together(capsys, tmp_path):  # R-B07
+    code, faults, last = check(capsys, *shipped_directories()[:2], tmp_path / "nowhere")
+    assert (code, len(faults)) == (1, 1)
+    assert last.endswith(", 1 fault")
+
+
+def test_a_new_module_is_right_and_its_test_passes(capsys, tmp_path):  # R-K05
+    assert main(["new", "module", "damper", "--in", str(tmp_path)]) == 0
+    *paths, advice = capsys.readouterr().out.splitlines()
+    assert [path.rpartition("/")[2] for path in paths] == ["damper.py", "damper.rmod", "test_damper.py"]
+    assert "onika check" in advice
+    assert check(capsys, tmp_path)[:2] == (0, [])
+    command = [sys.executable, "-m", "pytest", "-q", "-W", "error", "-p", "no:cacheprovider", paths[-1]]
+    tested = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert tested.returncode == 0, tested.stdout
+    assert "1 passed" in tested.stdout
+
+
+def test_the_doctor_says_what_there_is_and_what_it_costs(capsys):  # law 31
+    code = main(["doctor"])
+    lines = capsys.readouterr().out.splitlines()
+    for name in ("system", "python", "processors", "SCHED_FIFO", "memory lock", "mujoco", "ruckig", "graphics"):
+        assert any(line[4:].startswith(name) for line in lines), name
+    lacking = [line for line in lines if line.startswith("no  ")]
+    assert code == (1 if lacking else 0)
+    assert len([line for line in lines if "cost: " in line]) == len(lacking)
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("run", "go_home", "--expect", "LAMP = 1"), "expected an address, a comparison and a number"),
+        (("run", "go_home", "--expect", "__import__('os').abort() == 1"), "expected an address"),
+        (("run", "go_home", "--settle", "soon"), "expected seconds from 0 to 3600, found 'soon'"),
+        (("run", "go_home", "--settle", "-1"), "expected seconds from 0 to 3600, found '-1'"),
+        (("run", "go_home", "--settle", "nan"), "expected seconds from 0 to 3600, found 'nan'"),
+        (("run", "go_home", "--answer", "gauge"), "expected TASK.NAME=VALUES, found 'gauge'"),
+        (("run", "go_home", "--seed", "many"), "expected a whole number of at most 18 digits, found 'many'"),
+        (("run", "go_home", "--local", "/no/such/place"), "expected a base directory, found none at '/no/such/place'"),
+        (("check", "/", "--local", "/no/such/place"), "expected a base directory, found none at '/no/such/place'"),
+        (("dance",), "invalid choice: 'dance'"),
+        ((), "COMMAND"),
+    ],
+)
+def test_a_wrong_command_line_says_what_was_expected(capsys, words, expected):  # R-B07
+    with pytest.raises(SystemExit) as ended:
+        main(list(words))
+    assert ended.value.code == 2
+    assert expected in capsys.readouterr().err

@@ -1,0 +1,275 @@
+"""What fails in wall time, in real processes: the drive holds in time, the cause is named, nothing is left behind.
+
+Time is judged by the world's own log of its drives and by the runtime's own times, never by the test's clock.
+"""
+
+import os
+import signal
+from pathlib import Path
+
+import pytest
+
+from onika.testing.console import Console
+from onika.testing.laboratory import Laboratory, job, joints
+
+pytestmark = pytest.mark.site
+
+SICK = """
+import os, signal, sys, threading, time
+from pathlib import Path
+
+from onika.module import Module, OutVar
+
+
+def sibling(name):
+    for path in Path("/proc").glob("[0-9]*"):
+        if name in (path / "cmdline").read_text() and path.joinpath("stat").read_text().split()[3] == str(os.getppid()):
+            return int(path.name)
+
+
+class Sick(Module):
+    SEEN = OutVar("double", "-", "how many cycles")
+
+    def init(self):
+        self._count = 0
+        {init}
+
+    def cycle(self):
+        self._count += 1
+        self.SEEN = self._count
+        if self._count == 10:
+            self.warn("it begins")
+            {act}
+"""
+ARM = ("puma 500", "diff 500", "gravcomp 250", "pd 500", "torque_sum 500", "led_monitor 50")
+SILENCE_NS = 50_000_000
+
+
+def program(tmp_path, act="pass", init="pass", seconds=20.0):
+    """One long motion of the arm, beside which a task falls sick after 10 of its cycles."""
+    laboratory = Laboratory(tmp_path)
+    laboratory.module("sick", SICK.format(act=act, init=init))
+    laboratory.plain_task("sick", writes="SEEN")
+    laboratory.configuration("sickC", *ARM, "sick 100", "jtraj 250")
+    turn = 0.05 * seconds
+    there = joints("there", turn, -1.57, 1.57, 0.0, 0.0, 0.0, duration=seconds)
+    return str(laboratory.application("sick", [job("sickC", "Joint job"), there]))
+
+
+def aborted(console):
+    """The result of an aborted run, of which nothing is left behind."""
+    result = console.result()
+    assert (result["state"], result["exit"], console.code()) == ("aborted", 1, 1), result
+    assert console.left_over() == []
+    assert not [path for path in Path("/dev/shm").iterdir() if "onika" in path.name]
+    return result
+
+
+def assert_held_in_time(console):
+    """The first step of the world more than 50 ms after the last command no longer follows it."""
+    moves = [event for event in console.events if event["event"] == "drive"]
+    assert moves[0]["state"] == "DRIVEN"
+    held = moves[1]
+    assert held["state"] != "DRIVEN"
+    assert held["previous_step_ns"] - held["last_command_ns"] <= SILENCE_NS
+    assert "DRIVEN" not in [event["state"] for event in moves[1:]]
+
+
+def failures(console):
+    return {event["task"]: event for event in console.events if event["event"] == "failed"}
+
+
+def sick(tmp_path, act, **settings):
+    return Console("run", program(tmp_path, act, **settings), "--json")
+
+
+def test_control_c_stops_the_run(tmp_path):  # R-E07, law 27
+    with Console("run", program(tmp_path), "--json") as console:
+        console.until(event="warned", text="it begins")
+        console.interrupt()
+        assert aborted(console)["cause"] == "stopped by the user (Ctrl-C)"
+    assert_held_in_time(console)
+
+
+def test_a_killed_processing_unit_ends_the_run(tmp_path):  # R-A16, R-E10, law 17
+    with Console("run", program(tmp_path), "--json") as console:
+        console.until(event="warned", text="it begins")
+        os.kill(console.process("onika.host.rtpu"), signal.SIGKILL)
+        assert aborted(console)["cause"] == "processing unit rt0 was killed by signal 9"
+    assert_held_in_time(console)
+
+
+def test_a_stopped_processing_unit_ends_the_run(tmp_path):  # R-A16, law 17
+    with Console("run", program(tmp_path), "--json") as console:
+        console.until(event="warned", text="it begins")
+        os.kill(console.process("onika.host.rtpu"), signal.SIGSTOP)
+        cause = aborted(console)["cause"]
+        assert cause.startswith("processing unit rt0 has not answered for ")
+        assert cause.endswith(" s: stopped")
+    assert_held_in_time(console)
+    assert [event["state"] for event in console.events if event["event"] == "drive"] == ["DRIVEN", "HELD", "TRIPPED"]
+
+
+def test_a_module_that_raises_is_named_with_its_line(tmp_path):  # R-A09, R-E08
+    with sick(tmp_path, 'raise ValueError("bang")') as console:
+        cause = aborted(console)["cause"]
+    line = 1 + SICK.format(act="BANG", init="pass").splitlines().index(" " * 12 + "BANG")
+    assert f"sick is in error: cycle: ValueError: bang ({tmp_path}/module/sick.py:{line})" in cause
+    assert "sick.appl, flow 0, step 0" in cause
+    assert_held_in_time(console)
+
+
+def test_a_module_that_never_returns_is_named(tmp_path):  # law 15, law 17
+    with sick(tmp_path, "while True: pass") as console:
+        assert aborted(console)["cause"].endswith("a call of task flow0/sick has not returned")
+    assert_held_in_time(console)
+
+
+def test_a_module_that_ends_its_process_ends_the_run(tmp_path):  # law 30
+    with sick(tmp_path, "os._exit(3)") as console:
+        assert aborted(console)["cause"] == "processing unit rt0 ended with code 3"
+    assert_held_in_time(console)
+
+
+def test_a_module_that_closes_everything_ends_the_run(tmp_path):  # law 30
+    with sick(tmp_path, "os.closerange(3, 300)") as console:
+        assert "processing unit rt0 ended" in aborted(console)["cause"]
+    assert_held_in_time(console)
+
+
+@pytest.mark.parametrize("blow", ["SIGKILL", "SIGSTOP"])
+def test_without_the_device_server_hardware_tasks_fail_within_a_tenth_of_a_second(tmp_path, blow):  # law 17
+    with sick(tmp_path, f"os.kill(sibling('device_server'), signal.{blow})") as console:
+        cause = aborted(console)["cause"]
+    begins = next(event["at_s"] for event in console.events if event.get("text") == "it begins")
+    failed = failures(console)
+    assert "puma" in failed
+    assert all(event["at_s"] - begins < 0.1 for event in failed.values())
+    assert ("was killed by signal 9" if blow == "SIGKILL" else "puma is in error") in cause
+
+
+def test_a_killed_runtime_is_told_and_takes_its_processes_with_it(tmp_path):  # R-E10, R-A15
+    with Console("run", program(tmp_path), "--json") as console:
+        console.until(event="warned", text="it begins")
+        os.kill(console.process("onika.host --link-fd"), signal.SIGKILL)
+        result = aborted(console)
+    assert "the runtime is gone" in result["cause"]
+    assert "killed by signal 9" in result["cause"]
+    assert (result["actions_done"], result["actions"]) == (0, 1)
+
+
+@pytest.mark.parametrize("mode", [(), ("--virtual",)])
+def test_a_killed_command_line_takes_everything_with_it(tmp_path, mode):  # R-A15, R-E10
+    with Console("run", program(tmp_path, "self._count = 9; time.sleep(0.02)"), "--json", *mode) as console:
+        console.until(event="warned", text="it begins")
+        assert len(console.processes()) >= 3
+        os.kill(console.pid, signal.SIGKILL)
+        assert console.code() == -signal.SIGKILL
+        assert console.left_over() == []
+
+
+@pytest.mark.parametrize("mode", [(), ("--virtual",)])
+def test_no_number_that_is_none_reaches_a_drive_through_the_variables(tmp_path, mode):  # law 5
+    laboratory = Laboratory(tmp_path)
+    laboratory.module(
+        "poison",
+        "import numpy as np\n"
+        "from onika.module import InConst, InVar, Module, OutVar\n"
+        "class Poison(Module):\n"
+        "    NDOF = InConst('int', '-', 'number of joints')\n"
+        "    TAU_PD = InVar('double[NDOF]', 'N m', 'torque of the servo')\n"
+        "    TAU_REF = OutVar('double[NDOF]', 'N m', 'wanted torque')\n"
+        "    def init(self):\n"
+        "        self._count = 0\n"
+        "    def cycle(self):\n"
+        "        self._count += 1\n"
+        "        self.TAU_REF = self.TAU_PD * (1.0 if self._count < 100 else np.nan)\n",
+    )
+    laboratory.task(
+        "poison",
+        "MODULE poison\nDESC bad\nINCONST NDOF\nOUTCONST none\n"
+        "INVAR TAU_PD\nOUTVAR TAU_REF\nTASKTYPE periodic\nFREQ 500",
+    )
+    laboratory.configuration("poisonC", "puma 500", "diff 500", "pd 500", "poison 500", "jtraj 250")
+    path = laboratory.application(
+        "poison", [job("poisonC", "Joint job"), joints("up", 0.0, -1.57, 1.57, 0.0, 0.0, 0.0)]
+    )
+    with Console("run", str(path), "--json", *mode) as console:
+        cause = aborted(console)["cause"]
+    assert "puma is in error" in cause
+    assert "NaN or infinity in TAU_REF" in cause
+    assert_held_in_time(console)
+    assert [event["cause"] for event in console.events if event["event"] == "drive"][1] == "commanded to hold"
+
+
+@pytest.mark.parametrize("mode", [(), ("--virtual",)])
+def test_no_number_that_is_none_reaches_a_drive_through_its_device(tmp_path, mode):  # law 5
+    laboratory = Laboratory(tmp_path)
+    laboratory.module(
+        "madhand",
+        "from onika.module import InVar, Module, OutVar\n"
+        "class Madhand(Module):\n"
+        "    hardware = True\n"
+        "    GRIP = InVar('double', '-', '+1 opens, -1 closes, 0 changes nothing')\n"
+        "    GRIP_MEZ = OutVar('double[3]', 'm,m/s,N', 'opening, its speed, force on a finger')\n"
+        "    def init(self):\n"
+        "        self._count = 0\n"
+        "    def cycle(self):\n"
+        "        self._count += 1\n"
+        "        self.GRIP_MEZ = self.device.read()\n"
+        "        self.device.write((1.0 if self._count < 50 else float('nan'),))\n",
+    )
+    laboratory.plain_task("madhand", reads="GRIP", writes="GRIP_MEZ", hz=250, local="DEVICE boxes:gripper_left\n")
+    laboratory.plain_task("opengrip", reads="GRIP_MEZ", writes="GRIP", hz=50, local="LEAST 9\nMOST 9\n")
+    laboratory.configuration("madC", "madhand 250", "opengrip 50")
+    with Console("run", str(laboratory.application("mad", [job("madC")])), "--json", *mode) as console:
+        cause = aborted(console)["cause"]
+    assert "madhand is in error" in cause
+    assert "finite commands" in cause
+    causes = [event["cause"] for event in console.events if event["event"] == "drive"]
+    assert "command is not finite" not in causes
+    assert_held_in_time(console)
+
+
+def test_a_module_that_prints_megabytes_disturbs_nobody(tmp_path):  # law 30
+    flood = "sys.stdout.write('x' * 4_000_000); sys.stderr.write('y' * 4_000_000)"
+    with sick(tmp_path, flood, seconds=0.3) as console:
+        result = console.result()
+    assert (result["state"], result["exit"]) == ("completed", 0)
+    assert console.left_over() == []
+
+
+def test_a_module_may_take_seconds_to_be_initialised(tmp_path):  # law 10, law 30
+    with sick(tmp_path, "pass", init="time.sleep(5)", seconds=0.3) as console:
+        assert console.result()["state"] == "completed"
+    moved = next(event for event in console.events if event["event"] == "drive")
+    assert moved["at_ns"] >= 5_000_000_000  # nothing moved before every task had come to life
+
+
+def test_a_module_with_a_thread_that_spins_hangs_nobody(tmp_path):  # law 30
+    spin = "threading.Thread(target=lambda: [one for one in iter(int, 1)], daemon=True).start()"
+    with sick(tmp_path, spin, seconds=0.3) as console:
+        assert console.result()["state"] in ("completed", "aborted")
+        assert console.left_over() == []
+
+
+def test_in_virtual_time_a_module_that_raises_is_named_too(tmp_path):  # R-A09, R-X08
+    with Console("run", program(tmp_path, 'raise ValueError("bang")'), "--virtual", "--json") as console:
+        assert "sick is in error: cycle: ValueError: bang" in aborted(console)["cause"]
+    assert_held_in_time(console)
+
+
+@pytest.mark.parametrize("act", ["os._exit(3)", "os.closerange(3, 300)"])
+def test_in_virtual_time_a_module_that_ends_the_runtime_is_survived(tmp_path, act):  # law 15
+    with Console("run", program(tmp_path, act), "--virtual", "--json") as console:
+        cause = aborted(console)["cause"]
+    assert "the runtime is gone" in cause
+    assert "it ended with code" in cause
+
+
+def test_in_virtual_time_control_c_stops_the_run(tmp_path):  # R-E07
+    with Console("run", program(tmp_path, "self._count = 9; time.sleep(0.01)"), "--virtual", "--json") as console:
+        console.until(event="warned", text="it begins")
+        console.interrupt()
+        assert aborted(console)["cause"] == "stopped by the user (Ctrl-C)"
+    assert_held_in_time(console)

@@ -1,0 +1,49 @@
+import runpy
+from pathlib import Path
+
+import pytest
+
+from onika.engine.flow import FlowState
+from onika.link.state import LinkState
+from onika.model.lifecycle import State
+
+ROOT = Path(__file__).parents[2]
+PAGE = "docs/lifecycles.md"
+
+
+@pytest.fixture
+def tool():
+    """The names of the tool; its functions see these very tables."""
+    return runpy.run_path(str(ROOT / "tools" / "generate.py"))
+
+
+def test_the_pages_of_this_repository_are_what_the_code_says(tool):
+    assert tool["stale"](ROOT) == []
+
+
+def test_every_state_of_every_lifecycle_is_on_the_page(tool):
+    page = tool["lifecycles"]()
+    assert page.count("```mermaid") == 3
+    for state in (*State, *FlowState, *LinkState):
+        assert f" {state.value}" in page
+
+
+def test_a_page_that_was_changed_by_hand_is_named_and_not_written_by_a_check(tool, tmp_path, capsys):
+    tool["write"](tmp_path)
+    (tmp_path / PAGE).write_text("by hand")
+    assert tool["main"](["--check", "--root", str(tmp_path)]) == 1
+    assert capsys.readouterr().out.startswith(PAGE)
+    assert (tmp_path / PAGE).read_text() == "by hand"
+
+
+def test_a_table_that_has_changed_makes_its_page_stale(tool, tmp_path):
+    tool["write"](tmp_path)
+    tool["PAGES"][PAGE].__globals__["_HEAD"] += "more\n"
+    assert tool["stale"](tmp_path) == [PAGE]
+
+
+def test_missing_pages_are_written_once(tool, tmp_path, capsys):
+    assert tool["main"](["--root", str(tmp_path)]) == 0
+    assert tool["main"](["--root", str(tmp_path)]) == 0
+    assert capsys.readouterr().out == f"{PAGE}\n"
+    assert tool["main"](["--check", "--root", str(tmp_path)]) == 0
