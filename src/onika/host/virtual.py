@@ -16,6 +16,8 @@ from onika.wire import event
 
 _HASHED_EVERY_NS = 50_000_000  # what differs once differs ever after: to look at every step would only cost
 
+_AT_ONCE = 1000  # cycles without news that are run before anybody is asked
+
 
 class VirtualDriver:
     """As fast as the processor allows, and bit for bit the same every time: nothing here depends on wall time."""
@@ -145,10 +147,9 @@ class VirtualDriver:
             runner.tick(now)
             self._deliver()
         for name, executive in self._executives.items():
-            while (heard := executive.run_next(now)) is not None:
-                if heard:
-                    self._hear(name, heard)
-                    self._deliver()
+            while (heard := executive.run_due(now, _AT_ONCE)) is not None:
+                self._hear(name, heard)
+                self._deliver()
         return True
 
     def _step(self, now: int) -> None:

@@ -17,11 +17,11 @@ class Counters:
     def add(self, took_ns: int) -> None:
         """One more cycle."""
         self.total_ns += took_ns
+        self.cycles += 1
         if took_ns > self.most_ns:  # noqa: PLR1730 - a call of max would cost more than the rest of this function
             self.most_ns = took_ns
-        if took_ns < self.least_ns or not self.cycles:
+        if took_ns < self.least_ns or self.cycles == 1:
             self.least_ns = took_ns
-        self.cycles += 1
 
     def span_s(self, now: int) -> float:
         """Seconds counted over; never 0, so that it can be divided by."""

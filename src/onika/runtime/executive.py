@@ -10,7 +10,7 @@ from operator import index
 from onika.model.lifecycle import IllegalTransition, State, Step, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
-from onika.runtime.agenda import Agenda
+from onika.runtime.agenda import Agenda, Slot
 from onika.runtime.binding import Views
 from onika.runtime.code import load, told
 from onika.runtime.module import AskAgain, ModuleError
@@ -33,7 +33,7 @@ class Executive:
         self._watches = watch is not None
         self._watch: Callable[[str], None] = watch or (lambda _task: None)
         self._agenda = Agenda()
-        self._slots: MutableMapping[int, RunningTask] = {}
+        self._slots: MutableMapping[Slot, RunningTask] = {}
         self._news: list[news.News] = []
         self._busy_since_ns = 0
         self.is_stopped = False
@@ -69,28 +69,34 @@ class Executive:
 
     def run_next(self, now: int) -> Sequence[news.News] | None:
         """Run the one task that is due first; its news (mostly none), or None if nothing is due."""
-        slot = self._agenda.next_due(now)
-        if slot is None:
-            return None
-        task = self._slots[id(slot)]
-        epoch = slot.epoch
-        if self._watches:
-            self._watch(slot.key[2])
-        signal = None
-        try:
-            signal = task.cycle(now)
-        except _RAISED as wrong:
-            self._fail(task, "cycle", wrong, now)
-        if self._watches:
-            self._watch("")
-        if signal is not None or task.is_first or task.warnings:
-            self._after_cycle(task, signal, now)
-        if slot.epoch == epoch:
-            if task.is_periodic:
-                self._agenda.done(slot)
-            else:
-                self._agenda.leave(slot)
-        return self._take_news() if self._news else _NOTHING
+        return self.run_due(now, 1)
+
+    def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
+        """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due."""
+        agenda, slots, watches = self._agenda, self._slots, self._watches
+        for _ in range(most):
+            slot = agenda.next_due(now)
+            if slot is None:
+                return None
+            task, epoch, signal = slots[slot], slot.epoch, None
+            if watches:
+                self._watch(slot.key[2])
+            try:
+                signal = task.cycle(now)
+            except _RAISED as wrong:
+                self._fail(task, "cycle", wrong, now)
+            if watches:
+                self._watch("")
+            if signal is not None or task.is_first or task.warnings:
+                self._after_cycle(task, signal, now)
+            if slot.epoch == epoch:
+                if task.is_periodic:
+                    agenda.done(slot)
+                else:
+                    agenda.leave(slot)
+            if self._news:
+                return self._take_news()
+        return _NOTHING
 
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
@@ -127,7 +133,7 @@ class Executive:
         finally:
             self._watch("")
         self.tasks[address] = task
-        self._slots[id(task.slot)] = task
+        self._slots[task.slot] = task
         if self._try(task, "init", now, task.init):
             task.step(Step.INITIALISED)
             self._news.append(news.Initialised(*address, 0))
@@ -259,7 +265,7 @@ class Executive:
             return
         if task.state in (State.ON, State.ASKING):
             self._leave(task, Step.OFF, now)
-        del self._slots[id(task.slot)]
+        del self._slots[task.slot]
         self._try(task, "kill", now, task.module.kill)
         task.hold()
         task.step(Step.KILL)

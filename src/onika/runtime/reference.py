@@ -168,7 +168,7 @@ class Reference:
             self._instant(until)
             later = [at for at, _ in self._requests]
             later += [life.release for life in self._lives.values() if life.release is not None]
-            if not later or min(later) > until:
+            if not later or max(self.now, min(later)) > until:
                 return
             self.now = max(self.now, min(later))
 

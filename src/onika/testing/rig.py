@@ -102,7 +102,7 @@ class Rig:
             later = [at for at, _ in self._requests]
             release = self.executive.next_release()
             later += [] if release is None else [release]
-            if not later or min(later) > until:
+            if not later or max(self.now, min(later)) > until:
                 return self
             self.now = max(self.now, min(later))
 

@@ -36,6 +36,9 @@ class Pd(Module):
         # a reference from before the last hold would tear the arm away: it is not followed until it is written anew
         self._stale = None if self.continues("Q_REF") else self.Q_REF.copy()
         self._pull, self._brake = np.zeros(self.NDOF), np.zeros(self.NDOF)
+        # a port's array stays the same while the task lives: taken once, it is quicker at hand
+        self._place = self.Q_REF, self.Q_MEZ, self.KP
+        self._speed = self.Qd_REF, self.Qd_MEZ, self.KD
         self.cycle()
 
     def cycle(self):
@@ -44,8 +47,10 @@ class Pd(Module):
             return
         self._stale = None
         pull, brake = self._pull, self._brake
-        np.subtract(self.Q_REF, self.Q_MEZ, out=pull)
-        pull *= self.KP
-        np.subtract(self.Qd_REF, self.Qd_MEZ, out=brake)
-        brake *= self.KD
+        wanted, measured, stiffness = self._place
+        np.subtract(wanted, measured, out=pull)
+        np.multiply(pull, stiffness, out=pull)
+        wanted, measured, damping = self._speed
+        np.subtract(wanted, measured, out=brake)
+        np.multiply(brake, damping, out=brake)
         np.add(pull, brake, out=self.TAU_PD)

@@ -1,0 +1,57 @@
+from time import monotonic_ns
+
+import pytest
+
+from onika.link.connection import Connection
+from onika.link.launcher import launch
+from onika.link.lost import LinkLost
+from onika.link.terms import CHILD
+from onika.wire import request
+
+pytestmark = pytest.mark.site
+
+MODES = pytest.mark.parametrize("mode", [["--virtual"], ["--no-fifo", "--rtpu", "a", "--rtpu", "b"]])
+
+
+def connected(child):
+    connection = Connection(child.carrier, monotonic_ns, CHILD)
+    connection.open(30.0)
+    return connection
+
+
+def ask(connection, one):
+    return request.decode_response(connection.request(request.encode(one), 30.0))
+
+
+@MODES
+def test_a_runtime_answers_and_quits_when_it_is_told(mode):  # R-F01, R-A15
+    with launch(mode) as child:
+        connection = connected(child)
+        assert ask(connection, request.Snapshot()) == request.Worlds({})
+        assert isinstance(ask(connection, request.Begin()), request.Refused)
+        assert ask(connection, request.Quit()) == request.Done()
+        assert child.wait(20.0) == 0
+        assert child.tail() == ""
+
+
+@MODES
+def test_a_runtime_ends_when_the_environment_goes(mode):  # R-E10
+    with launch(mode) as child:
+        connected(child).close()
+        assert child.wait(20.0) == 0
+
+
+@MODES
+def test_a_runtime_ends_when_the_connection_is_cut(mode):  # R-E10
+    with launch(mode) as child:
+        connected(child)
+        child.carrier.close()
+        assert child.wait(20.0) == 0
+
+
+def test_a_wrong_command_line_is_told():
+    with launch(["--sideways"]) as child:
+        assert child.wait(20.0) == 2
+        assert "--sideways" in child.tail()
+        with pytest.raises(LinkLost):
+            connected(child)

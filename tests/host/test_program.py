@@ -1,0 +1,181 @@
+from collections import deque
+
+import pytest
+
+from onika.host.loading import DirectLoading
+from onika.host.program import Program
+from onika.host.virtual import VirtualDriver
+from onika.testing.rail import rail
+from onika.testing.workshop import action
+from onika.testing.worlds import MassWorld
+from onika.wire import event, request
+from onika.wire.request import TargetValues
+
+SECOND = 1_000_000_000
+
+
+class FakeGate:
+    """Requests in, replies and events out, without a link."""
+
+    def __init__(self):
+        self.waiting = deque()
+        self.replies = []
+        self.told = []
+
+    def requests(self):
+        found = list(enumerate(self.waiting, len(self.replies)))
+        self.waiting.clear()
+        return found
+
+    def reply(self, ticket, response):
+        assert ticket == len(self.replies)
+        self.replies.append(response)
+
+    def tell(self, one):
+        self.told.append(one)
+
+
+class Desk:
+    """Whoever asks the program."""
+
+    def __init__(self, rtpus=("rt0",)):
+        self.gate = FakeGate()
+        driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
+        self.program = Program(self.gate, driver, DirectLoading(), rtpus)
+
+    def ask(self, asked):
+        self.gate.waiting.append(asked)
+        self.program.serve()
+        return self.gate.replies[-1]
+
+    def to_the_end(self):
+        while self.program.advance(SECOND):
+            pass
+        return self.result
+
+    @property
+    def result(self):
+        return self.gate.told[-1] if self.gate.told and isinstance(self.gate.told[-1], event.Result) else None
+
+
+@pytest.fixture
+def desk():
+    return Desk()
+
+
+def plan(*goals, **settings):
+    return rail(**settings).plan([action("mass", "servo", arguments=goal) for goal in goals])
+
+
+def test_a_plan_is_prepared_begun_and_its_result_told_last(desk):  # R-E01, R-E03, R-E14
+    assert desk.ask(request.Prepare(plan("1.0", "2.0"), ())) == request.Prepared(())
+    assert desk.ask(request.Begin(watch=("X",))) == request.Done()
+    assert desk.program.is_running
+    result = desk.to_the_end()
+    assert (result.completed, result.done, result.of) == (True, 2, 2)
+    assert result.values["X"][0] == pytest.approx(2.0, abs=0.05)
+    assert len(result.hash) == 64
+    assert not desk.program.is_running
+    assert desk.program.advance(SECOND) is False
+
+
+def test_the_last_word_of_a_drive_comes_before_the_result(desk):  # law 17
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    desk.to_the_end()
+    drives = [number for number, one in enumerate(desk.gate.told) if isinstance(one, event.Drive)]
+    assert desk.gate.told[drives[-1]].state == "HELD"
+    assert drives[-1] < len(desk.gate.told) - 1
+
+
+def test_a_faulty_plan_is_not_begun(desk):  # R-E01
+    targets = (TargetValues(0, 0, "joint object", (99.0,)),)
+    answer = desk.ask(request.Prepare(plan("1.0"), targets))
+    assert [fault.found for fault in answer.faults] == ["there: 99 m is beyond the rail"]
+    assert desk.ask(request.Begin()) == request.Refused("no plan is prepared, or it has faults")
+    assert desk.result is None
+
+
+def test_without_a_plan_nothing_begins(desk):
+    assert isinstance(desk.ask(request.Begin()), request.Refused)
+
+
+def test_a_second_run_beside_the_first_is_refused(desk):  # law 4
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    desk.program.advance(0)
+    assert desk.ask(request.Begin()) == request.Refused("an application runs already")
+    assert desk.to_the_end().completed
+
+
+def test_runs_follow_one_another_each_with_its_own_time_and_empty_table(desk):  # laws 4, 13
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    results = []
+    for _ in range(2):
+        desk.ask(request.Begin(watch=("FORCE",)))
+        results.append(desk.to_the_end())
+    assert all(one.completed for one in results)
+    assert results[1].runtime_s < results[0].runtime_s
+
+
+@pytest.mark.parametrize("asked", [request.Abort("enough"), request.Stop("enough")])
+def test_a_run_is_ended_from_outside_with_the_cause(desk, asked):  # R-E07, law 27
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    for _ in range(50):
+        desk.program.advance(0)
+    assert desk.ask(asked) == request.Done()
+    result = desk.to_the_end()
+    assert (result.completed, result.cause, result.done) == (False, "enough", 0)
+    assert [one.state for one in desk.gate.told if isinstance(one, event.Drive)][-1] == "HELD"
+
+
+def test_after_a_stop_nothing_is_driven_any_more(desk):  # law 27
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Stop("stop"))
+    desk.ask(request.Begin())
+    assert not desk.to_the_end().completed
+
+
+def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
+    desk.ask(request.Prepare(rail().plan([action("mass", "servo")]), ()))
+    desk.ask(request.Begin(may_ask=True))
+    assert desk.to_the_end() is None
+    assert isinstance(desk.gate.told[-1], event.Asked)
+    desk.ask(request.Reply("flow0", "servo", "0.5"))
+    assert desk.to_the_end().completed
+
+
+def test_tasks_are_checked_against_their_modules_without_a_run(desk):  # R-B01
+    shop = rail()
+    task = shop.task("mass", shop.code("mass").source, frequency=20.0)
+    faults = desk.ask(request.Inspect((task,), (shop.code("mass"),))).faults
+    assert len(faults) == 2
+    assert any("40 Hz" in fault.expected for fault in faults)
+    assert any("DEVICE" in fault.expected for fault in faults)
+
+
+def test_a_task_on_a_unit_that_is_not_there_runs_on_the_first():  # decision 12
+    desk = Desk(("left", "right"))
+    desk.ask(request.Prepare(plan("1.0", rtpu="nowhere"), ()))
+    desk.ask(request.Begin())
+    assert {task.task: task.rtpu for task in desk.to_the_end().tasks} == {"mass": "left", "servo": "left"}
+
+
+def test_the_worlds_are_shown_as_they_stand(desk):
+    assert desk.ask(request.Snapshot()) == request.Worlds({})
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    desk.to_the_end()
+    assert desk.ask(request.Snapshot()).snapshots.keys() == {"yard"}
+
+
+def test_quit_ends_the_program(desk):
+    assert not desk.program.is_over
+    assert desk.ask(request.Quit()) == request.Done()
+    assert desk.program.is_over
+
+
+def test_what_ends_nothing_that_runs_is_harmless(desk):
+    for asked in (request.Abort("x"), request.Reply("flow0", "servo", "1")):
+        assert desk.ask(asked) == request.Done()

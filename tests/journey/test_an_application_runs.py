@@ -1,0 +1,128 @@
+"""The third journey: file, readiness, plan, runtime, engine, tasks, events — in one process, over a memory link.
+
+No process is started and no clock of this machine is read: the environment's clock is moved by hand, and the
+runtime's time is virtual.
+"""
+
+import pytest
+
+from onika.desk.compile import rtpus_of
+from onika.desk.preparation import prepare_run
+from onika.host.gate import Gate
+from onika.host.loading import DirectLoading
+from onika.host.program import Program
+from onika.host.virtual import VirtualDriver
+from onika.link.carrier import memory_pair
+from onika.link.connection import Connection
+from onika.link.happening import Signalled
+from onika.link.journal import Journal
+from onika.link.port import ServerPort
+from onika.link.terms import Terms
+from onika.store.site import open_site
+from onika.testing.laboratory import Laboratory, job, joints
+from onika.wire import event, request
+
+TERMS = Terms(beat_ns=10**9, suspect_ns=10**10, lost_ns=10**11, greeting_ns=10**10)
+
+
+class Journey:
+    """Environment and runtime in one thread: the runtime works whenever the environment waits."""
+
+    def __init__(self, application, site):
+        self.now = 0
+        self.prepared = prepare_run(str(application), site)
+        here, there = memory_pair()
+        port = ServerPort(Journal("first life"), terms=TERMS)
+        port.attach(there, 0)
+        gate = Gate(port, lambda: self.now)
+        rtpus = rtpus_of(self.prepared.plan)
+        self.program = Program(gate, VirtualDriver(rtpus, gate.tell), DirectLoading(), rtpus)
+        self.connection = Connection(here, lambda: self.now, TERMS, wait=self.work)
+        self.connection.open()
+
+    def work(self, _carrier, _timeout):
+        self.now += 1_000_000
+        self.program.advance(10**9)
+        self.program.serve()
+
+    def ask(self, asked):
+        return request.decode_response(self.connection.request(request.encode(asked), timeout_s=60.0))
+
+    def events(self):
+        """Everything that is told, up to the result."""
+        while True:
+            for one in self.connection.poll(1.0):
+                if isinstance(one, Signalled):
+                    told = event.decode(one.body)
+                    yield told
+                    if isinstance(told, event.Result):
+                        return
+
+
+@pytest.fixture
+def site(tmp_path):
+    return open_site([tmp_path], {}, None)
+
+
+def moves(tmp_path, *turns):
+    steps = []
+    for number, turn in enumerate(turns):
+        steps += [job("jmoveC", "Joint job"), joints(f"place{number}", turn, -1.4, 1.5, 0.0, 0.1, 0.0, duration=0.8)]
+    return Laboratory(tmp_path).application("journey", steps)
+
+
+def test_an_application_runs(tmp_path, site):  # R-E01, R-E02, R-E03, R-E11, R-E14
+    journey = Journey(moves(tmp_path, 0.2, 0.4), site)
+    assert journey.prepared.faults == ()
+    assert journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets)) == request.Prepared(())
+    assert journey.ask(request.Begin(watch=("Q_MEZ",))) == request.Done()
+    *told, result = journey.events()
+    assert (result.completed, result.done, result.of, result.cause) == (True, 2, 2, "")
+    assert result.values["Q_MEZ"][0] == pytest.approx(0.4, abs=1e-3)
+    lives = {}
+    for one in told:
+        if isinstance(one, event.TaskState):
+            lives.setdefault(one.task, []).append(one.state)
+    assert lives["jtraj"] == ["OFF", "ON", "OFF", "ON", "OFF", "KILLED"]
+    assert lives["puma"] == ["OFF", "ON", "KILLED"]  # switching jobs touches nothing but the trigger (law 6)
+    actions = [one for one in told if isinstance(one, event.Began | event.Done)]
+    assert [(type(one).__name__, one.index) for one in actions] == [
+        ("Began", 0),
+        ("Done", 0),
+        ("Began", 1),
+        ("Done", 1),
+    ]
+    drives = [one.state for one in told if isinstance(one, event.Drive)]
+    assert drives == ["DRIVEN", "HELD"]
+
+
+def test_an_application_with_a_target_out_of_reach_does_not_run(tmp_path, site):  # R-E01, R-X02
+    journey = Journey(moves(tmp_path, 0.2, 9.0), site)
+    answer = journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets))
+    assert ["step 2" in fault.file and "place1" in fault.found for fault in answer.faults] == [True]
+    assert isinstance(journey.ask(request.Begin()), request.Refused)
+
+
+def test_a_run_is_aborted_over_the_link(tmp_path, site):  # R-E07
+    journey = Journey(moves(tmp_path, 0.2), site)
+    journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets))
+    journey.program._driver.advance = slowly(journey.program._driver.advance)
+    journey.ask(request.Begin())
+    assert journey.ask(request.Abort("the user has changed her mind")) == request.Done()
+    *_, result = journey.events()
+    assert (result.completed, result.cause, result.done) == (False, "the user has changed her mind", 0)
+
+
+def slowly(advance):
+    """One instant at a time, so that the environment gets a word in."""
+    return lambda _wall_ns: advance(0)
+
+
+def test_the_same_journey_twice_is_the_same(tmp_path, site):  # R-X08
+    hashes = set()
+    for _ in range(2):
+        journey = Journey(moves(tmp_path, 0.2), site)
+        journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets))
+        journey.ask(request.Begin())
+        hashes.add(list(journey.events())[-1].hash)
+    assert len(hashes) == 1
