@@ -12,7 +12,7 @@ help: ## say what can be made
 	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
 
 demo: $(VENV)/.installed ## assemble the four boxes
-	$(BIN)/onika run assemble
+	$(BIN)/onika run assemble --expect 'LAMP == 1'
 
 check: $(VENV)/.installed-dev ## style, types, floors, tests for every file: seconds
 	$(BIN)/ruff check
@@ -20,6 +20,7 @@ check: $(VENV)/.installed-dev ## style, types, floors, tests for every file: sec
 	$(BIN)/mypy
 	$(BIN)/lint-imports
 	$(BIN)/python tools/check_mirror.py
+	$(BIN)/python tools/generate.py --check
 
 test: check ## the checks and all tests but the soak
 	$(BIN)/pytest -m "not slow"

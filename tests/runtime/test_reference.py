@@ -213,9 +213,7 @@ def by_executive(probes, requests, until, react):
     rig = Rig(world, costs={one.name: one.cost for one in probes}, react=reply)
     for one in probes:
         kind = "periodic" if one.is_periodic else "aperiodic"
-        rig.spawn(
-            one.name, source(one), frequency=one.frequency, kind=kind, rank=one.rank, device=one.device
-        )
+        rig.spawn(one.name, source(one), frequency=one.frequency, kind=kind, rank=one.rank, device=one.device)
         module = rig.task(one.name).module
         trace += module.trace
         module.trace = trace
@@ -331,14 +329,14 @@ def some_story(draw, with_costs=False):
     return probes, [(0, everyone), *sorted(requests, key=lambda one: one[0])], react
 
 
-@settings(deadline=None, max_examples=80)
+@settings(deadline=None, max_examples=150)
 @given(some_story())
 def test_the_executive_does_exactly_what_the_reference_says(story):  # laws 1 to 6, 13
     probes, requests, react = story
     assert_same_story(probes, requests, 300 * MS, react)
 
 
-@settings(deadline=None, max_examples=50)
+@settings(deadline=None, max_examples=100)
 @given(some_story(with_costs=True))
 def test_overruns_are_counted_and_skipped_by_the_executive_as_the_reference_says(story):  # law 2
     probes, requests, react = story
@@ -401,15 +399,15 @@ def test_the_first_cycle_comes_at_once_and_the_next_on_the_common_grid():  # law
 def test_missed_periods_are_counted_and_skipped_and_never_caught_up():  # law 2
     reference = assert_same_story([Probe("a", cost=35 * MS)], [(0, switch("a"))], 120 * MS)
     assert cycles(reference, "a") == [0, 35, 70, 105]
-    assert reference.missed == {"a": 2 + 3 + 3 + 3}
+    assert reference.missed == {"a": 2 + 3 + 2}
 
 
 def test_a_task_that_is_kept_waiting_runs_once_for_the_period_that_is_open():  # law 2
     probes = [Probe("hog", period=50 * MS, cost=33 * MS, crit=0), Probe("b", period=10 * MS)]
-    reference = assert_same_story(probes, [(0, switch("hog", "b"))], 60 * MS)
-    assert cycles(reference, "b") == [0, 33, 40, 83]
+    reference = assert_same_story(probes, [(0, switch("hog", "b"))], 90 * MS)
+    assert cycles(reference, "b") == [0, 33, 40, 50, 83, 90]
     assert cycles(reference, "hog") == [0, 50]
-    assert reference.missed["b"] == 2 + 3
+    assert reference.missed["b"] == 2 + 2
 
 
 def test_a_rate_changes_while_the_task_is_on_and_the_grid_stays():  # R-A04, law 13
@@ -448,7 +446,7 @@ def test_constants_are_moved_once_and_first_values_too():  # law 3, R-A02
     reference = assert_same_story(probes, [(0, switch("a", "b"))], 5 * MS)
     entry = {(one.task, one.entry): one.inputs for one in reference.trace}
     assert entry["b", "init"] == {"C0": 100.0, "V0": 100.0}
-    assert entry["b", "cycle"] == {"C0": 100.0, "V0": 1.0 + 0.0 + 100.0}
+    assert entry["b", "cycle"] == {"C0": 100.0, "V0": 100.0 + 1.0 + 1.0}  # preloaded, by `on`, by `cycle`
 
 
 def test_hardware_holds_until_all_its_inputs_were_written_since_it_came_on():  # law 4
@@ -478,7 +476,7 @@ def test_nan_at_a_hardware_tasks_copy_in_is_an_error_and_no_error_entry_mends_it
     ]
     reference = assert_same_story(probes, [(0, switch("arm", "a"))], 60 * MS)
     assert reference.states["arm"] is State.ERROR
-    assert cycles(reference, "arm") == [10, 20]
+    assert cycles(reference, "arm") == [0, 10, 20]
     assert cycles(reference, "arm", "error") == []
 
 
@@ -493,7 +491,7 @@ def test_what_a_signal_leads_to_happens_at_the_same_instant():  # laws 1, 2
     probes = [Probe("t", finish_after=2, rank=0), Probe("next", rank=0), Probe("x", rank=1)]
     react = {"t": [switch("next")]}
     reference = assert_same_story(probes, [(0, switch("t", "x"))], 10 * MS, react)
-    assert order_at(reference, 10) == ["t", "x", "next"]  # `next` came on at 10: its deadline is that of the others
+    assert order_at(reference, 10) == ["t", "next", "x"]
     assert (10 * MS, "next", "ON") in reference.told
 
 

@@ -101,7 +101,7 @@ class Engine:
             case SwitchedOff():
                 return self._switched_off(flow, news.task)
             case Asked():
-                return [Note(flow.flow, f"{flow.where(news.task)} asks: {news.reason}")]
+                return [Note(flow.flow, f"{flow.where(news.task)} asks" + (f": {news.reason}" if news.reason else ""))]
             case Failed():
                 return self._failed(flow, news)
             case Illegal():

@@ -14,7 +14,7 @@ from onika.host.patience import Patience
 from onika.host.post import Post
 from onika.host.program import Program
 from onika.host.rtpu import preload
-from onika.host.schedule import still_garbage
+from onika.host.schedule import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.virtual import VirtualDriver
 from onika.host.wall import WallDriver
 from onika.link.journal import Journal
@@ -51,6 +51,9 @@ def main(words: list[str]) -> None:
             _virtual(Program(gate, virtual, loader, rtpus), gate)
         else:
             wall = WallDriver(rtpus, gate.tell, with_fifo=not given.no_fifo)
+            fine_timers()
+            if not given.no_fifo:
+                first_in_first_out(RUNNER_PRIORITY)
             try:
                 _wall(Program(gate, wall, loader, rtpus), gate, wall)
             finally:

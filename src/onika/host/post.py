@@ -1,5 +1,6 @@
 """The post between the runtime's processes: datagrams with file descriptors; sending never waits (law 30)."""
 
+import errno
 import socket
 from collections import deque
 
@@ -39,14 +40,17 @@ class Post:
         self.flush()
 
     def flush(self) -> None:
-        """Send what waits, as far as there is room."""
+        """Send what waits, as far as there is room; raises ValueError for what the system is too small to send."""
         while self._outbox and not self.is_closed:
             body, descriptors = self._outbox[0]
             try:
                 socket.send_fds(self._socket, [body], descriptors)
             except BlockingIOError:
                 return
-            except OSError:
+            except OSError as wrong:
+                self._outbox.popleft()
+                if wrong.errno == errno.EMSGSIZE:
+                    raise ValueError(f"a datagram of {len(body)} bytes is too large for this system") from None
                 self.is_closed = True
                 return
             self._outbox.popleft()

@@ -5,8 +5,7 @@ import socket
 import subprocess
 import sys
 
-_ONE_THREAD = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")
-"""Linear algebra in one thread: the same sums in the same order every time (law 14)."""
+from onika.link.launcher import ONE_THREAD
 
 
 def start(
@@ -14,7 +13,7 @@ def start(
 ) -> "subprocess.Popen[bytes]":
     """Start `python -m module --fd N --parent PID arguments`; `end` is closed here, the descriptors are inherited."""
     words = [sys.executable, "-m", module, "--fd", str(end.fileno()), "--parent", str(os.getpid()), *arguments]
-    environment = os.environ | dict.fromkeys(_ONE_THREAD, "1")
+    environment = os.environ | ONE_THREAD
     process = subprocess.Popen(  # noqa: S603 - our own code, no shell
         words, stdin=subprocess.DEVNULL, pass_fds=(end.fileno(), *descriptors), env=environment
     )

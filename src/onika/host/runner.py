@@ -263,11 +263,11 @@ class Runner:
         try:
             device = self._claim(member)
             order = subsystem.spawn(task, code.source, code.path, self._begin.seed, device)
+            self._units.send(member.rtpu, order)
         except (KeyError, ValueError) as wrong:
             self._feed(said.Refused(flow, task, f"spawn: {wrong}"))
             return
         member.is_sent = True
-        self._units.send(member.rtpu, order)
 
     def _claim(self, member: Member) -> command.DeviceGrant | None:
         device = member.wired.device
@@ -287,10 +287,13 @@ class Runner:
     def _switch(self, order: orders.Switch) -> None:
         """Split a switch by RTPU, keeping the order of `on`: a group goes out when the one before it is ON."""
         subsystem = self._subsystems[order.flow]
+        for task, reason in subsystem.clashes(order.off, [start.task for start in order.on]):
+            self._feed(said.Refused(order.flow, task, f"on: {reason}"))
+            return
         forget = subsystem.forgotten(order.off, [start.task for start in order.on])
         groups: deque[tuple[str, command.Switch]] = deque()
         rtpu_of = {name: member.rtpu for name, member in subsystem.members.items()}
-        for rtpu in sorted({rtpu_of[name] for name in order.off}):
+        for rtpu in sorted({rtpu_of[name] for name in (*order.off, *(name for name, _ in order.kept_rates))}):
             off = tuple(name for name in order.off if rtpu_of[name] == rtpu)
             rates = tuple((name, hz) for name, hz in order.kept_rates if rtpu_of[name] == rtpu)
             groups.append((rtpu, command.Switch(subsystem.name, off, forget, (), rates)))

@@ -20,7 +20,11 @@ _AT_ONCE = 1000  # cycles without news that are run before anybody is asked
 
 
 class VirtualDriver:
-    """As fast as the processor allows, and bit for bit the same every time: nothing here depends on wall time."""
+    """As fast as the processor allows, and bit for bit the same every time: nothing here depends on wall time.
+
+    The tasks of all RTPUs are carried out by one executive, so that at one instant the order of law 1 holds among them
+    all, whichever unit they are on.
+    """
 
     def __init__(
         self,
@@ -33,7 +37,10 @@ class VirtualDriver:
         self._worlds = worlds
         self._tell = tell
         self._views: dict[str, memoryview] = {}
-        self._executives = {name: Executive(name, self._views, watch) for name in sorted(rtpus)}
+        self._rtpus = frozenset(rtpus)
+        self._executive = Executive("", self._views, watch)
+        self._homes: dict[tuple[str, str], str] = {}
+        self._statuses: dict[str, news.Statuses] = {}
         self._commands: deque[tuple[str, command.Command]] = deque()
         self._buses: dict[str, Bus] = {}
         self._claims: dict[str, int] = {}
@@ -110,7 +117,7 @@ class VirtualDriver:
         """Everything off and every drive in hold, latched (law 27)."""
         for bus in self._buses.values():
             bus.world.stop()
-        for name in self._executives:
+        for name in sorted(self._rtpus):
             self.send(name, command.Stop("stop"))
         self._deliver()
 
@@ -135,10 +142,9 @@ class VirtualDriver:
     def _instant(self, runner: Runner) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
         now = wake = runner.wake_at()
-        for executive in self._executives.values():
-            release = executive.next_release()
-            if release is not None and (now is None or release < now):
-                now = release
+        release = self._executive.next_release()
+        if release is not None and (now is None or release < now):
+            now = release
         if now is None:
             return False
         if now > self._now:
@@ -146,10 +152,9 @@ class VirtualDriver:
         if now == wake:
             runner.tick(now)
             self._deliver()
-        for name, executive in self._executives.items():
-            while (heard := executive.run_due(now, _AT_ONCE)) is not None:
-                self._hear(name, heard)
-                self._deliver()
+        while (heard := self._executive.run_due(now, _AT_ONCE)) is not None:
+            self._hear(heard)
+            self._deliver()
         return True
 
     def _step(self, now: int) -> None:
@@ -169,14 +174,32 @@ class VirtualDriver:
         """Carry out commands until none is left; what they lead to is heard at the same instant."""
         while self._commands:
             rtpu, order = self._commands.popleft()
-            self._hear(rtpu, self._executives[rtpu].handle(order, self._now))
+            if isinstance(order, command.Spawn):
+                self._homes[order.subsystem, order.task] = rtpu
+            if isinstance(order, command.Report):
+                self._hear([self._statuses_of(rtpu)])
+            else:
+                self._hear(self._executive.handle(order, self._now))
 
-    def _hear(self, rtpu: str, heard: Sequence[news.News]) -> None:
+    def _hear(self, heard: Sequence[news.News]) -> None:
         for one in heard:
+            rtpu = one.rtpu if isinstance(one, news.Statuses) else self._homes.get((one.subsystem, one.task), "")
             if not isinstance(one, news.Statuses):  # its times are of the wall
                 self._hash.update(news.encode(one))
             if self._runner is not None:
                 self._runner.hear(rtpu, one, self._now)
+
+    def _statuses_of(self, rtpu: str) -> news.Statuses:
+        """One unit's share of the statuses, which are taken of all units at once."""
+        if rtpu not in self._statuses:
+            for one in self._executive.handle(command.Report(), self._now):
+                if isinstance(one, news.Statuses):
+                    self._statuses = {name: self._share(one, name) for name in self._rtpus}
+        return self._statuses.pop(rtpu)
+
+    def _share(self, statuses: news.Statuses, rtpu: str) -> news.Statuses:
+        own = tuple(one for one in statuses.tasks if self._homes.get((one.subsystem, one.task)) == rtpu)
+        return news.Statuses(rtpu, statuses.load, own)
 
     def _bus(self, world: str) -> Bus:
         if world not in self._buses:

@@ -16,6 +16,9 @@ from onika.wire.frame import FRAME_LIMIT
 RUNTIME = (sys.executable, "-m", "onika.host")
 """The command that starts a runtime."""
 
+ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"), "1")
+"""Linear algebra in one thread: the same sums in the same order every time (law 14)."""
+
 _PR_SET_PDEATHSIG = 1
 
 
@@ -90,6 +93,7 @@ def launch(arguments: Sequence[str] = (), command: Sequence[str] = RUNTIME, fram
             stdout=child_output,
             stderr=child_output,
             pass_fds=(theirs.fileno(),),
+            env=os.environ | ONE_THREAD,
         )
     except OSError:
         ours.close()

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
 _HOLD, _DRIVE = float(Order.HOLD), float(Order.DRIVE)
 _DRIVEN, _TRIPPED = int(Drive.DRIVEN), int(Drive.TRIPPED)  # plain numbers compare quicker than names
 _HEADER = 2  # world time and drive state before the values; writer's epoch and order before a command's values
+_HEARD_AFTER = 2  # publications: the first may have been under way when the command was written
 SILENCE_NS = 60_000_000
 """A device that publishes nothing for so long is taken for dead (law 17: it holds by itself after 50 ms)."""
 
@@ -38,6 +39,8 @@ class Device:
         self._seen = -1
         self._heard_ns = -1
         self._holding = False
+        self._is_clearing = False
+        self._clears_until = 0
 
     @classmethod
     def absent(cls) -> "Device":
@@ -56,8 +59,11 @@ class Device:
 
     @property
     def is_tripped(self) -> bool:
-        """Whether the drive had tripped at the last `read`; `clear` brings it back to hold."""
-        return bool(self._flat[1] == _TRIPPED)
+        """Whether the drive had tripped at the last `read`; `clear` brings it back to hold.
+
+        Right after a `clear` it is taken for cleared, until the device had the time to say otherwise.
+        """
+        return bool(self._flat[1] == _TRIPPED) and not self._still_clears()
 
     def read(self) -> "NDArray[np.float64]":
         """The newest values, in the order of `sheet.state` without time and drive state; the same array each time."""
@@ -72,7 +78,7 @@ class Device:
         """
         if self._send is None:
             raise ValueError(f"{self.sheet.name} takes no commands from this task")
-        if self._holding:
+        if self._holding or self._is_clearing:
             self.hold()
             return
         self._wanted[:] = values
@@ -84,11 +90,15 @@ class Device:
 
     def hold(self) -> None:
         """Command the drive to hold by itself; harmless for a device that takes no commands."""
-        self._plain(Order.HOLD)
+        self._fetch()
+        is_tripped = self._flat[1] == _TRIPPED
+        self._plain(Order.CLEAR if self._still_clears() and is_tripped else Order.HOLD)
 
     def clear(self) -> None:
-        """Bring a tripped drive back to hold."""
-        self._plain(Order.CLEAR)
+        """Bring a tripped drive back to hold. Whatever is commanded next waits until the device has heard of it."""
+        self._is_clearing = True
+        self._clears_until = self._words[0] + _HEARD_AFTER
+        self.hold()
 
     # For the running task
 
@@ -106,6 +116,12 @@ class Device:
     def listen_from(self, now_ns: int) -> None:
         """Count silence from now."""
         self._heard_ns = now_ns
+
+    def _still_clears(self) -> bool:
+        """Only the newest command reaches a device: a clear stays the newest one until it has been heard."""
+        if self._is_clearing and self._words[0] >= self._clears_until:
+            self._is_clearing = False
+        return self._is_clearing
 
     def _plain(self, order: Order) -> None:
         if self._send is not None:

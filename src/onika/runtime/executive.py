@@ -73,6 +73,12 @@ class Executive:
 
     def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due."""
+        heard = self._run_due(now, most)
+        if self._watches:
+            self._watch("")
+        return heard
+
+    def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         agenda, slots, watches = self._agenda, self._slots, self._watches
         for _ in range(most):
             slot = agenda.next_due(now)
@@ -85,8 +91,6 @@ class Executive:
                 signal = task.cycle(now)
             except _RAISED as wrong:
                 self._fail(task, "cycle", wrong, now)
-            if watches:
-                self._watch("")
             if signal is not None or task.is_first or task.warnings:
                 self._after_cycle(task, signal, now)
             if slot.epoch == epoch:

@@ -92,12 +92,20 @@ class Subsystem:
         fed = [self._fed[name] for name in on if name in self._fed]
         return tuple(sorted(gone.union(*fed)))
 
-    def writer(self, svar: str) -> str | None:
-        """The task that is ON and writes the variable."""
-        for name, member in self.members.items():
-            if member.state is State.ON and svar in member.wired.outvar:
-                return name
-        return None
+    def clashes(self, off: Collection[str], on: Collection[str]) -> list[tuple[str, str]]:
+        """Who would come on as a second writer of a variable, and why that is refused (law 9)."""
+        writers = {
+            svar: name
+            for name, member in self.members.items()
+            if member.state is State.ON and name not in off and name not in on
+            for svar in member.wired.outvar
+        }
+        return [
+            (name, f"{svar} is written by task {writers[svar]}, which is ON")
+            for name in on
+            for svar in self.members[name].wired.outvar
+            if svar in writers
+        ]
 
     def _dimension(self, name: str) -> int:
         """A constant that shapes depend on: as written, else as its supplier said it will be."""

@@ -29,11 +29,16 @@ MISSING = (
 _WAYS = ("egl", "osmesa")
 _WAY = "MUJOCO_GL"
 
+_EMPTY = f'<mujoco><worldbody><camera name="{CAMERA}" pos="0 0 1"/></worldbody></mujoco>'
+"""A world to draw when only the drawing matters."""
+
 Pixels = npt.NDArray[np.uint8]
 
 
 def main(words: list[str]) -> int:
     """Draw the snapshot on the standard input into the file named; gives the exit code."""
+    if words == ["--probe"]:
+        return _probe()
     if len(words) != 1:
         return _say("usage: python -m onika.workcell.picture OUT.png < snapshot", 2)
     data = sys.stdin.buffer.read()
@@ -50,6 +55,18 @@ def main(words: list[str]) -> int:
         return _say(f"{MISSING} ({os.environ[_WAY]}: {fault})", 3)
     Path(words[0]).write_bytes(png(pixels))
     return 0
+
+
+def _probe() -> int:
+    """Say whether this machine can draw, by drawing nothing."""
+    if _WAY not in os.environ:
+        return _in_a_child("--probe", b"")
+    try:
+        draw(Snapshot(_EMPTY, (), 0.0, False), (64, 48))
+    # whatever a graphics driver or its loader raises means the same here
+    except Exception as fault:
+        return _say(f"{MISSING} ({os.environ[_WAY]}: {fault})", 3)
+    return _say(f"drawn with {os.environ[_WAY]}", 0)
 
 
 def draw(snapshot: Snapshot, size: tuple[int, int] = SIZE) -> Pixels:

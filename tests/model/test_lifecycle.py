@@ -1,0 +1,63 @@
+"""The life of a task."""
+
+import pytest
+
+from onika.model.lifecycle import TABLE, IllegalTransition, State, Step, after, diagram
+
+
+def test_a_task_is_spawned_initialised_turned_on_and_off_and_killed():  # R-A05
+    state = State.WAITING
+    for step in (Step.INITIALISED, Step.ON, Step.OFF, Step.ON, Step.FINISH, Step.KILL):
+        state = after(state, step)
+    assert state is State.KILLED
+
+
+def test_a_task_that_asks_goes_on_with_an_answer_or_asks_again():  # R-A10
+    asking = after(State.OFF, Step.ASK)
+    assert asking is State.ASKING
+    assert after(asking, Step.ASK) is State.ASKING
+    assert after(asking, Step.ANSWERED) is State.ON
+    assert after(asking, Step.OFF) is State.OFF
+
+
+def test_an_error_is_left_by_clear_or_kill_only():  # R-A05, R-C28
+    assert {step: state for step, state in TABLE[State.ERROR].items() if state is not State.ERROR} == {
+        Step.CLEAR: State.OFF,
+        Step.KILL: State.KILLED,
+    }
+
+
+def test_a_task_can_fail_and_be_killed_as_long_as_it_lives():
+    for state in State:
+        if state is not State.KILLED:
+            assert after(state, Step.FAIL) is State.ERROR
+        assert after(state, Step.KILL) is State.KILLED
+
+
+def test_nothing_brings_a_killed_task_back():
+    assert set(TABLE[State.KILLED].values()) == {State.KILLED}
+
+
+def test_only_what_is_off_or_asking_comes_on():
+    comes_on = {(state, step) for state, steps in TABLE.items() for step, end in steps.items() if end is State.ON}
+    assert comes_on == {(State.OFF, Step.ON), (State.ASKING, Step.ANSWERED)}
+
+
+@pytest.mark.parametrize("state", State)
+@pytest.mark.parametrize("step", Step)
+def test_a_step_that_the_table_lacks_is_refused_with_what_would_be_allowed(state, step):
+    if step in TABLE[state]:
+        assert after(state, step) is TABLE[state][step]
+        return
+    with pytest.raises(IllegalTransition, match=f"while {state.value}, found {step.value}") as refused:
+        after(state, step)
+    assert all(known.value in str(refused.value) for known in TABLE[state])
+
+
+def test_the_diagram_shows_every_change():
+    drawn = diagram().splitlines()
+    for state, steps in TABLE.items():
+        for step, end in steps.items():
+            assert (f"    {state.value} --> {end.value} : {step.value}" in drawn) == (end is not state)
+    assert drawn[:2] == ["stateDiagram-v2", "    [*] --> WAITING : spawn"]
+    assert drawn[-1] == "    KILLED --> [*]"

@@ -1,0 +1,49 @@
+"""Shared memory."""
+
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from onika.ring.segment import Segment
+
+
+def test_new_memory_is_zeroed_and_as_large_as_asked_for():
+    segment = Segment.create("test", 5000)
+    assert bytes(segment.view) == bytes(5000)
+    segment.close()
+
+
+def test_whoever_attaches_sees_the_same_bytes():  # R-A02
+    one = Segment.create("test", 64)
+    other = Segment.attach(os.dup(one.fd))
+    one.view[3] = 7
+    assert (other.size, other.view[3]) == (64, 7)
+    other.close()
+    assert one.view[3] == 7
+    one.close()
+
+
+def test_the_memory_is_not_handed_to_programs_that_are_started():
+    segment = Segment.create("test", 64)
+    assert not os.get_inheritable(segment.fd)
+    segment.close()
+
+
+def test_nothing_is_left_behind_by_name():  # law 31
+    segment = Segment.create("left-behind", 64)
+    assert not list(Path("/dev/shm").glob("*left-behind*"))
+    assert "memfd:onika-left-behind" in str(Path(f"/proc/self/fd/{segment.fd}").readlink())
+    segment.close()
+
+
+@pytest.mark.parametrize("user", [lambda view: view[4:8], lambda view: np.frombuffer(view, "B")], ids=["view", "array"])
+def test_memory_that_is_still_read_stays_until_the_reader_goes(user):
+    segment = Segment.create("test", 64)
+    segment.view[:] = b"\7" * 64
+    part = user(segment.view)
+    segment.close()
+    assert part[0] == 7
+    with pytest.raises(OSError, match="Bad file descriptor"):
+        os.fstat(segment.fd)

@@ -1,0 +1,176 @@
+"""One entry of shared memory: whole, newest, and never blocked by a dead writer."""
+
+import itertools
+import signal
+import subprocess
+import sys
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.ring.segment import Segment
+from onika.ring.slots import LINE, Ring
+
+SIZE = 1 << 16
+WRITE_FOR_EVER = """
+import sys
+from onika.ring.segment import Segment
+from onika.ring.slots import Ring
+fd, size = int(sys.argv[1]), int(sys.argv[2])
+data = bytearray(size)
+publish = Ring(Segment.attach(fd).view, 0, size).writer(memoryview(data))
+number = 0
+print("writing", flush=True)
+while True:
+    number += 1
+    data[:] = bytes([number % 251]) * size
+    publish()
+"""
+
+
+def ring(size=8):
+    return Ring(memoryview(bytearray(Ring.footprint(size))), 0, size)
+
+
+def test_an_entry_is_zero_before_the_first_write():
+    one = ring(16)
+    assert one.read() == bytes(16)
+    assert one.count == 0
+
+
+@given(st.lists(st.binary(min_size=12, max_size=12), min_size=1, max_size=30))
+def test_the_newest_value_is_read_and_every_write_is_counted(values):  # law 4
+    one = ring(12)
+    for number, value in enumerate(values, 1):
+        one.write(value)
+        assert (one.read(), one.count) == (value, number)
+
+
+def test_several_entries_lie_side_by_side_in_one_view():
+    sizes = (1, 8, 64, 65)
+    offsets = list(itertools.accumulate(map(Ring.footprint, sizes), initial=0))
+    assert all(offset % LINE == 0 for offset in offsets)
+    view = memoryview(bytearray(offsets[-1]))
+    rings = [Ring(view, offset, size) for offset, size in zip(offsets, sizes, strict=False)]
+    for _ in range(5):
+        for number, one in enumerate(rings, 1):
+            one.write(bytes([number]) * one.size)
+    assert [one.read() for one in rings] == [bytes([number]) * one.size for number, one in enumerate(rings, 1)]
+    assert [one.count for one in rings] == [5] * 4
+
+
+def test_a_writer_publishes_what_its_source_holds_at_the_time_of_the_call():
+    one, source = ring(2), bytearray(b"ab")
+    publish = one.writer(memoryview(source))
+    publish()
+    source[:] = b"cd"
+    assert one.read() == b"ab"
+    publish()
+    assert one.read() == b"cd"
+
+
+def test_a_reader_tells_the_count_of_the_value_it_copied():
+    one, target = ring(1), bytearray(1)
+    fetch = one.reader(memoryview(target))
+    assert fetch() == 0
+    one.write(b"x")
+    assert (fetch(), bytes(target)) == (1, b"x")
+
+
+def test_a_refresher_copies_when_something_new_was_written_and_only_then():
+    one, target = ring(1), bytearray(1)
+    refresh = one.refresher(memoryview(target))
+    one.write(b"x")
+    refresh()
+    assert bytes(target) == b"x"
+    target[:] = b"?"
+    refresh()
+    assert bytes(target) == b"?"
+    one.write(b"x")
+    refresh()
+    assert bytes(target) == b"x"
+
+
+def test_what_is_forgotten_is_still_read_but_stands_below_the_mark():  # law 3
+    one = ring(1)
+    one.write(b"x")
+    assert one.count > one.mark
+    one.forget()
+    assert one.count == one.mark
+    assert one.read() == b"x"
+    one.write(b"y")
+    assert one.count > one.mark
+
+
+class Meddled:
+    """Counters beside which a writer is busy between the copy and its judgement."""
+
+    def __init__(self, ring, writes):
+        self.words, self.ring, self.writes, self.reads = ring.words, ring, writes, 0
+
+    def __getitem__(self, index):
+        self.reads += 1
+        if self.reads == 2:
+            for number in range(self.writes):
+                self.ring.write(bytes([10 + number]))
+        return self.words[index]
+
+
+@pytest.mark.parametrize("writes", [0, 1, 2, 3, 4, 9])
+@pytest.mark.parametrize("kind", ["reader", "refresher"])
+def test_a_copy_is_taken_again_when_the_writer_came_round(kind, writes):  # R-A02
+    view, target = memoryview(bytearray(Ring.footprint(1))), bytearray(1)
+    one, writer = Ring(view, 0, 1), Ring(view, 0, 1)
+    one.write(b"\1")
+    one.words = Meddled(writer, writes)
+    getattr(one, kind)(memoryview(target))()
+    assert writer.count == 1 + writes
+    assert target[0] == (1 if writes < 3 else 10 + writes - 1)
+
+
+@pytest.mark.parametrize("buffer", [memoryview(bytearray(7)), memoryview(bytearray(8)).cast("d")])
+def test_a_buffer_of_another_size_or_format_is_refused(buffer):
+    for take in (ring(8).writer, ring(8).reader, ring(8).refresher):
+        with pytest.raises(ValueError, match="expected a buffer of 8 bytes"):
+            take(buffer)
+
+
+def test_a_value_of_another_size_is_never_written():  # R-A02
+    one = ring(8)
+    with pytest.raises(ValueError, match="8 bytes"):
+        one.write(b"short")
+    assert one.count == 0
+
+
+@settings(deadline=None, max_examples=20)
+@given(st.integers(1, 300), st.integers(0, 9))
+def test_entries_in_shared_memory_are_seen_by_whoever_attaches(size, writes):
+    segment = Segment.create("test", Ring.footprint(size))
+    one, other = Ring(segment.view, 0, size), Ring(memoryview(segment.view), 0, size)
+    for number in range(writes):
+        one.write(bytes([number]) * size)
+    assert other.read() == bytes([max(writes - 1, 0)]) * size
+    del one, other
+    segment.close()
+
+
+def test_a_writer_that_dies_half_way_tears_nothing_and_blocks_nobody():  # R-A02, law 31
+    segment = Segment.create("test", Ring.footprint(SIZE))
+    one, target = Ring(segment.view, 0, SIZE), bytearray(SIZE)
+    fetch = one.reader(memoryview(target))
+    for _ in range(6):
+        before = one.count
+        words = [sys.executable, "-c", WRITE_FOR_EVER, str(segment.fd), str(SIZE)]
+        with subprocess.Popen(words, pass_fds=[segment.fd], stdout=subprocess.PIPE) as writer:
+            writer.stdout.readline()
+            while one.count < before + 200:
+                fetch()
+                assert target.count(target[0]) == SIZE, "torn while it was being written"
+            writer.send_signal(signal.SIGKILL)
+        fetch()
+        assert target.count(target[0]) == SIZE, "torn by a dead writer"
+    one.write(b"\xfd" * SIZE)
+    assert one.read() == b"\xfd" * SIZE
+    del fetch, one
+    segment.close()

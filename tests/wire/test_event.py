@@ -1,0 +1,32 @@
+import msgspec
+import pytest
+
+from onika.wire import event
+
+ITEM = event.Item("level", "double", 2, "m", "how high", (0.5, 0.5), (0.0, 0.0), None)
+FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 2, 4.5, 20.0)
+EVENTS = [
+    event.Began(0, 1, 3, "jmoveC home", 1.5),
+    event.Done(0, 1, 2.5),
+    event.TaskState("flow0", "pd", "ON", 0.0),
+    event.Warned("flow0", "", "by the way", 0.1),
+    event.Failed("flow0", "pd", "cycle: no", "pd.py", 7, "trace", 0.2),
+    event.Asked("flow0", "gauge", "", (ITEM,), 0.3),
+    event.Drive("boxes:arm_left", "HELD", 4, 2, -1, "stop"),
+    event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1, "Q": [0.5], "NAME": "x"}, (FIGURES,), "abc", (3.5,)),
+]
+
+
+@pytest.mark.parametrize("one", EVENTS, ids=lambda one: type(one).__name__)
+def test_an_event_travels_whole(one):  # R-F01, R-E11
+    assert event.decode(event.encode(one)) == one
+
+
+def test_every_event_is_tried():
+    assert {type(one) for one in EVENTS} == set(event.Event.__args__)
+
+
+def test_what_is_no_event_is_a_value_error():
+    for body in (b"", b"\x80", b"\x81\xa4type\xa4Jump"):
+        with pytest.raises(msgspec.DecodeError):
+            event.decode(body)

@@ -1,0 +1,17 @@
+import msgspec
+
+from onika.testing.rail import rail
+from onika.testing.workshop import action
+from onika.wire.plan import Plan
+
+
+def test_a_plan_travels_whole():  # house decisions 2, 11
+    plan = rail(rtpu="rt1").plan([action("mass", "servo", arguments='1 "two words"', rates={"mass": 250.0})])
+    assert msgspec.msgpack.decode(msgspec.msgpack.encode(plan), type=Plan) == plan
+
+
+def test_a_plan_cannot_be_changed_and_equal_plans_are_equal():  # house decision 5
+    one, other = (rail().plan([action("mass", "servo")]) for _ in range(2))
+    assert one == other
+    for part in (one, one.flows[0], one.flows[0].tasks[0], one.flows[0].actions[0], one.code[0]):
+        assert part.__struct_config__.frozen

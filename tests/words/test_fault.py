@@ -1,0 +1,29 @@
+"""Faults and refusals as values."""
+
+from onika.words.fault import Fault, Place, Refusal
+
+
+def test_a_fault_says_where_what_was_expected_what_was_found_and_what_is_done_instead():  # R-B07
+    fault = Fault(Place("lab/jtraj.rmod", 7), "FREQ, a number above 0", "'fast'", "task jtraj is left out")
+    assert str(fault) == (
+        "lab/jtraj.rmod:7: expected FREQ, a number above 0, found 'fast'; instead: task jtraj is left out"
+    )
+
+
+def test_a_place_without_a_line_is_the_whole_file():
+    assert str(Place("lab/jtraj.rmod")) == "lab/jtraj.rmod"
+
+
+def test_faults_sort_by_place_so_that_a_list_of_them_reads_from_top_to_bottom():
+    one, two, three = (Fault(Place(f, line), "a", "b", "c") for f, line in (("a", 2), ("a", 10), ("b", 1)))
+    assert sorted([three, two, one]) == [one, two, three]
+
+
+def test_equal_faults_are_one():
+    assert len({Fault(Place("a", 1), "x", "y", "z"), Fault(Place("a", 1), "x", "y", "z")}) == 1
+
+
+def test_a_refusal_gives_its_reason_and_what_the_user_can_do():  # R-X01
+    assert str(Refusal("cubic writes Q_REF already")) == "cubic writes Q_REF already"
+    refusal = Refusal("cubic writes Q_REF already", ("replace cubic", "alias Q_REF"))
+    assert str(refusal) == "cubic writes Q_REF already (you can: replace cubic; alias Q_REF)"
