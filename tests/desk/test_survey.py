@@ -112,7 +112,8 @@ def test_code_that_is_no_text_is_a_fault(laboratory, site, runtime):  # R-B07
 def test_a_task_may_use_code_of_the_search_path(laboratory, site, runtime):  # decision 11
     laboratory.task(
         "slow_open",
-        "MODULE opengrip\nDESC slow\nINCONST none\nOUTCONST none\nINVAR GRIP_MEZ\nOUTVAR GRIP\nTASKTYPE periodic\nFREQ 20",
+        "MODULE opengrip\nDESC slow\nINCONST none\nOUTCONST none\n"
+        "INVAR GRIP_MEZ\nOUTVAR GRIP\nTASKTYPE periodic\nFREQ 20",
     )
     survey(laboratory.path, site)
     assert runtime.asked[1].code[0].path.endswith("puma/module/opengrip.py")

@@ -72,7 +72,7 @@ def _judge(files: list[Path], site: Site) -> list[Fault]:
     """What only modules can tell: tasks against their classes, applications against everything."""
     tasks = [file for file in files if file.suffix == rmod.ENDING]
     applications = [file for file in files if file.suffix == appl.ENDING]
-    modules = {file.stem for file in files if file.suffix == ".py"}
+    modules = {file.stem: file for file in files if file.suffix == ".py"}
     found: list[Fault] = []
     planned, code = _tasks(tasks, modules, site, found)
     if not (planned or code or applications):
@@ -95,12 +95,12 @@ def _asked(runtime: Runtime, question: request.Request) -> list[Fault]:
 
 
 def _tasks(
-    files: list[Path], modules: set[str], site: Site, found: list[Fault]
+    files: list[Path], modules: dict[str, Path], site: Site, found: list[Fault]
 ) -> tuple[list[PlannedTask], list[Code]]:
     """Tasks and code, read anew from their own directories; modules that no task uses are looked at too."""
     planned: list[PlannedTask] = []
     code: dict[str, Code] = {}
-    homes = {}
+    homes = set()
     for file in files:
         content, _ = text.load(file, str(file))
         record = None if content is None else rmod.read(content, file.stem, str(file))[0]
@@ -116,17 +116,12 @@ def _tasks(
         if one is not None:
             code[one.digest] = one
             planned.append(planned_task(record.task, UNKNOWN, one.digest, str(file)))
-            homes[record.task.module] = path
-    for module in sorted(modules - homes.keys()):
-        path = next((file for file in _siblings(files, module)), None)
-        one = None if path is None else _code(path, module, found)
+            homes.add(record.task.module)
+    for module in sorted(modules.keys() - homes):
+        one = _code(modules[module], module, found)
         if one is not None:
             code.setdefault(one.digest, one)
     return planned, list(code.values())
-
-
-def _siblings(files: list[Path], module: str) -> list[Path]:
-    return [file.parent / f"{module}.py" for file in files if (file.parent / f"{module}.py").is_file()]
 
 
 def _code_path(own: BaseDirectory, module: str, site: Site, task: object) -> Path | None:

@@ -112,6 +112,7 @@ def _in_a_child(file: str, data: bytes) -> int:
     for way in _WAYS:
         done = subprocess.run(command, input=data, env={**os.environ, _WAY: way}, capture_output=True, check=False)  # noqa: S603 - this very program
         if done.returncode == 0:
+            sys.stderr.write(done.stderr.decode("utf-8", "replace"))
             return 0
     return _say(MISSING, 3)
 

@@ -1,0 +1,152 @@
+"""What is due, in which order."""
+
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.runtime.agenda import Agenda, Slot
+
+
+def slot(name="a", period=10, crit=0, rank=0):
+    return Slot((-crit, rank, name), period)
+
+
+def run_all(agenda, now):
+    """The names of all slots that run at an instant at which cycles take no time."""
+    names = []
+    while (due := agenda.next_due(now)) is not None:
+        names.append(due.key[2])
+        agenda.done(due)
+    return names
+
+
+def test_nothing_is_due_on_an_empty_agenda():
+    agenda = Agenda()
+    assert agenda.next_release() is None
+    assert agenda.next_due(10**12) is None
+
+
+def test_a_slot_is_due_at_once_and_then_on_the_common_grid():  # law 13
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 7)
+    releases = []
+    for _ in range(4):
+        releases.append(agenda.next_release())
+        assert agenda.next_due(releases[-1] - 1) is None
+        assert agenda.next_due(releases[-1]) is one
+        agenda.done(one)
+    assert releases == [7, 10, 20, 30]
+
+
+def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  # law 1
+    agenda = Agenda()
+    slots = [slot("slow", 20), slot("b"), slot("a"), slot("c", rank=-1), slot("crit", rank=9, crit=1)]
+    for one in slots:
+        agenda.enter(one, 0)
+    assert run_all(agenda, 0) == ["crit", "c", "a", "b", "slow"]
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.permutations([slot(name, 10 * (1 + n % 2), n % 3, n % 2) for n, name in enumerate("abcdef")]))
+def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  # law 1
+    agenda = Agenda()
+    for one in slots:
+        agenda.enter(one, 0)
+    run_all(agenda, 0)
+    assert run_all(agenda, 20) == sorted(
+        "abcdef", key=lambda n: next((s.deadline, s.key) for s in slots if s.key[2] == n)
+    )
+
+
+def test_a_late_slot_skips_whole_periods_and_runs_for_the_one_that_is_open():  # law 2
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    assert agenda.next_due(35) is one
+    assert (one.missed, one.release, one.deadline) == (3, 30, 40)
+
+
+def test_a_slot_that_runs_within_its_period_has_missed_nothing():  # law 2
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    assert agenda.next_due(9) is one
+    assert one.missed == 0
+
+
+def test_a_slot_at_its_very_deadline_runs_for_the_next_period_and_only_once():  # law 2
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    assert run_all(agenda, 10) == ["a"]
+    assert (one.missed, agenda.next_release()) == (1, 20)
+
+
+def test_a_late_slot_takes_its_place_by_its_new_deadline():  # laws 1, 2
+    agenda = Agenda()
+    late, fresh = slot("late", 10), slot("fresh", 32)
+    agenda.enter(late, 0)
+    agenda.enter(fresh, 0)
+    assert run_all(agenda, 31) == ["fresh", "late"]  # 32 before 40, though `late` was due at 10 once
+
+
+def test_what_has_left_is_not_due_and_may_come_back():
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    agenda.leave(one)
+    assert agenda.next_release() is None
+    assert agenda.next_due(100) is None
+    agenda.enter(one, 105)
+    assert agenda.next_release() == 105
+
+
+def test_what_leaves_while_others_wait_their_turn_hides_nobody():
+    agenda, gone, waiting = Agenda(), slot("a"), slot("b")
+    agenda.enter(gone, 0)
+    agenda.enter(waiting, 1)
+    assert agenda.next_due(5) is gone
+    agenda.done(gone)
+    agenda.enter(gone, 5)
+    agenda.next_due(5)
+    agenda.leave(gone)
+    assert agenda.next_release() in (1, None)
+    assert agenda.next_due(6) in (waiting, None)
+
+
+def test_a_new_slot_of_an_old_name_is_another_one():
+    """A task that is killed and spawned again within a period: its old entries are still in the queue."""
+    agenda = Agenda()
+    for start in (0, 5, 7):
+        one = slot("same")
+        agenda.enter(one, start)
+        assert agenda.next_due(start) is one
+        agenda.done(one)
+        agenda.leave(one)
+    last = slot("same")
+    agenda.enter(last, 8)
+    assert agenda.next_due(10) is last
+    assert agenda.next_due(10) is None
+
+
+def test_another_period_keeps_the_common_grid():  # R-A04
+    agenda, one = Agenda(), slot(period=10)
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    agenda.change(one, 4, 5)
+    assert agenda.next_release() == 8
+    run_all(agenda, 8)
+    assert agenda.next_release() == 12
+
+
+def test_a_release_that_is_due_survives_a_change_of_the_period():  # R-A04
+    agenda, one = Agenda(), slot(period=10)
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    agenda.change(one, 25, 10)
+    assert agenda.next_due(10) is one
+    assert one.deadline == 25
+
+
+def test_a_change_of_the_period_of_what_is_not_listed_lists_nothing():  # R-A04
+    agenda, one = Agenda(), slot()
+    agenda.change(one, 20, 0)
+    assert agenda.next_release() is None
+    agenda.enter(one, 3)
+    run_all(agenda, 3)
+    assert agenda.next_release() == 20

@@ -1,0 +1,111 @@
+"""Module files executed."""
+
+import sys
+
+import pytest
+
+from onika.runtime.code import line_in, load, told
+from onika.runtime.module import Module
+from onika.words.fault import Fault, Place
+
+GOOD = """
+from onika.module import Module
+
+class Still(Module):
+    seen = []
+"""
+
+
+def fault(source):
+    found = load(source, "lab/m.py", "m")
+    assert isinstance(found, Fault), found
+    return found
+
+
+def test_the_one_subclass_of_module_is_found():  # R-A01
+    cls = load(GOOD, "lab/m.py", "m")
+    assert issubclass(cls, Module)
+    assert cls.__name__ == "Still"
+
+
+def test_a_file_is_executed_anew_each_time_so_that_nothing_is_shared():  # law 14
+    one, other = load(GOOD, "lab/m.py", "m"), load(GOOD, "lab/m.py", "m")
+    one.seen.append(1)
+    assert other.seen == []
+
+
+def test_a_file_leaves_no_trace_among_the_imported_ones():  # law 14
+    before = set(sys.modules)
+    load(GOOD, "lab/m.py", "m")
+    load("1 / 0", "lab/m.py", "m")
+    assert set(sys.modules) == before
+
+
+def test_a_syntax_error_is_a_fault_with_its_line():  # R-A18, R-B07
+    found = fault("x = 1\nclass :\n")
+    assert found.place == Place("lab/m.py", 2)
+    assert found.expected == "Python"
+    assert "class :" in found.found
+    assert found.instead == "module m is not loaded"
+
+
+def test_text_that_python_cannot_read_at_all_is_a_fault():
+    assert fault("x = '\0'").expected == "Python"
+
+
+@pytest.mark.parametrize(
+    ("source", "line", "found"),
+    [
+        ("import nothing_of_this_name", 1, "ModuleNotFoundError: No module named 'nothing_of_this_name'"),
+        ("def f():\n    raise KeyError\n\nf()", 2, "KeyError"),
+        ("import sys\nsys.exit(3)", 2, "SystemExit: 3"),
+    ],
+)
+def test_what_raises_while_it_is_imported_is_a_fault_with_its_line(source, line, found):  # R-A18
+    assert (fault(source).place, fault(source).found) == (Place("lab/m.py", line), found)
+
+
+def test_a_file_without_a_module_is_a_fault():
+    assert fault("x = 1").found == "none"
+    assert fault("from onika.module import Module").found == "none"
+
+
+def test_a_file_with_two_modules_is_a_fault_that_names_both():
+    source = "from onika.module import Module\nclass A(Module): pass\nclass B(Module): pass"
+    assert fault(source).expected == "exactly one subclass of Module"
+    assert fault(source).found == "A, B"
+
+
+def test_a_declaration_that_contradicts_itself_is_a_fault_with_its_line():
+    found = fault("from onika.module import InVar, Module\nclass A(Module):\n    X = InVar('real')\n")
+    assert found.place.line == 3
+    assert "double, int or double[NDOF,4], found 'real'" in found.found
+
+
+def test_a_module_may_use_dataclasses_with_annotations_as_text():
+    source = """
+from __future__ import annotations
+from dataclasses import dataclass
+from onika.module import Module
+
+@dataclass(slots=True)
+class Point:
+    x: float = 0.0
+
+class Uses(Module):
+    point = Point(1.0)
+"""
+    assert load(source, "lab/m.py", "m").point.x == 1.0
+
+
+def test_an_exception_is_told_in_one_line():
+    assert told(ValueError("too far")) == "ValueError: too far"
+    assert told(KeyError()) == "KeyError"
+
+
+def test_the_line_is_that_of_the_file_and_not_of_what_it_called():
+    try:
+        exec(compile("import json\n\njson.loads('[')", "lab/m.py", "exec"))
+    except ValueError as wrong:
+        assert line_in("lab/m.py", wrong) == 3
+        assert line_in("lab/other.py", wrong) == 0

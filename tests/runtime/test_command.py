@@ -1,0 +1,40 @@
+"""Commands as datagrams."""
+
+import msgspec
+import pytest
+
+from onika.runtime import command
+
+GRANT = command.DeviceGrant("bus:w", "m0", ("time", "drive", "x"), ("force",), {"KIND": "mass", "AT": (1.0,)}, 3, 0, 64)
+COMMANDS = [
+    command.Spawn(
+        "s", "t", "m", "m.py", "source", "periodic", 100.0, (("GAIN", ("2",)),),
+        (command.BoundPort("X", "X_SIM", "double[6]", 128),), 4, 7, GRANT,
+    ),
+    command.Spawn("s", "t", "m", "m.py", "", "aperiodic", None, (), (), 0, 0, None),
+    command.Switch("s", ("a",), ("X",), (command.Launch("b", "0.5 1", 50.0), command.Launch("c")), (("d", 40.0),)),
+    command.Answer("s", "t", "1 2"),
+    command.Clear("s", "t"),
+    command.Get("s", "t", "progress"),
+    command.Set("s", "t", "gain", "2"),
+    command.Kill("s", "t"),
+    command.Report(),
+    command.Stop("panic button"),
+    command.Fail("device server is gone"),
+    command.Quit(),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("order", COMMANDS, ids=lambda one: type(one).__name__)
+def test_a_command_arrives_as_it_was_sent(order):
+    assert command.decode(command.encode(order)) == order
+
+
+def test_every_command_is_among_these():
+    assert {type(order) for order in COMMANDS} == set(command.Command.__args__)
+
+
+@pytest.mark.parametrize("body", [b"", b"\x80", command.encode(command.Kill("s", "t"))[:-1]])
+def test_what_is_no_command_is_refused(body):
+    with pytest.raises(msgspec.DecodeError):
+        command.decode(body)

@@ -1,0 +1,48 @@
+"""News as datagrams."""
+
+import numpy as np
+import pytest
+
+from onika.runtime import news
+from onika.runtime.user_input import AskedItem
+
+ITEM = AskedItem("endpoint", "double", 2, "rad", "where to", (0.0, 0.0), (-1.0, -2.0), None)
+STATUS = news.TaskStatus("s", "t", "m", "ON", "periodic", 0, 5, 1, 0, 100.0, 99.0, 1.0, 10.0, 1.0, 2.0, 4.0)
+NEWS = [
+    news.Initialised("s", "t", 0),
+    news.Changed("s", "t", "ON", 5),
+    news.Changed("s", "t", "OFF", 5, "OFF"),
+    news.Cycled("s", "t", 5),
+    news.Finished("s", "t", 1, True, 5),
+    news.Failed("s", "t", "cycle", "ValueError: x", "m.py", 3, "trace", 5),
+    news.Warned("s", "t", "slow", 5),
+    news.Signalled("s", "t", "ILLEGAL", 0, "door open", 5),
+    news.Asked("s", "t", "too far", (ITEM,), 5),
+    news.Refused("s", "t", "on", "no such task"),
+    news.Got("s", "t", "progress", 0.5),
+    news.Statuses("control", 0.25, (STATUS,)),
+]
+
+
+@pytest.mark.parametrize("one", NEWS, ids=lambda one: type(one).__name__)
+def test_news_arrive_as_they_were_sent(one):
+    assert news.decode(news.encode(one)) == one
+
+
+def test_every_piece_of_news_is_among_these():
+    assert {type(one) for one in NEWS} == set(news.News.__args__)
+
+
+@pytest.mark.parametrize(
+    ("value", "arrives"),
+    [
+        (np.array([[1.0, 2.0]]), [[1.0, 2.0]]),
+        (np.float64(0.5), 0.5),
+        (np.int32(3), 3),
+        (np.bool_(True), True),
+        (1 + 2j, "(1+2j)"),
+        ({"q": np.zeros(2)}, {"q": [0.0, 0.0]}),
+    ],
+)
+def test_whatever_a_module_hands_out_travels_as_plain_values(value, arrives):  # R-A05
+    assert news.decode(news.encode(news.Got("s", "t", "name", value))).value == arrives
