@@ -97,16 +97,14 @@ def test_what_has_left_is_not_due_and_may_come_back():
 
 
 def test_what_leaves_while_others_wait_their_turn_hides_nobody():
-    agenda, gone, waiting = Agenda(), slot("a"), slot("b")
-    agenda.enter(gone, 0)
-    agenda.enter(waiting, 1)
-    assert agenda.next_due(5) is gone
-    agenda.done(gone)
-    agenda.enter(gone, 5)
-    agenda.next_due(5)
-    agenda.leave(gone)
-    assert agenda.next_release() in (1, None)
-    assert agenda.next_due(6) in (waiting, None)
+    agenda, slots = Agenda(), [slot(name, period=100) for name in "abc"]
+    for one in slots:
+        agenda.enter(one, 0)
+    assert agenda.next_due(5) is slots[0]
+    agenda.done(slots[0])
+    agenda.leave(slots[1])
+    assert agenda.next_release() == 0
+    assert agenda.next_due(5) is slots[2]
 
 
 def test_a_new_slot_of_an_old_name_is_another_one():

@@ -291,6 +291,7 @@ class Runner:
             self._feed(said.Refused(order.flow, task, f"on: {reason}"))
             return
         forget = subsystem.forgotten(order.off, [start.task for start in order.on])
+        subsystem.forget(forget)
         groups: deque[tuple[str, command.Switch]] = deque()
         rtpu_of = {name: member.rtpu for name, member in subsystem.members.items()}
         for rtpu in sorted({rtpu_of[name] for name in (*order.off, *(name for name, _ in order.kept_rates))}):

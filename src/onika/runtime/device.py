@@ -78,7 +78,7 @@ class Device:
         """
         if self._send is None:
             raise ValueError(f"{self.sheet.name} takes no commands from this task")
-        if self._holding or self._is_clearing:
+        if self._holding or (self._is_clearing and self._still_clears()):
             self.hold()
             return
         self._wanted[:] = values

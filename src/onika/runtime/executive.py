@@ -9,6 +9,7 @@ from operator import index
 
 from onika.model.lifecycle import IllegalTransition, State, Step, after
 from onika.model.signal import Signal, SignalKind
+from onika.ring.slots import Ring
 from onika.runtime import command, news
 from onika.runtime.agenda import Agenda, Slot
 from onika.runtime.binding import Views
@@ -33,6 +34,7 @@ class Executive:
         self._watches = watch is not None
         self._watch: Callable[[str], None] = watch or (lambda _task: None)
         self._agenda = Agenda()
+        self._rings: dict[str, dict[str, Ring]] = {}
         self._entering: dict[Slot, int] = {}
         """Slots of tasks that came on, and when: they enter together once every `on` of a switch is through, so that
         what these took makes nobody late."""
@@ -147,6 +149,7 @@ class Executive:
             self._watch("")
         self.tasks[address] = task
         self._slots[task.slot] = task
+        self._rings.setdefault(order.subsystem, {}).update(task.binding.rings)
         if self._try(task, "init", now, task.init):
             task.step(Step.INITIALISED)
             self._news.append(news.Initialised(*address, 0))
@@ -161,13 +164,10 @@ class Executive:
             self._on((order.subsystem, launch.task), launch, now)
 
     def _forget(self, subsystem: str, names: tuple[str, ...]) -> None:
-        if not names:
-            return
-        wanted = set(names)
-        for (home, _), task in self.tasks.items():
-            if home == subsystem:
-                for svar in wanted & task.binding.rings.keys():
-                    task.binding.rings[svar].forget()
+        rings = self._rings.get(subsystem, {})
+        for name in names:
+            if name in rings:
+                rings[name].forget()
 
     def _rate(self, address: Address, frequency: float, now: int) -> None:
         task = self.tasks.get(address)

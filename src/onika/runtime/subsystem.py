@@ -92,6 +92,12 @@ class Subsystem:
         fed = [self._fed[name] for name in on if name in self._fed]
         return tuple(sorted(gone.union(*fed)))
 
+    def forget(self, names: Iterable[str]) -> None:
+        """These steer nothing any more; an RTPU does the same once its tasks are off, as they may write till then."""
+        for name in names:
+            if name in self.table.entries:
+                self.table.ring(name).forget()
+
     def clashes(self, off: Collection[str], on: Collection[str]) -> list[tuple[str, str]]:
         """Who would come on as a second writer of a variable, and why that is refused (law 9)."""
         writers = {

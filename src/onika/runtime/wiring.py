@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from onika.model.port import PortKind
 from onika.model.rules.order import Ports
@@ -22,7 +23,7 @@ class WiredPort:
     unit: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class WiredTask:
     """A task of a plan with its class sheet and its ports by aliased names, in the sheet's order."""
 
@@ -39,22 +40,22 @@ class WiredTask:
         """The variables behind the ports of these kinds."""
         return tuple(port.svar for port in self.ports if port.kind in kinds)
 
-    @property
+    @cached_property
     def inconst(self) -> tuple[str, ...]:
         """What it reads at initialisation."""
         return self.svars(PortKind.INCONST, PortKind.INBOTH)
 
-    @property
+    @cached_property
     def outconst(self) -> tuple[str, ...]:
         """What it writes at initialisation."""
         return self.svars(PortKind.OUTCONST, PortKind.OUTBOTH)
 
-    @property
+    @cached_property
     def invar(self) -> tuple[str, ...]:
         """What it reads at every cycle."""
         return self.svars(PortKind.INVAR, PortKind.INBOTH)
 
-    @property
+    @cached_property
     def outvar(self) -> tuple[str, ...]:
         """What it writes at every cycle."""
         return self.svars(PortKind.OUTVAR, PortKind.OUTBOTH)

@@ -26,6 +26,7 @@ class Fwdkin(Module):
 
     def init(self):
         self._arm = Arm(self.DH, base=self.BASE, tool=self.TOOL)
+        self.cycle()  # the model of the arm is built with its first use: here, not when the task comes on
 
     def on(self, inputs):
         self.cycle()

@@ -33,6 +33,7 @@ class Gravcomp(Module):
     def init(self):
         self._arm = Arm(self.DH, self.DYN, self.LOAD, self.BASE)
         self._friction = self.DYN[:, 8].copy()
+        self.cycle()  # the model of the arm is built with its first use: here, not when the task comes on
 
     def on(self, inputs):
         self.cycle()

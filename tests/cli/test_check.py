@@ -1,0 +1,45 @@
+from pathlib import Path
+
+import pytest
+
+from onika.cli import check as room
+from onika.cli import main
+from onika.words.fault import Fault, Place
+
+FAULT = Fault(Place("a.rmod", 3), "one", "two", "left out")
+OTHER = Fault(Place("b.rmod"), "one", "two", "left out")
+
+
+@pytest.fixture
+def found(monkeypatch):
+    """What a survey of each path finds, in order."""
+    results = []
+    monkeypatch.setattr(room, "survey", lambda path, site: results.pop(0))
+    return results
+
+
+def test_every_fault_is_printed_once_and_counted(found, capsys):  # R-B07
+    found += [([Path("a"), Path("b")], [FAULT, OTHER]), ([Path("c")], [FAULT])]
+    assert main(["check", "x", "y"]) == 1
+    assert capsys.readouterr().out.splitlines() == [
+        "a.rmod:3: expected one, found two; instead: left out",
+        "b.rmod: expected one, found two; instead: left out",
+        "3 files read, 2 faults",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("files", "faults", "line", "code"),
+    [(1, 0, "1 file read, no faults", 0), (2, 1, "2 files read, 1 fault", 1), (0, 0, "0 files read, no faults", 0)],
+)
+def test_numbers_are_told_as_people_say_them(found, capsys, files, faults, line, code):
+    found.append(([Path(str(number)) for number in range(files)], [FAULT] * faults))
+    assert main(["check", "x"]) == code
+    assert capsys.readouterr().out.splitlines()[-1] == line
+
+
+def test_without_a_path_it_says_what_it_wants(capsys):
+    with pytest.raises(SystemExit) as ended:
+        main(["check"])
+    assert ended.value.code == 2
+    assert "PATH" in capsys.readouterr().err

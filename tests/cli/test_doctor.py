@@ -1,0 +1,20 @@
+import pytest
+
+from onika.cli import doctor as room
+from onika.cli import main
+from onika.desk.machine import Offer
+
+GOOD = Offer("python", True, "3.11.7", "Onika needs it")
+BAD = Offer("graphics", False, "none [bold]", "no pictures")
+
+
+@pytest.mark.parametrize(("found", "code"), [([GOOD], 0), ([GOOD, BAD], 1)])
+def test_what_is_there_and_what_lacking_it_costs_is_told(monkeypatch, capsys, found, code):  # law 31
+    monkeypatch.setattr(room, "offers", lambda: found)
+    assert main(["doctor"]) == code
+    lines = capsys.readouterr().out.splitlines()
+    assert lines[0].split() == ["ok", "python", "3.11.7"]
+    if code:
+        assert lines[1].split() == ["no", "graphics", "none", "[bold]"]
+        assert lines[2].strip() == "cost: no pictures"
+    assert len(lines) == (3 if code else 1)

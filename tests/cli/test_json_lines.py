@@ -1,0 +1,80 @@
+import json
+
+from onika.cli.json_lines import JsonLines
+from onika.desk.expectation import Expectation
+from onika.desk.preparation import prepare_run
+from onika.desk.run import Outcome
+from onika.store.site import open_site
+from onika.wire import event
+from onika.words.fault import Fault, Place
+
+FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
+RESULT = event.Result(True, "", 1, 1, 2.0, 0.12345, {"Q": [1.5], "NAME": "é"}, (FIGURES,), "abc", (3.5,))
+
+
+def lines(capsys):
+    return [json.loads(line) for line in capsys.readouterr().out.split("\n") if line]
+
+
+def test_every_event_is_one_object_on_one_line(capsys):  # R-E11
+    with JsonLines() as out:
+        out.begins(prepare_run("go_home", open_site([], {}, None)), 4711)
+        out.happens(event.Began(0, 1, 2, "jmoveC home", 0.5))
+        out.happens(event.Warned("flow0", "", "two\nlines \u2028", 0.5))
+        out.happens(event.Drive("boxes:arm_left", "HELD", 4, 2, -1, "stop"))
+        out.happens(RESULT)
+    begins, began, warned, drive = lines(capsys)
+    assert begins == {"event": "begins", "application": "go_home", "runtime_pid": 4711}
+    assert began == {"event": "began", "flow": 0, "index": 1, "of": 2, "action": "jmoveC home", "at_s": 0.5}
+    assert warned["text"] == "two\nlines \u2028"
+    assert (drive["event"], drive["at_ns"], drive["previous_step_ns"], drive["last_command_ns"]) == ("drive", 4, 2, -1)
+
+
+def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, R-A17
+    expectation = Expectation.parse("Q[0] > 1")
+    outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], {}, "it printed")
+    JsonLines().ended(outcome, "picture: out.png")
+    (found,) = lines(capsys)
+    assert found == {
+        "event": "result",
+        "application": "go",
+        "state": "completed",
+        "faults": [],
+        "notes": ["by the way"],
+        "cause": "",
+        "actions_done": 1,
+        "actions": 1,
+        "runtime_s": 2.0,
+        "wall_s": 0.123,
+        "values": {"Q": [1.5], "NAME": "é"},
+        "expectations": [{"expect": "Q[0] > 1", "found": 1.5, "holds": True}],
+        "missed": {"flow0/pd": 3},
+        "tasks": [
+            {"subsystem": "flow0", "task": "pd", "rtpu": "rt0", "hz": 500.0, "cycles": 1000, "missed": 3,
+             "mean_us": 4.5, "most_us": 20.0}
+        ],
+        "switches_us": [3.5],
+        "hash": "abc",
+        "printed": "it printed",
+        "picture": "picture: out.png",
+        "exit": 0,
+    }  # fmt: skip
+
+
+def test_a_refused_run_lists_its_faults(capsys):  # R-E01
+    JsonLines().ended(Outcome("go", [Fault(Place("a.rmod", 3), "one", "two", "left out")]), "")
+    (found,) = lines(capsys)
+    assert (found["state"], found["exit"]) == ("refused", 2)
+    assert found["faults"] == [{"file": "a.rmod", "line": 3, "expected": "one", "found": "two", "instead": "left out"}]
+    assert "cause" not in found
+    assert "picture" not in found
+
+
+def test_values_that_are_no_numbers_are_still_json(capsys):
+    values = {"X": float("nan"), "Y": float("inf")}
+    JsonLines().ended(Outcome("go", result=event.Result(True, "", 1, 1, 1.0, 1.0, values, (), "")), "")
+    assert lines(capsys)[0]["values"] == {"X": None, "Y": None}
+
+
+def test_nobody_is_there_to_answer():  # law 25
+    assert JsonLines().answer(event.Asked("flow0", "gauge", "", (), 0.0)) == ""

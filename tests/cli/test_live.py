@@ -1,0 +1,92 @@
+import io
+
+import pytest
+from rich.console import Console
+
+from onika.cli import live as room
+from onika.cli.live import Live
+from onika.desk.preparation import prepare_run
+from onika.desk.run import Outcome
+from onika.store.site import open_site
+from onika.wire import event
+
+PREPARED = prepare_run("two_arms", open_site([], {}, None))
+ITEMS = (
+    event.Item("level", "double", 2, "m", "how high", None, None, None),
+    event.Item("name", "string", 1, "-", "of whom", None, None, None),
+)
+RESULT = event.Result(True, "", 4, 4, 5.0, 5.0, {}, (), "")
+
+
+@pytest.fixture
+def screen(monkeypatch):
+    """What is shown, as text."""
+    shown = io.StringIO()
+    monkeypatch.setattr(
+        room, "Console", lambda **given: Console(file=shown, force_terminal=True, width=200, color_system=None, **given)
+    )
+    return shown
+
+
+def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
+    with Live() as live:
+        live.begins(PREPARED, 4711)
+        for one in (
+            event.TaskState("flow0", "jtraj", "ON", 0.0),
+            event.TaskState("flow0", "pd", "KILLED", 0.0),
+            event.Began(0, 0, 2, "jmoveC aside", 0.0),
+            event.Done(0, 0, 2.0),
+            event.Warned("flow0", "jtraj", "too fast", 2.0),
+            event.Failed("flow0", "jtraj", "cycle: no", "jtraj.py", 7, "", 2.0),
+        ):
+            live.happens(one)
+        live._screen.refresh()
+    text = screen.getvalue()
+    assert "0.00 s  1/2  jmoveC aside" in text
+    assert "note: jtraj: too fast" in text
+    assert "ERROR flow0/jtraj: cycle: no (jtraj.py:7)" in text
+    assert "1 of 4 done" in text
+    assert "▶ jtraj" in text
+    assert "pd  " not in text
+
+
+def test_before_the_run_it_says_that_it_prepares(screen):
+    with Live():
+        pass
+    assert "preparing" in screen.getvalue()
+
+
+@pytest.mark.parametrize("state", sorted({"ON", "OFF", "WAITING", "ASKING", "ERROR"}))
+def test_every_state_of_a_living_task_has_a_mark(screen, state):
+    with Live() as live:
+        live.begins(PREPARED, 4711)
+        live.happens(event.TaskState("flow0", "jtraj", state, 0.0))
+        live._screen.refresh()
+    assert f"{room._MARKS[state][0]} jtraj" in screen.getvalue()
+
+
+def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(screen, monkeypatch):  # R-A10
+    answers = iter(["0.5 0.75", "me"])
+    monkeypatch.setattr("builtins.input", lambda *_: next(answers))
+    with Live() as live:
+        assert live.answer(event.Asked("flow0", "gauge", "too low", ITEMS, 0.0)) == "0.5 0.75 me"
+    text = screen.getvalue()
+    assert "too low" in text
+    assert "gauge asks for level (2 values), how high [m]: " in text
+    assert "gauge asks for name, of whom [-]: " in text
+
+
+def test_signs_that_mean_colours_elsewhere_are_shown_as_they_are(screen):
+    with Live() as live:
+        live.happens(event.Warned("flow0", "jtraj", "[red]danger[/red]", 0.0))
+    assert "[red]danger[/red]" in screen.getvalue()
+
+
+def test_the_summary_comes_last(screen):  # R-E14
+    live = Live()
+    with live:
+        live.begins(PREPARED, 4711)
+    live.ended(Outcome("two_arms", result=RESULT), "picture: out.png")
+    verdict, drawn = screen.getvalue().rstrip().splitlines()[-2:]
+    assert verdict.endswith("two_arms: completed, 4 of 4 actions, 5.00 s, in 5.00 s of wall time")
+    assert drawn == "picture: out.png"

@@ -1,0 +1,38 @@
+import pytest
+
+from onika.cli import main
+
+
+def test_the_files_that_were_made_are_listed_with_what_to_do_next(tmp_path, capsys):  # R-K05
+    assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 0
+    *paths, advice = capsys.readouterr().out.splitlines()
+    assert paths == [str(tmp_path / "module" / "gain.py"), str(tmp_path / "module" / "gain.rmod"),
+                     str(tmp_path / "tests" / "test_gain.py")]  # fmt: skip
+    assert advice == f"try it: onika check {tmp_path}; python -m pytest {paths[-1]}"
+
+
+def test_a_second_time_nothing_is_written_and_it_is_said_why(tmp_path, capsys):  # R-B08
+    assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 0
+    capsys.readouterr()
+    assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 1
+    said = capsys.readouterr()
+    assert "is there already: nothing was written" in said.err
+    assert said.out == ""
+
+
+@pytest.mark.parametrize("name", ["9lives", "../up", ""])
+def test_what_is_no_name_is_refused_with_what_was_expected(tmp_path, capsys, name):
+    assert main(["new", "module", name, "--in", str(tmp_path)]) == 1
+    assert "expected a name" in capsys.readouterr().err
+
+
+def test_a_place_that_cannot_be_written_to_is_told(tmp_path, capsys):
+    (tmp_path / "file").write_text("")
+    assert main(["new", "module", "gain", "--in", str(tmp_path / "file")]) == 1
+    assert capsys.readouterr().err
+
+
+def test_only_what_there_is_a_template_for_can_be_made(capsys):
+    with pytest.raises(SystemExit):
+        main(["new", "robot", "gain"])
+    assert "module" in capsys.readouterr().err

@@ -1,0 +1,39 @@
+import io
+
+import pytest
+
+from onika.cli.plain import Plain
+from onika.desk.preparation import prepare_run
+from onika.desk.run import Outcome
+from onika.store.site import open_site
+from onika.wire import event
+
+PREPARED = prepare_run("two_arms", open_site([], {}, None))
+ITEM = event.Item("level", "double", 2, "m", "how high", None, None, None)
+
+
+def test_a_run_is_told_line_by_line(capsys):  # R-E11
+    with Plain() as plain:
+        plain.begins(PREPARED, 4711)
+        plain.happens(event.Began(0, 0, 2, "jmoveC aside", 0.0))
+        plain.happens(event.TaskState("flow0", "pd", "ON", 0.0))
+    plain.ended(Outcome("two_arms"), "")
+    assert capsys.readouterr().out.splitlines() == [
+        "two_arms: 4 actions",
+        "    0.00 s  1/2  jmoveC aside",
+        "two_arms: refused, nothing moved (0 faults)",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("reason", "line"), [("", "gauge asks for level[2] m:"), ("too low", "gauge asks for level[2] m (too low):")]
+)
+def test_a_question_is_asked_and_one_line_read(capsys, monkeypatch, reason, line):  # R-A10
+    monkeypatch.setattr("sys.stdin", io.StringIO("0.5 0.75\nnot read\n"))
+    assert Plain().answer(event.Asked("flow0", "gauge", reason, (ITEM,), 0.0)) == "0.5 0.75"
+    assert capsys.readouterr().out == line + "\n"
+
+
+def test_at_the_end_of_the_input_the_answer_is_empty(monkeypatch):  # R-A10
+    monkeypatch.setattr("sys.stdin", io.StringIO(""))
+    assert Plain().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) == ""

@@ -1,0 +1,121 @@
+import pytest
+
+from onika.cli import main
+from onika.cli import run as room
+from onika.desk.run import Outcome
+from onika.wire import event
+
+RESULT = event.Result(True, "", 1, 1, 2.0, 0.1, {}, (), "")
+
+
+@pytest.fixture
+def runs(monkeypatch):
+    """The settings of each run that would have been, and how it ends."""
+    seen = []
+
+    def run(settings, site, watcher):
+        seen.append((settings, site, watcher))
+        return Outcome(settings.name, result=RESULT, snapshots={"boxes": b"drawn"} if settings.wants_picture else {})
+
+    monkeypatch.setattr(room, "run", run)
+    return seen
+
+
+def settings_of(runs, *words):
+    assert main(["run", *words]) == 0
+    return runs[-1][0]
+
+
+def test_a_run_is_as_usual_unless_said_otherwise(runs):  # R-E01
+    found = settings_of(runs, "go_home")
+    assert (found.name, found.is_virtual, found.expectations, found.settle_s) == ("go_home", False, (), 0.5)
+    assert (found.seed, found.answers, found.wants_picture, found.with_fifo) == (0, (), False, True)
+
+
+def test_every_option_reaches_the_run(runs, tmp_path):
+    words = ("--virtual", "--expect", "A == 1", "--expect", "B > 2", "--settle", "1.5", "--seed", "-7", "--no-fifo")
+    found = settings_of(runs, "x.appl", *words, "--local", str(tmp_path))
+    assert found.is_virtual
+    assert [one.text for one in found.expectations] == ["A == 1", "B > 2"]
+    assert (found.settle_s, found.seed, found.with_fifo) == (1.5, -7, False)
+    assert runs[-1][1].directories[0].path == tmp_path
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        (["gauge.level=0.5"], (("gauge", "0.5"),)),
+        (["gauge.level=1,2 3"], (("gauge", "1 2 3"),)),
+        (["a.x=1", "b.y=2", "a.z=3"], (("a", "1 3"), ("b", "2"))),
+        (["my.task.level=1"], (("my.task", "1"),)),
+        (["a.x="], (("a", ""),)),
+        (["a.x=b=c"], (("a", "b=c"),)),
+    ],
+)
+def test_answers_are_argument_lines_by_task(runs, given, expected):  # law 25
+    words = [word for one in given for word in ("--answer", one)]
+    assert settings_of(runs, "go_home", *words).answers == expected
+
+
+@pytest.mark.parametrize("text", ["", "=", "gauge=1", ".level=1", "gauge.=1", "gauge.level"])
+def test_an_answer_for_nobody_is_refused(runs, capsys, text):  # law 25
+    with pytest.raises(SystemExit):
+        main(["run", "go_home", "--answer", text])
+    assert "expected TASK.NAME=VALUES" in capsys.readouterr().err
+    assert runs == []
+
+
+@pytest.mark.parametrize(
+    ("words", "tty", "term", "kind"),
+    [
+        (["--json"], True, "xterm", "JsonLines"),
+        ([], True, "xterm", "Live"),
+        ([], True, "dumb", "Plain"),
+        ([], False, "xterm", "Plain"),
+    ],
+)
+def test_it_is_told_as_whoever_reads_it_can_read(runs, monkeypatch, words, tty, term, kind):  # R-E11
+    monkeypatch.setattr("sys.stdout.isatty", lambda: tty, raising=False)
+    monkeypatch.setenv("TERM", term)
+    settings_of(runs, "go_home", *words)
+    assert type(runs[-1][2]).__name__ == kind
+
+
+@pytest.mark.parametrize(("words", "tty", "may_ask"), [([], True, True), (["--json"], True, False), ([], False, False)])
+def test_it_asks_only_where_somebody_can_answer(runs, monkeypatch, words, tty, may_ask):  # law 25
+    monkeypatch.setattr("sys.stdin.isatty", lambda: tty, raising=False)
+    assert settings_of(runs, "go_home", *words).may_ask is may_ask
+
+
+def test_a_picture_is_drawn_of_the_first_world(runs, monkeypatch, capsys, tmp_path):
+    monkeypatch.setattr(room.picture, "draw", lambda snapshot, path: f"{snapshot!r} to {path.name}")
+    settings_of(runs, "go_home", "--picture", str(tmp_path / "out.png"))
+    assert capsys.readouterr().out.splitlines()[-1] == "b'drawn' to out.png"
+    monkeypatch.setattr(room.picture, "draw", lambda snapshot, path: "")
+    settings_of(runs, "go_home", "--picture", "out.png")
+    assert capsys.readouterr().out.splitlines()[-1] == "picture: out.png"
+
+
+@pytest.mark.parametrize("text", ["-1", "3601", "nan", "inf", "soon", ""])
+def test_the_time_to_settle_is_some_seconds(runs, capsys, text):
+    with pytest.raises(SystemExit):
+        main(["run", "go_home", f"--settle={text}"])
+    assert "expected seconds from 0 to 3600" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("text", ["1.5", "x", "", "1" * 19, "²", "--1", "1_000"])
+def test_a_seed_is_a_whole_number(runs, capsys, text):
+    with pytest.raises(SystemExit):
+        main(["run", "go_home", f"--seed={text}"])
+    assert "expected a whole number of at most 18 digits" in capsys.readouterr().err
+
+
+def test_control_c_before_anything_runs_and_a_reader_who_leaves_are_no_faults(monkeypatch, capsys):  # R-E07
+    for raised, code in ((KeyboardInterrupt, 130), (BrokenPipeError, 0), (TimeoutError("no answer"), 1)):
+
+        def run(*_, raised=raised):
+            raise raised
+
+        monkeypatch.setattr(room, "run", run)
+        assert main(["run", "go_home"]) == code
+    assert "no answer" in capsys.readouterr().err

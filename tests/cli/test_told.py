@@ -1,0 +1,81 @@
+import pytest
+
+from onika.cli.told import sentence, summary
+from onika.desk.expectation import Expectation
+from onika.desk.run import Outcome
+from onika.wire import event
+from onika.words.fault import Fault, Place
+
+FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
+
+
+def result(**changes):
+    fields = {
+        "completed": True, "cause": "", "done": 2, "of": 3, "runtime_s": 20.0, "wall_s": 1.0, "values": {},
+        "tasks": (FIGURES,), "hash": "",
+    }  # fmt: skip
+    return event.Result(**(fields | changes))
+
+
+@pytest.mark.parametrize(
+    ("one", "line"),
+    [
+        (event.Began(0, 4, 12, "jmoveC home", 3.14159), "    3.14 s   5/12  jmoveC home"),
+        (event.Warned("flow0", "jtraj", "too fast", 1.0), "    1.00 s  note: jtraj: too fast"),
+        (event.Warned("flow0", "", "waits", 1.0), "    1.00 s  note: waits"),
+        (
+            event.Failed("flow0", "pd", "cycle: no", "pd.py", 7, "", 0.5),
+            "    0.50 s  ERROR flow0/pd: cycle: no (pd.py:7)",
+        ),
+        (event.Failed("flow0", "pd", "cycle: no", "pd.py", 0, "", 0.5), "    0.50 s  ERROR flow0/pd: cycle: no"),
+        (
+            event.Drive("boxes:arm_left", "TRIPPED", 2_500_000_000, 0, 0, "its writer died"),
+            "    2.50 s  boxes:arm_left has tripped: its writer died",
+        ),
+        (event.Drive("boxes:arm_left", "HELD", 2_500_000_000, 0, 0, "stop"), ""),
+        (event.Done(0, 0, 1.0), ""),
+        (event.TaskState("flow0", "pd", "ON", 0.0), ""),
+    ],
+)
+def test_an_event_is_told_in_one_line_or_not_at_all(one, line):  # R-E11
+    assert sentence(one, 12) == line
+
+
+def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
+    fault = Fault(Place("a.rmod", 3), "one", "two", "left out")
+    lines = list(summary(Outcome("go", [fault, fault], ["by the way"]), ""))
+    assert lines == [str(fault), str(fault), "note: by the way", "go: refused, nothing moved (2 faults)"]
+    assert list(summary(Outcome("go", [fault]), ""))[-1] == "go: refused, nothing moved (1 fault)"
+
+
+def test_a_virtual_run_tells_its_pace_and_its_hash_and_no_misses():  # R-X08
+    lines = list(summary(Outcome("go", result=result(hash="abc")), "picture: out.png"))
+    assert lines == [
+        "go: completed, 2 of 3 actions, 20.00 s, in 1.00 s of wall time (20x)",
+        "hash: abc",
+        "picture: out.png",
+    ]
+
+
+def test_a_run_in_wall_time_tells_its_cycles_and_misses():  # R-A17
+    assert list(summary(Outcome("go", result=result()), ""))[1:] == ["cycles: 1000, missed 3"]
+
+
+def test_an_aborted_run_tells_its_cause_and_what_was_printed_last():  # R-E14, R-E10
+    printed = "\n".join(f"line {number}" for number in range(30))
+    lines = list(summary(Outcome("go", result=result(completed=False, cause="it fell"), printed=printed), ""))
+    assert lines[0].startswith("go: aborted, 2 of 3 actions")
+    assert lines[1:4] == ["cause: it fell", "the runtime printed:", "  line 10"]
+    assert lines[-2] == "  line 29"
+
+
+def test_each_expectation_is_told_with_what_was_found():  # R-X07
+    expectations = [
+        (Expectation.parse("LAMP == 1"), value, holds) for value, holds in ((1, True), (0, False), (None, False))
+    ]
+    lines = list(summary(Outcome("go", result=result(wall_s=0.0), expectations=expectations), ""))
+    assert lines[2:] == [
+        "expect LAMP == 1: yes",
+        "expect LAMP == 1: NO, found 0",
+        "expect LAMP == 1: NO, found nothing",
+    ]

@@ -1,0 +1,158 @@
+"""A task's end of a device."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from onika.ring.device import Drive, Order
+from onika.runtime.binding import attach
+from onika.runtime.device import Device
+from onika.testing.bench_device import SEGMENT, BenchDevice
+
+
+@pytest.fixture
+def far():
+    return BenchDevice(("x", "v"), ("force", "brake"), {"KIND": "mass"})
+
+
+@pytest.fixture
+def near(far):
+    return attach(far.grant(), {SEGMENT: far.view})
+
+
+def test_the_newest_values_are_read_without_time_and_drive(far, near):  # law 16
+    far.state[:] = 1.0, 2.0
+    far.publish(0)
+    assert near.read().tolist() == [1.0, 2.0]
+    far.state[:] = 3.0, 4.0
+    assert near.read().tolist() == [1.0, 2.0]
+    far.publish(1)
+    assert near.read().tolist() == [3.0, 4.0]
+
+
+def test_what_is_read_cannot_be_written(near):
+    with pytest.raises(ValueError, match="read-only"):
+        near.read()[0] = 1.0
+
+
+def test_a_device_says_who_it_is(near):
+    assert near.identity == {"KIND": "mass"}
+
+
+@given(st.lists(st.floats(-1e9, 1e9), min_size=2, max_size=2))
+def test_a_command_arrives_as_it_was_written(values):  # law 16
+    far = BenchDevice(("x",), ("force", "brake"))
+    attach(far.grant(), {SEGMENT: far.view}).write(values)
+    assert (far.order, far.commands.tolist()) == (Order.DRIVE, values)
+
+
+@pytest.mark.parametrize("bad", [float("nan"), float("inf"), float("-inf")])
+@pytest.mark.parametrize("place", [0, 1])
+def test_nan_and_infinity_never_reach_an_actuator_and_the_drive_holds(far, near, bad, place):  # law 5
+    near.write([1.0, 1.0])
+    values = [0.5, 0.5]
+    values[place] = bad
+    with pytest.raises(ValueError, match="expected finite commands for bench"):
+        near.write(values)
+    assert (far.order, far.commands.tolist()) == (Order.HOLD, [0.0, 0.0])
+
+
+def test_infinities_that_would_cancel_are_found_too(far, near):  # law 5
+    with pytest.raises(ValueError, match="finite"):
+        near.write([float("inf"), float("-inf")])
+    assert far.order == Order.HOLD
+
+
+def test_a_command_of_another_length_is_refused(near):
+    with pytest.raises(ValueError, match=r"broadcast|shape"):
+        near.write([1.0, 2.0, 3.0])
+
+
+def test_while_inputs_are_not_fresh_every_command_is_a_hold(far, near):  # law 4
+    near.holding(True)
+    near.write([1.0, float("nan")])
+    assert (far.order, far.commands.tolist()) == (Order.HOLD, [0.0, 0.0])
+    near.holding(False)
+    near.write([1.0, 2.0])
+    assert far.order == Order.DRIVE
+
+
+def test_the_drive_is_seen_as_of_the_last_read(far, near):  # law 17
+    seen = []
+    for drive in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED):
+        far.values[1] = drive
+        far.publish(0)
+        near.read()
+        seen.append((near.is_held, near.is_tripped))
+    assert seen == [(False, False), (True, False), (True, True)]
+
+
+def tripped(far, near):
+    far.values[1] = Drive.TRIPPED
+    far.publish(0)
+    near.read()
+
+
+def test_a_clear_stays_the_newest_command_until_the_device_has_heard_it(far, near):  # law 17
+    """Only the newest command arrives: a hold or a drive right after would undo the clear."""
+    tripped(far, near)
+    near.clear()
+    for later in (near.hold, lambda: near.write([1.0, 1.0])):
+        later()
+        assert far.order == Order.CLEAR
+        assert not near.is_tripped
+    far.values[1] = Drive.HELD
+    far.publish(1)
+    far.publish(2)
+    near.hold()
+    assert far.order == Order.HOLD
+    near.write([1.0, 1.0])
+    assert far.order == Order.DRIVE
+
+
+def test_a_device_that_does_not_come_back_is_tripped_again(far, near):  # law 17
+    tripped(far, near)
+    near.clear()
+    far.publish(1)
+    near.read()
+    assert not near.is_tripped
+    far.publish(2)
+    near.read()
+    assert near.is_tripped
+
+
+def test_a_clear_of_a_drive_that_has_not_tripped_holds(far, near):
+    near.write([1.0, 1.0])
+    near.clear()
+    assert far.order == Order.HOLD
+
+
+def test_a_device_that_only_publishes_takes_no_commands(far):  # law 16
+    mute = BenchDevice(("x",))
+    near = attach(mute.grant(), {SEGMENT: mute.view})
+    with pytest.raises(ValueError, match="bench takes no commands from this task"):
+        near.write([])
+    near.hold()
+    near.clear()
+
+
+def test_silence_is_counted_from_the_last_thing_that_was_new(far, near):  # law 17
+    near.listen_from(0)
+    far.publish(0)
+    assert near.silent_ns(10) == 0
+    assert near.silent_ns(25) == 15
+    far.publish(30)
+    assert near.silent_ns(30) == 0
+
+
+def test_silence_before_the_task_came_on_does_not_count(far, near):
+    far.publish(0)
+    near.silent_ns(0)
+    near.listen_from(500)
+    assert near.silent_ns(510) == 10
+
+
+@pytest.mark.parametrize("use", ["read", "write", "identity", "is_held", "hold", "clear"])
+def test_a_task_without_a_device_is_told_so_at_every_use(use):
+    with pytest.raises(AttributeError, match="this task has no device: its LOCAL block names none"):
+        getattr(Device.absent(), use)
