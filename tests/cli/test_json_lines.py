@@ -77,4 +77,4 @@ def test_values_that_are_no_numbers_are_still_json(capsys):
 
 
 def test_nobody_is_there_to_answer():  # law 25
-    assert JsonLines().answer(event.Asked("flow0", "gauge", "", (), 0.0)) == ""
+    assert JsonLines().answer(event.Asked("flow0", "gauge", "", (), 0.0)) is None

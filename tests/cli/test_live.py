@@ -67,13 +67,19 @@ def test_every_state_of_a_living_task_has_a_mark(screen, state):
 
 def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(screen, monkeypatch):  # R-A10
     answers = iter(["0.5 0.75", "me"])
-    monkeypatch.setattr("builtins.input", lambda *_: next(answers))
+    monkeypatch.setattr(room, "typed_line", lambda: next(answers))
     with Live() as live:
         assert live.answer(event.Asked("flow0", "gauge", "too low", ITEMS, 0.0)) == "0.5 0.75 me"
     text = screen.getvalue()
     assert "too low" in text
     assert "gauge asks for level (2 values), how high [m]: " in text
     assert "gauge asks for name, of whom [-]: " in text
+
+
+def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10
+    monkeypatch.setattr(room, "typed_line", lambda: None)
+    with Live() as live:
+        assert live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0)) is None
 
 
 def test_signs_that_mean_colours_elsewhere_are_shown_as_they_are(screen):

@@ -1,7 +1,6 @@
-import io
-
 import pytest
 
+from onika.cli import plain as room
 from onika.cli.plain import Plain
 from onika.desk.preparation import prepare_run
 from onika.desk.run import Outcome
@@ -29,11 +28,11 @@ def test_a_run_is_told_line_by_line(capsys):  # R-E11
     ("reason", "line"), [("", "gauge asks for level[2] m:"), ("too low", "gauge asks for level[2] m (too low):")]
 )
 def test_a_question_is_asked_and_one_line_read(capsys, monkeypatch, reason, line):  # R-A10
-    monkeypatch.setattr("sys.stdin", io.StringIO("0.5 0.75\nnot read\n"))
+    monkeypatch.setattr(room, "typed_line", lambda: "0.5 0.75")
     assert Plain().answer(event.Asked("flow0", "gauge", reason, (ITEM,), 0.0)) == "0.5 0.75"
     assert capsys.readouterr().out == line + "\n"
 
 
-def test_at_the_end_of_the_input_the_answer_is_empty(monkeypatch):  # R-A10
-    monkeypatch.setattr("sys.stdin", io.StringIO(""))
-    assert Plain().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) == ""
+def test_at_the_end_of_the_input_nobody_answers(monkeypatch):  # R-A10
+    monkeypatch.setattr(room, "typed_line", lambda: None)
+    assert Plain().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) is None

@@ -132,6 +132,13 @@ def test_a_question_is_answered_by_the_watcher(runtime):  # law 25
     assert outcome.exit_code == 0
 
 
+def test_where_nobody_answers_the_run_is_aborted(runtime, monkeypatch):  # law 25
+    runtime.script = (ASKED, GOOD)
+    monkeypatch.setattr(Watcher, "answer", lambda *_: None)
+    go(may_ask=True)
+    assert runtime.made.asked[2] == request.Abort("task gauge asks for input and nobody answers")
+
+
 def control_c():
     signal.raise_signal(signal.SIGINT)
 

@@ -143,3 +143,21 @@ def test_aliases_part_two_robots_of_one_kind(table):  # R-C04
     assert {name: str(entry.shape) for name, entry in table.entries.items()} == {
         "Q_LEFT": "double[2]", "Q_MEZ": "double[3]",
     }  # fmt: skip
+
+
+def test_a_second_writer_of_a_variable_that_is_on_is_refused(table):  # law 9
+    one = turned_on(subsystem(table, arm()), *CMOVE)
+    assert one.clashes([], ["jtraj"]) == [("jtraj", "Q_REF is written by task invkin, which is ON")]
+
+
+def test_a_writer_that_goes_off_in_the_same_switch_is_in_nobodys_way(table):  # law 9
+    one = turned_on(subsystem(table, arm()), *CMOVE)
+    assert one.clashes(["ctraj", "invkin"], ["jtraj"]) == []
+    assert one.clashes([], ["invkin"]) == []
+
+
+def test_what_is_forgotten_is_no_longer_in_force_in_the_table(table):  # law 3
+    write_constant(table, "N", 1)
+    one = subsystem(table, [wired("a", N=OutConst("int"))])
+    one.forget(["N", "UNKNOWN"])
+    assert table.ring("N").mark == table.ring("N").count == 1

@@ -109,9 +109,9 @@ class Terminal:
                 break
         assert text in self.shown, self.shown
 
-    def type(self, line):
+    def type(self, line, end="\n"):
         self.shown = ""
-        os.write(self._ours, line.encode() + b"\n")
+        os.write(self._ours, (line + end).encode())
 
     def close(self):
         self.process.kill()
@@ -139,4 +139,11 @@ def test_control_c_at_a_question_ends_the_run(terminal):  # R-E07
     terminal.read_until("gauge asks for level")
     terminal.process.send_signal(2)
     terminal.read_until("stopped by the user (Ctrl-C)")
+    assert terminal.process.wait(30) == 1
+
+
+def test_the_end_of_the_input_at_a_question_ends_the_run(terminal):  # law 25
+    terminal.read_until("gauge asks for level")
+    terminal.type("\x04", end="")
+    terminal.read_until("asks for input and nobody answers")
     assert terminal.process.wait(30) == 1

@@ -33,9 +33,8 @@ class JsonLines:
             fields["event"] = fields.pop("type").lower()
             self._write(fields)
 
-    def answer(self, asked: event.Asked) -> str:
+    def answer(self, asked: event.Asked) -> None:
         """Nobody is there to answer."""
-        return ""
 
     def ended(self, outcome: Outcome, drawn: str) -> None:
         """The result."""

@@ -3,6 +3,7 @@
 from time import monotonic
 from types import TracebackType
 
+from rich.columns import Columns
 from rich.console import Console, Group
 from rich.live import Live as Screen
 from rich.progress_bar import ProgressBar
@@ -10,6 +11,7 @@ from rich.table import Table
 from rich.text import Text
 
 from onika.cli.told import sentence, summary
+from onika.cli.typed import typed_line
 from onika.desk.preparation import PreparedRun
 from onika.desk.run import Outcome
 from onika.wire import event
@@ -69,17 +71,20 @@ class Live:
             style = "red" if isinstance(one, event.Failed) else "yellow" if isinstance(one, event.Warned) else ""
             self._console.print(Text(line, style=style))
 
-    def answer(self, asked: event.Asked) -> str:
-        """Ask for it in the terminal."""
+    def answer(self, asked: event.Asked) -> str | None:
+        """Ask for it in the terminal, value by value; None at the end of the input."""
         self._screen.stop()
         if asked.reason:
             self._console.print(Text(asked.reason, style="magenta"))
-        words = []
+        words: list[str] = []
         for one in asked.items:
             many = f" ({one.count} values)" if one.count > 1 else ""
-            words.append(
-                self._console.input(Text(f"{asked.task} asks for {one.name}{many}, {one.meaning} [{one.unit}]: "))
-            )
+            question = f"{asked.task} asks for {one.name}{many}, {one.meaning} [{one.unit}]: "
+            self._console.print(Text(question), end="")
+            line = typed_line()
+            if line is None:
+                return None
+            words.append(line)
         self._screen.start()
         return " ".join(words)
 
@@ -104,9 +109,12 @@ class Live:
             Text(f"{monotonic() - self._since:6.1f} s"),
             Text(actions, style="bold cyan"),
         )
-        states = Text()
-        for (_, task), state in sorted(self._states.items()):
-            if state != "KILLED":
-                mark, style = _MARKS[state]
-                states.append(f"{mark} {task}  ", style=style)
+        states = Columns(
+            [
+                Text(f"{_MARKS[state][0]} {task}", style=_MARKS[state][1], no_wrap=True)
+                for (_, task), state in sorted(self._states.items())
+                if state != "KILLED"
+            ],
+            padding=(0, 2),
+        )
         return Group(Text(), head, states)

@@ -1,9 +1,9 @@
 """A run as plain lines, where there is no terminal."""
 
-import sys
 from types import TracebackType
 
 from onika.cli.told import sentence, summary
+from onika.cli.typed import typed_line
 from onika.desk.preparation import PreparedRun
 from onika.desk.run import Outcome
 from onika.wire import event
@@ -36,12 +36,12 @@ class Plain:
         if line:
             self._write(line)
 
-    def answer(self, asked: event.Asked) -> str:
-        """Ask on the terminal that input comes from."""
+    def answer(self, asked: event.Asked) -> str | None:
+        """Ask on the terminal that input comes from; None at the end of the input."""
         wanted = ", ".join(f"{one.name}[{one.count}] {one.unit}" for one in asked.items)
         reason = f" ({asked.reason})" if asked.reason else ""
         self._write(f"{asked.task} asks for {wanted}{reason}:")
-        return sys.stdin.readline().strip()
+        return typed_line()
 
     def ended(self, outcome: Outcome, drawn: str) -> None:
         """The summary."""

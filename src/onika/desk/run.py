@@ -72,8 +72,8 @@ class Watcher(Protocol):
         """Something has happened."""
         ...
 
-    def answer(self, asked: event.Asked) -> str:
-        """The argument line for a task that asks."""
+    def answer(self, asked: event.Asked) -> str | None:
+        """The argument line for a task that asks; None where nobody answers."""
         ...
 
 
@@ -129,9 +129,15 @@ def _follow(settings: RunSettings, plan: Plan, runtime: Runtime, watcher: Watche
                         return one
                     if isinstance(one, event.Asked):
                         with interruption.at_once():
-                            runtime.ask(request.Reply(one.subsystem, one.task, watcher.answer(one)))
+                            runtime.ask(_answer(one, watcher.answer(one)))
     except (LinkLost, TimeoutError) as lost:
         return _aborted(str(lost), plan, done)
+
+
+def _answer(asked: event.Asked, line: str | None) -> request.Request:
+    if line is None:
+        return request.Abort(f"task {asked.task} asks for input and nobody answers")
+    return request.Reply(asked.subsystem, asked.task, line)
 
 
 def _snapshots(runtime: Runtime) -> dict[str, bytes]:
