@@ -4,7 +4,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from onika.module import InVar, Input, Local, Module, ModuleError, OutVar
+from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
 
 
 class Plain(Module):

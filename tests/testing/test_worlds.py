@@ -56,7 +56,8 @@ def test_a_tripped_drive_comes_back_by_clear_only(world):  # law 17
     world.fence(1)
     world.claim("m0", 2)
     for order, expected in [
-        (Order.DRIVE, Drive.TRIPPED), (Order.HOLD, Drive.TRIPPED), (Order.CLEAR, Drive.HELD), (Order.DRIVE, Drive.DRIVEN),
+        (Order.DRIVE, Drive.TRIPPED), (Order.HOLD, Drive.TRIPPED),
+        (Order.CLEAR, Drive.HELD), (Order.DRIVE, Drive.DRIVEN),
     ]:  # fmt: skip
         world.command("m0", 2, order, [1.0])
         assert drive(world) == expected

@@ -5,7 +5,8 @@ from typing import Protocol
 
 from onika.host.gate import Gate
 from onika.host.preparation import Loading, Preparation, inspect, prepare
-from onika.host.runner import Runner, Units
+from onika.host.runner import Runner
+from onika.host.units import Units
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table

@@ -4,15 +4,16 @@ The same in wall and in virtual time: it is told the time, sends commands throug
 function. It waits for nothing.
 """
 
-from collections import deque
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol
+from typing import Any
 
 from onika.engine import news as said
 from onika.engine import orders
 from onika.engine.engine import Engine
 from onika.host.preparation import Preparation
+from onika.host.switchboard import Switchboard
 from onika.host.tally import Tally
+from onika.host.units import Units
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.subsystem import Member, Subsystem
@@ -20,22 +21,6 @@ from onika.wire import event
 from onika.wire.request import Begin
 
 Tell = Callable[[event.Event], None]
-
-
-class Units(Protocol):
-    """The RTPUs, by name, and the devices, as the runner sees them."""
-
-    def send(self, rtpu: str, order: command.Command) -> None:
-        """Give an RTPU a command."""
-        ...
-
-    def grant(self, rtpu: str, device: str) -> command.DeviceGrant:
-        """Claim `world:device` for a task on this RTPU; raises ValueError with the reason."""
-        ...
-
-    def release(self, device: str) -> None:
-        """Give a claimed device back: it holds."""
-        ...
 
 
 class Runner:
@@ -62,8 +47,7 @@ class Runner:
         ranks = {(n, name): rank for n, one in subsystems.items() for name, rank in one.ranks.items()}
         self._engine = Engine(prepared.plan, prepared.triggers, passive, ranks, triggers)
         self._waiting_spawns: list[tuple[int, str]] = []
-        self._batches: dict[int, deque[tuple[str, command.Switch]]] = {}
-        self._awaited: dict[int, set[str]] = {}
+        self._switchboard = Switchboard(subsystems, units)
         self._claims: list[str] = []
         self._asking: set[tuple[int, str]] = set()
         self._settle_at: int | None = None
@@ -157,7 +141,7 @@ class Runner:
                 self._asked(flow, heard)
             case news.Refused():
                 self._feed(said.Refused(flow, task, f"{heard.command}: {heard.reason}"))
-                self._settled(flow, task)
+                self._switchboard.settled(flow, task)
 
     def _changed(self, flow: int, task: str, state: State, signal: str = "", quietly: bool = False) -> None:
         member = self._subsystems[flow].members[task]
@@ -167,7 +151,7 @@ class Runner:
         if quietly:
             return
         if state is State.ON:
-            self._settled(flow, task)
+            self._switchboard.settled(flow, task)
             self._feed(said.TurnedOn(flow, task))
         elif state is State.KILLED:
             self._release(member)
@@ -186,13 +170,13 @@ class Runner:
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ERROR.value, at))
         where = f" ({heard.path}:{heard.line})" if heard.line else ""
         self._feed(said.Failed(flow, heard.task, f"{text}{where}"))
-        self._settled(flow, heard.task)
+        self._switchboard.settled(flow, heard.task)
 
     def _asked(self, flow: int, heard: news.Asked) -> None:
         """Answer by what the run was given, else by whoever is there, else the run ends (law 25)."""
         self._subsystems[flow].members[heard.task].state = State.ASKING
         self._asking.add((flow, heard.task))
-        self._settled(flow, heard.task)
+        self._switchboard.settled(flow, heard.task)
         answers = dict(self._begin.answers)
         at = self._seconds(heard.now_ns)
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ASKING.value, at))
@@ -285,52 +269,18 @@ class Runner:
             self._units.release(device)
 
     def _switch(self, order: orders.Switch) -> None:
-        """Split a switch by RTPU, keeping the order of `on`: a group goes out when the one before it is ON."""
+        """Send a switch out, unless it would give a variable a second writer."""
         subsystem = self._subsystems[order.flow]
         for task, reason in subsystem.clashes(order.off, [start.task for start in order.on]):
             self._feed(said.Refused(order.flow, task, f"on: {reason}"))
             return
         forget = subsystem.forgotten(order.off, [start.task for start in order.on])
         subsystem.forget(forget)
-        groups: deque[tuple[str, command.Switch]] = deque()
-        rtpu_of = {name: member.rtpu for name, member in subsystem.members.items()}
-        for rtpu in sorted({rtpu_of[name] for name in (*order.off, *(name for name, _ in order.kept_rates))}):
-            off = tuple(name for name in order.off if rtpu_of[name] == rtpu)
-            rates = tuple((name, hz) for name, hz in order.kept_rates if rtpu_of[name] == rtpu)
-            groups.append((rtpu, command.Switch(subsystem.name, off, forget, (), rates)))
-        for start in order.on:
-            launch = command.Launch(start.task, start.arguments, start.frequency)
-            rtpu = rtpu_of[start.task]
-            if groups and groups[-1][0] == rtpu:
-                last = groups[-1][1]
-                groups[-1] = (rtpu, _with(last, launch))
-            else:
-                groups.append((rtpu, command.Switch(subsystem.name, (), forget if not groups else (), (launch,))))
-        waiting = self._batches.setdefault(order.flow, deque())
-        waiting.extend(groups)
-        if not self._awaited.get(order.flow):
-            self._next_batch(order.flow)
-
-    def _next_batch(self, flow: int) -> None:
-        groups = self._batches.get(flow)
-        while groups:
-            rtpu, switch = groups.popleft()
-            self._awaited[flow] = {launch.task for launch in switch.on}
-            self._units.send(rtpu, switch)
-            if self._awaited[flow]:
-                return
-
-    def _settled(self, flow: int, task: str) -> None:
-        awaited = self._awaited.get(flow)
-        if awaited and task in awaited:
-            awaited.discard(task)
-            if not awaited:
-                self._next_batch(flow)
+        self._switchboard.put(order, forget)
 
     def _kill(self, order: orders.Kill) -> None:
         member = self._subsystems[order.flow].members[order.task]
-        self._batches.pop(order.flow, None)
-        self._awaited.pop(order.flow, None)
+        self._switchboard.drop(order.flow)
         if (order.flow, order.task) in self._waiting_spawns:
             self._waiting_spawns.remove((order.flow, order.task))
         if member.is_sent and member.state is not State.KILLED:
@@ -346,7 +296,3 @@ class Runner:
 
     def _seconds(self, now: int) -> float:
         return round((now - self._began) * 1e-9, 9)
-
-
-def _with(switch: command.Switch, launch: command.Launch) -> command.Switch:
-    return command.Switch(switch.subsystem, switch.off, switch.forget, (*switch.on, launch), switch.rates)

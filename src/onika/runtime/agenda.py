@@ -36,19 +36,22 @@ class Agenda:
         self._releases: list[tuple[int, int, int, int, str, int, Slot]] = []
         self._ready: list[tuple[int, int, int, str, int, Slot]] = []
         self._epoch = 0
+        self._coming: dict[Slot, int] = {}
 
     def enter(self, slot: Slot, now: int) -> None:
-        """Due at once, then on the common grid of multiples of the period."""
-        self._renew(slot)
-        slot.is_listed = True
-        slot.release = now
-        slot.deadline = _next_on_grid(now, slot.period)
-        heappush(self._releases, (now, slot.deadline, *slot.key, slot.epoch, slot))
+        """Due at once, then on the common grid of multiples of the period.
+
+        What enters waits outside until `next_due` is asked, and then enters with the time of that: tasks that come on
+        together enter together, and what the `on` of one took makes no other one late.
+        """
+        self.leave(slot)
+        self._coming[slot] = now
 
     def leave(self, slot: Slot) -> None:
         """Not due any more; what still lies in the queues is stale by its epoch."""
         self._renew(slot)
         slot.is_listed = False
+        self._coming.pop(slot, None)
 
     def change(self, slot: Slot, period_ns: int, now: int) -> None:
         """Another period from now on; a release that is due already stays due, later ones lie on the new grid."""
@@ -63,6 +66,8 @@ class Agenda:
     def next_due(self, now: int) -> Slot | None:
         """The slot to run now, or None; call `done` after its cycle."""
         releases, ready = self._releases, self._ready
+        if self._coming:
+            self._let_in(now)
         while releases and releases[0][0] <= now:
             release, deadline, crit, rank, name, epoch, slot = heappop(releases)
             if epoch == slot.epoch:
@@ -87,6 +92,8 @@ class Agenda:
 
     def next_release(self) -> int | None:
         """When something becomes due (a time in the past: now); None if nothing ever will."""
+        if self._coming:
+            return min(self._coming.values())
         ready, releases = self._ready, self._releases
         while ready and ready[0][-2] != ready[0][-1].epoch:
             heappop(ready)
@@ -95,6 +102,14 @@ class Agenda:
         while releases and releases[0][-2] != releases[0][-1].epoch:
             heappop(releases)
         return releases[0][0] if releases else None
+
+    def _let_in(self, now: int) -> None:
+        for slot in self._coming:
+            slot.is_listed = True
+            slot.release = now
+            slot.deadline = _next_on_grid(now, slot.period)
+            heappush(self._releases, (now, slot.deadline, *slot.key, slot.epoch, slot))
+        self._coming.clear()
 
     def _renew(self, slot: Slot) -> None:
         """Make all entries of the slot stale. Epochs are never given twice, so that two entries never compare equal."""

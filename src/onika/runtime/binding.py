@@ -127,15 +127,14 @@ def _parse(name: str, declared: Local, words: tuple[str, ...]) -> Any:
     kind = declared.shape.type
     if kind.value == "line":
         return " ".join(words)
-    if not declared.shape.dims:
-        if len(words) != 1:
-            raise ValueError(f"LOCAL {name}: expected one {kind.value}, found {len(words)} words")
-        return kind.parse(words[0])
+    is_vector = bool(declared.shape.dims)
+    if not is_vector and len(words) != 1:
+        raise ValueError(f"LOCAL {name}: expected one {kind.value}, found {len(words)} words")
     fixed = all(isinstance(dim, int) for dim in declared.shape.dims)
     if fixed and len(words) != declared.shape.count:
         raise ValueError(f"LOCAL {name}: expected {declared.shape.count} values, found {len(words)}")
     try:
-        return [kind.parse(word) for word in words]
+        return [kind.parse(word) for word in words] if is_vector else kind.parse(words[0])
     except ValueError as wrong:
         raise ValueError(f"LOCAL {name}: {wrong}") from None
 

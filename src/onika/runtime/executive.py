@@ -35,9 +35,6 @@ class Executive:
         self._watch: Callable[[str], None] = watch or (lambda _task: None)
         self._agenda = Agenda()
         self._rings: dict[str, dict[str, Ring]] = {}
-        self._entering: dict[Slot, int] = {}
-        """Slots of tasks that came on, and when: they enter together once every `on` of a switch is through, so that
-        what these took makes nobody late."""
         self._slots: MutableMapping[Slot, RunningTask] = {}
         self._news: list[news.News] = []
         self._busy_since_ns = 0
@@ -70,8 +67,6 @@ class Executive:
 
     def next_release(self) -> int | None:
         """When the next cycle is due, if any."""
-        if self._entering:
-            return min(self._entering.values())
         return self._agenda.next_release()
 
     def run_next(self, now: int) -> Sequence[news.News] | None:
@@ -87,10 +82,6 @@ class Executive:
 
     def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         agenda, slots, watches = self._agenda, self._slots, self._watches
-        if self._entering:
-            for coming in self._entering:
-                agenda.enter(coming, now)
-            self._entering.clear()
         for _ in range(most):
             slot = agenda.next_due(now)
             if slot is None:
@@ -212,7 +203,7 @@ class Executive:
             return
         task.step(Step.ANSWERED if task.state is State.ASKING else Step.ON)
         if task.spawn.task_type != "synchronous":
-            self._entering[task.slot] = now
+            self._agenda.enter(task.slot, now)
         self._news.append(news.Changed(*_address(task), task.state.value, now))
 
     def _ask(self, task: RunningTask, reason: str, now: int) -> None:
@@ -236,7 +227,7 @@ class Executive:
 
     def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
-        self._leave_agenda(task.slot)
+        self._agenda.leave(task.slot)
         if task.state is State.ON and not self._try(task, "off", now, task.off):
             return False
         task.step(step)
@@ -269,7 +260,7 @@ class Executive:
             return
         self._news.append(got)
         if task.spawn.task_type == "aperiodic" and task.state is State.ON and isinstance(order, command.Set):
-            self._entering[task.slot] = now
+            self._agenda.enter(task.slot, now)
 
     def _kill(self, address: Address, now: int) -> None:
         task = self.tasks.pop(address, None)
@@ -290,10 +281,6 @@ class Executive:
             task.hold()  # first every device, then the modules' own words
         for address in list(self.tasks):
             self._off(address, now)
-
-    def _leave_agenda(self, slot: Slot) -> None:
-        self._entering.pop(slot, None)
-        self._agenda.leave(slot)
 
     def _fail_devices(self, cause: str, now: int) -> None:
         for task in self.tasks.values():
@@ -367,7 +354,7 @@ class Executive:
         task.hold()
         if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mended(task, wrong):
             return
-        self._leave_agenda(task.slot)
+        self._agenda.leave(task.slot)
         task.step(Step.FAIL)
         path, line, trace = task.where(wrong)
         self._news.append(news.Failed(*_address(task), entry, told(wrong), path, line, trace, now))
