@@ -14,6 +14,7 @@ UNMIRRORED_SOURCES = {
 
 UNMIRRORED_TESTS = {
     "contract": "one rule over all members of a kind",
+    "labs": "what single modules do; they are no part of the package",
     "journey": "the three journeys of the house, whole",
     "play": "stories of the engine",
     "site": "real programs and processes",
@@ -21,7 +22,9 @@ UNMIRRORED_TESTS = {
 }
 """Folders of tests whose files belong to no single source file, and why."""
 
-WITHOUT_TEST: dict[str, str] = {}
+WITHOUT_TEST: dict[str, str] = {
+    "host/units.py": "a protocol without code; what keeps it is tested with its two drivers",
+}
 """Source files (A/B.py) that no test file of their own can say anything of, and why."""
 
 

@@ -1,83 +1,118 @@
-from types import SimpleNamespace
+import pytest
 
 from onika.engine.orders import Start, Switch
+from onika.host.loading import DirectLoading
+from onika.host.preparation import prepare
 from onika.host.switchboard import Switchboard
-from onika.runtime import command
+from onika.ring.segment import Segment
+from onika.runtime.subsystem import Subsystem
+from onika.runtime.table import SIZE, Table
+from onika.testing.workshop import Workshop, action
+
+HOMES = {"a": "rt0", "b": "rt1", "c": "rt0", "d": "rt1", "e": "rt2"}
 
 
 class Units:
-    """Keeps what was sent to whom."""
-
     def __init__(self):
         self.sent = []
 
     def send(self, rtpu, order):
         self.sent.append((rtpu, order))
 
-
-def board(**homes):
-    """A switchboard of one flow whose tasks live on these units."""
-    members = {name: SimpleNamespace(rtpu=rtpu) for name, rtpu in homes.items()}
-    units = Units()
-    return Switchboard({0: SimpleNamespace(name="flow0", members=members)}, units), units
+    def take(self):
+        """What went out since: the unit, who goes off, who comes on."""
+        taken, self.sent = self.sent, []
+        return [(rtpu, order.off, tuple(one.task for one in order.on)) for rtpu, order in taken]
 
 
-def coming(*names):
-    return tuple(Start(name) for name in names)
+@pytest.fixture
+def units():
+    return Units()
 
 
-def test_tasks_of_one_unit_switch_with_one_command():  # R-E02
-    switchboard, units = board(puma="rt0", pd="rt0", jtraj="rt0")
-    switchboard.put(Switch(0, ("jtraj",), coming("puma", "pd")), ("Q_REF",))
-    launches = (command.Launch("puma"), command.Launch("pd"))
-    assert units.sent == [("rt0", command.Switch("flow0", ("jtraj",), ("Q_REF",), launches))]
+@pytest.fixture
+def board(units):
+    shop = Workshop()
+    for name in HOMES:
+        shop.task(name, f"from onika.module import Module\nclass {name.upper()}(Module):\n    trigger = True\n")
+    flow = [action(*HOMES)]
+    prepared = prepare(shop.plan(flow, flow), (), DirectLoading())
+    subsystems = {
+        number: Subsystem(f"flow{number}", Table(Segment.create("table", SIZE)), prepared.flows[number], HOMES)
+        for number in range(2)
+    }
+    return Switchboard(subsystems, units)
 
 
-def test_a_group_on_another_unit_waits_until_the_group_before_it_is_on():  # law 3
-    switchboard, units = board(puma="rt0", pd="rt1")
-    switchboard.put(Switch(0, (), coming("puma", "pd")), ())
-    assert [rtpu for rtpu, _ in units.sent] == ["rt0"]
-    switchboard.settled(0, "puma")
-    assert [rtpu for rtpu, _ in units.sent] == ["rt0", "rt1"]
+def switch(*on, off=(), flow=0, rates=()):
+    return Switch(flow, tuple(off), tuple(Start(name) for name in on), tuple(rates))
 
 
-def test_every_unit_turns_off_its_own_tasks_before_anything_comes_on():
-    switchboard, units = board(jtraj="rt1", gripper="rt0", open="rt0")
-    switchboard.put(Switch(0, ("jtraj", "gripper"), coming("open")), ())
-    offs = [(rtpu, order.off) for rtpu, order in units.sent]
-    assert offs == [("rt0", ("gripper",)), ("rt1", ("jtraj",)), ("rt0", ())]
-    assert units.sent[-1][1].on == (command.Launch("open"),)
+def test_neighbours_on_one_unit_come_on_together(board, units):  # law 6
+    board.put(switch("a", "c", "b"), ())
+    assert units.take() == [("rt0", (), ("a", "c"))]
 
 
-def test_a_rate_reaches_a_unit_on_which_nothing_goes_off():  # R-A04
-    switchboard, units = board(pd="rt1", jtraj="rt0")
-    switchboard.put(Switch(0, ("jtraj",), (), (("pd", 250.0),)), ())
-    assert ("rt1", command.Switch("flow0", (), (), (), (("pd", 250.0),))) in units.sent
+def test_a_group_goes_out_when_the_whole_group_before_it_is_through(board, units):  # law 3, decision 14
+    board.put(switch("a", "c", "b", "d", "e", "a"), ())
+    assert units.take() == [("rt0", (), ("a", "c"))]
+    board.settled(0, "a")
+    assert units.take() == []
+    board.settled(0, "c")
+    assert units.take() == [("rt1", (), ("b", "d"))]
+    board.settled(0, "d")
+    board.settled(0, "b")
+    assert units.take() == [("rt2", (), ("e",))]
 
 
-def test_a_switch_that_comes_early_begins_when_the_one_before_is_through():  # decision 16
-    switchboard, units = board(puma="rt0", pd="rt1", jtraj="rt0")
-    switchboard.put(Switch(0, (), coming("puma", "pd")), ())
-    switchboard.put(Switch(0, ("puma",), coming("jtraj")), ())
-    assert len(units.sent) == 1
-    switchboard.settled(0, "puma")
-    switchboard.settled(0, "pd")
-    assert [order.on for _, order in units.sent] == [
-        (command.Launch("puma"),),
-        (command.Launch("pd"),),
-        (command.Launch("jtraj"),),
-    ]
+def test_tasks_go_off_on_every_unit_before_any_comes_on(board, units):  # law 6
+    board.put(switch("b", off=("a", "e")), ())
+    assert units.take() == [("rt0", ("a",), ()), ("rt2", ("e",), ()), ("rt1", (), ("b",))]
 
 
-def test_nothing_comes_on_in_a_flow_that_was_dropped():  # R-E07
-    switchboard, units = board(puma="rt0", pd="rt1")
-    switchboard.put(Switch(0, (), coming("puma", "pd")), ())
-    switchboard.drop(0)
-    switchboard.settled(0, "puma")
-    assert len(units.sent) == 1
+def test_off_and_on_of_one_unit_are_one_command(board, units):  # law 6
+    board.put(switch("c", off=("a",)), ())
+    assert units.take() == [("rt0", ("a",), ("c",))]
 
 
-def test_news_of_tasks_nobody_waits_for_change_nothing():
-    switchboard, units = board(puma="rt0")
-    switchboard.settled(0, "puma")
-    assert units.sent == []
+def test_rates_reach_the_unit_of_their_task_even_where_nothing_goes_off(board, units):  # decision 13
+    board.put(switch("a", rates=[("e", 5.0)]), ())
+    sent = dict(units.sent)
+    assert sent["rt2"].rates == (("e", 5.0),)
+    assert [one.task for one in sent["rt0"].on] == ["a"]
+
+
+def test_what_is_forgotten_is_said_with_the_first_group(board, units):  # law 3
+    board.put(switch("a", "b"), ("X_REF",))
+    board.settled(0, "a")
+    assert [order.forget for _, order in units.sent] == [("X_REF",), ()]
+
+
+def test_a_second_switch_waits_for_the_first(board, units):  # law 6
+    board.put(switch("a"), ())
+    board.put(switch("b"), ())
+    assert units.take() == [("rt0", (), ("a",))]
+    board.settled(0, "a")
+    assert units.take() == [("rt1", (), ("b",))]
+
+
+def test_flows_do_not_wait_for_each_other(board, units):  # R-E04
+    board.put(switch("a"), ())
+    board.put(switch("a", flow=1), ())
+    assert len(units.take()) == 2
+
+
+def test_after_a_kill_nothing_more_comes_on(board, units):  # R-E14
+    board.put(switch("a", "b"), ())
+    board.drop(0)
+    units.take()
+    board.settled(0, "a")
+    assert units.take() == []
+
+
+def test_whoever_nobody_waits_for_changes_nothing(board, units):
+    board.settled(0, "a")
+    board.settled(7, "a")
+    board.put(switch("a", "b"), ())
+    board.settled(0, "e")
+    assert units.take() == [("rt0", (), ("a",))]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from onika.model.lifecycle import TABLE, IllegalTransition, State, Step, after, diagram
+from onika.model.lifecycle import TABLE, IllegalTransition, State, Step, after, diagram, refusal
 
 
 def test_a_task_is_spawned_initialised_turned_on_and_off_and_killed():  # R-A05
@@ -48,10 +48,12 @@ def test_only_what_is_off_or_asking_comes_on():
 def test_a_step_that_the_table_lacks_is_refused_with_what_would_be_allowed(state, step):
     if step in TABLE[state]:
         assert after(state, step) is TABLE[state][step]
+        assert refusal(state, step) == ""
         return
     with pytest.raises(IllegalTransition, match=f"while {state.value}, found {step.value}") as refused:
         after(state, step)
     assert all(known.value in str(refused.value) for known in TABLE[state])
+    assert refusal(state, step) == str(refused.value)
 
 
 def test_the_diagram_shows_every_change():

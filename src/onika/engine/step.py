@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 from onika.engine.orders import Start
 from onika.wire.plan import PlannedAction, PlannedFlow
+from onika.words.fault import Place
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +54,7 @@ def _step(
     others = (task for task in action.tasks if task in other_triggers and task != trigger)
     return Step(
         name=action.name,
-        place=action.place,
+        place=f"{Place(action.place, action.line)} ({action.name})",
         tasks=tuple(sorted(action.tasks, key=ranks.__getitem__)),
         rates={task: usual[task] for task in action.tasks} | dict(action.rates),
         triggers=() if trigger is None else (trigger, *others),

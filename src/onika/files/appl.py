@@ -89,7 +89,13 @@ def _flows(blocks: Sequence[Sequence[Line]], syntax: Syntax, reading: Reading) -
         if keyword in _ALONE:
             reading.arrange(block, (Slot(keyword),))
             reading.bare(first)
-        step = Hole() if keyword == "ICONHOLE" else _icon(block, syntax, reading) if keyword == "ROUTINE" else None
+        step = (
+            Hole(first.number)
+            if keyword == "ICONHOLE"
+            else _icon(block, syntax, reading)
+            if keyword == "ROUTINE"
+            else None
+        )
         if step is not None and flows:
             flows[-1].append(_Read(first.number, step))
     if is_open:
@@ -109,7 +115,7 @@ def _icon(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Step | Non
         reading.fault(test.number, "WHILETAG before WHILETEST", "none")
     icon = read_icon(name, found, syntax, reading)
     if icon is None:
-        return Hole()
+        return Hole(block[0].number)
     kind = syntax.find(icon.type)
     if kind and (kind.is_start or kind.is_end):
         return None
@@ -119,6 +125,7 @@ def _icon(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Step | Non
         synch_tag=_tag(line["SYNCHTAG"], reading),
         while_tag=_tag(line["WHILETAG"], reading),
         while_test=reading.yes(test, default=False),
+        line=block[0].number,
     )
 
 
@@ -152,7 +159,7 @@ def _marked(job: Icon, target: Icon, number: int, reading: Reading) -> tuple[Ico
         while_tag=target.while_tag if job.while_tag is None else job.while_tag,
         while_test=job.while_test or target.while_test,
     )
-    return marked, Icon(target.onikon)
+    return marked, Icon(target.onikon, line=target.line)
 
 
 def _without_twin_holes(steps: Sequence[Step]) -> list[Step]:

@@ -157,26 +157,30 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: 
         triggers = [one.name for one in present if one.sheet.trigger]
         found.triggers[number, index] = triggers[0] if triggers else None
         if not triggers and len(present) == len(action.tasks):
-            place = Place(action.place)
+            place = Place(action.place, action.line)
             found.faults.append(Fault(place, f"a trigger that ends job {action.job}", "none", NOT_RUN))
         if len(triggers) > 1:
             others = ", ".join(triggers[1:])
-            found.notes.append(f"{action.place}: {action.job} ends with {triggers[0]}; {others} is a trigger too")
+            found.notes.append(
+                f"{Place(action.place, action.line)}: {action.job} ends with {triggers[0]}; {others} is a trigger too"
+            )
 
 
 def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparation) -> None:
     """Rates that configurations or tasks give: a period of whole nanoseconds, for hardware short enough (law 17)."""
     hardware = {task.name for task in flow.tasks if task.digest in sheets and sheets[task.digest].hardware}
-    given = [(action.place, f" in {action.job}", name, hz) for action in flow.actions for name, hz in action.rates]
-    given += [(task.place, "", task.name, task.frequency) for task in flow.tasks if task.frequency is not None]
+    given = [
+        (Place(action.place, action.line), f" in {action.job}", name, hz)
+        for action in flow.actions
+        for name, hz in action.rates
+    ]
+    given += [(Place(task.place), "", task.name, task.frequency) for task in flow.tasks if task.frequency is not None]
     for place, where, name, hz in given:
         if hz > _FASTEST_HZ:
-            found.faults.append(
-                Fault(Place(place), f"at most {_FASTEST_HZ:g} Hz for {name}{where}", f"{hz:g} Hz", NOT_RUN)
-            )
+            found.faults.append(Fault(place, f"at most {_FASTEST_HZ:g} Hz for {name}{where}", f"{hz:g} Hz", NOT_RUN))
         elif hz < SLOWEST_HARDWARE_HZ and name in hardware and where:  # without: told as a difference to its module
             expected = f"hardware task {name}{where} at {SLOWEST_HARDWARE_HZ:g} Hz or more"
-            found.faults.append(Fault(Place(place), expected, f"{hz:g} Hz", NOT_RUN))
+            found.faults.append(Fault(place, expected, f"{hz:g} Hz", NOT_RUN))
 
 
 def _values(
@@ -245,7 +249,9 @@ def _arguments(
         except ValueError as wrong:
             refused.add(index)
             target = action.target or action.job
-            found.faults.append(Fault(Place(action.place), f"values for {trigger.name}", f"{target}: {wrong}", NOT_RUN))
+            found.faults.append(
+                Fault(Place(action.place, action.line), f"values for {trigger.name}", f"{target}: {wrong}", NOT_RUN)
+            )
     return refused
 
 
@@ -263,7 +269,7 @@ def _reach(
         if reason is not None:
             action = flow.actions[target.action]
             found.faults.append(
-                Fault(Place(action.place), "a target within reach", f"{action.target}: {reason}", NOT_RUN)
+                Fault(Place(action.place, action.line), "a target within reach", f"{action.target}: {reason}", NOT_RUN)
             )
 
 

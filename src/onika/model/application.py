@@ -1,6 +1,6 @@
 """An application: one or more flows of icons and holes (dissertation §5.5, §A.4)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
@@ -17,11 +17,16 @@ class Icon:
     while_tag: str | None = None
     while_test: bool = False
     """Whether its return value decides the loop of `while_tag`."""
+    line: int = field(default=0, compare=False)
+    """Where it stood in the file it was read from, for messages; 0 elsewhere."""
 
 
 @dataclass(frozen=True, slots=True)
 class Hole:
     """A gap between two icons whose edges do not fit."""
+
+    line: int = field(default=0, compare=False)
+    """As that of an icon."""
 
 
 Step = Icon | Hole

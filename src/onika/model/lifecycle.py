@@ -73,6 +73,15 @@ def after(state: State, step: Step) -> State:
         raise IllegalTransition(f"expected one of {allowed} while {state.value}, found {step.value}") from None
 
 
+def refusal(state: State, step: Step) -> str:
+    """Why the table does not allow a step in this state; empty where it does."""
+    try:
+        after(state, step)
+    except IllegalTransition as refused:
+        return str(refused)
+    return ""
+
+
 def diagram() -> str:
     """The table as a Mermaid state diagram."""
     lines = ["stateDiagram-v2", "    [*] --> WAITING : spawn"]

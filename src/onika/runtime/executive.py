@@ -5,9 +5,8 @@ owner delivers the news and the commands that came meanwhile, in this order (law
 """
 
 from collections.abc import Callable, MutableMapping, Sequence
-from operator import index
 
-from onika.model.lifecycle import IllegalTransition, State, Step, after
+from onika.model.lifecycle import State, Step, refusal
 from onika.model.signal import Signal, SignalKind
 from onika.ring.slots import Ring
 from onika.runtime import command, news
@@ -185,7 +184,7 @@ class Executive:
             return "this unit was stopped"
         if task is None:
             return "no such task"
-        return _refusal(task.state, Step.ON)
+        return refusal(task.state, Step.ON)
 
     def _begin(self, task: RunningTask, line: str, now: int) -> None:
         """`on` with an argument line, or ask: what the line lacks, or what the module says of it."""
@@ -333,7 +332,7 @@ class Executive:
     def _signal(self, task: RunningTask, returned: object, now: int) -> None:
         address = _address(task)
         try:
-            signal = _sound(returned, task.trigger)
+            signal = task.sound(returned)
         except TypeError as wrong:
             self._fail(task, "cycle", wrong, now)
             return
@@ -384,20 +383,3 @@ class Executive:
 
 def _address(task: RunningTask) -> Address:
     return task.spawn.subsystem, task.spawn.task
-
-
-def _refusal(state: State, step: Step) -> str:
-    try:
-        after(state, step)
-    except IllegalTransition as refused:
-        return str(refused)
-    return ""
-
-
-def _sound(signal: object, trigger: bool) -> Signal:
-    """What `cycle` returned, as a signal of plain values; raises TypeError where it is none, or not this task's."""
-    if not isinstance(signal, Signal):
-        raise TypeError(f"expected a signal or None from cycle, found {signal!r}")
-    if signal.kind is SignalKind.FINISH and not trigger:
-        raise TypeError("only a trigger finishes a job (dissertation §C.1)")
-    return Signal(signal.kind, index(signal.flow), bool(signal.loop), index(signal.number), str(signal.text))

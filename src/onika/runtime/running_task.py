@@ -1,11 +1,12 @@
 """A running task: one instance of a module, its state, its cycle and its counters (laws 2 to 5)."""
 
 import traceback
+from operator import index
 from time import perf_counter_ns
 from types import SimpleNamespace
 
 from onika.model.lifecycle import State, Step, after
-from onika.model.signal import Signal
+from onika.model.signal import Signal, SignalKind
 from onika.runtime.agenda import Slot
 from onika.runtime.binding import Binding, Views, instantiate, undeclared
 from onika.runtime.code import told
@@ -137,6 +138,15 @@ class RunningTask:
             write()
         self.counters.add(perf_counter_ns() - began)
         return signal
+
+    def sound(self, returned: object) -> Signal:
+        """What a cycle returned, as a signal of plain values; raises TypeError where it is none or not this task's."""
+        if not isinstance(returned, Signal):
+            raise TypeError(f"expected a signal or None from cycle, found {returned!r}")
+        if returned.kind is SignalKind.FINISH and not self.trigger:
+            raise TypeError("only a trigger finishes a job (dissertation §C.1)")
+        flow, number = index(returned.flow), index(returned.number)
+        return Signal(returned.kind, flow, bool(returned.loop), number, str(returned.text))
 
     def off(self) -> None:
         """`off`; a device is put in hold; outputs are not published."""

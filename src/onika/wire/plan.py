@@ -40,12 +40,14 @@ class PlannedAction(Struct, frozen=True):
     job: str
     target: str | None
     place: str
-    """File, flow and position, for messages."""
+    """The application's file, for messages."""
     tasks: tuple[str, ...]
     """In the order of the configuration's file."""
     rates: tuple[tuple[str, float], ...]
     arguments: str
     """The target's values as the trigger's argument line; empty without a target."""
+    line: int = 0
+    """Where the job stands in that file."""
     marker: bool = False
     synch_tag: str | None = None
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 
-from onika.model.application import AppFlow, Application, Hole, Icon, actions, is_target
+from onika.model.application import AppFlow, Application, Hole, Icon, Step, actions, is_target
 from onika.model.configuration import Configuration
 from onika.model.rules import jigsaw, loop, placement, union
 from onika.model.syntax import END, START, Syntax
@@ -53,6 +53,11 @@ def _fault(place: Place, expected: str, found: str) -> Fault:
     return Fault(place, expected, found, "the application is not run")
 
 
+def _on(place: Place, step: Step) -> Place:
+    """The line of the file at which a step stands, where it was read from one."""
+    return Place(place.file, step.line)
+
+
 def _at(where: str, position: int, icon: Icon) -> str:
     return f"`{icon.onikon.name}`, step {position} of {where}"
 
@@ -71,13 +76,16 @@ def _structure(
         if isinstance(step, Hole):
             if fills_holes:
                 continue
-            yield _fault(place, "an application without holes", f"a hole at step {position} of {where}")
+            yield _fault(_on(place, step), "an application without holes", f"a hole at step {position} of {where}")
         elif syntax.acting(step.onikon.type) is None:
-            yield _fault(place, "a type the syntax defines", f"{step.onikon.type} of {_at(where, position, step)}")
+            yield _fault(
+                _on(place, step), "a type the syntax defines", f"{step.onikon.type} of {_at(where, position, step)}"
+            )
     yield from _pairs(flow, syntax, where, place)
     for position in jigsaw.misfits(flow, syntax):
         left, right = _name(flow, position - 1), _name(flow, position)
-        yield _fault(place, "edges that fit", f"{right} behind {left}, at step {position} of {where}")
+        at = _on(place, flow.steps[min(position, len(flow.steps) - 1)])
+        yield _fault(at, "edges that fit", f"{right} behind {left}, at step {position} of {where}")
 
 
 def _pairs(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> Iterator[Fault]:
@@ -90,10 +98,12 @@ def _pairs(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> Iterator[
             used.add(position + 1)
         elif kind and kind.needs_target and not isinstance(after, Hole):
             wanted = syntax.target_type_of(kind.name) or "target"
-            yield _fault(place, f"a {wanted} behind it", f"none behind {_at(where, position, icon)}")
+            yield _fault(_on(place, icon), f"a {wanted} behind it", f"none behind {_at(where, position, icon)}")
     for position, step in enumerate(flow.steps):
         if isinstance(step, Icon) and is_target(step, syntax) and position not in used:
-            yield _fault(place, "an action that takes this target", f"none before {_at(where, position, step)}")
+            yield _fault(
+                _on(place, step), "an action that takes this target", f"none before {_at(where, position, step)}"
+            )
 
 
 def _name(flow: AppFlow, position: int) -> str:
@@ -112,7 +122,9 @@ def _not_yet(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> Iterato
     for position, icon, _ in actions(flow, syntax):
         kind = syntax.acting(icon.onikon.type)
         if kind and kind.is_application:
-            yield _fault(place, "jobs, as nested applications are not yet executable", _at(where, position, icon))
+            yield _fault(
+                _on(place, icon), "jobs, as nested applications are not yet executable", _at(where, position, icon)
+            )
 
 
 def _nested(flow: AppFlow, path: tuple[str, ...], laboratory: _Laboratory, where: str, place: Place) -> Iterator[Fault]:
@@ -124,9 +136,9 @@ def _nested(flow: AppFlow, path: tuple[str, ...], laboratory: _Laboratory, where
         name = icon.onikon.name
         if name in path:
             cycle = " in ".join((name, *reversed(path[path.index(name) :])))
-            yield _fault(place, "no application within itself", f"{cycle}, at {_at(where, position, icon)}")
+            yield _fault(_on(place, icon), "no application within itself", f"{cycle}, at {_at(where, position, icon)}")
         elif name not in laboratory.applications:
-            yield _fault(place, f"the application {name}", f"none for {_at(where, position, icon)}")
+            yield _fault(_on(place, icon), f"the application {name}", f"none for {_at(where, position, icon)}")
         else:
             for number, inner in enumerate(laboratory.applications[name].flows):
                 inside = f"flow {number} of `{name}` in {where}"
@@ -156,17 +168,21 @@ def _jobs(flow: AppFlow, laboratory: _Laboratory, where: str, place: Place) -> I
             continue
         configuration = laboratory.configurations.get(icon.onikon.name)
         if configuration is None:
-            yield _fault(place, f"the configuration {icon.onikon.name}", f"none for {_at(where, position, icon)}")
+            yield _fault(
+                _on(place, icon), f"the configuration {icon.onikon.name}", f"none for {_at(where, position, icon)}"
+            )
             continue
         tasks = union.tasks_of([configuration], laboratory.tasks)
         types = [task.object_type for task in tasks if task.object_type]
         wanted = laboratory.syntax.find(types[0]) if types else None
         known = laboratory.syntax.find(icon.onikon.type)
         if known and known.needs_target and not types and len(tasks) == len(configuration.placed):
-            yield _fault(place, f"a task with OBJECT {known.name} in `{configuration.name}`", "none")
+            yield _fault(_on(place, icon), f"a task with OBJECT {known.name} in `{configuration.name}`", "none")
         elif known and wanted and wanted.name != known.name:
             yield _fault(
-                place, f"a {wanted.name}, as its trigger says", f"{known.name} for {_at(where, position, icon)}"
+                _on(place, icon),
+                f"a {wanted.name}, as its trigger says",
+                f"{known.name} for {_at(where, position, icon)}",
             )
 
 
