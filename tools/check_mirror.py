@@ -22,9 +22,7 @@ UNMIRRORED_TESTS = {
 }
 """Folders of tests whose files belong to no single source file, and why."""
 
-WITHOUT_TEST: dict[str, str] = {
-    "host/units.py": "a protocol without code; what keeps it is tested with its two drivers",
-}
+WITHOUT_TEST: dict[str, str] = {}
 """Source files (A/B.py) that no test file of their own can say anything of, and why."""
 
 

@@ -58,8 +58,8 @@ def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, ho
         assert runtime.ask(request.Begin()) == request.Done()
         *_, result = events_of(runtime)
         assert result.completed
-        assert "ding" in runtime.printed()
         pid = runtime.pid
+    assert "ding" in runtime.printed()
     with pytest.raises(ProcessLookupError):
         os.kill(pid, 0)
 

@@ -138,7 +138,7 @@ def test_a_device_clash_is_told_even_of_a_task_that_is_wrong_otherwise(shop):  #
 
 def test_an_action_without_a_trigger_never_ends(shop):  # R-E03
     said = texts(found(shop, [action("robot")]))
-    assert said == ["test.appl, flow 0, step 0: a trigger that ends job job0 | none"]
+    assert said == ["test.appl:1: a trigger that ends job job0 | none"]
 
 
 def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  # decision 16
@@ -162,14 +162,14 @@ def test_values_that_the_trigger_does_not_take_are_told_before_the_run(shop, lin
     prepared = found(shop, [action("robot", "move", arguments=line)])
     assert len(prepared.faults) == 1
     assert said in prepared.faults[0].found
-    assert str(prepared.faults[0].place) == "test.appl, flow 0, step 0"
+    assert str(prepared.faults[0].place) == "test.appl:1"
 
 
 def test_targets_out_of_reach_are_told_each(shop):  # R-X02, R-E09, law 26
     flow = [action("robot", "move", arguments="0 0"), action("robot", "bell"), action("robot", "move", arguments="0 0")]
     targets = [TargetValues(0, n, "joint object", (float(n), 0.0)) for n in (0, 2)]
     said = texts(found(shop, flow, targets=targets))
-    assert said == ["test.appl, flow 0, step 2: a target within reach | there: 2.0 is too far"]
+    assert said == ["test.appl:3: a target within reach | there: 2.0 is too far"]
 
 
 def test_a_target_of_another_flow_is_none_of_a_robots_business(shop):  # R-K02
@@ -180,7 +180,7 @@ def test_a_target_of_another_flow_is_none_of_a_robots_business(shop):  # R-K02
 @pytest.mark.parametrize("hertz", [20.0, 39.9, 0.001])
 def test_a_configuration_may_not_slow_hardware_below_forty_hertz(shop, hertz):  # law 17
     (said,) = texts(found(shop, [action("robot", "bell", rates={"robot": hertz, "bell": 1.0})]))
-    assert said == f"test.appl, flow 0, step 0: hardware task robot in job0 at 40 Hz or more | {hertz:g} Hz"
+    assert said == f"test.appl:1: hardware task robot in job0 at 40 Hz or more | {hertz:g} Hz"
 
 
 def test_no_rate_is_beyond_what_the_clock_can_tell(shop):  # R-A04, law 13
@@ -188,7 +188,7 @@ def test_no_rate_is_beyond_what_the_clock_can_tell(shop):  # R-A04, law 13
     said = texts(found(shop, [action("robot", "fast", rates={"robot": 2e9})]))
     assert said == [
         "fast.rmod: at most 1e+06 Hz for fast | 1e+09 Hz",
-        "test.appl, flow 0, step 0: at most 1e+06 Hz for robot in job0 | 2e+09 Hz",
+        "test.appl:1: at most 1e+06 Hz for robot in job0 | 2e+09 Hz",
     ]
 
 
@@ -210,6 +210,6 @@ def test_what_a_robot_cannot_say_of_itself_is_told(shop):  # R-B07
 def test_faults_stand_in_order_and_once(shop):
     prepared = found(shop, [action("robot"), action("robot"), action("move")])
     assert prepared.faults == sorted(set(prepared.faults))
-    assert Fault(
-        Place("test.appl, flow 0, step 0"), "a trigger that ends job job0", "none", "the application is not run"
-    ) in (prepared.faults)
+    assert Fault(Place("test.appl", 1), "a trigger that ends job job0", "none", "the application is not run") in (
+        prepared.faults
+    )

@@ -95,6 +95,8 @@ def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # h
 def test_it_says_that_it_is_alive_and_whose_code_runs(unit):  # law 30
     unit.spawn()
     unit.hear(news.Initialised)
+    unit.say(command.Report())
+    unit.hear(news.Statuses)  # the spawn is behind it
     beat = unit.heartbeat.last_ns
     assert beat > 0
     assert not unit.heartbeat.takes_long

@@ -230,9 +230,7 @@ def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E
     (failed,) = bench.of(event.Failed)
     assert (failed.text, failed.path, failed.line) == ("cycle: ValueError: no", "bell.py", 7)
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
-    assert bench.runner.tally.cause == (
-        "test.appl, flow 0, step 0: bell is in error: cycle: ValueError: no (bell.py:7)"
-    )
+    assert bench.runner.tally.cause == ("test.appl:1 (action 0): bell is in error: cycle: ValueError: no (bell.py:7)")
 
 
 def test_a_passive_task_in_error_is_noted_and_the_job_goes_on():  # decision 17

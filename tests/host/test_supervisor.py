@@ -93,6 +93,17 @@ def test_the_task_whose_code_never_returned_is_named(supervisor, clock):  # law 
     assert supervisor.troubles()[0][1].endswith("a call of task flow0/sick has not returned")
 
 
+def test_no_task_is_blamed_for_a_process_that_somebody_stopped(supervisor, clock):  # R-X06
+    one = up(supervisor)
+    heard(one)
+    beat(one, clock)
+    one.heartbeat.watch("flow0/innocent")
+    os.kill(one.process.pid, signal.SIGSTOP)
+    os.waitid(os.P_PID, one.process.pid, os.WSTOPPED | os.WNOWAIT)
+    clock[0] += SILENT_NS + 1
+    assert supervisor.troubles()[0][1].endswith(" s: stopped")
+
+
 def test_announced_work_may_take_longer(supervisor, clock):  # law 30
     one = up(supervisor)
     beat(one, clock)

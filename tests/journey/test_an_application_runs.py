@@ -97,9 +97,13 @@ def test_an_application_runs(tmp_path, site):  # R-E01, R-E02, R-E03, R-E11, R-E
 
 
 def test_an_application_with_a_target_out_of_reach_does_not_run(tmp_path, site):  # R-E01, R-X02
-    journey = Journey(moves(tmp_path, 0.2, 9.0), site)
+    path = moves(tmp_path, 0.2, 9.0)
+    journey = Journey(path, site)
     answer = journey.ask(request.Prepare(journey.prepared.plan, journey.prepared.targets))
-    assert ["step 2" in fault.file and "place1" in fault.found for fault in answer.faults] == [True]
+    (fault,) = answer.faults
+    *_, second = [number for number, line in enumerate(path.read_text().splitlines(), 1) if "jmoveC" in line]
+    assert (fault.file, fault.line) == (str(path), second)
+    assert "place1" in fault.found
     assert isinstance(journey.ask(request.Begin()), request.Refused)
 
 

@@ -6,6 +6,7 @@ That it runs what is due in the right order is proved beside the reference, in `
 import pytest
 
 from onika.model.lifecycle import State
+from onika.ring.device import Drive
 from onika.runtime import command, news
 from onika.testing.rig import HOME, Rig
 from onika.testing.worlds import MassWorld
@@ -211,9 +212,7 @@ def test_a_rate_given_at_on_holds_from_then_on():  # R-A04
 
 
 def test_an_aperiodic_task_runs_once_for_each_on_and_each_set():  # R-A04, law 24
-    source = module(
-        "    N = OutVar('int')\n    def cycle(self):\n        self.N += 1\n    def set(self, name, value):\n        pass"
-    )
+    source = COUNTER + "\n    def set(self, name, value):\n        pass"
     rig = rig_of(source, kind="aperiodic", frequency=None).switch(on=["one"]).run(5000 * MS)
     assert rig["N"] == 1
     for expected in (2, 3):
@@ -371,7 +370,9 @@ def test_what_raises_in_another_entry_is_an_error_by_its_name(entry):  # R-A05
     arguments = ", inputs" if entry == "on" else ""
     body = f"    def {entry}(self{arguments}):\n        raise ValueError('planted')\n"
     body += "    def cycle(self):\n        raise ValueError\n" if entry == "clear" else ""
-    rig = rig_of(module(body)).switch(on=["one"]).run(0).do(command.Clear(HOME, "one")).switch(off=["one"])
+    rig = rig_of(module(body)).switch(on=["one"]).run(0)
+    if entry != "on":
+        rig.do(OFF if entry == "off" else command.Clear(HOME, "one"))
     assert last(rig, news.Failed).entry == entry
     assert rig.task("one").state is State.ERROR
 
@@ -516,13 +517,15 @@ class One(Module):
     def error(self, fault):
         return True
 """
-FORCE = module("    F = OutVar('double')\n    def cycle(self):\n        self.F = self.value\n    value = 1.0")
+FORCE = module(
+    "    F = OutVar('double')\n    value = 1.0\n    def on(self, inputs):\n        self.F = 0.0\n"
+    "    def cycle(self):\n        self.F = self.value"
+)
 
 
 def arm_rig(error_mends=True):
     source = HEAD + ARM if error_mends else HEAD + ARM.partition("    def error")[0]
-    rig = Rig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
-    return rig
+    return Rig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
 
 
 def order_of(rig):
@@ -612,7 +615,7 @@ def test_a_tripped_drive_is_cleared_though_the_task_comes_on_at_once():  # law 1
     source = source.partition("    def error")[0] + "    def clear(self):\n        self.device.clear()\n"
     rig = Rig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
     rig.switch(on=["arm", "force"]).run(100 * MS)
-    rig.bus.world._turn(rig.bus.world._masses["m0"], 2, "planted")
+    rig.bus.world._turn(rig.bus.world._masses["m0"], Drive.TRIPPED, "planted")
     rig.run(130 * MS)
     assert rig.task("arm").state is State.ERROR
     rig.do(command.Clear(HOME, "arm")).switch(on=["arm"]).run(300 * MS)

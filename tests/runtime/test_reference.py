@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from onika.model.lifecycle import State
 from onika.module import finish, off
 from onika.runtime import command, news
-from onika.runtime.reference import LawTask, Reference, Traced
+from onika.runtime.law_task import LawTask
+from onika.runtime.reference import Reference
 from onika.testing.rig import HOME, Rig
 from onika.testing.worlds import MassWorld
 
@@ -109,7 +110,7 @@ def source(probe):
     ports = "\n    ".join(f'{name} = {kind}("double")' for name, kind in kinds.items())
     return f"""
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar, finish, off
-from onika.runtime.reference import Traced
+from onika.runtime.law_task import Traced
 
 MS = 1_000_000
 
@@ -504,7 +505,3 @@ def test_what_raises_outside_a_cycle_is_an_error_that_a_clear_ends(entry):  # R-
     assert (20 * MS, "a", "OFF") in reference.told
     assert (30 * MS, "a", "refused clear") in reference.told
     assert reference.states == {"a": State.ON}
-
-
-def test_a_trace_is_a_value():
-    assert Traced(1, "a", "on", {}, {}) == Traced(1, "a", "on", {}, {})

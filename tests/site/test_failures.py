@@ -115,7 +115,7 @@ def test_a_module_that_raises_is_named_with_its_line(tmp_path):  # R-A09, R-E08
         cause = aborted(console)["cause"]
     line = 1 + SICK.format(act="BANG", init="pass").splitlines().index(" " * 12 + "BANG")
     assert f"sick is in error: cycle: ValueError: bang ({tmp_path}/module/sick.py:{line})" in cause
-    assert "sick.appl, flow 0, step 0" in cause
+    assert "sick.appl:7 (sickC there)" in cause
     assert_held_in_time(console)
 
 

@@ -102,11 +102,14 @@ def plant_everything(laboratory):
 
 
 def test_every_fault_is_listed_at_once_with_its_place(capsys, laboratory):  # R-E01, R-B07, R-X02
-    faults = refused(capsys, plant_everything(laboratory))
-    assert holds(faults, "everything.appl", "flow 0, step 0", "too_far", "9")
-    assert holds(faults, "everything.appl", "flow 0, step 2", "in_the_sky", "reach")
+    path = plant_everything(laboratory)
+    faults = refused(capsys, path)
+    rows = path.read_text().splitlines()
+    line = {name: rows.index(f"ROUTINE     {name}") + 1 for name in ("jmoveC", "cmoveC", "restC")}
+    assert holds(faults, f"everything.appl:{line['jmoveC']} ", "too_far", "9")
+    assert holds(faults, f"everything.appl:{line['cmoveC']} ", "in_the_sky", "reach")
     assert holds(faults, "listener.rmod", "HEIGHT", "double in m", "double[3] in mm")
-    assert holds(faults, "flow 0, step 5", "a trigger that ends job restC", "none")
+    assert holds(faults, f"everything.appl:{line['restC']} ", "a trigger that ends job restC", "none")
     assert holds(faults, "rogue.rmod", "boxes:arm_left", "puma")
     assert holds(faults, "the task nobody", "lonelyC")
     assert holds(faults, "broken.py:3", "Python")

@@ -2,6 +2,7 @@
 
 import subprocess
 from dataclasses import dataclass
+from pathlib import Path
 from time import monotonic_ns
 
 from onika.host.heartbeat import SIZE, Heartbeat
@@ -36,7 +37,7 @@ class Supervised:
             return ""
         silent = now_ns - self.heartbeat.last_ns
         if silent > (SLOW_NS if self.heartbeat.takes_long else SILENT_NS):
-            task = self.heartbeat.task
+            task = "" if _is_stopped(self.process.pid) else self.heartbeat.task
             what = f"a call of task {task} has not returned" if task else "stopped"
             return f"{self.name} has not answered for {silent / 1e9:.1f} s: {what}"
         return ""
@@ -83,3 +84,11 @@ class Supervisor:
             if not one.is_lost:
                 one.is_lost = True
                 one.end()
+
+
+def _is_stopped(pid: int) -> bool:
+    """Whether the operating system holds the process (SIGSTOP, a debugger), so that no task is to blame."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(") ")[2][:1] in ("T", "t")
+    except OSError:
+        return False

@@ -5,7 +5,7 @@ order at one instant whatever came before. A slot whose deadline has passed befo
 it is late by are counted and skipped, and it runs once for the period that is open.
 """
 
-from heapq import heappop, heappush
+from heapq import heappop, heappush, heapreplace
 
 
 class Slot:
@@ -89,6 +89,18 @@ class Agenda:
         slot.deadline = deadline = release + slot.period
         crit, rank, name = slot.key
         heappush(self._releases, (release, deadline, crit, rank, name, slot.epoch, slot))
+
+    def after(self, slot: Slot, now: int) -> Slot | None:
+        """As `done`, then `next_due`: in one step where the next slot was released at this very instant."""
+        releases = self._releases
+        if self._ready or self._coming or not releases or releases[0][0] != now:
+            self.done(slot)
+            return self.next_due(now)
+        slot.release = release = slot.deadline
+        slot.deadline = deadline = release + slot.period
+        crit, rank, name = slot.key
+        *_, epoch, following = heapreplace(releases, (release, deadline, crit, rank, name, slot.epoch, slot))
+        return following if epoch == following.epoch else self.next_due(now)
 
     def next_release(self) -> int | None:
         """When something becomes due (a time in the past: now); None if nothing ever will."""

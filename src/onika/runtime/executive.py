@@ -73,7 +73,7 @@ class Executive:
         return self.run_due(now, 1)
 
     def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
-        """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due."""
+        """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due any more."""
         heard = self._run_due(now, most)
         if self._watches:
             self._watch("")
@@ -81,10 +81,8 @@ class Executive:
 
     def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         agenda, slots, watches = self._agenda, self._slots, self._watches
-        for _ in range(most):
-            slot = agenda.next_due(now)
-            if slot is None:
-                return None
+        slot = agenda.next_due(now)
+        while slot is not None:
             task, epoch, signal = slots[slot], slot.epoch, None
             if watches:
                 self._watch(slot.key[2])
@@ -94,14 +92,17 @@ class Executive:
                 self._fail(task, "cycle", wrong, now)
             if signal is not None or task.is_first or task.warnings:
                 self._after_cycle(task, signal, now)
-            if slot.epoch == epoch:
-                if task.is_periodic:
+            most -= 1
+            goes_on = slot.epoch == epoch
+            if goes_on and not task.is_periodic:
+                agenda.leave(slot)
+                goes_on = False
+            if self._news or not most:
+                if goes_on:
                     agenda.done(slot)
-                else:
-                    agenda.leave(slot)
-            if self._news:
-                return self._take_news()
-        return _NOTHING
+                return self._take_news() if self._news else _NOTHING
+            slot = agenda.after(slot, now) if goes_on else agenda.next_due(now)
+        return None
 
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""

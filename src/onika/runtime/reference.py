@@ -7,70 +7,19 @@ commands and the table of lifecycles; `trace` and `told` of both must be the sam
 
 import math
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 from functools import partial
 from typing import Any
 
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, SignalKind
-from onika.ring.device import Order
 from onika.runtime.bus import World
 from onika.runtime.command import Clear, Kill, Launch, Switch
+from onika.runtime.law_task import Hand, LawTask, Moment, Traced, Values
 
-Values = dict[str, Any]
 Request = Switch | Clear | Kill
 _EPOCH = 1
-
-
-@dataclass(slots=True)
-class Moment:
-    """What an entry point sees: its inputs, its own outputs to write into, its memory, its device."""
-
-    now: int
-    period: int
-    inputs: Values
-    outputs: Values
-    memory: Values
-    in_force: frozenset[str] = frozenset()
-    device: "Hand | None" = None
-
-
-Entry = Callable[[Moment], Signal | bool | None]
-
-
-@dataclass(frozen=True, slots=True)
-class LawTask:
-    """A task: its entry points by name (any may be missing), its variables, what orders it, what a cycle costs (ns).
-
-    An INBOTH stands in `inconst` and `invar`, an OUTBOTH in `outconst` and `outvar`. `error` returns whether it mended.
-    """
-
-    name: str
-    code: Mapping[str, Entry]
-    period: int = 10_000_000
-    is_periodic: bool = True
-    crit: int = 0
-    rank: int = 0
-    cost: int = 0
-    trigger: bool = False
-    hardware: bool = False
-    device: str = ""
-    inconst: tuple[str, ...] = ()
-    outconst: tuple[str, ...] = ()
-    invar: tuple[str, ...] = ()
-    outvar: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Traced:
-    """One call of an entry point, as it stood when the call was over."""
-
-    at: int
-    task: str
-    entry: str
-    inputs: Values
-    outputs: Values
 
 
 class _LawBroken(Exception):
@@ -93,34 +42,6 @@ class _Life:
     def deadline(self) -> int:
         """Law 2: the next release, on a grid of whole periods since the start (law 13)."""
         return ((self.release or 0) // self.period + 1) * self.period
-
-
-class Hand:
-    """A task's hand on its device: the state published last, and the command that acts from the next step on."""
-
-    def __init__(self, published: Mapping[str, tuple[float, ...]], device: str) -> None:
-        self._published = published
-        self._device = device
-        self.order: tuple[Order, tuple[float, ...]] | None = None
-        self.is_holding = False
-
-    def read(self) -> tuple[float, ...]:
-        """The state without the world's time and the drive's state."""
-        return self._published[self._device][2:]
-
-    def write(self, values: tuple[float, ...]) -> None:
-        """Command values; law 4: a hold while inputs are not fresh. Law 5: raises ValueError for NaN or infinity."""
-        if self.is_holding:
-            self.hold()
-        elif not all(map(math.isfinite, values)):
-            self.hold()
-            raise ValueError("expected finite commands")
-        else:
-            self.order = (Order.DRIVE, values)
-
-    def hold(self) -> None:
-        """Command a hold."""
-        self.order = (Order.HOLD, ())
 
 
 class Reference:

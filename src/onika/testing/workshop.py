@@ -78,7 +78,7 @@ class Workshop:
         return self._code[self._tasks[name].digest]
 
     def plan(self, *flows: Sequence[Action]) -> Plan:
-        """A plan called `test` whose flows are flow0, flow1, …"""
+        """A plan called `test` whose flows are flow0, flow1, …; actions stand in lines 1, 2 …, then 101, 102 …"""
         planned = tuple(self._flow(number, flow) for number, flow in enumerate(flows))
         used = {task.digest for flow in planned for task in flow.tasks}
         return Plan("test", planned, tuple(code for digest, code in self._code.items() if digest in used))
@@ -94,7 +94,8 @@ def _planned(flow: int, index: int, one: Action) -> PlannedAction:
         name=f"action {index}",
         job=f"job{index}",
         target="there" if one.arguments else None,
-        place=f"test.appl, flow {flow}, step {index}",
+        place="test.appl",
+        line=100 * flow + index + 1,
         tasks=one.tasks,
         rates=one.rates,
         arguments=one.arguments,

@@ -1,0 +1,358 @@
+"""One running task: its entry points in the order of the law."""
+
+from array import array
+from types import SimpleNamespace
+
+import pytest
+
+from onika.model.lifecycle import IllegalTransition, State, Step
+from onika.model.signal import Signal, SignalKind, finish
+from onika.module import InBoth, InConst, Input, InVar, Module, ModuleError, OutBoth, OutConst, OutVar
+from onika.ring.segment import Segment
+from onika.runtime.command import BoundPort, Spawn
+from onika.runtime.device import SILENCE_NS
+from onika.runtime.running_task import LawBroken, RunningTask, period_of
+from onika.runtime.table import Table
+from onika.testing.bench_device import SEGMENT, BenchDevice
+from onika.words.shape import Shape
+
+MS = 1_000_000
+
+
+class Steps(Module):
+    """Notes what it saw at each entry."""
+
+    C = InConst("double")
+    B = InBoth("double")
+    V = InVar("double")
+    D = OutConst("double")
+    E = OutBoth("double")
+    W = OutVar("double")
+
+    def init(self):
+        self.seen = [("init", self.C, self.B, self.V)]
+        self.D, self.E, self.W = 1.0, 2.0, 3.0
+
+    def on(self, inputs):
+        self.seen.append(("on", self.C, self.B, self.V, self.E, self.W))
+        self.W += 10.0
+
+    def cycle(self):
+        self.seen.append(("cycle", self.B, self.V, self.now))
+        self.E, self.W = 20.0, 30.0
+
+    def sync(self):
+        self.seen.append(("sync", self.V))
+        self.W = 40.0
+
+    def off(self):
+        self.W = 99.0
+
+
+class Place:
+    """A table and a device for one task."""
+
+    def __init__(self):
+        self.segment = Segment.create("test", 1 << 16)
+        self.table = Table(self.segment)
+        self.device = BenchDevice(("x",), ("force",))
+
+    def task(self, cls, frequency=100.0, with_device=False):
+        ports = []
+        for attribute, declared in cls.declared_ports.items():
+            port = declared.port(attribute)
+            ports.append(
+                BoundPort(port.name, port.name, str(port.shape), self.table.entry(port.name, port.shape).offset)
+            )
+        grant = self.device.grant() if with_device else None
+        spawn = Spawn("s", "t", "m", "m.py", "", "periodic", frequency, (), tuple(ports), 0, 0, grant)
+        return RunningTask(spawn, cls, {"table:s": self.segment.view, SEGMENT: self.device.view}, 0)
+
+    def write(self, **values):
+        for name, value in values.items():
+            self.table.entry(name, Shape.parse("double"))
+            self.table.ring(name).write(memoryview(array("d", [value])))
+
+
+@pytest.fixture
+def place():
+    place = Place()
+    yield place
+    place.segment.close()
+
+
+NOTHING = SimpleNamespace()
+
+
+def test_init_takes_constants_and_first_values_in_and_gives_them_out(place):  # law 3, R-A02
+    task = place.task(Steps)
+    place.write(C=5.0, B=6.0, V=7.0)
+    task.init()
+    assert task.module.seen == [("init", 5.0, 6.0, 0.0)]
+    assert [place.table.value(name) for name in "DEW"] == [1.0, 2.0, 0.0]
+
+
+def test_on_takes_all_inputs_in_and_starts_from_its_own_preloaded_outputs(place):  # law 3
+    task = place.task(Steps)
+    task.init()
+    place.write(C=5.0, B=6.0, V=7.0, E=8.0, W=9.0)
+    task.on(0, NOTHING)
+    assert task.module.seen[-1] == ("on", 5.0, 6.0, 7.0, 8.0, 9.0)
+    assert place.table.value("W") == 19.0
+
+
+def test_a_cycle_copies_in_works_and_copies_out(place):  # law 2
+    task = place.task(Steps)
+    task.init()
+    task.on(0, NOTHING)
+    place.write(B=1.0, V=2.0)
+    task.cycle(30 * MS)
+    assert task.module.seen[-1] == ("cycle", 1.0, 2.0, pytest.approx(0.03))
+    assert (place.table.value("E"), place.table.value("W")) == (20.0, 30.0)
+    assert task.counters.cycles == 1
+
+
+def test_an_event_is_a_cycle_through_sync(place):  # R-A04
+    task = place.task(Steps)
+    task.init()
+    place.write(V=2.0)
+    task.event(0)
+    assert task.module.seen[-1] == ("sync", 2.0)
+    assert (place.table.value("W"), task.counters.cycles) == (40.0, 1)
+
+
+def test_off_publishes_nothing(place):  # law 3
+    task = place.task(Steps)
+    task.init()
+    task.off()
+    assert place.table.ring("W").count == 0
+
+
+def test_a_first_value_that_was_never_written_is_warned_of(place):  # decision 6
+    task = place.task(Steps)
+    task.init()
+    assert task.warnings == ["B was never written: its first value here is zero"]
+    place.write(B=1.0)
+    other = place.task(Steps)
+    other.init()
+    assert other.warnings == []
+
+
+def test_what_is_in_force_is_named_as_the_module_names_it(place):  # law 3
+    task = place.task(Steps)
+    task.init()
+    place.write(W=1.0)
+    task.on(0, NOTHING)
+    assert task.module.continues("W")
+    assert not task.module.continues("V")
+
+
+def test_the_state_follows_the_table_of_lifecycles(place):  # law 11
+    task = place.task(Steps)
+    with pytest.raises(IllegalTransition):
+        task.step(Step.ON)
+    assert task.state is State.WAITING
+    task.step(Step.INITIALISED)
+    assert task.state is State.OFF
+
+
+def test_user_input_is_known_once_the_constants_are(place):  # R-A10
+    class Asks(Module):
+        N = InConst("double")
+        goal = Input("double", "m", "where", high="N")
+
+    task = place.task(Asks)
+    place.write(N=2.0)
+    task.init()
+    assert task.input.items[0].high == (2.0,)
+    assert task.parse("1.5").goal == 1.5
+    assert vars(place.task(Steps).parse("anything")) == {}
+
+
+def test_a_clear_initialises_what_never_was(place):
+    class Fails(Module):
+        tries = 0
+
+        def init(self):
+            self.tries += 1
+            if self.tries == 1:
+                raise ModuleError("not yet")
+
+    task = place.task(Fails)
+    with pytest.raises(ModuleError):
+        task.init()
+    task.clear()
+    task.clear()
+    assert (task.is_initialised, task.module.tries) == (True, 2)
+
+
+@pytest.mark.parametrize(("frequency", "period"), [(1.0, 10**9), (3.0, 333_333_333), (500.0, 2 * MS), (1e9, 1)])
+def test_a_period_is_whole_nanoseconds(frequency, period):  # law 13
+    assert period_of(frequency) == period
+
+
+@pytest.mark.parametrize("frequency", [0.0, -1.0, 1.1e9, float("nan"), float("inf")])
+def test_what_has_no_period_is_refused(frequency):
+    with pytest.raises(ValueError, match="expected a rate above 0 Hz"):
+        period_of(frequency)
+
+
+def test_another_rate_is_another_period_and_another_dt(place):  # R-A04
+    task = place.task(Steps)
+    assert task.change_rate(50.0) == 20 * MS
+    assert (task.period_ns, task.module.dt) == (20 * MS, 0.02)
+
+
+@pytest.mark.parametrize(
+    ("returned", "told"),
+    [(finish(), "only a trigger finishes"), ("done", "found 'done'"), (Signal(SignalKind.USER, number="x"), "'str'")],
+)
+def test_what_is_no_signal_of_this_task_is_refused(place, returned, told):  # R-A08
+    with pytest.raises(TypeError, match=told):
+        place.task(Steps).sound(returned)
+
+
+def test_a_report_begins_the_count_anew(place):  # R-A17
+    task = place.task(Steps)
+    task.init()
+    task.cycle(0)
+    task.slot.missed = 3
+    first, second = task.report(1000 * MS), task.report(2000 * MS)
+    assert (first.cycle, first.miss, first.measured_hz, first.profiled_s) == (1, 3, 1.0, 1.0)
+    assert (second.cycle, second.miss, second.most_us, second.profiled_s) == (0, 0, 0.0, 1.0)
+
+
+# Hardware
+
+
+class Arm(Module):
+    """Holds by a word of its own."""
+
+    hardware = True
+    F = InVar("double")
+    G = InVar("double")
+    X = OutVar("double")
+    did = ""
+
+    def cycle(self):
+        self.did = "cycle"
+        self.device.write((self.F + self.G,))
+
+    def hold(self):
+        self.did = "hold"
+        self.X = self.device.read()[0]
+
+
+def arm_on(place):
+    task = place.task(Arm, with_device=True)
+    task.init()
+    place.device.publish(0)
+    task.on(0, NOTHING)
+    return task
+
+
+def cycle(place, task, now):
+    place.device.publish(now)
+    task.cycle(now)
+    return task.module.did
+
+
+def test_hardware_holds_until_every_input_was_written_since_its_on(place):  # law 4
+    place.write(F=9.0, G=9.0)
+    task = arm_on(place)
+    assert cycle(place, task, 10 * MS) == "hold"
+    place.write(F=1.0)
+    assert cycle(place, task, 20 * MS) == "hold"
+    place.write(G=2.0)
+    assert cycle(place, task, 30 * MS) == "cycle"
+    assert (place.device.order, place.device.commands.tolist()) == (1, [3.0])
+    assert cycle(place, task, 40 * MS) == "cycle"
+
+
+def test_hardware_publishes_while_it_holds(place):  # law 4
+    place.device.state[:] = 0.25
+    task = arm_on(place)
+    cycle(place, task, 10 * MS)
+    assert place.table.value("X") == 0.25
+
+
+def test_hardware_that_comes_on_again_waits_again(place):  # law 4
+    task = arm_on(place)
+    place.write(F=1.0, G=1.0)
+    cycle(place, task, 10 * MS)
+    task.off()
+    task.on(20 * MS, NOTHING)
+    assert cycle(place, task, 20 * MS) == "hold"
+
+
+def test_an_input_is_fresh_only_if_its_fresh_value_was_copied(place):  # law 4
+    """A value that is written while the inputs are copied in must not let through what was copied before."""
+    task = arm_on(place)
+    place.write(F=1.0, G=-7.0)
+    task.on(0, NOTHING)
+    place.write(F=2.0)
+    task._reads.append(lambda: place.write(G=3.0))
+    assert cycle(place, task, 10 * MS) == "hold"
+    task._reads.pop()
+    assert cycle(place, task, 20 * MS) == "cycle"
+    assert place.device.commands.tolist() == [5.0]
+
+
+@pytest.mark.parametrize("value", [float("nan"), float("-inf")])
+def test_inputs_that_are_not_finite_break_the_law_and_are_named(place, value):  # law 5
+    task = arm_on(place)
+    place.write(F=value, G=1.0)
+    with pytest.raises(LawBroken, match="NaN or infinity in F"):
+        cycle(place, task, 10 * MS)
+
+
+def test_a_silent_device_breaks_the_law(place):  # law 17
+    task = arm_on(place)
+    place.write(F=1.0, G=1.0)
+    cycle(place, task, 10 * MS)
+    task.cycle(10 * MS + SILENCE_NS)
+    with pytest.raises(LawBroken, match="device bench has published nothing for 60 ms"):
+        task.cycle(11 * MS + SILENCE_NS)
+
+
+def test_off_and_hold_leave_the_drive_in_hold_even_if_the_module_raises(place):  # law 17
+    class Stubborn(Arm):
+        def off(self):
+            raise ValueError("no")
+
+    for leave in ("off", "hold"):
+        task = place.task(Stubborn, with_device=True)
+        task.module.device.write((1.0,))
+        if leave == "off":
+            with pytest.raises(ValueError, match="no"):
+                task.off()
+        else:
+            task.hold()
+        assert place.device.order == 0
+
+
+def test_a_task_without_a_device_holds_nothing(place):
+    task = place.task(Steps)
+    task.hold()
+    assert task.device is None
+
+
+def test_the_place_of_an_error_is_in_the_modules_own_file(place):  # R-A18
+    task = place.task(Steps)
+    namespace = {}
+    exec(compile("def f():\n    raise ValueError('x')\n\ndef g():\n    f()", "m.py", "exec"), namespace)
+    try:
+        namespace["g"]()
+    except ValueError as wrong:
+        path, line, trace = task.where(wrong)
+    assert (path, line) == ("m.py", 2)
+    assert trace.count('File "m.py"') == 2
+    assert trace.endswith("ValueError: x")
+    assert "test_running_task" not in trace
+
+
+def test_an_error_from_elsewhere_has_no_line(place):
+    try:
+        int("x")
+    except ValueError as wrong:
+        assert place.task(Steps).where(wrong)[:2] == ("m.py", 0)
