@@ -138,6 +138,9 @@ class PumaInverse:
         placed = []
         low, high = self._low, self._high
         for k, q in enumerate(joints, first):
+            if low[k] <= q <= high[k] and -math.pi < q - near[k] < math.pi:
+                placed.append(q)  # as mostly: within limits and less than half a turn away
+                continue
             turned = q + _TURN * round((near[k] - q) / _TURN)
             if turned < low[k] - _ROUNDING:
                 turned += _TURN * math.ceil((low[k] - _ROUNDING - turned) / _TURN)

@@ -99,8 +99,9 @@ class Agenda:
         slot.release = release = slot.deadline
         slot.deadline = deadline = release + slot.period
         crit, rank, name = slot.key
-        *_, epoch, following = heapreplace(releases, (release, deadline, crit, rank, name, slot.epoch, slot))
-        return following if epoch == following.epoch else self.next_due(now)
+        first = heapreplace(releases, (release, deadline, crit, rank, name, slot.epoch, slot))
+        following = first[6]
+        return following if first[5] == following.epoch else self.next_due(now)
 
     def next_release(self) -> int | None:
         """When something becomes due (a time in the past: now); None if nothing ever will."""

@@ -110,8 +110,11 @@ class Bus:
 
     def step(self, until_ns: int) -> None:
         """Deliver fresh commands, advance the world, publish its devices' states."""
-        self.deliver()
-        self.world.step(until_ns)
+        world = self.world
+        for commands in self._commands.values():
+            if commands.words[0] != commands.seen:
+                commands.pump(world)
+        world.step(until_ns)
         for publish in self._publishers.values():
             publish()
 
