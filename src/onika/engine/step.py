@@ -54,7 +54,7 @@ def _step(
     others = (task for task in action.tasks if task in other_triggers and task != trigger)
     return Step(
         name=action.name,
-        place=str(Place(action.place, action.line)),
+        place=f"{Place(action.place, action.line)} ({action.name})" if action.line else action.place,
         tasks=tuple(sorted(action.tasks, key=ranks.__getitem__)),
         rates={task: usual[task] for task in action.tasks} | dict(action.rates),
         triggers=() if trigger is None else (trigger, *others),
