@@ -22,21 +22,16 @@ class Derivative:
         self._keep, self._take = np.full(n, tau / (tau + dt)), np.full(n, 1.0 / (tau + dt))
         self._scaled = np.zeros(n)
         self._carried = np.zeros(n)  # keep v - take x of the sample before: what the next one is added to
-        self.value = np.zeros(n)
 
     def reset(self, x: Numbers) -> None:
         """Start at rest at x: the derivative is zero."""
         np.multiply(x, -self._take, out=self._carried)
-        self.value[:] = 0.0
 
     def update(self, x: Numbers, out: Array | None = None) -> Array:
         """Take the next sample; gives the derivative double[n] per second, written into `out` where given."""
-        scaled, carried, value = self._scaled, self._carried, self.value
+        scaled, carried = self._scaled, self._carried
         np.multiply(x, self._take, out=scaled)
-        np.add(scaled, carried, out=value)
+        value: Array = np.add(scaled, carried, out=out)
         np.multiply(value, self._keep, out=carried)
         np.subtract(carried, scaled, out=carried)
-        if out is None:
-            return value.copy()
-        out[:] = value
-        return out
+        return value
