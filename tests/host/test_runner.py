@@ -93,7 +93,7 @@ class Bench:
         for name in names:
             if name == "arm":
                 self.tables[subsystem].ring("N").write((2).to_bytes(4, "little"))
-            self.hear(news.Initialised(subsystem, name, 0))
+            self.hear(news.Initialised(subsystem, name))
         return self
 
     def on(self, *names, subsystem="flow0"):
@@ -273,7 +273,7 @@ def test_a_lost_unit_is_not_waited_for_when_statuses_are_asked():  # R-E10
 def test_news_of_unknown_tasks_is_nobodys():
     bench = Bench([action("bell")]).start()
     before = list(bench.told)
-    for one in (news.Initialised("flow9", "bell", 0), news.Finished("flow0", "nobody", 0, False, 0)):
+    for one in (news.Initialised("flow9", "bell"), news.Finished("flow0", "nobody", 0, False, 0)):
         bench.hear(one)
     assert bench.told == before
 

@@ -45,7 +45,7 @@ COUNTER = module("    N = OutVar('int')\n    def cycle(self):\n        self.N +=
 
 def test_a_task_is_off_after_it_was_spawned():  # R-A05
     rig = rig_of(module())
-    assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one", 0)]
+    assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one")]
     assert rig.task("one").state is State.OFF
 
 
@@ -88,7 +88,7 @@ def test_an_init_that_raises_is_an_error_and_clear_initialises_anew():  # R-A05
     rig = rig_of(source)
     assert (last(rig, news.Failed).entry, rig.task("one").state) == ("init", State.ERROR)
     rig.do(command.Clear(HOME, "one"))
-    assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one", 0)]
+    assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one")]
     assert rig.task("one").module.tried == [1, 1]
 
 

@@ -9,7 +9,7 @@ from onika.runtime.user_input import AskedItem
 ITEM = AskedItem("endpoint", "double", 2, "rad", "where to", (0.0, 0.0), (-1.0, -2.0), None)
 STATUS = news.TaskStatus("s", "t", "m", "ON", "periodic", 0, 5, 1, 0, 100.0, 99.0, 1.0, 10.0, 1.0, 2.0, 4.0)
 NEWS = [
-    news.Initialised("s", "t", 0),
+    news.Initialised("s", "t"),
     news.Changed("s", "t", "ON", 5),
     news.Changed("s", "t", "OFF", 5, "OFF"),
     news.Cycled("s", "t", 5),

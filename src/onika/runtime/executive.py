@@ -143,7 +143,7 @@ class Executive:
         self._rings.setdefault(order.subsystem, {}).update(task.binding.rings)
         if self._try(task, "init", now, task.init):
             task.step(Step.INITIALISED)
-            self._news.append(news.Initialised(*address, 0))
+            self._news.append(news.Initialised(*address))
 
     def _switch(self, order: command.Switch, now: int) -> None:
         for name in order.off:
@@ -242,7 +242,7 @@ class Executive:
         if self._try(task, "clear", now, task.clear):
             task.step(Step.CLEAR)
             told_off = news.Changed(*_address(task), task.state.value, now)
-            self._news.append(told_off if was_initialised else news.Initialised(*_address(task), 0))
+            self._news.append(told_off if was_initialised else news.Initialised(*_address(task)))
 
     def _get_or_set(self, order: command.Get | command.Set, now: int) -> None:
         task = self.tasks.get((order.subsystem, order.task))

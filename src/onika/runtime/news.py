@@ -30,11 +30,10 @@ class TaskStatus(Struct, frozen=True):
 
 
 class Initialised(Struct, frozen=True, tag=True):
-    """A task is OFF after `init`, which took so long."""
+    """A task is OFF after `init`."""
 
     subsystem: str
     task: str
-    took_ns: int
 
 
 class Changed(Struct, frozen=True, tag=True):
