@@ -14,7 +14,7 @@ OTHER = Fault(Place("b.rmod"), "one", "two", "left out")
 def found(monkeypatch):
     """What a survey of each path finds, in order."""
     results = []
-    monkeypatch.setattr(room, "survey", lambda path, site: results.pop(0))
+    monkeypatch.setattr(room, "survey", lambda path, site, note: results.pop(0))
     return results
 
 

@@ -72,8 +72,8 @@ def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(s
         assert live.answer(event.Asked("flow0", "gauge", "too low", ITEMS, 0.0)) == "0.5 0.75 me"
     text = screen.getvalue()
     assert "too low" in text
-    assert "gauge asks for level (2 values), how high [m]: " in text
-    assert "gauge asks for name, of whom [-]: " in text
+    assert "gauge asks for level (2 values), how high, in m: " in text
+    assert "gauge asks for name, of whom: " in text
 
 
 def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10

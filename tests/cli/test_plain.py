@@ -25,7 +25,11 @@ def test_a_run_is_told_line_by_line(capsys):  # R-E11
 
 
 @pytest.mark.parametrize(
-    ("reason", "line"), [("", "gauge asks for level[2] m:"), ("too low", "gauge asks for level[2] m (too low):")]
+    ("reason", "line"),
+    [
+        ("", "gauge asks for level (2 values), how high, in m:"),
+        ("too low", "gauge asks for level (2 values), how high, in m (too low):"),
+    ],
 )
 def test_a_question_is_asked_and_one_line_read(capsys, monkeypatch, reason, line):  # R-A10
     monkeypatch.setattr(room, "typed_line", lambda: "0.5 0.75")

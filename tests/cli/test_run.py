@@ -44,15 +44,15 @@ def test_every_option_reaches_the_run(runs, tmp_path):
 @pytest.mark.parametrize(
     ("given", "expected"),
     [
-        (["gauge.level=0.5"], (("gauge", "0.5"),)),
-        (["gauge.level=1,2 3"], (("gauge", "1 2 3"),)),
-        (["a.x=1", "b.y=2", "a.z=3"], (("a", "1 3"), ("b", "2"))),
-        (["my.task.level=1"], (("my.task", "1"),)),
-        (["a.x="], (("a", ""),)),
-        (["a.x=b=c"], (("a", "b=c"),)),
+        (["gauge.level=0.5"], (("gauge", "level", "0.5"),)),
+        (["gauge.level=1,2 3"], (("gauge", "level", "1 2 3"),)),
+        (["a.x=1", "b.y=2", "a.z=3"], (("a", "x", "1"), ("b", "y", "2"), ("a", "z", "3"))),
+        (["my.task.level=1"], (("my.task", "level", "1"),)),
+        (["a.x="], (("a", "x", ""),)),
+        (["a.x=b=c"], (("a", "x", "b=c"),)),
     ],
 )
-def test_answers_are_argument_lines_by_task(runs, given, expected):  # law 25
+def test_answers_are_taken_by_task_and_name(runs, given, expected):  # law 25
     words = [word for one in given for word in ("--answer", one)]
     assert settings_of(runs, "go_home", *words).answers == expected
 
@@ -110,8 +110,8 @@ def test_a_seed_is_a_whole_number(runs, capsys, text):
     assert "expected a whole number of at most 18 digits" in capsys.readouterr().err
 
 
-def test_control_c_before_anything_runs_and_a_reader_who_leaves_are_no_faults(monkeypatch, capsys):  # R-E07
-    for raised, code in ((KeyboardInterrupt, 130), (BrokenPipeError, 0), (TimeoutError("no answer"), 1)):
+def test_an_early_end_says_so_by_its_exit_code(monkeypatch, capsys):  # R-E07
+    for raised, code in ((KeyboardInterrupt, 130), (BrokenPipeError, 1), (TimeoutError("no answer"), 1)):
 
         def run(*_, raised=raised):
             raise raised

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.cli.told import sentence, summary
+from onika.cli.told import asked_item, sentence, summary
 from onika.desk.expectation import Expectation
 from onika.desk.run import Outcome
 from onika.wire import event
@@ -79,3 +79,9 @@ def test_each_expectation_is_told_with_what_was_found():  # R-X07
         "expect LAMP == 1: NO, found 0",
         "expect LAMP == 1: NO, found nothing",
     ]
+
+
+def test_a_question_says_bounds_and_default():  # R-A10
+    asked = event.Item("duration", "double", 1, "s", "how long", (2.0,), (0.1,), (600.0,))
+    assert asked_item(asked) == "duration, how long, in s, from 0.1 to 600, else 2.0"
+    assert asked_item(event.Item("n", "int", 1, "-", "", None, (1.0,), None)) == "n, at least 1"

@@ -2,6 +2,7 @@
 
 import os
 import re
+import shlex
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -37,7 +38,7 @@ def blocks(page):
 def carry_out(command, folder):
     """A line of a shell block; `onika` and `python` are those of this test."""
     words = {"onika": [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())"]}
-    name, *rest = command.split()
+    name, *rest = shlex.split(command)
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src"), "HOME": str(folder)}
     ran = subprocess.run(
         [*words.get(name, [sys.executable]), *rest],

@@ -93,23 +93,29 @@ def go(**settings):
 
 def test_a_run_is_prepared_begun_and_followed_to_its_end(runtime):  # R-E03, R-E14
     runtime.script = (event.Done(0, 0, 1.0), GOOD)
-    outcome, watcher = go(is_virtual=True, with_fifo=False, settle_s=0.25, seed=3, answers=(("gauge", "1"),))
+    outcome, watcher = go(is_virtual=True, with_fifo=False, settle_s=0.25, seed=3, answers=(("gauge", "level", "1"),))
     assert (outcome.state, outcome.exit_code, outcome.result, outcome.notes) == ("completed", 0, GOOD, ["a note"])
     assert watcher.seen == [("go_home", 4711), event.Done(0, 0, 1.0), GOOD]
     prepare, begin, closing = runtime.made.asked
     assert isinstance(prepare, request.Prepare)
-    assert begin == request.Begin((), 0.25, 3, (("gauge", "1"),), False)
+    assert begin == request.Begin((), 0.25, 3, (("gauge", "level", "1"),), False)
     assert closing == "closed"
     assert runtime.made.given == (("rt0",), True, False)
 
 
 def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X07
     runtime.script = (GOOD,)
-    expectations = tuple(Expectation.parse(text) for text in ("LAMP == 1", "LAMP > 5", "NOBODY == 1"))
+    expectations = tuple(Expectation.parse(text) for text in ("LAMP == 1", "LAMP > 5", "Q_MEZ[9] == 1"))
     outcome, _ = go(expectations=expectations)
-    assert runtime.made.asked[1].watch == ("LAMP", "NOBODY")
+    assert runtime.made.asked[1].watch == ("LAMP", "Q_MEZ")
     assert [(value, holds) for _, value, holds in outcome.expectations] == [(1, True), (1, False), (None, False)]
     assert (outcome.state, outcome.exit_code) == ("completed", 1)
+
+
+def test_an_expectation_of_a_variable_that_nobody_knows_refuses_the_run(runtime):  # R-E01
+    outcome, watcher = go(expectations=(Expectation.parse("NOBODY == 1"), Expectation.parse("flow7/LAMP == 1")))
+    assert [one.found for one in outcome.faults] == ["NOBODY", "flow7/LAMP"]
+    assert (outcome.exit_code, watcher.seen) == (2, [])
 
 
 def test_faults_of_the_runtime_refuse_the_run_and_nothing_begins(runtime):  # R-E01

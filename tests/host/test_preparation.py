@@ -1,7 +1,7 @@
 import pytest
 
-from onika.host.loading import DirectLoading
 from onika.host.preparation import inspect, prepare
+from onika.testing.rail import YardLoading
 from onika.testing.workshop import Workshop, action
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
@@ -61,7 +61,7 @@ def shop():
 
 
 def found(shop, *flows, targets=()):
-    return prepare(shop.plan(*flows), targets, DirectLoading())
+    return prepare(shop.plan(*flows), targets, YardLoading())
 
 
 def texts(prepared):
@@ -85,7 +85,9 @@ def test_a_task_that_differs_from_its_module_is_told_in_all_that_differs(shop): 
     assert any("40 Hz" in one and "20 Hz" in one for one in said)
     assert any("ODD" in one for one in said)
     assert all(one.startswith("slow.rmod") for one in said)
-    assert [str(one.place) for one in inspect([wrong], [shop.code("slow")], DirectLoading())] == ["slow.rmod"] * 3
+    faults, notes = inspect([wrong], [shop.code("slow")], YardLoading())
+    assert [str(one.place) for one in faults] == ["slow.rmod"] * 3
+    assert notes == []
 
 
 @pytest.mark.parametrize(
@@ -187,8 +189,8 @@ def test_no_rate_is_beyond_what_the_clock_can_tell(shop):  # R-A04, law 13
     shop.task("fast", module("", "Fast"), frequency=1e9)
     said = texts(found(shop, [action("robot", "fast", rates={"robot": 2e9})]))
     assert said == [
-        "fast.rmod: at most 1e+06 Hz for fast | 1e+09 Hz",
-        "test.appl:1: at most 1e+06 Hz for robot in job0 | 2e+09 Hz",
+        "fast.rmod: 0.001 Hz to 1e+06 Hz for fast | 1e+09 Hz",
+        "test.appl:1: 0.001 Hz to 1e+06 Hz for robot in job0 | 2e+09 Hz",
     ]
 
 

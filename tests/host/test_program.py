@@ -2,10 +2,9 @@ from collections import deque
 
 import pytest
 
-from onika.host.loading import DirectLoading
 from onika.host.program import Program
 from onika.host.virtual import VirtualDriver
-from onika.testing.rail import rail
+from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import action
 from onika.testing.worlds import MassWorld
 from onika.wire import event, request
@@ -41,7 +40,7 @@ class Desk:
     def __init__(self, rtpus=("rt0",)):
         self.gate = FakeGate()
         driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
-        self.program = Program(self.gate, driver, DirectLoading(), rtpus)
+        self.program = Program(self.gate, driver, YardLoading(), rtpus)
 
     def ask(self, asked):
         self.gate.waiting.append(asked)

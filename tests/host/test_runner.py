@@ -1,6 +1,5 @@
 import pytest
 
-from onika.host.loading import DirectLoading
 from onika.host.preparation import prepare
 from onika.host.runner import Runner
 from onika.ring.segment import Segment
@@ -8,6 +7,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.runtime.user_input import AskedItem
+from onika.testing.rail import YardLoading
 from onika.testing.workshop import Workshop, action
 from onika.wire import event
 from onika.wire.request import Begin
@@ -69,7 +69,7 @@ class Bench:
         shop.task("go", GO, rtpu="rt1")
         shop.task("bell", BELL, rtpu="rt0")
         shop.task("show", SHOW, rtpu="rt0")
-        prepared = prepare(shop.plan(*flows), (), DirectLoading())
+        prepared = prepare(shop.plan(*flows), (), YardLoading())
         assert prepared.faults == []
         self.tables, subsystems = {}, {}
         for number, flow in enumerate(prepared.plan.flows):
@@ -309,12 +309,19 @@ def answers(bench):
 
 
 def test_a_given_answer_is_used_once():  # law 25
-    bench = asking(Begin(answers=(("bell", "0.5"),)))
+    bench = asking(Begin(answers=(("bell", "level", "0.5"),)))
     assert answers(bench) == [("bell", "0.5")]
     bench.hear(news.Asked("flow0", "bell", "too low", (ITEM,), bench.now))
     assert answers(bench) == []
     bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
     assert bench.runner.tally.cause.endswith("task bell asks for bell.level (too low) and nobody is there to answer")
+
+
+def test_an_answer_under_a_name_that_is_not_asked_for_ends_the_run():  # law 25
+    bench = asking(Begin(answers=(("bell", "lvl", "0.5"),)))
+    assert answers(bench) == []
+    bench.hear(news.Changed("flow0", "bell", "KILLED", bench.now))
+    assert "task bell asks for level, and an answer is given for lvl" in bench.runner.tally.cause
 
 
 def test_whoever_is_there_is_asked_and_answers():  # law 25, R-E15

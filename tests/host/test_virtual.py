@@ -2,14 +2,13 @@ from itertools import pairwise
 
 import pytest
 
-from onika.host.loading import DirectLoading
 from onika.host.preparation import prepare
 from onika.host.runner import Runner
 from onika.host.virtual import VirtualDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.rail import rail
+from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import Workshop, action
 from onika.testing.worlds import MassWorld
 from onika.wire import event
@@ -32,7 +31,7 @@ class Run:
         return MassWorld()
 
     def _begin(self, shop, flows, begin, rtpus):
-        prepared = prepare(shop.plan(*flows), (), DirectLoading())
+        prepared = prepare(shop.plan(*flows), (), YardLoading())
         assert prepared.faults == []
         subsystems = {}
         for number, flow in enumerate(prepared.plan.flows):
@@ -160,12 +159,6 @@ def test_a_stop_holds_every_drive_for_good():  # law 27
     run.driver.abort("stop")
     assert run.driver.is_at_rest()
     assert run.of(event.Drive)[-1].cause == "stop"
-
-
-def test_a_device_or_world_that_is_not_there_ends_the_run_with_the_reason():  # law 16
-    run = Run(rail(mass="yard:m7"), move("1.0")).to_the_end()
-    assert run.runner.is_over
-    assert "found 'm7'" in run.result.cause
 
 
 def test_devices_are_free_again_after_a_run_and_the_world_stays_as_it_was():  # law 18

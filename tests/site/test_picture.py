@@ -36,10 +36,12 @@ def test_without_graphics_it_is_said_what_to_install_and_the_run_counts(
     assert not path.exists()
 
 
-def test_where_no_picture_can_be_written_this_is_said_and_the_run_counts(capsys, tmp_path):
-    words = ["run", "go_home", "--virtual", "--picture", str(tmp_path / "nowhere" / "end.png")]
-    assert main(words) == 0
-    assert "no picture: expected a folder that can be written to" in capsys.readouterr().out.splitlines()[-1]
+def test_where_no_picture_can_be_written_nothing_is_run(capsys, tmp_path):
+    for place in (tmp_path / "nowhere" / "end.png", tmp_path):
+        with pytest.raises(SystemExit) as ended:
+            main(["run", "go_home", "--virtual", "--picture", str(place)])
+        assert ended.value.code == 2
+    assert "expected a file in a directory that is there" in capsys.readouterr().err
     assert not (tmp_path / "nowhere").exists()
 
 

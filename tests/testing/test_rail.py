@@ -1,13 +1,12 @@
-from onika.host.loading import DirectLoading
 from onika.host.preparation import prepare
-from onika.testing.rail import rail
+from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import action
 from onika.wire.request import TargetValues
 
 
 def test_the_rail_is_a_plan_that_can_run():
     plan = rail().plan([action("mass", "servo", arguments="1")])
-    prepared = prepare(plan, [TargetValues(0, 0, "joint object", (1.0,))], DirectLoading())
+    prepared = prepare(plan, [TargetValues(0, 0, "joint object", (1.0,))], YardLoading())
     assert prepared.faults == []
     assert prepared.triggers == {(0, 0): "servo"}
     assert prepared.constants == {0: {"SIDES": 2}}
@@ -16,5 +15,5 @@ def test_the_rail_is_a_plan_that_can_run():
 def test_the_rail_has_an_end():
     plan = rail(rtpu="rt1", mass="yard:m1").plan([action("mass", "servo", arguments="1")])
     assert [task.rtpu for task in plan.flows[0].tasks] == ["unknown", "rt1"]
-    prepared = prepare(plan, [TargetValues(0, 0, "joint object", (11.0,))], DirectLoading())
+    prepared = prepare(plan, [TargetValues(0, 0, "joint object", (11.0,))], YardLoading())
     assert [fault.found for fault in prepared.faults] == ["there: 11 m is beyond the rail"]

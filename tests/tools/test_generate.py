@@ -9,6 +9,8 @@ from onika.model.lifecycle import State
 
 ROOT = Path(__file__).parents[2]
 PAGE = "docs/lifecycles.md"
+LABORATORY = "docs/laboratory.md"
+LABS = ROOT / "src" / "onika" / "labs"
 
 
 @pytest.fixture
@@ -45,5 +47,31 @@ def test_a_table_that_has_changed_makes_its_page_stale(tool, tmp_path):
 def test_missing_pages_are_written_once(tool, tmp_path, capsys):
     assert tool["main"](["--root", str(tmp_path)]) == 0
     assert tool["main"](["--root", str(tmp_path)]) == 0
-    assert capsys.readouterr().out == f"{PAGE}\n"
+    assert capsys.readouterr().out == f"{PAGE}\n{LABORATORY}\n"
     assert tool["main"](["--check", "--root", str(tmp_path)]) == 0
+
+
+def test_every_shipped_file_is_on_the_page_of_the_laboratory(tool):
+    page = tool["laboratory"]()
+    shipped = [path for path in LABS.glob("*/*/*") if path.suffix in (".rmod", ".conf", ".appl")]
+    assert shipped
+    for path in shipped:
+        assert f"| `{path.stem}` | {path.parts[-3]} |" in page or f"### `{path.stem}`\n\nIn `{path.parts[-3]}`" in page
+
+
+def test_a_port_stands_on_the_page_by_its_name_in_the_table(tool):
+    page = tool["laboratory"]()
+    assert "| OUTVAR | `Q^_MEZ` (`Y^` in the code) | double[NDOF] | rad/s |" in page
+    assert "| `Q^_MEZ` | double[NDOF] | rad/s | `diff` | `gravcomp` `pd` |" in page
+
+
+def test_a_device_and_a_target_stand_on_the_page_with_their_fields(tool):
+    page = tool["laboratory"]()
+    assert "| `boxes:gripper_left` | `opening` `speed` `force` | `signal` | `gripper` |" in page
+    assert "| Joint object | `endpoint` | double[6] | rad | `jtraj` |" in page
+
+
+def test_bounds_of_an_input_are_told_by_number_or_by_the_constant_that_holds_them(tool):
+    page = tool["laboratory"]()
+    assert "| `endpoint` | double[NDOF] | rad | `QMIN` to `QMAX` |" in page
+    assert "| `duration` | double | s | 0.1 to 600 |" in page

@@ -9,7 +9,7 @@ PLAN = rail().plan([action("mass", "servo", arguments="1")])
 REQUESTS = [
     request.Prepare(PLAN, (request.TargetValues(0, 0, "joint object", (1.0, 2, "three")),)),
     request.Inspect(PLAN.flows[0].tasks, PLAN.code),
-    request.Begin(("LAMP",), 0.25, 7, (("gauge", '1 "two words"'),), True),
+    request.Begin(("LAMP",), 0.25, 7, (("gauge", "level", '1 "two words"'),), True),
     request.Reply("flow0", "gauge", "1 2"),
     request.Abort("enough"),
     request.Stop("enough"),

@@ -1,32 +1,37 @@
 """The command line: one small file per command, no logic."""
 
-import argparse
+import os
 import sys
-
-from onika import __version__
-from onika.cli import check, doctor, new, run
-from onika.link.lost import LinkLost
-
-_COMMANDS = {"run": run, "check": check, "new": new, "doctor": doctor}
 
 
 def main(words: list[str] | None = None) -> int:
     """Carry out a command line; the exit code."""
-    parser = argparse.ArgumentParser(prog="onika", description="Programs for robots from tasks, jobs and targets.")
-    parser.add_argument("--version", action="version", version=f"onika {__version__}")
-    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
-    for name, command in _COMMANDS.items():
-        text = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
-        command.describe(commands.add_parser(name, help=text, description=text.capitalize() + "."))
-    given = parser.parse_args(words)
     try:
-        code: int = _COMMANDS[given.command].carry_out(given)
+        from onika.cli.commands import carry_out  # within: a Ctrl-C while libraries load is an end like any other
+
+        code = carry_out(words)
+        if sys.stdout is not None:
+            sys.stdout.flush()
         return code
-    except (LinkLost, TimeoutError) as lost:
-        print(lost, file=sys.stderr)
-        return 1
     except KeyboardInterrupt:
-        print("stopped", file=sys.stderr)
-        return 130
+        return _say("stopped", 130)
     except BrokenPipeError:
-        return 0  # whoever read our output has seen enough
+        _drop_output()  # whoever read our output has seen enough; what was to be done was not done
+        return 1
+    except OSError as wrong:
+        _drop_output()
+        return _say(f"onika: {wrong}", 1)
+    except UnicodeError as wrong:
+        return _say(f"onika: this terminal's letters do not suffice ({wrong}); set PYTHONUTF8=1", 1)
+
+
+def _say(text: str, code: int) -> int:
+    if sys.stderr is not None:
+        sys.stderr.write(text.encode("ascii", "backslashreplace").decode() + "\n")
+    return code
+
+
+def _drop_output() -> None:
+    """So that the interpreter does not complain once more when it ends."""
+    if sys.stdout is not None:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)

@@ -18,11 +18,14 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Check them; 0 if all is well."""
     files, faults = 0, []
+    notes: list[str] = []
     for path in given.paths:
-        read, found = survey(path, site_here(given.local))
+        read, found = survey(path, site_here(given.local), notes.append)
         files += len(read)
         faults += [one for one in found if one not in faults]
     for fault in faults:
         print(fault)
+    for text in dict.fromkeys(notes):
+        print(f"note: {text}")
     print(f"{files} file{'s' if files != 1 else ''} read, {len(faults) or 'no'} fault{'s' if len(faults) != 1 else ''}")
     return 1 if faults else 0

@@ -10,7 +10,7 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from onika.cli.told import sentence, summary
+from onika.cli.told import asked_item, sentence, summary
 from onika.cli.typed import typed_line
 from onika.desk.preparation import PreparedRun
 from onika.desk.run import Outcome
@@ -78,8 +78,7 @@ class Live:
             self._console.print(Text(asked.reason, style="magenta"))
         words: list[str] = []
         for one in asked.items:
-            many = f" ({one.count} values)" if one.count > 1 else ""
-            question = f"{asked.task} asks for {one.name}{many}, {one.meaning} [{one.unit}]: "
+            question = f"{asked.task} asks for {asked_item(one)}: "
             self._console.print(Text(question), end="")
             line = typed_line()
             if line is None:

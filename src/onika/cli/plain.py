@@ -2,7 +2,7 @@
 
 from types import TracebackType
 
-from onika.cli.told import sentence, summary
+from onika.cli.told import asked_item, sentence, summary
 from onika.cli.typed import typed_line
 from onika.desk.preparation import PreparedRun
 from onika.desk.run import Outcome
@@ -38,7 +38,7 @@ class Plain:
 
     def answer(self, asked: event.Asked) -> str | None:
         """Ask on the terminal that input comes from; None at the end of the input."""
-        wanted = ", ".join(f"{one.name}[{one.count}] {one.unit}" for one in asked.items)
+        wanted = "; ".join(asked_item(one) for one in asked.items)
         reason = f" ({asked.reason})" if asked.reason else ""
         self._write(f"{asked.task} asks for {wanted}{reason}:")
         return typed_line()

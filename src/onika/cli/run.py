@@ -5,6 +5,7 @@ import os
 import re
 import sys
 from pathlib import Path
+from typing import TextIO
 
 from onika.cli.json_lines import JsonLines
 from onika.cli.live import Live
@@ -28,9 +29,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--answer", action="append", default=[], type=_answer, metavar="TASK.NAME=VALUES",
-        help="input for a task that asks; several values of one task in the order in which it asks",
+        help="input for a task that asks, by the input's name; several values with blanks or commas between them",
     )  # fmt: skip
-    parser.add_argument("--picture", type=Path, metavar="OUT.png", help="draw the workcell at the end")
+    parser.add_argument("--picture", type=_new_file, metavar="OUT.png", help="draw the workcell at the end")
     parser.add_argument("--json", action="store_true", help="one JSON object per line, the result last")
     parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="of the tasks' random numbers (0)")
     parser.add_argument(
@@ -44,7 +45,7 @@ def carry_out(given: argparse.Namespace) -> int:
     if given.json:
         watcher: JsonLines | Live | Plain = JsonLines()
     else:
-        watcher = Live() if sys.stdout.isatty() and os.environ.get("TERM") != "dumb" else Plain()
+        watcher = Live() if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb" else Plain()
     settings = RunSettings(
         name=given.application,
         is_virtual=given.virtual,
@@ -52,7 +53,7 @@ def carry_out(given: argparse.Namespace) -> int:
         settle_s=given.settle,
         seed=given.seed,
         answers=_joined(given.answer),
-        may_ask=sys.stdin.isatty() and not given.json,
+        may_ask=_is_terminal(sys.stdin) and not given.json,
         wants_picture=given.picture is not None,
         with_fifo=not given.no_fifo,
     )
@@ -61,6 +62,11 @@ def carry_out(given: argparse.Namespace) -> int:
     drawn = _draw(outcome, given.picture) if given.picture is not None else ""
     watcher.ended(outcome, drawn)
     return outcome.exit_code
+
+
+def _is_terminal(stream: TextIO | None) -> bool:
+    """Whether a person is there; a closed stream is None."""
+    return stream is not None and stream.isatty()
 
 
 def _draw(outcome: Outcome, path: Path) -> str:
@@ -72,12 +78,12 @@ def _draw(outcome: Outcome, path: Path) -> str:
     return "no picture: there is no world to draw"
 
 
-def _joined(answers: list[tuple[str, str]]) -> tuple[tuple[str, str], ...]:
-    """One argument line per task."""
-    lines: dict[str, str] = {}
-    for task, values in answers:
-        lines[task] = f"{lines[task]} {values}" if task in lines else values
-    return tuple(lines.items())
+def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], ...]:
+    """One line of values for each input, in the order in which they were given."""
+    lines: dict[tuple[str, str], list[str]] = {}
+    for task, name, values in answers:
+        lines.setdefault((task, name), []).append(values)
+    return tuple((task, name, " ".join(parts)) for (task, name), parts in lines.items())
 
 
 def _expectation(text: str) -> Expectation:
@@ -85,6 +91,13 @@ def _expectation(text: str) -> Expectation:
         return Expectation.parse(text)
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(str(wrong)) from None
+
+
+def _new_file(text: str) -> Path:
+    path = Path(text)
+    if path.is_dir() or not path.absolute().parent.is_dir():
+        raise argparse.ArgumentTypeError(f"expected a file in a directory that is there, found {text!r}")
+    return path
 
 
 def _seconds(text: str) -> float:
@@ -103,9 +116,9 @@ def _whole(text: str) -> int:
     return int(text)
 
 
-def _answer(text: str) -> tuple[str, str]:
+def _answer(text: str) -> tuple[str, str, str]:
     address, equals, values = text.partition("=")
     task, dot, name = address.strip().rpartition(".")
     if not (equals and dot and task and name):
         raise argparse.ArgumentTypeError(f"expected TASK.NAME=VALUES, found {text!r}")
-    return task, values.replace(",", " ").strip()
+    return task, name, values.replace(",", " ").strip()

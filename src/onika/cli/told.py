@@ -26,6 +26,21 @@ def sentence(one: event.Event, total: int) -> str:
             return ""
 
 
+def asked_item(one: event.Item) -> str:
+    """What is asked for: name, how many, meaning, unit, bounds and default."""
+    parts = [one.name if one.count == 1 else f"{one.name} ({one.count} values)", one.meaning]
+    if one.unit not in ("", "-"):
+        parts.append(f"in {one.unit}")
+    low, high = (None if bound is None else " ".join(f"{x:g}" for x in bound) for bound in (one.low, one.high))
+    if low is not None and high is not None:
+        parts.append(f"from {low} to {high}")
+    elif low is not None or high is not None:
+        parts.append(f"at least {low}" if low is not None else f"at most {high}")
+    if one.default is not None:
+        parts.append(f"else {' '.join(map(str, one.default))}")
+    return ", ".join(part for part in parts if part)
+
+
 def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     """The lines at the end."""
     for fault in outcome.faults:

@@ -93,6 +93,7 @@ class Compiler:
             target=None if target is None else target.onikon.name,
             place=self._place.file,
             line=job.line,
+            lacks_tasks=len(present) < len(configuration.placed),
             tasks=tuple(one.task for one in present),
             rates=tuple((one.task, one.frequency) for one in present if one.frequency and self._keeps_time(one.task)),
             arguments=arguments,

@@ -5,7 +5,8 @@ from pathlib import Path
 
 from onika.desk.compile import Compiler
 from onika.model.application import Application
-from onika.model.rules import readiness
+from onika.model.rules import readiness, warning
+from onika.model.rules.union import tasks_of
 from onika.store.program import Program, load
 from onika.store.site import Site
 from onika.wire.plan import Plan
@@ -22,6 +23,8 @@ class PreparedRun:
     plan: Plan | None
     targets: tuple[TargetValues, ...]
     faults: tuple[Fault, ...]
+    notes: tuple[Fault, ...] = ()
+    """What is worth knowing and forbids nothing: inputs that nobody writes, names that stand twice."""
 
 
 def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
@@ -39,18 +42,30 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
         return _nothing(name_or_path, (*faults, *read))
     place = Place(str(path))
     judged = readiness.faults(program.application, syntax, program.configurations, program.tasks, place)
-    compiler = Compiler(program, syntax, place, _places(program, site, path))
+    folder = path.absolute().parent
+    home = site.at(folder.parent) if folder.name == "appl" else site
+    compiler = Compiler(program, syntax, place, _places(program, home))
     plan = compiler.plan()
     found = tuple(dict.fromkeys((*faults, *program.faults, *judged, *compiler.faults)))
-    return PreparedRun(program.application.name, program.application, plan, tuple(compiler.targets), found)
+    targets, notes = tuple(compiler.targets), _notes(program, home)
+    return PreparedRun(program.application.name, program.application, plan, targets, found, notes)
+
+
+def _notes(program: Program, site: Site) -> tuple[Fault, ...]:
+    notes: list[Fault] = []
+    for configuration in program.configurations.values():
+        tasks = tasks_of([configuration], program.tasks)
+        if len(tasks) == len(configuration.placed):
+            notes += warning.hanging(tasks, Place(configuration.name))
+    names = {program.application.name, *program.configurations, *program.tasks}
+    notes += (one for one in site.duplicates() if Path(one.place.file).name in names)
+    return tuple(notes)
 
 
 def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
     return PreparedRun(name, None, None, (), faults)
 
 
-def _places(program: Program, site: Site, path: Path) -> dict[str, str]:
-    folder = path.absolute().parent
-    home = site.at(folder.parent) if folder.name == "appl" else site
+def _places(program: Program, home: Site) -> dict[str, str]:
     found = {name: home.home_of_task(name) for name in program.tasks}
     return {name: str(base.task_file(name)) for name, base in found.items() if base is not None}

@@ -13,6 +13,7 @@ from onika.store.site import Site
 from onika.wire import event, request
 from onika.wire.plan import Plan
 from onika.words.fault import Fault, Place
+from onika.words.name import resolve
 
 _LOOK_S = 0.05
 """How long a Ctrl-C waits at most."""
@@ -27,7 +28,8 @@ class RunSettings:
     expectations: tuple[Expectation, ...] = ()
     settle_s: float = 0.5
     seed: int = 0
-    answers: tuple[tuple[str, str], ...] = ()
+    answers: tuple[tuple[str, str, str], ...] = ()
+    """Task, name of an input, values."""
     may_ask: bool = False
     wants_picture: bool = False
     with_fifo: bool = True
@@ -80,12 +82,13 @@ class Watcher(Protocol):
 def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
     """Run an application to its end. Ctrl-C stops it; a second one is a KeyboardInterrupt."""
     prepared = prepare_run(settings.name, site)
-    outcome = Outcome(prepared.name, list(prepared.faults))
+    outcome = Outcome(prepared.name, list(prepared.faults), [str(note) for note in prepared.notes])
     if prepared.plan is None:
         return outcome
     try:
         with Runtime(rtpus_of(prepared.plan), settings.is_virtual, settings.with_fifo) as runtime:
             _prepare(prepared, prepared.plan, runtime, outcome)
+            outcome.faults += _unheard_of(settings.expectations, prepared.plan)
             if not outcome.faults:
                 watcher.begins(prepared, runtime.pid)
                 _carry_out(settings, prepared.plan, runtime, watcher, outcome)
@@ -151,6 +154,22 @@ def _snapshots(runtime: Runtime) -> dict[str, bytes]:
 def _aborted(cause: str, plan: Plan, done: int = 0) -> event.Result:
     """What the environment knows of a run whose runtime can say nothing any more (E10)."""
     return event.Result(False, cause, done, sum(len(flow.actions) for flow in plan.flows), 0.0, 0.0, {}, (), "")
+
+
+def _unheard_of(expectations: tuple[Expectation, ...], plan: Plan) -> list[Fault]:
+    """Expectations of variables that no task of the plan reads or writes."""
+    known = {
+        f"{flow.subsystem}/{svar}"
+        for flow in plan.flows
+        for task in flow.tasks
+        for svar in resolve(task.inconst + task.outconst + task.invar + task.outvar, dict(task.aliases))
+    }
+    names = known | {address.partition("/")[2] for address in known}
+    return [
+        Fault(Place("--expect"), "a variable that some task reads or writes", one.address, "nothing is run")
+        for one in expectations
+        if one.address not in names
+    ]
 
 
 def _fault(text: request.FaultText) -> Fault:

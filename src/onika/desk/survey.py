@@ -1,5 +1,6 @@
 """A survey of files: every fault of a base directory, of one file, or of an application and all it needs (B07)."""
 
+from collections.abc import Callable
 from hashlib import sha256
 from pathlib import Path
 
@@ -17,8 +18,11 @@ from onika.words.fault import Fault, Place
 _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 
 
-def survey(path: Path, site: Site) -> tuple[list[Path], list[Fault]]:
-    """The files that were read below a path (or the one file), and everything that is wrong with them."""
+def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: None) -> tuple[list[Path], list[Fault]]:
+    """The files that were read below a path (or the one file), and everything that is wrong with them.
+
+    `note` is told what is worth knowing and wrong with nothing.
+    """
     if not path.exists():
         return [], [Fault(Place(str(path)), "a base directory or a file", "nothing there", "nothing is checked")]
     types, faults = site.syntax()
@@ -28,7 +32,7 @@ def survey(path: Path, site: Site) -> tuple[list[Path], list[Fault]]:
         for file in files:
             found += _read(file, types)
     home = site if path.is_file() else site.at(path)
-    found += _judge(files, home)
+    found += _judge(files, home, note)
     return files, sorted(set(found))
 
 
@@ -68,7 +72,7 @@ def _read(file: Path, types: Syntax) -> list[Fault]:
     return list(picture.read(content, name, place)[1])
 
 
-def _judge(files: list[Path], site: Site) -> list[Fault]:
+def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[Fault]:
     """What only modules can tell: tasks against their classes, applications against everything."""
     tasks = [file for file in files if file.suffix == rmod.ENDING]
     applications = [file for file in files if file.suffix == appl.ENDING]
@@ -80,17 +84,23 @@ def _judge(files: list[Path], site: Site) -> list[Fault]:
     prepared = [prepare_run(str(file), site) for file in applications]
     rtpus = {name for one in prepared if one.plan for name in rtpus_of(one.plan)}
     with Runtime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
-        found += _asked(runtime, request.Inspect(tuple(planned), tuple(code)))
+        found += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
         for one in prepared:
             found += one.faults
+            for known in one.notes:
+                note(str(known))
             if one.plan is not None:
-                found += _asked(runtime, request.Prepare(one.plan, one.targets))
+                found += _asked(runtime, request.Prepare(one.plan, one.targets), note)
     return found
 
 
-def _asked(runtime: Runtime, question: request.Request) -> list[Fault]:
+def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], None]) -> list[Fault]:
     answer = runtime.ask(question)
-    texts = answer.faults if isinstance(answer, request.Prepared) else ()
+    if not isinstance(answer, request.Prepared):
+        return []
+    for known in answer.notes:
+        note(known)
+    texts = answer.faults
     return [Fault(Place(one.file, one.line), one.expected, one.found, one.instead) for one in texts]
 
 

@@ -1,9 +1,12 @@
 """A new module from a template: its code, its `.rmod` and its test, in a base directory."""
 
+import keyword
 from pathlib import Path
 
 from onika.files import whole
 from onika.words.name import TASK_NAME
+
+LONGEST = 64
 
 _CODE = '''\
 """{name}: says what this module does in one sentence."""
@@ -16,11 +19,10 @@ class {title}(Module):
 
     u = GAIN y
 
-    Kind     periodic, 1..1000 Hz
+    Kind     general, periodic, 1..1000 Hz
     Ports    INVAR    Y        double          -       what comes in
              OUTVAR   U        double          -       what goes out
     Local    GAIN              double          -       the gain
-    Errors   none
     """
 
     Y = InVar("double", "-", "what comes in")
@@ -67,9 +69,10 @@ def test_{identifier}_multiplies_by_its_gain():
 
 def create_module(name: str, base: Path) -> tuple[Path, ...]:
     """Write the three files; raises ValueError with a sentence where the name is none or a file is there already."""
-    if not TASK_NAME.match(name) or not name.replace("-", "_").replace(".", "_").isidentifier():
-        raise ValueError(f"expected a name of letters, digits and _ that begins with a letter, found {name!r}")
-    identifier = name.replace("-", "_").replace(".", "_")
+    if not TASK_NAME.match(name) or not name.isidentifier() or keyword.iskeyword(name) or len(name) > LONGEST:
+        wanted = f"a name of at most {LONGEST} letters, digits and _, a letter first, no word of Python"
+        raise ValueError(f"expected {wanted}, found {name!r}")
+    identifier = name
     title = "".join(part.capitalize() for part in identifier.split("_"))
     files = {
         base / "module" / f"{name}.py": _CODE,

@@ -49,6 +49,12 @@ class AskReach(Struct, frozen=True, tag=True):
     targets: list[tuple[str, list[Any]]]
 
 
+class AskDevices(Struct, frozen=True, tag=True):
+    """Ask for the devices of a world."""
+
+    world: str
+
+
 class Sheet(Struct, frozen=True, tag=True):
     """The answer to AskSheet."""
 
@@ -67,14 +73,20 @@ class Reach(Struct, frozen=True, tag=True):
     reasons: list[str | None]
 
 
+class Devices(Struct, frozen=True, tag=True):
+    """The answer to AskDevices."""
+
+    names: tuple[str, ...]
+
+
 class Wrong(Struct, frozen=True, tag=True):
     """The module cannot be used."""
 
     fault: FaultText
 
 
-Question = AskSheet | AskConstants | AskReach
-Answer = Sheet | Constants | Reach | Wrong
+Question = AskSheet | AskConstants | AskReach | AskDevices
+Answer = Sheet | Constants | Reach | Devices | Wrong
 
 encode = msgpack.Encoder().encode
 decode_question = msgpack.Decoder(Question).decode
@@ -86,6 +98,7 @@ class Loader:
 
     def __init__(self) -> None:
         self._post, self._process = self._start()
+        self._devices: dict[str, tuple[str, ...] | Fault] = {}
 
     def sheet(self, code: Code) -> ModuleSheet | Fault:
         """The sheet of a module's class."""
@@ -96,6 +109,13 @@ class Loader:
         """A robot module's constants from its LOCAL lines."""
         answer = self._ask(AskConstants(code, local), code)
         return answer.values if isinstance(answer, Constants) else _fault(answer)
+
+    def devices(self, world: str) -> tuple[str, ...] | Fault:
+        """The devices of a world."""
+        if world not in self._devices:
+            answer = self._ask(AskDevices(world), Code("", world, world, ""))
+            self._devices[world] = answer.names if isinstance(answer, Devices) else _fault(answer)
+        return self._devices[world]
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
@@ -147,6 +167,9 @@ def _answer(question: Question, loading: DirectLoading) -> Answer:
         case AskConstants():
             found = loading.constants(question.code, question.local)
             return _wrong(found) if isinstance(found, Fault) else Constants(found)
+        case AskDevices():
+            found = loading.devices(question.world)
+            return _wrong(found) if isinstance(found, Fault) else Devices(found)
         case AskReach():
             found = loading.resolve(question.code, question.constants, question.targets)
             return _wrong(found) if isinstance(found, Fault) else Reach(found)

@@ -4,6 +4,7 @@ from typing import Any
 
 import numpy as np
 
+from onika.host.worlds import open_world
 from onika.runtime.binding import locals_of
 from onika.runtime.code import line_in, load, told
 from onika.runtime.sheet import ModuleSheet, sheet_of
@@ -36,6 +37,13 @@ class DirectLoading:
             return {name: _plain(value) for name, value in found.items()}
         except Exception as wrong:
             return self._fault(code, "constants from the LOCAL lines", wrong)
+
+    def devices(self, world: str) -> tuple[str, ...] | Fault:
+        """The devices of a world."""
+        try:
+            return tuple(sheet.name for sheet in open_world(world).devices())
+        except Exception as wrong:
+            return Fault(Place(world), str(wrong), world, "no device of it is used")
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]

@@ -6,7 +6,7 @@ from typing import Any, Protocol
 
 from onika.model.rules.order import constant_order
 from onika.model.task import LocalLine, Task, TaskType
-from onika.runtime.sheet import SLOWEST_HARDWARE_HZ, ModuleSheet, differences
+from onika.runtime.sheet import SLOWEST_HARDWARE_HZ, ModuleSheet, differences, strangers
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
@@ -15,6 +15,7 @@ from onika.words.fault import Fault, Place
 
 NOT_RUN = "the application is not run"
 
+_SLOWEST_HZ = 1e-3
 _FASTEST_HZ = 1e6
 """No task cycles more often; and no period rounds to nothing."""
 
@@ -28,6 +29,10 @@ class Loading(Protocol):
 
     def constants(self, code: Code, local: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines; empty for any other."""
+        ...
+
+    def devices(self, world: str) -> tuple[str, ...] | Fault:
+        """The devices of a world."""
         ...
 
     def resolve(
@@ -66,18 +71,22 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
     found.faults += _shared_devices(
         [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
     )
+    found.faults += _absent_devices(found.flows, loading)
     found.faults = sorted(set(found.faults))
+    found.notes = list(dict.fromkeys(found.notes))
     return found
 
 
-def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> list[Fault]:
-    """Check tasks against their modules, each by itself."""
+def inspect(tasks: Sequence[PlannedTask], code: Sequence[Code], loading: Loading) -> tuple[list[Fault], list[str]]:
+    """Check tasks against their modules, each by itself: faults, and what is only worth knowing."""
     faults: list[Fault] = []
+    notes: list[str] = []
     sheets = _sheets(code, loading, faults)
     for task in tasks:
         if task.digest in sheets:
             faults += differences(_task(task), sheets[task.digest], Place(task.place))
-    return sorted(set(faults))
+            notes += unknown_parameters(task, sheets[task.digest])
+    return sorted(set(faults)), notes
 
 
 def _sheets(codes: Sequence[Code], loading: Loading, faults: list[Fault]) -> dict[str, ModuleSheet]:
@@ -99,9 +108,18 @@ def _wired(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparat
             continue  # its module's fault is told already
         wrong = differences(_task(task), sheet, Place(task.place))
         found.faults += wrong
+        found.notes += unknown_parameters(task, sheet)
         if not wrong:
             wired.append(wire(task, sheet))
     return wired
+
+
+def unknown_parameters(task: PlannedTask, sheet: ModuleSheet) -> list[str]:
+    """LOCAL lines that say nothing to the module."""
+    return [
+        f"{task.place}: LOCAL {name} is no parameter of module {task.module}; it is kept and not used"
+        for name in strangers(_task(task), sheet)
+    ]
 
 
 def _conflicts(wired: Sequence[WiredTask]) -> list[Fault]:
@@ -149,6 +167,20 @@ def _shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
     return faults
 
 
+def _absent_devices(flows: Sequence[Sequence[WiredTask]], loading: Loading) -> list[Fault]:
+    """Devices that no world has."""
+    faults = []
+    for one in (one for flow in flows for one in flow if one.device):
+        world, _, name = (one.device or "").partition(":")
+        known = loading.devices(world)
+        if isinstance(known, Fault):
+            faults.append(Fault(Place(one.task.place), known.expected, f"DEVICE {one.device}", NOT_RUN))
+        elif name not in known:
+            expected = f"a device of world {world} ({', '.join(known)})"
+            faults.append(Fault(Place(one.task.place), expected, f"DEVICE {one.device}", NOT_RUN))
+    return faults
+
+
 def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: Preparation) -> None:
     """Each action's trigger: the first in its configuration (decision 16)."""
     by_name = {one.name: one for one in wired}
@@ -156,7 +188,7 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: 
         present = [by_name[name] for name in action.tasks if name in by_name]
         triggers = [one.name for one in present if one.sheet.trigger]
         found.triggers[number, index] = triggers[0] if triggers else None
-        if not triggers and len(present) == len(action.tasks):
+        if not triggers and len(present) == len(action.tasks) and not action.lacks_tasks:
             place = Place(action.place, action.line)
             found.faults.append(Fault(place, f"a trigger that ends job {action.job}", "none", NOT_RUN))
         if len(triggers) > 1:
@@ -176,8 +208,9 @@ def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparat
     ]
     given += [(Place(task.place), "", task.name, task.frequency) for task in flow.tasks if task.frequency is not None]
     for place, where, name, hz in given:
-        if hz > _FASTEST_HZ:
-            found.faults.append(Fault(place, f"at most {_FASTEST_HZ:g} Hz for {name}{where}", f"{hz:g} Hz", NOT_RUN))
+        if not _SLOWEST_HZ <= hz <= _FASTEST_HZ:
+            expected = f"{_SLOWEST_HZ:g} Hz to {_FASTEST_HZ:g} Hz for {name}{where}"
+            found.faults.append(Fault(place, expected, f"{hz:g} Hz", NOT_RUN))
         elif hz < SLOWEST_HARDWARE_HZ and name in hardware and where:  # without: told as a difference to its module
             expected = f"hardware task {name}{where} at {SLOWEST_HARDWARE_HZ:g} Hz or more"
             found.faults.append(Fault(place, expected, f"{hz:g} Hz", NOT_RUN))

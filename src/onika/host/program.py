@@ -131,7 +131,8 @@ class Program:
             case request.Prepare():
                 return self._prepare(asked)
             case request.Inspect():
-                return request.Prepared(_texts(inspect(asked.tasks, asked.code, self._loading)))
+                faults, notes = inspect(asked.tasks, asked.code, self._loading)
+                return request.Prepared(_texts(faults), tuple(notes))
             case request.Begin():
                 return self.begin(asked)
             case request.Reply():

@@ -177,14 +177,19 @@ class Runner:
         self._subsystems[flow].members[heard.task].state = State.ASKING
         self._asking.add((flow, heard.task))
         self._switchboard.settled(flow, heard.task)
-        answers = dict(self._begin.answers)
+        given = {name: values for task, name, values in self._begin.answers if task == heard.task}
         at = self._seconds(heard.now_ns)
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ASKING.value, at))
         reason = heard.reason
         self._feed(said.Asked(flow, heard.task, reason))
-        if heard.task in answers and heard.task not in self.tally.answered:
+        names = [one.name for one in heard.items]
+        strangers = sorted(given.keys() - set(names))
+        if strangers:
+            what = f"task {heard.task} asks for {', '.join(names)}, and an answer is given for {', '.join(strangers)}"
+            self._feed(said.Abort(what))
+        elif given and set(names) == given.keys() and heard.task not in self.tally.answered:
             self.tally.answered.add(heard.task)
-            self.answer(heard.subsystem, heard.task, answers[heard.task])
+            self.answer(heard.subsystem, heard.task, " ".join(given[name] for name in names))
         elif self._begin.may_ask:
             items = tuple(event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items)
             self._tell(event.Asked(heard.subsystem, heard.task, reason, items, at))

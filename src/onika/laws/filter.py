@@ -21,11 +21,14 @@ class Derivative:
         # arrays, because NumPy multiplies two arrays quicker than an array and a number
         self._keep, self._take = np.full(n, tau / (tau + dt)), np.full(n, 1.0 / (tau + dt))
         self._scaled = np.zeros(n)
+        self.value: Array = np.zeros(n)
+        """The newest derivative."""
         self._carried = np.zeros(n)  # keep v - take x of the sample before: what the next one is added to
 
     def reset(self, x: Numbers) -> None:
         """Start at rest at x: the derivative is zero."""
         np.multiply(x, -self._take, out=self._carried)
+        self.value = np.zeros_like(self._carried)
 
     def update(self, x: Numbers, out: Array | None = None) -> Array:
         """Take the next sample; gives the derivative double[n] per second, written into `out` where given."""
@@ -34,4 +37,5 @@ class Derivative:
         value: Array = np.add(scaled, carried, out=out)
         np.multiply(value, self._keep, out=carried)
         np.subtract(carried, scaled, out=carried)
+        self.value = value
         return value

@@ -10,8 +10,9 @@ import numpy as np
 
 from onika.ring.device import DeviceSheet
 from onika.ring.slots import Ring
+from onika.runtime import parameter
 from onika.runtime.command import DeviceGrant, Spawn
-from onika.runtime.declaration import Local, slot
+from onika.runtime.declaration import slot
 from onika.runtime.device import Device
 from onika.runtime.module import Module
 from onika.words.name import SVAR_NAME
@@ -28,6 +29,7 @@ class Binding:
         self.instance = instance
         self.rings: dict[str, Ring] = {}
         self._real_inputs: list[tuple[str, memoryview]] = []
+        self._real_outputs: list[tuple[str, memoryview]] = []
         self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
         self.preloads: list[Callable[[], Any]] = []
         self.input_rings: list[Ring] = []
@@ -60,6 +62,8 @@ class Binding:
                     self._real_inputs.append((svar, flat.data))
         else:
             self._add(kind, "out", ring.writer(data))
+            if shape.type.is_real and kind != "OUTCONST":
+                self._real_outputs.append((svar, flat.data))
             if kind != "OUTCONST":
                 self.preloads.append(ring.reader(data))
         setattr(self.instance, slot(attribute), shown)
@@ -80,6 +84,10 @@ class Binding:
             if not math.isfinite(sum(values)):
                 return [svar for svar, numbers in self._real_inputs if not math.isfinite(sum(numbers))]
         return []
+
+    def not_finite_outputs(self) -> list[str]:
+        """The variables among the real outputs whose newest value holds NaN or infinity."""
+        return [svar for svar, values in self._real_outputs if not math.isfinite(sum(values))]
 
     def in_force(self) -> frozenset[str]:
         """The variables whose present value still steers something (law 3)."""
@@ -115,28 +123,12 @@ def locals_of(cls: type[Module], lines: Mapping[str, tuple[str, ...]]) -> Simple
     found = SimpleNamespace()
     for name, declared in cls.declared_locals.items():
         if name in lines:
-            setattr(found, name, _parse(name, declared, lines[name]))
+            setattr(found, name, parameter.parse(name, declared.shape, lines[name]))
         elif declared.default is None:
             raise ValueError(f"expected a LOCAL line {name} {declared.shape} ({declared.meaning}), found none")
         else:
             setattr(found, name, declared.default)
     return found
-
-
-def _parse(name: str, declared: Local, words: tuple[str, ...]) -> Any:
-    kind = declared.shape.type
-    if kind.value == "line":
-        return " ".join(words)
-    is_vector = bool(declared.shape.dims)
-    if not is_vector and len(words) != 1:
-        raise ValueError(f"LOCAL {name}: expected one {kind.value}, found {len(words)} words")
-    fixed = all(isinstance(dim, int) for dim in declared.shape.dims)
-    if fixed and len(words) != declared.shape.count:
-        raise ValueError(f"LOCAL {name}: expected {declared.shape.count} values, found {len(words)}")
-    try:
-        return [kind.parse(word) for word in words] if is_vector else kind.parse(words[0])
-    except ValueError as wrong:
-        raise ValueError(f"LOCAL {name}: {wrong}") from None
 
 
 def undeclared(instance: Module) -> list[str]:

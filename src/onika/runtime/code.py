@@ -44,5 +44,15 @@ def line_in(path: str, wrong: BaseException) -> int:
 
 
 def told(wrong: BaseException) -> str:
-    """An exception in one line."""
-    return f"{type(wrong).__name__}: {wrong}" if str(wrong) else type(wrong).__name__
+    """An exception as a text that can be shown."""
+    try:
+        text = str(wrong)
+    except Exception:
+        text = ""  # an exception whose own text raises
+    return showable(f"{type(wrong).__name__}: {text}" if text else type(wrong).__name__)
+
+
+def showable(text: str, longest: int = 1000) -> str:
+    """A module's text without control characters and unpaired surrogates, and of a length that people read."""
+    clean = "".join(one if one.isprintable() or one == "\n" else "\ufffd" for one in text[: longest + 1])
+    return clean if len(text) <= longest else clean[:longest] + "…"

@@ -152,6 +152,11 @@ def _setter(key: str, attribute: str, declaration: PortDeclaration) -> Callable[
         return write_letters
 
     def write(module: Any, value: Any) -> None:
-        buffer(module)[...] = value
+        if value is None:
+            raise ValueError(f"{attribute} is {declaration.shape}: expected a value, found None")
+        try:
+            buffer(module)[...] = value
+        except ValueError as wrong:
+            raise ValueError(f"{attribute} is {declaration.shape}: {wrong}") from None
 
     return write

@@ -12,14 +12,14 @@ from onika.ring.slots import Ring
 from onika.runtime import command, news
 from onika.runtime.agenda import Agenda, Slot
 from onika.runtime.binding import Views
-from onika.runtime.code import load, told
+from onika.runtime.code import load, showable, told
 from onika.runtime.module import AskAgain, ModuleError
 from onika.runtime.running_task import LawBroken, RunningTask
 from onika.words.fault import Fault
 
 Address = tuple[str, str]
 _NOTHING: Sequence[news.News] = ()
-_RAISED = (Exception, SystemExit)
+_RAISED = (Exception, SystemExit, KeyboardInterrupt)
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
 
 
@@ -327,7 +327,7 @@ class Executive:
         """Pass on what the module warned of."""
         if task.warnings:
             task.counters.warnings += len(task.warnings)
-            self._news += [news.Warned(*_address(task), text, now) for text in task.warnings]
+            self._news += [news.Warned(*_address(task), showable(str(text)), now) for text in task.warnings]
             task.warnings.clear()
 
     def _signal(self, task: RunningTask, returned: object, now: int) -> None:
@@ -357,7 +357,17 @@ class Executive:
         self._agenda.leave(task.slot)
         task.step(Step.FAIL)
         path, line, trace = task.where(wrong)
-        self._news.append(news.Failed(*_address(task), entry, told(wrong), path, line, trace, now))
+        text = told(wrong) + (self._source_of(task) if isinstance(wrong, LawBroken) else "")
+        self._news.append(news.Failed(*_address(task), entry, text, path, line, trace, now))
+
+    def _source_of(self, task: RunningTask) -> str:
+        """The task on this unit that first wrote what is not finite, in the order of data flow; empty if none did."""
+        others = [one for one in self.tasks.values() if one.spawn.subsystem == task.spawn.subsystem and one is not task]
+        for one in sorted(others, key=lambda other: other.spawn.rank):
+            found = one.binding.not_finite_outputs()
+            if found:
+                return f"; first written by task {one.spawn.task}, in {found[0]}"
+        return ""
 
     def _mended(self, task: RunningTask, wrong: BaseException) -> bool:
         try:

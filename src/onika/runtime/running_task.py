@@ -9,7 +9,7 @@ from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.agenda import Slot
 from onika.runtime.binding import Binding, Views, instantiate, undeclared
-from onika.runtime.code import told
+from onika.runtime.code import showable, told
 from onika.runtime.command import Spawn
 from onika.runtime.counters import Counters
 from onika.runtime.device import SILENCE_NS, Device
@@ -183,7 +183,7 @@ class RunningTask:
         if not own:
             return self.spawn.path, 0, told(wrong)
         lines = traceback.format_list(frames[own[0] :])
-        return self.spawn.path, frames[own[-1]].lineno or 0, "".join([*lines, told(wrong)])
+        return self.spawn.path, frames[own[-1]].lineno or 0, showable("".join([*lines, told(wrong)]), 10_000)
 
     def report(self, now: int) -> TaskStatus:
         """The figures since the last report; counting begins anew."""

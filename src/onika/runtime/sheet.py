@@ -6,8 +6,10 @@ from msgspec import Struct
 
 from onika.model.port import PortKind
 from onika.model.task import Task
+from onika.runtime import parameter
 from onika.runtime.module import Module
 from onika.words.fault import Fault, Place
+from onika.words.shape import Shape
 
 
 class PortSheet(Struct, frozen=True):
@@ -57,6 +59,11 @@ class ModuleSheet(Struct, frozen=True):
 
 def sheet_of(cls: type[Module]) -> ModuleSheet:
     """Read a class; raises ValueError where its declarations contradict each other."""
+    for flag in ("trigger", "passive", "hardware"):
+        if not isinstance(getattr(cls, flag), bool):
+            raise ValueError(f"expected {flag} = True or False, found {getattr(cls, flag)!r}")
+    if not isinstance(cls.crit, int):
+        raise ValueError(f"expected crit, a whole number, found {cls.crit!r}")
     if cls.trigger and cls.passive:
         raise ValueError("expected trigger or passive, found both: a passive task is never a trigger")
     ports = tuple(
@@ -106,12 +113,31 @@ def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
         for one in sheet.locals
         if one.default is None and one.name not in given
     ]
+    faults += _bad_parameters(task, sheet, place, instead)
     if sheet.hardware and "DEVICE" not in given:
         faults.append(Fault(place, "a LOCAL line DEVICE world:device, as the module is hardware", "none", instead))
     if sheet.hardware and task.frequency is not None and task.frequency < SLOWEST_HARDWARE_HZ:
         faults.append(
             Fault(place, f"a hardware task of at least {SLOWEST_HARDWARE_HZ:g} Hz", f"{task.frequency:g} Hz", instead)
         )
+    return faults
+
+
+def strangers(task: Task, sheet: ModuleSheet) -> list[str]:
+    """LOCAL lines that the module does not declare: kept in the file, but perhaps a typing mistake."""
+    known = {one.name for one in sheet.locals} | {"DEVICE"}
+    return [line.key for line in task.local if line.key not in known]
+
+
+def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: str) -> list[Fault]:
+    shapes = {one.name: Shape.parse(one.shape) for one in sheet.locals}
+    faults = []
+    for line in task.local:
+        if line.key in shapes:
+            try:
+                parameter.parse(line.key, shapes[line.key], line.words)
+            except ValueError as wrong:
+                faults.append(Fault(place, f"LOCAL {line.key} {shapes[line.key]}", str(wrong), instead))
     return faults
 
 

@@ -1,6 +1,8 @@
 """The rail: a mass of the small world and a servo that drives it, as modules in text, for tests of what runs them."""
 
+from onika.host.loading import DirectLoading
 from onika.testing.workshop import Workshop
+from onika.words.fault import Fault
 
 MASS = """
 from onika.module import InVar, Module, ModuleError, OutConst, OutVar
@@ -61,3 +63,11 @@ def rail(rtpu: str = "unknown", mass: str = "yard:m0") -> Workshop:
     shop.task("mass", MASS, frequency=500.0, local={"DEVICE": mass})
     shop.task("servo", SERVO, rtpu=rtpu)
     return shop
+
+
+class YardLoading(DirectLoading):
+    """Knows the small world by the name that tests give it, besides those that are installed."""
+
+    def devices(self, world: str) -> tuple[str, ...] | Fault:
+        """Two masses and a scale in the yard."""
+        return ("m0", "m1", "scale") if world == "yard" else super().devices(world)

@@ -48,6 +48,8 @@ class PlannedAction(Struct, frozen=True):
     """The target's values as the trigger's argument line; empty without a target."""
     line: int = 0
     """Where the job stands in that file."""
+    lacks_tasks: bool = False
+    """Whether the configuration has tasks that could not be planned; their faults are told elsewhere."""
     marker: bool = False
     synch_tag: str | None = None
 

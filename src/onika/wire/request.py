@@ -47,8 +47,8 @@ class Begin(Struct, frozen=True, tag=True):
     settle_s: float = 0.5
     """How long to wait after the last finish before they are read."""
     seed: int = 0
-    answers: tuple[tuple[str, str], ...] = ()
-    """Argument lines for tasks that ask, by the task's name."""
+    answers: tuple[tuple[str, str, str], ...] = ()
+    """For tasks that ask: the task, the name of an input, its values."""
     may_ask: bool = False
     """Whether somebody is there to answer; else a question without an answer aborts."""
 

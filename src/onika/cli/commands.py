@@ -1,0 +1,27 @@
+"""The commands by name, and the parser that knows them."""
+
+import argparse
+import sys
+
+from onika import __version__
+from onika.cli import check, doctor, new, run
+from onika.link.lost import LinkLost
+
+_COMMANDS = {"run": run, "check": check, "new": new, "doctor": doctor}
+
+
+def carry_out(words: list[str] | None) -> int:
+    """Carry out a command line; the exit code."""
+    parser = argparse.ArgumentParser(prog="onika", description="Programs for robots from tasks, jobs and targets.")
+    parser.add_argument("--version", action="version", version=f"onika {__version__}")
+    commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    for name, command in _COMMANDS.items():
+        text = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
+        command.describe(commands.add_parser(name, help=text, description=text.capitalize() + "."))
+    given = parser.parse_args(words)
+    try:
+        code: int = _COMMANDS[given.command].carry_out(given)
+        return code
+    except (LinkLost, TimeoutError) as lost:
+        print(lost, file=sys.stderr)
+        return 1

@@ -1,0 +1,27 @@
+import pytest
+
+from onika import __version__
+from onika.cli.commands import carry_out
+
+
+def test_the_version_is_said(capsys):
+    with pytest.raises(SystemExit) as ended:
+        carry_out(["--version"])
+    assert ended.value.code == 0
+    assert __version__ in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("words", [[], ["dance"]])
+def test_a_command_that_is_none_is_refused_with_those_there_are(words, capsys):
+    with pytest.raises(SystemExit) as ended:
+        carry_out(words)
+    assert ended.value.code == 2
+    assert capsys.readouterr().err
+
+
+def test_every_command_describes_itself(capsys):
+    with pytest.raises(SystemExit):
+        carry_out(["--help"])
+    shown = capsys.readouterr().out
+    for command in ("run", "check", "new", "doctor"):
+        assert command in shown
