@@ -69,7 +69,8 @@ class FakeRuntime:
         self._triggers = triggers
         self._choose = choose
         self._faults = faults
-        self._news: dict[Address | None, deque[News]] = {}
+        self._news: dict[Address | None, deque[tuple[News, int]]] = {}
+        self._index: dict[int, int] = {}
         self._coming: list[Activation] = []
         self._in_error: set[Address] = set()
         self._rates: dict[Address, float | None] = {}
@@ -94,12 +95,17 @@ class FakeRuntime:
             self._feed(self._next())
 
     def _next(self) -> News:
-        speakers: Sequence[Address | None] = list(self._news)
+        speakers: Sequence[Address | None] = [one for one in self._news if self._is_overdue(one)] or list(self._news)
         speaker = speakers[self._choose(len(speakers))]
-        news = self._news[speaker].popleft()
+        news, _ = self._news[speaker].popleft()
         if not self._news[speaker]:
             del self._news[speaker]
         return news
+
+    def _is_overdue(self, speaker: Address | None) -> bool:
+        """A word may be heard after the next action has begun, but then before all younger ones: a runtime takes in
+        all that its units have said each time it looks."""
+        return speaker is not None and self._news[speaker][0][1] < self._index.get(speaker[0], 0)
 
     def _feed(self, news: News) -> None:
         for order in self._engine.feed(news):
@@ -140,6 +146,7 @@ class FakeRuntime:
             self._rates[order.flow, task] = frequency
 
     def _begin(self, flow: int, index: int) -> None:
+        self._index[flow] = index
         self.on_during[flow, index] = {task: self._rates[flow, task] for number, task in self.on if number == flow}
         self.activations[flow, index] = tuple(self._coming)
         self._coming = []
@@ -175,7 +182,8 @@ class FakeRuntime:
         self._say(address, Killed(*address))
 
     def _say(self, speaker: Address | None, *news: News) -> None:
-        self._news.setdefault(speaker, deque()).extend(news)
+        said_at = 0 if speaker is None else self._index.get(speaker[0], 0)
+        self._news.setdefault(speaker, deque()).extend((one, said_at) for one in news)
 
 
 def _demand(truth: bool, otherwise: str) -> None:
