@@ -233,7 +233,18 @@ def test_a_rate_does_not_make_an_aperiodic_task_run_again():  # R-A04
     assert rig.switch(rates=[("one", 100.0)]).run(100 * MS)["N"] == 1
 
 
-SYNC = module("    N = OutVar('int')\n    def sync(self):\n        self.N += 1\n        self.warn('heard')")
+PIPE = """
+    def init(self):
+        import os
+        self._in, self._out = os.pipe()
+    def fileno(self):
+        return self._in
+    def kill(self):
+        import os
+        os.close(self._in)
+        os.close(self._out)
+"""
+SYNC = module("    N = OutVar('int')" + PIPE + "    def sync(self):\n        self.N += 1\n        self.warn('heard')")
 
 
 def test_a_synchronous_task_runs_on_its_event_only():  # R-A04
@@ -244,6 +255,19 @@ def test_a_synchronous_task_runs_on_its_event_only():  # R-A04
     assert [type(one) for one in heard] == [news.Cycled, news.Warned]
 
 
+def test_a_synchronous_task_waits_for_its_descriptor_while_it_is_on():  # R-A04
+    rig = rig_of(SYNC, kind="synchronous").switch(on=["one"])
+    assert list(rig.executive.events().values()) == [(HOME, "one")]
+    rig.switch(off=["one"])
+    assert rig.executive.events() == {}
+
+
+def test_a_synchronous_module_that_names_no_descriptor_is_in_error():  # R-A04
+    rig = rig_of(module("    pass"), kind="synchronous").switch(on=["one"])
+    assert rig.task("one").state is State.ERROR
+    assert "fileno" in last(rig, news.Failed).text
+
+
 def test_an_event_of_a_task_that_is_off_or_not_synchronous_is_nothing():  # R-A04
     rig = rig_of(SYNC, kind="synchronous").spawn("two", SYNC, aliases={"N": "M"}).switch(on=["two"])
     for name in ("one", "two", "nobody"):
@@ -252,7 +276,7 @@ def test_an_event_of_a_task_that_is_off_or_not_synchronous_is_nothing():  # R-A0
 
 
 def test_an_error_in_sync_is_one_of_the_cycle():  # R-A09
-    source = module("    def sync(self):\n        raise ValueError('planted')")
+    source = module(PIPE + "    def sync(self):\n        raise ValueError('planted')")
     rig = rig_of(source, kind="synchronous").switch(on=["one"])
     heard = rig.executive.event((HOME, "one"), 0)
     assert [(one.entry, one.text) for one in heard] == [("cycle", "ValueError: planted")]

@@ -66,6 +66,7 @@ class Rtpu:
                 self._rest()
             else:
                 self._tell(heard)
+                self._take_events(0.0)
             self._take_commands()
         self._executive.handle(command.Stop("the runtime ends"), self._now())
 
@@ -77,7 +78,18 @@ class Rtpu:
         wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
         if wait > 0:
             writable = [self._post] if self._post.is_waiting else []
-            select.select([self._post], writable, [], wait)
+            self._take_events(wait, [self._post], writable)
+
+    def _take_events(self, wait_s: float, readers: Sequence[Post] = (), writable: Sequence[Post] = ()) -> None:
+        """Wait for commands and for the events of synchronous tasks, and run the tasks whose event has come."""
+        events = self._executive.events()
+        if not (events or readers):
+            return
+        waiting: list[Post | int] = [*readers, *events]
+        ready, _, _ = select.select(waiting, writable, [], wait_s)
+        for one in ready:
+            if isinstance(one, int):
+                self._tell(self._executive.event(events[one], self._now()))
 
     def _tell(self, heard: Sequence[news.News]) -> None:
         if heard:

@@ -1,6 +1,7 @@
 """The virtual driver: all RTPUs and worlds of a runtime, stepped in one process by one clock (law 1)."""
 
 import hashlib
+import select
 from collections import deque
 from collections.abc import Callable, Sequence
 from time import monotonic_ns
@@ -152,10 +153,19 @@ class VirtualDriver:
         if now == wake:
             runner.tick(now)
             self._deliver()
+        self._take_events()
         while (heard := self._executive.run_due(now, _AT_ONCE)) is not None:
             self._hear(heard)
             self._deliver()
         return True
+
+    def _take_events(self) -> None:
+        """Events of synchronous tasks from outside, as they are there at this instant; they repeat with no seed."""
+        events = self._executive.events()
+        if events:
+            for descriptor in select.select(list(events), [], [], 0)[0]:
+                self._hear(self._executive.event(events[descriptor], self._now))
+                self._deliver()
 
     def _step(self, now: int) -> None:
         """All worlds step to this time."""

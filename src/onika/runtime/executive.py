@@ -4,6 +4,7 @@ Sans-I/O: `handle` takes a command and the time, `run_next` runs one cycle; both
 owner delivers the news and the commands that came meanwhile, in this order (law 2).
 """
 
+import select
 from collections.abc import Callable, MutableMapping, Sequence
 
 from onika.model.lifecycle import State, Step, refusal
@@ -34,6 +35,7 @@ class Executive:
         self._watch: Callable[[str], None] = watch or (lambda _task: None)
         self._agenda = Agenda()
         self._rings: dict[str, dict[str, Ring]] = {}
+        self._events: dict[int, Address] = {}
         self._slots: MutableMapping[Slot, RunningTask] = {}
         self._news: list[news.News] = []
         self._busy_since_ns = 0
@@ -103,6 +105,10 @@ class Executive:
                 return self._take_news() if self._news else _NOTHING
             slot = agenda.after(slot, now) if goes_on else agenda.next_due(now)
         return None
+
+    def events(self) -> dict[int, Address]:
+        """The descriptors that synchronous tasks which are ON wait for; their owner waits for them with its own."""
+        return dict(self._events)
 
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
@@ -202,9 +208,19 @@ class Executive:
         if not began:
             return
         task.step(Step.ANSWERED if task.state is State.ASKING else Step.ON)
-        if task.spawn.task_type != "synchronous":
+        if task.spawn.task_type == "synchronous":
+            self._await_event(task, now)
+        else:
             self._agenda.enter(task.slot, now)
         self._news.append(news.Changed(*_address(task), task.state.value, now))
+
+    def _await_event(self, task: RunningTask, now: int) -> None:
+        def wait_for_it() -> None:
+            descriptor = task.module.fileno()
+            select.select([descriptor], [], [], 0)  # says at once what is no descriptor
+            self._events[descriptor] = _address(task)
+
+        self._try(task, "fileno", now, wait_for_it)
 
     def _ask(self, task: RunningTask, reason: str, now: int) -> None:
         task.step(Step.ASK)
@@ -227,7 +243,7 @@ class Executive:
 
     def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
-        self._agenda.leave(task.slot)
+        self._leave_agenda(task)
         if task.state is State.ON and not self._try(task, "off", now, task.off):
             return False
         task.step(step)
@@ -281,6 +297,10 @@ class Executive:
             task.hold()  # first every device, then the modules' own words
         for address in list(self.tasks):
             self._off(address, now)
+
+    def _leave_agenda(self, task: RunningTask) -> None:
+        self._agenda.leave(task.slot)
+        self._events = {fd: address for fd, address in self._events.items() if address != _address(task)}
 
     def _fail_devices(self, cause: str, now: int) -> None:
         for task in self.tasks.values():
@@ -354,7 +374,7 @@ class Executive:
         task.hold()
         if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mended(task, wrong):
             return
-        self._agenda.leave(task.slot)
+        self._leave_agenda(task)
         task.step(Step.FAIL)
         path, line, trace = task.where(wrong)
         text = told(wrong) + (self._source_of(task) if isinstance(wrong, LawBroken) else "")

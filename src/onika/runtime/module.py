@@ -93,6 +93,10 @@ class Module:
     def sync(self) -> Signal | None:
         """A synchronous task's event has arrived."""
 
+    def fileno(self) -> int:
+        """Of a synchronous module: the file descriptor whose input is its event; asked once it is on. Never -1."""
+        raise ModuleError("a synchronous module says with `fileno` which descriptor it waits for")
+
     def off(self) -> None:
         """The task goes off; outputs are not published any more."""
 

@@ -64,8 +64,10 @@ class Jtraj(Module):
     def cycle(self):
         self._time += self.dt
         share, rate = quintic(self._time, self._duration)
-        self.Q_REF = self._start + share * self._way
-        self.Qd_REF = rate * self._way
+        place, way = self.Q_REF, self._way
+        np.multiply(way, share, out=place)
+        np.add(place, self._start, out=place)
+        np.multiply(way, rate, out=self.Qd_REF)
         over = self._time - self._duration
         if over < -2.0 * self.dt:
             return None  # far from the end nobody asks whether the arm stands still

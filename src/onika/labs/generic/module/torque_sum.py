@@ -22,7 +22,9 @@ class TorqueSum(Module):
     TAU_REF = OutVar("double[NDOF]", "N m", "wanted torque")
 
     def on(self, inputs):
+        self._terms = self.TAU_PD, self.TAU_G, self.TAU_REF  # the same arrays while the task lives
         self.cycle()
 
     def cycle(self):
-        np.add(self.TAU_PD, self.TAU_G, out=self.TAU_REF)
+        servo, model, wanted = self._terms
+        np.add(servo, model, out=wanted)
