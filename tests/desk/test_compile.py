@@ -95,7 +95,10 @@ def test_a_module_without_code_is_a_fault_and_the_rest_is_compiled(laboratory): 
     (laboratory.path / "module" / "wink.py").unlink()
     compiler, plan = compiled(laboratory.application("twice", [job("winkC")]))
     (fault,) = compiler.faults
-    assert (str(fault.place), fault.expected) == ("/lab/wink.rmod", "wink.py on the search path, as MODULE says")
+    assert (str(fault.place), fault.expected) == (
+        "/lab/wink.rmod",
+        "wink.py beside it or on the search path, as MODULE says",
+    )
     assert [task.name for task in plan.flows[0].tasks] == ["blink"]
 
 

@@ -106,7 +106,7 @@ def test_code_that_is_no_text_is_a_fault(laboratory, site, runtime):  # R-B07
     laboratory.plain_task("wink")
     laboratory.module("wink", "")
     (laboratory.path / "module" / "wink.py").write_bytes(b"\xff")
-    assert "wink.py" in places(survey(laboratory.path, site)[1])
+    assert "wink.py:1" in places(survey(laboratory.path, site)[1])
 
 
 def test_a_task_may_use_code_of_the_search_path(laboratory, site, runtime):  # decision 11

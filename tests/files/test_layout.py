@@ -1,3 +1,6 @@
+from hypothesis import given
+from hypothesis import strategies as st
+
 from onika.files.layout import carry, carry_comments
 
 OLD = "# head\nA   1\n\n# on B\nB 2\n# on C\nC\t3\nEOF\n# tail\n"
@@ -30,3 +33,19 @@ def test_a_new_text_has_its_own_layout() -> None:
 def test_a_text_without_comments_is_replaced_as_it_is() -> None:
     assert carry_comments("A   1\nEOF\n", "A 1\nEOF\n") == "A 1\nEOF\n"
     assert carry_comments(OLD, "A 1\nEOF\n").startswith("# head\nA   1\n")
+
+
+def test_where_nothing_is_alike_the_comments_stay() -> None:
+    assert carry("# a\nA\n# b\nB\n# c\n", "X\nY\nZ\n") == "# a\nX\n# b\nY\nZ\n# c\n"
+    assert carry("# a\nA\n", "") == "# a\n"
+    assert carry("A\nA\nA\n", "A\nA\n") == "A\nA\n"
+
+
+@given(st.lists(st.sampled_from("ABC"), max_size=9), st.lists(st.sampled_from("ABC"), max_size=9), st.data())
+def test_every_comment_stays_and_every_line_is_the_new_one(old: list[str], new: list[str], data: st.DataObject) -> None:
+    former = [data.draw(st.sampled_from(["", f"# {at}\n"])) + line + "\n" for at, line in enumerate(old)]  # R-B01
+    text = carry("".join(former), "".join(line + "\n" for line in new))
+    assert [line for line in text.splitlines() if line[0] != "#"] == new
+    assert [line for line in text.splitlines() if line[0] == "#"] == [
+        line for line in "".join(former).splitlines() if line[0] == "#"
+    ]

@@ -83,7 +83,8 @@ def test_lines_in_order_are_right(text: str) -> None:
         ("A\nB\nD\nX", ["4: no more lines here / 'X'"]),
         ("B\nD", ["1: a line A / none"]),
         ("A", ["1: a line B / none"]),
-        ("X\nY", ["1: A / 'X'", "2: A / 'Y'", "2: a line A / none", "2: a line B / none"]),
+        ("X\nY", ["1: A / 'X'", "2: A / 'Y'", "2: a line B / none"]),
+        ("X 1\nB", ["1: A / 'X 1'"]),
     ],
 )
 def test_every_line_out_of_order_is_named(text: str, expected: list[str]) -> None:

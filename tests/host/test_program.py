@@ -1,65 +1,17 @@
-from collections import deque
-
 import pytest
 
-from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
-from onika.testing.rail import YardLoading, rail
+from onika.testing.asker import Asker
+from onika.testing.rail import rail
 from onika.testing.workshop import action
-from onika.testing.worlds import MassWorld
-from onika.wire import event, request
+from onika.wire import event, live, request
 from onika.wire.request import TargetValues
 
 SECOND = 1_000_000_000
 
 
-class FakeGate:
-    """Requests in, replies and events out, without a link."""
-
-    def __init__(self):
-        self.waiting = deque()
-        self.replies = []
-        self.told = []
-
-    def requests(self):
-        found = list(enumerate(self.waiting, len(self.replies)))
-        self.waiting.clear()
-        return found
-
-    def reply(self, ticket, response):
-        assert ticket == len(self.replies)
-        self.replies.append(response)
-
-    def tell(self, one):
-        self.told.append(one)
-
-
-class Desk:
-    """Whoever asks the program."""
-
-    def __init__(self, rtpus=("rt0",)):
-        self.gate = FakeGate()
-        driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
-        self.program = Program(self.gate, driver, YardLoading(), rtpus)
-
-    def ask(self, asked):
-        self.gate.waiting.append(asked)
-        self.program.serve()
-        return self.gate.replies[-1]
-
-    def to_the_end(self):
-        while self.program.advance(SECOND):
-            pass
-        return self.result
-
-    @property
-    def result(self):
-        return self.gate.told[-1] if self.gate.told and isinstance(self.gate.told[-1], event.Result) else None
-
-
 @pytest.fixture
 def desk():
-    return Desk()
+    return Asker()
 
 
 def plan(*goals, **settings):
@@ -103,7 +55,9 @@ def test_a_second_run_beside_the_first_is_refused(desk):  # law 4
     desk.ask(request.Prepare(plan("1.0"), ()))
     desk.ask(request.Begin())
     desk.program.advance(0)
-    assert desk.ask(request.Begin()) == request.Refused("an application runs already")
+    assert desk.ask(request.Begin()) == request.Refused(
+        "application test runs in subsystem flow0 already; let it end, or abort it"
+    )
     assert desk.to_the_end().completed
 
 
@@ -129,11 +83,16 @@ def test_a_run_is_ended_from_outside_with_the_cause(desk, asked):  # R-E07, law 
     assert [one.state for one in desk.gate.told if isinstance(one, event.Drive)][-1] == "HELD"
 
 
-def test_after_a_stop_nothing_is_driven_any_more(desk):  # law 27
+def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
     desk.ask(request.Prepare(plan("1.0"), ()))
-    desk.ask(request.Stop("stop"))
     desk.ask(request.Begin())
+    desk.ask(request.Stop("enough"))
     assert not desk.to_the_end().completed
+    assert desk.ask(request.Begin()) == request.Refused("the runtime is stopped; reset it first")
+    assert desk.ask(live.Reset()) == request.Done()
+    assert [one.is_stopped for one in desk.of(event.Stopped)] == [True, False]
+    desk.ask(request.Begin())
+    assert desk.to_the_end().completed
 
 
 def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
@@ -155,7 +114,7 @@ def test_tasks_are_checked_against_their_modules_without_a_run(desk):  # R-B01
 
 
 def test_a_task_on_a_unit_that_is_not_there_runs_on_the_first():  # decision 12
-    desk = Desk(("left", "right"))
+    desk = Asker(("left", "right"))
     desk.ask(request.Prepare(plan("1.0", rtpu="nowhere"), ()))
     desk.ask(request.Begin())
     assert {task.task: task.rtpu for task in desk.to_the_end().tasks} == {"mass": "left", "servo": "left"}
@@ -175,6 +134,6 @@ def test_quit_ends_the_program(desk):
     assert desk.program.is_over
 
 
-def test_what_ends_nothing_that_runs_is_harmless(desk):
-    for asked in (request.Abort("x"), request.Reply("flow0", "servo", "1")):
-        assert desk.ask(asked) == request.Done()
+def test_to_abort_what_does_not_run_is_harmless(desk):
+    assert desk.ask(request.Abort("x")) == request.Done()
+    assert isinstance(desk.ask(request.Reply("flow0", "servo", "1")), request.Refused)

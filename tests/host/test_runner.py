@@ -253,7 +253,7 @@ def test_a_device_that_cannot_be_claimed_ends_the_run_with_the_reason():  # law 
 def test_a_lost_unit_takes_its_tasks_with_it():  # R-E10
     bench = Bench(BOTH).start().born("arm", "go")
     bench.runner.abort("processing unit rt0 is gone", bench.now)
-    bench.runner.lost("rt0", bench.now)
+    bench.runner.lost("rt0", "rt0 was killed", bench.now)
     assert not bench.runner.is_over
     bench.hear(news.Changed("flow0", "go", "KILLED", bench.now), "rt1")
     assert bench.runner.is_over
@@ -265,7 +265,7 @@ def test_a_lost_unit_is_not_waited_for_when_statuses_are_asked():  # R-E10
     bench.runner.tick(bench.now + 500_000_000)
     assert sorted(rtpu for rtpu, _ in bench.units.take(command.Report)) == ["rt0", "rt1"]
     bench.runner.abort("rt0 is gone", bench.now)
-    bench.runner.lost("rt0", bench.now)
+    bench.runner.lost("rt0", "rt0 was killed", bench.now)
     bench.hear(news.Changed("flow0", "go", "KILLED", bench.now), "rt1")
     assert bench.runner.is_over
 

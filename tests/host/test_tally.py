@@ -59,9 +59,10 @@ def test_only_the_first_end_counts():  # R-E14
 
 
 def test_figures_of_all_units_are_told_in_order():  # R-A17
-    tally = Tally(())
-    tally.figures(Statuses("rt1", 0.1, (status("flow1", "a"), status("flow0", "z"))))
-    tally.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=4),)))
+    tally, flows = Tally(()), ("flow0", "flow1")
+    tally.figures(Statuses("rt1", 0.1, (status("flow1", "a"), status("flow0", "z"))), flows)
+    tally.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=4),)), flows)
+    tally.figures(Statuses("rt0", 0.1, (status("another", "b"),)), flows)
     tasks = tally.result(0, 0.0, "").tasks
     assert [(one.subsystem, one.task, one.rtpu, one.missed) for one in tasks] == [
         ("flow0", "b", "rt0", 4),
@@ -69,6 +70,14 @@ def test_figures_of_all_units_are_told_in_order():  # R-A17
         ("flow1", "a", "rt1", 1),
     ]
     assert (tasks[0].hz, tasks[0].cycles, tasks[0].mean_us, tasks[0].most_us) == (100.0, 10, 5.0, 10.0)
+
+
+def test_figures_add_up_whoever_asks_for_statuses_meanwhile():  # R-A17
+    tally = Tally(())
+    for missed in (1, 4):
+        tally.figures(Statuses("rt0", 0.1, (status("flow0", "b", miss=missed),)), ("flow0",))
+    task = tally.result(0, 0.0, "").tasks[0]
+    assert (task.cycles, task.missed, task.mean_us, task.most_us) == (20, 5, 5.0, 10.0)
 
 
 def test_values_travel_as_plain_lists_and_numbers():

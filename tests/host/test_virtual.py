@@ -42,7 +42,9 @@ class Run:
                 flow.subsystem, table, prepared.flows[number], on, prepared.constants[number]
             )
         self.runner = Runner(prepared, begin, subsystems, self.driver, self.told.append)
-        self.driver.begin(self.runner)
+        self.driver.listen(self.runner)
+        self.driver.begin()
+        self.runner.start(self.driver.now)
 
     def to_the_end(self):
         while self.driver.advance(SECOND):
@@ -133,7 +135,7 @@ def test_time_stands_still_while_an_answer_is_awaited():  # law 15
     assert run.runner.is_asking
     assert run.driver.advance(SECOND) is False
     assert run.driver.now == now
-    run.driver.answer("flow0", "servo", "1.0")
+    run.runner.answer("flow0", "servo", "1.0")
     assert run.to_the_end().result.completed
 
 
@@ -142,7 +144,8 @@ def test_an_abort_acts_at_the_present_time():  # R-E07
     for _ in range(50):
         run.driver.advance(0)
     now = run.driver.now
-    run.driver.abort("enough")
+    run.runner.abort("enough", now)
+    run.driver.advance(0)
     assert run.runner.is_over
     assert run.driver.now == now
     assert run.driver.is_at_rest()
@@ -156,7 +159,8 @@ def test_a_stop_holds_every_drive_for_good():  # law 27
     for _ in range(50):
         run.driver.advance(0)
     run.driver.stop()
-    run.driver.abort("stop")
+    run.runner.abort("stop", run.driver.now)
+    run.driver.advance(0)
     assert run.driver.is_at_rest()
     assert run.of(event.Drive)[-1].cause == "stop"
 
@@ -197,7 +201,5 @@ def test_a_world_can_be_drawn_elsewhere():
 def test_before_a_run_nothing_happens():
     driver = VirtualDriver(("rt0",), lambda _event: None)
     assert driver.advance(SECOND) is False
-    driver.abort("x")
-    driver.answer("flow0", "x", "")
     assert driver.snapshots() == {}
     assert driver.is_at_rest()

@@ -40,7 +40,9 @@ class Run:
         on = {"gripper": rtpus[0], "opengrip": rtpus[-1]}
         subsystems = {0: Subsystem("flow0", table, prepared.flows[0], on)}
         self.runner = Runner(prepared, Begin(watch=("GRIP_MEZ",)), subsystems, self.driver, self.told.append)
-        self.driver.begin(self.runner)
+        self.driver.listen(self.runner)
+        self.driver.begin()
+        self.runner.start(self.driver.now)
 
     def until(self, is_there):
         while not is_there():
@@ -85,7 +87,7 @@ def test_a_stop_goes_straight_to_the_drives(start):  # law 27
     run = start(most="60")
     run.driven()
     run.driver.stop()
-    run.driver.abort("stop")
+    run.runner.abort("stop", run.driver.now)
     tally = run.over()
     assert (tally.completed, tally.cause) == (False, "stop")
     assert run.drives == ["DRIVEN", "HELD"]

@@ -14,9 +14,8 @@ from onika.host.program import Program
 from onika.host.virtual import VirtualDriver
 from onika.link.carrier import memory_pair
 from onika.link.connection import Connection
+from onika.link.guests import Guests
 from onika.link.happening import Signalled
-from onika.link.journal import Journal
-from onika.link.port import ServerPort
 from onika.link.terms import Terms
 from onika.store.site import open_site
 from onika.testing.laboratory import Laboratory, job, joints
@@ -32,9 +31,8 @@ class Journey:
         self.now = 0
         self.prepared = prepare_run(str(application), site)
         here, there = memory_pair()
-        port = ServerPort(Journal("first life"), terms=TERMS)
-        port.attach(there, 0)
-        gate = Gate(port, lambda: self.now)
+        gate = Gate(Guests("first life"), lambda: self.now)
+        gate.adopt(there, TERMS)
         rtpus = rtpus_of(self.prepared.plan)
         self.program = Program(gate, VirtualDriver(rtpus, gate.tell), DirectLoading(), rtpus)
         self.connection = Connection(here, lambda: self.now, TERMS, wait=self.work)

@@ -26,7 +26,7 @@ def take(carrier, count):
     taken = []
     while len(taken) < count:
         if carrier.fileno() >= 0:
-            wait_for(carrier, 5.0)
+            wait_for([carrier], 5.0)
         taken += carrier.receive()
     return taken
 
@@ -34,7 +34,7 @@ def take(carrier, count):
 def end_of(carrier):
     while True:
         if carrier.fileno() >= 0:
-            wait_for(carrier, 5.0)
+            wait_for([carrier], 5.0)
         try:
             carrier.receive()
         except LinkLost as why:
@@ -121,9 +121,9 @@ def test_an_end_in_the_middle_of_a_message_is_told_as_such():
 def test_waiting_ends_when_something_came():
     here, there = socket_pair()
     there.send(b"x")
-    wait_for(here, None)
+    wait_for([here], None)
     assert here.receive() == [b"x"]
-    wait_for(here, 0.0)
+    wait_for([here], 0.0)
     here.close()
     there.close()
     assert here.fileno() == -1

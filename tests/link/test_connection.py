@@ -124,7 +124,7 @@ def test_a_connection_resumes_where_it_was_cut():  # R-F01
     runtime.port.signal(b"meanwhile", 0)
     connection.poll()
     assert connection.state is LinkState.APART
-    assert connection.fileno() == -1
+    assert connection.readers() == []
     connection.reconnect(runtime.connect())
     connection.open()
     assert connection.poll(1)[-2:] == [Resumed("e1"), Signalled(1, b"meanwhile")]
@@ -175,8 +175,8 @@ def test_a_loop_of_ones_own_knows_what_to_wait_for_and_how_long():
     here, there = socket_pair()
     runtime.port.attach(there, 0)
     connection = Connection(here, runtime.clock, TERMS, wait=runtime.wait)
-    assert connection.fileno() == here.fileno()
-    assert not connection.want_write()
+    assert connection.readers() == [here.fileno()]
+    assert connection.writers() == []
     connection.open()
     assert connection.due_s() is not None
     assert 0 <= connection.due_s() <= 0.1

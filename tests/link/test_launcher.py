@@ -149,7 +149,7 @@ def test_a_child_whose_parent_is_gone_already_ends_at_once():
 def test_a_runtime_can_be_asked_to_end(tmp_path):
     with launch([], command(tmp_path, "import time\nprint('up', flush=True)\ntime.sleep(600)")) as child:
         while child.tail() != "up\n":
-            wait_for(child.carrier, 0.01)
+            wait_for([child.carrier], 0.01)
         child.terminate()
         assert child.wait(60) == -signal.SIGTERM
 

@@ -27,6 +27,14 @@ def test_an_error_is_left_by_clear_or_kill_only():  # R-A05, R-C28
     }
 
 
+def test_a_change_of_ports_or_code_leaves_a_task_where_it_is():  # laws 12, 21
+    for step in (Step.REBIND, Step.SWAP, Step.REINIT):
+        assert all(steps[step] is state for state, steps in TABLE.items() if step in steps)
+    assert [state for state, steps in TABLE.items() if Step.REINIT in steps] == [State.OFF]
+    assert [state for state, steps in TABLE.items() if Step.REBIND in steps] == [State.WAITING, State.OFF, State.ERROR]
+    assert [state for state, steps in TABLE.items() if Step.SWAP in steps] == [State.OFF, State.ON, State.ERROR]
+
+
 def test_a_task_can_fail_and_be_killed_as_long_as_it_lives():
     for state in State:
         if state is not State.KILLED:
@@ -39,7 +47,8 @@ def test_nothing_brings_a_killed_task_back():
 
 
 def test_only_what_is_off_or_asking_comes_on():
-    comes_on = {(state, step) for state, steps in TABLE.items() for step, end in steps.items() if end is State.ON}
+    changes = [(state, step, end) for state, steps in TABLE.items() for step, end in steps.items()]
+    comes_on = {(state, step) for state, step, end in changes if end is State.ON and state is not end}
     assert comes_on == {(State.OFF, Step.ON), (State.ASKING, Step.ANSWERED)}
 
 

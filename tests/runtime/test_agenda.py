@@ -165,3 +165,44 @@ def test_a_change_of_the_period_of_what_is_not_listed_lists_nothing():  # R-A04
     agenda.enter(one, 3)
     run_all(agenda, 3)
     assert agenda.next_release() == 20
+
+
+@given(st.lists(st.tuples(st.integers(0, 2), st.integers(-3, 3)), max_size=8), st.integers(0, 60))
+def test_another_rank_changes_the_order_and_loses_no_release(changes, at):  # law 1
+    """Ranks that change between any two cycles: every slot runs once a period all the same, in the order of ranks."""
+    agenda = Agenda()
+    slots = [slot(name, rank=n) for n, name in enumerate("abc")]
+    for one in slots:
+        agenda.enter(one, 0)
+    ran = {one.key[2]: [] for one in slots}
+    for now in range(0, 101, 10):
+        pending = list(changes) if now == at // 10 * 10 else []
+        order = []
+        while (due := agenda.next_due(now)) is not None:
+            order.append(due.key)
+            ran[due.key[2]].append(now)
+            agenda.done(due)
+            while pending:
+                which, rank = pending.pop()
+                agenda.rekey(slots[which], (0, rank, slots[which].key[2]))
+        if now != at // 10 * 10:
+            assert order == sorted(order)
+    assert all(times == list(range(0, 101, 10)) for times in ran.values())
+
+
+def test_another_rank_of_what_is_due_already_counts_at_once():  # law 1
+    agenda, first, second, third = Agenda(), slot("a", rank=0), slot("b", rank=1), slot("c", rank=2)
+    for one in (first, second, third):
+        agenda.enter(one, 0)
+    assert agenda.next_due(0) is first
+    agenda.done(first)
+    agenda.rekey(third, (0, -1, "c"))
+    assert run_all(agenda, 0) == ["c", "b"]
+
+
+def test_another_rank_of_what_is_not_listed_is_taken_over_when_it_enters():  # law 1
+    agenda, one, other = Agenda(), slot("a", rank=0), slot("b", rank=1)
+    agenda.rekey(one, (0, 5, "a"))
+    agenda.enter(one, 0)
+    agenda.enter(other, 0)
+    assert run_all(agenda, 0) == ["b", "a"]

@@ -202,7 +202,7 @@ def test_attributes_that_look_like_variables_and_are_none_are_found(table):
 
 def test_a_port_that_the_spawn_lacks_is_a_mistake(table):
     order = spawn(table, Module)
-    with pytest.raises(KeyError, match="C"):
+    with pytest.raises(ValueError, match="expected an entry for port C, found none"):
         Binding(Six(), order, {"table:s": table.segment.view})
 
 

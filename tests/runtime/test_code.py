@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from onika.runtime.code import line_in, load, told
+from onika.runtime.code import line_in, load, told, where
 from onika.runtime.module import Module
 from onika.words.fault import Fault, Place
 
@@ -108,3 +108,23 @@ def test_the_line_is_that_of_the_file_and_not_of_what_it_called():
     except ValueError as wrong:
         assert line_in("lab/m.py", wrong) == 3
         assert line_in("lab/other.py", wrong) == 0
+
+
+def test_the_place_of_an_error_is_in_the_modules_own_file():  # R-A18
+    namespace = {}
+    exec(compile("def f():\n    raise ValueError('x')\n\ndef g():\n    f()", "m.py", "exec"), namespace)
+    try:
+        namespace["g"]()
+    except ValueError as wrong:
+        path, line, trace = where("m.py", wrong)
+    assert (path, line) == ("m.py", 2)
+    assert trace.count('File "m.py"') == 2
+    assert trace.endswith("ValueError: x")
+    assert "test_code" not in trace
+
+
+def test_an_error_from_elsewhere_has_no_line():
+    try:
+        int("x")
+    except ValueError as wrong:
+        assert where("m.py", wrong)[:2] == ("m.py", 0)

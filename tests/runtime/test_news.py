@@ -4,23 +4,30 @@ import numpy as np
 import pytest
 
 from onika.runtime import news
+from onika.runtime.load import TaskLoad
 from onika.runtime.user_input import AskedItem
 
 ITEM = AskedItem("endpoint", "double", 2, "rad", "where to", (0.0, 0.0), (-1.0, -2.0), None)
 STATUS = news.TaskStatus("s", "t", "m", "ON", "periodic", 0, 5, 1, 0, 100.0, 99.0, 1.0, 10.0, 1.0, 2.0, 4.0)
 NEWS = [
     news.Initialised("s", "t"),
+    news.Reinitialised("s", "t"),
+    news.Rebound("s", "t"),
+    news.Swapped("s", "t", "0123abcd"),
     news.Changed("s", "t", "ON", 5),
+    news.Changed("s", "t", "ON", 5, activation=3),
     news.Changed("s", "t", "OFF", 5, "OFF"),
     news.Cycled("s", "t", 5),
     news.Finished("s", "t", 1, True, 5),
     news.Failed("s", "t", "cycle", "ValueError: x", "m.py", 3, "trace", 5),
+    news.Failed("s", "t", "cycle", "x", "m.py", 3, "trace", 5, 2, {"Q": [1.0, 2.0], "NAME": "cube"}),
     news.Warned("s", "t", "slow", 5),
     news.Signalled("s", "t", "ILLEGAL", 0, "door open", 5),
     news.Asked("s", "t", "too far", (ITEM,), 5),
     news.Refused("s", "t", "on", "no such task"),
     news.Got("s", "t", "progress", 0.5),
     news.Statuses("control", 0.25, (STATUS,)),
+    news.Loads("control", (TaskLoad("s", "t", True, 100.0, 5.0, 9.0, 3),)),
 ]
 
 

@@ -12,6 +12,8 @@ from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task, TaskType
 from onika.store.base_directory import BaseDirectory
+from onika.store.opened import Opened
+from onika.words.fault import Refusal
 
 SYNTAX = Syntax((IconType("Complete job", 0, 0),), ())
 TASK = Task("pid", "pid", invar=("Q_REF",), outvar=("TAU",), frequency=100.0)
@@ -86,13 +88,64 @@ def test_saving_keeps_the_comments_of_the_file(base: BaseDirectory) -> None:
     base.save_configuration(CONFIGURATION)  # R-B01, R-B07
     path = base.configuration_file("hold")
     path.write_text("# how to hold\n" + path.read_text())
-    base.save_configuration(replace(CONFIGURATION, placed=(Placed("pid", 3, 4),)))
+    former, _ = base.open_configuration("hold")
+    assert former
+    saved = base.save_configuration(replace(CONFIGURATION, placed=(Placed("pid", 3, 4),)), former)
     assert path.read_text() == "# how to hold\n" + conf.write(Configuration("hold", (Placed("pid", 3, 4),)))
+    assert isinstance(saved, Opened)
+    assert base.open_configuration("hold") == (saved, ())
     base.save_onikon(ONIKON)
     path = base.onikon_file("hold")
     path.write_text("# mine\n" + path.read_text())
-    base.save_onikon(replace(ONIKON, description="x"))
+    base.save_onikon(replace(ONIKON, description="x"), overwrites=True)
     assert path.read_text() == "# mine\n" + onk.write(replace(ONIKON, description="x"))
+
+
+def test_what_another_changed_meanwhile_is_not_overwritten(base: BaseDirectory) -> None:
+    base.save_application(APPLICATION)  # R-B07
+    former, _ = base.open_application("work", SYNTAX)
+    path = base.application_file("work")
+    theirs = "# theirs\n" + path.read_text()
+    path.write_text(theirs)
+    refusal = base.save_application(APPLICATION, former)
+    assert isinstance(refusal, Refusal)
+    assert "has changed since it was read" in refusal.reason
+    assert path.read_text() == theirs
+    assert isinstance(base.save_application(APPLICATION, former, overwrites=True), Opened)
+    assert path.read_text() == theirs
+
+
+def test_a_task_is_saved_over_the_text_it_was_read_from(base: BaseDirectory) -> None:
+    record = base.save_task(RmodText(TASK))  # R-B01, R-B07
+    assert isinstance(record, RmodText)
+    slower = base.save_task(record, replace(TASK, frequency=50.0))
+    assert isinstance(slower, RmodText)
+    assert isinstance(base.save_task(record), Refusal)
+    copy = base.save_task(slower, replace(TASK, name="copy"))
+    assert isinstance(copy, RmodText)
+    assert isinstance(base.save_task(RmodText(TASK)), Refusal)
+    assert isinstance(base.save_task(RmodText(TASK), overwrites=True), RmodText)
+    assert [base.task(name)[0].task.frequency for name in ("pid", "copy")] == [100.0, 100.0]  # type: ignore[union-attr]
+
+
+def test_a_configuration_and_an_application_of_one_name_do_not_take_each_others_icon(base: BaseDirectory) -> None:
+    base.save_configuration(CONFIGURATION)  # decision 34
+    base.save_application(replace(APPLICATION, name="hold"))
+    assert isinstance(base.save_onikon(ONIKON), Opened)
+    refusal = base.save_onikon(replace(ONIKON, type="Complete application"))
+    assert isinstance(refusal, Refusal)
+    assert "the configuration and the application hold share it" in refusal.reason
+    assert refusal.remedies[0] == "rename the configuration or the application hold"
+    confirmed = base.save_onikon(replace(ONIKON, type="Complete application"), overwrites=True)
+    assert isinstance(confirmed, Opened)
+    assert base.onikon_file("hold").read_text() == confirmed.text
+
+
+def test_where_no_directory_can_be_the_saving_is_refused(base: BaseDirectory) -> None:
+    (base.path / "conf").write_text("a file")  # R-B07
+    refusal = base.save_configuration(CONFIGURATION)
+    assert isinstance(refusal, Refusal)
+    assert "cannot be saved" in refusal.reason
 
 
 def test_a_module_lies_beside_its_tasks(base: BaseDirectory) -> None:

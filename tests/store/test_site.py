@@ -14,6 +14,7 @@ from onika.model.syntax import SPECIAL_TYPES, Edge, IconType, Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, open_site, shipped, shipped_directories
+from onika.words.fault import Refusal
 
 SHIPPED = Syntax(tuple(IconType(name, 0, 0) for name in SPECIAL_TYPES), (Edge(0, (1, 1, 1), ()),))
 OWN = Syntax((*SHIPPED.types, IconType("My object", 0, 0)), SHIPPED.edges)
@@ -140,6 +141,34 @@ def test_preferences_and_buttons_are_optional(site: Site) -> None:
     (home(site) / ".onika").write_bytes(b"\xff")
     found_preferences, faults = site.preferences()
     assert (found_preferences, len(faults)) == (Preferences(), 1)
+
+
+def test_preferences_are_written_where_the_user_has_none(site: Site) -> None:
+    path = home(site) / ".onika"  # R-B12
+    assert site.keep_preferences(Preferences(pin_length=3)) is None
+    assert site.preferences() == (Preferences(pin_length=3), ())
+    assert site.keep_preferences(Preferences(pin_length=4)) is None
+    assert site.preferences() == (Preferences(pin_length=3), ())
+    path.unlink()
+    path.symlink_to("nowhere")
+    assert site.keep_preferences(Preferences()) is None
+    assert path.is_symlink()
+    assert Site(site.directories, site.prefs).keep_preferences(Preferences()) is None
+
+
+def test_edited_preferences_keep_the_users_comments(site: Site) -> None:
+    path = home(site) / ".onika"  # R-B01, R-B12
+    path.write_text("# mine\nPINLENGTH 3\nEOF\n")
+    former, _ = site.open_preferences()
+    saved = site.save_preferences(Preferences(pin_length=4), former)
+    text = path.read_text()
+    assert text.startswith("# mine\nVERSION     1.3\n")
+    assert preferences.read(text, "", "") == (Preferences(pin_length=4), ())
+    assert isinstance(site.save_preferences(Preferences(), former), Refusal)
+    assert site.open_preferences() == (saved, ())
+    homeless = Site(site.directories, site.prefs)
+    assert homeless.open_preferences() == (None, ())
+    assert isinstance(homeless.save_preferences(Preferences()), Refusal)
 
 
 def test_missing_start_and_stop_pictures_are_blank(site: Site) -> None:

@@ -3,7 +3,7 @@ import pytest
 
 from onika.testing.rail import rail
 from onika.testing.workshop import action
-from onika.wire import request
+from onika.wire import live, request
 
 PLAN = rail().plan([action("mass", "servo", arguments="1")])
 REQUESTS = [
@@ -35,8 +35,9 @@ def test_a_response_travels_whole(one):  # R-F01, R-F07
 
 
 def test_every_request_and_every_response_is_tried():
-    assert {type(one) for one in REQUESTS} == set(request.Request.__args__)
-    assert {type(one) for one in RESPONSES} == set(request.Response.__args__)
+    by_hand = set(live.LiveRequest.__args__), set(live.LiveResponse.__args__)  # tried in a file of their own
+    assert {type(one) for one in REQUESTS} == set(request.Request.__args__) - by_hand[0]
+    assert {type(one) for one in RESPONSES} == set(request.Response.__args__) - by_hand[1]
 
 
 @pytest.mark.parametrize("body", [b"", b"\xc0", b"\x81\xa4type\xa4Jump", b"\x80", request.encode(request.Done())])

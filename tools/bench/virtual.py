@@ -77,9 +77,9 @@ def whole_run(prepared: Preparation) -> tuple[float, event.Result]:
     gate = Silent()
     driver = VirtualDriver(("rt0",), gate.tell)
     program = Program(gate, driver, DirectLoading(), ("rt0",))
-    program.take(prepared)
+    program.take("", prepared)
     began = process_time()
-    program.begin(request.Begin(watch=("LAMP",)))
+    program.begin("", request.Begin(watch=("LAMP",)))
     while gate.result is None:
         program.advance(1_000_000_000)
     return process_time() - began, gate.result

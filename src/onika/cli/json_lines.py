@@ -22,7 +22,7 @@ class JsonLines:
     ) -> None:
         pass
 
-    def begins(self, prepared: PreparedRun, runtime_pid: int) -> None:
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
         """The application and the runtime's process."""
         self._write({"event": "begins", "application": prepared.name, "runtime_pid": runtime_pid})
 

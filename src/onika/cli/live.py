@@ -49,7 +49,7 @@ class Live:
     ) -> None:
         self._screen.stop()
 
-    def begins(self, prepared: PreparedRun, runtime_pid: int) -> None:
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
         """What there is to do."""
         del runtime_pid
         self._name = prepared.name

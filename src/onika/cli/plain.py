@@ -23,7 +23,7 @@ class Plain:
     ) -> None:
         pass
 
-    def begins(self, prepared: PreparedRun, runtime_pid: int) -> None:
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
         """The name and how much there is to do."""
         del runtime_pid
         if prepared.plan is not None:

@@ -13,7 +13,9 @@ from onika.cli.place import directory, site_here
 from onika.cli.plain import Plain
 from onika.desk import picture
 from onika.desk.expectation import Expectation
-from onika.desk.run import Outcome, RunSettings, run
+from onika.desk.run import Elsewhere, Outcome, RunSettings, run
+from onika.link.address import Address
+from onika.link.token import read_token
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
@@ -38,6 +40,11 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--local", action="append", default=[], type=directory, metavar="DIR", help="a base directory to look in first"
     )
     parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
+    parser.add_argument(
+        "--runtime", metavar="URL", default="", help="run on the runtime at this address (wss://HOST:PORT)"
+    )
+    parser.add_argument("--token-file", type=Path, metavar="FILE", help="the token for it (else ONIKA_TOKEN)")
+    parser.add_argument("--ca", type=Path, metavar="FILE", help="certificates to trust for it beside the system's")
 
 
 def carry_out(given: argparse.Namespace) -> int:
@@ -56,12 +63,21 @@ def carry_out(given: argparse.Namespace) -> int:
         may_ask=_is_terminal(sys.stdin) and not given.json,
         wants_picture=given.picture is not None,
         with_fifo=not given.no_fifo,
+        elsewhere=_elsewhere(given),
     )
     with watcher:
         outcome = run(settings, site_here(given.local), watcher)
     drawn = _draw(outcome, given.picture) if given.picture is not None else ""
     watcher.ended(outcome, drawn)
     return outcome.exit_code
+
+
+def _elsewhere(given: argparse.Namespace) -> Elsewhere | None:
+    """The runtime that was named; raises ValueError for what is no address or holds no token."""
+    if not given.runtime:
+        return None
+    token = read_token(given.token_file) if given.token_file is not None else ""
+    return Elsewhere(str(Address.parse(given.runtime)), token, given.ca)
 
 
 def _is_terminal(stream: TextIO | None) -> bool:

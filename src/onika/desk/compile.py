@@ -2,6 +2,7 @@
 
 from hashlib import sha256
 
+from onika.files import text
 from onika.model.application import AppFlow, Icon, actions
 from onika.model.configuration import Configuration
 from onika.model.syntax import Syntax
@@ -38,23 +39,18 @@ class Compiler:
         found = []
         for module in sorted({task.module for task in self._program.tasks.values()}):
             path = self._program.code.get(module)
-            try:
-                source = None if path is None else path.read_text(encoding="utf-8")
-            except (OSError, UnicodeDecodeError) as wrong:
-                self._missing(str(path), f"the source of module {module}", str(wrong))
-                continue
-            if source is None:
+            if path is None:
                 users = sorted(task.name for task in self._program.tasks.values() if task.module == module)
-                where = self._places.get(users[0], users[0])
-                self._missing(where, f"{module}.py on the search path, as MODULE says", "none")
+                self.faults += [no_code(module, self._places.get(name, name)) for name in users]
+                continue
+            source, faults = text.load(path, str(path))
+            self.faults += faults
+            if source is None:
                 continue
             digest = sha256(source.encode()).hexdigest()
             self._digests[module] = digest
             found.append(Code(digest, module, str(path), source))
         return tuple(found)
-
-    def _missing(self, file: str, expected: str, found: str) -> None:
-        self.faults.append(Fault(Place(file), expected, found, "the application is not run"))
 
     def _flow(self, number: int, flow: AppFlow) -> PlannedFlow:
         planned: list[PlannedAction] = []
@@ -106,6 +102,12 @@ class Compiler:
 
     def _task(self, task: Task, rtpu: str) -> PlannedTask:
         return planned_task(task, rtpu, self._digests[task.module], self._places.get(task.name, task.name))
+
+
+def no_code(module: str, place: str) -> Fault:
+    """The fault of a task, whose file is `place`, that has no code."""
+    expected = f"{module}.py beside it or on the search path, as MODULE says"
+    return Fault(Place(place), expected, "none", "the task is left out")
 
 
 def planned_task(task: Task, rtpu: str, digest: str, place: str) -> PlannedTask:

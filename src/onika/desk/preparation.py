@@ -11,7 +11,7 @@ from onika.store.program import Program, load
 from onika.store.site import Site
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
-from onika.words.fault import Fault, Place
+from onika.words.fault import Fault, Place, parted
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,7 +24,8 @@ class PreparedRun:
     targets: tuple[TargetValues, ...]
     faults: tuple[Fault, ...]
     notes: tuple[Fault, ...] = ()
-    """What is worth knowing and forbids nothing: inputs that nobody writes, names that stand twice."""
+    """What is worth knowing and forbids nothing: what files were read with, inputs that nobody writes, names that
+    stand twice."""
 
 
 def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
@@ -41,18 +42,23 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
     if program is None:
         return _nothing(name_or_path, (*faults, *read))
     place = Place(str(path))
-    judged = readiness.faults(program.application, syntax, program.configurations, program.tasks, place)
+    judged = readiness.faults(
+        program.application, syntax, program.configurations, program.tasks, place, unread=program.unread
+    )
     folder = path.absolute().parent
     home = site.at(folder.parent) if folder.name == "appl" else site
-    compiler = Compiler(program, syntax, place, _places(program, home))
+    places = _places(program, home)
+    compiler = Compiler(program, syntax, place, places)
     plan = compiler.plan()
-    found = tuple(dict.fromkeys((*faults, *program.faults, *judged, *compiler.faults)))
-    targets, notes = tuple(compiler.targets), _notes(program, home)
-    return PreparedRun(program.application.name, program.application, plan, targets, found, notes)
+    known = (*faults, *program.faults, *judged, *compiler.faults, *_notes(program, home, places))
+    found, notes = parted(known)
+    return PreparedRun(program.application.name, program.application, plan, tuple(compiler.targets), found, notes)
 
 
-def _notes(program: Program, site: Site) -> tuple[Fault, ...]:
+def _notes(program: Program, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:
     notes: list[Fault] = []
+    for name, task in program.tasks.items():
+        notes += warning.self_fed(task, Place(places[name]))
     for configuration in program.configurations.values():
         tasks = tasks_of([configuration], program.tasks)
         if len(tasks) == len(configuration.placed):
@@ -63,7 +69,8 @@ def _notes(program: Program, site: Site) -> tuple[Fault, ...]:
 
 
 def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
-    return PreparedRun(name, None, None, (), faults)
+    found, notes = parted(faults)
+    return PreparedRun(name, None, None, (), found, notes)
 
 
 def _places(program: Program, home: Site) -> dict[str, str]:

@@ -1,13 +1,14 @@
 """A run from the environment's side: prepare, launch a runtime, follow it to its end (requirements E03, E14)."""
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Protocol
 
 from onika.desk.compile import rtpus_of
 from onika.desk.expectation import Expectation
 from onika.desk.interruption import Interruption
 from onika.desk.preparation import PreparedRun, prepare_run
-from onika.desk.runtime import Runtime
+from onika.desk.runtime import Conversation, Reached, Runtime, connect
 from onika.link.lost import LinkLost
 from onika.store.site import Site
 from onika.wire import event, request
@@ -17,6 +18,15 @@ from onika.words.name import resolve
 
 _LOOK_S = 0.05
 """How long a Ctrl-C waits at most."""
+
+
+@dataclass(frozen=True, slots=True)
+class Elsewhere:
+    """A runtime that somebody else started: its address, a token (empty: see `connect`), certificates to trust."""
+
+    url: str
+    token: str = ""
+    ca: Path | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -33,6 +43,8 @@ class RunSettings:
     may_ask: bool = False
     wants_picture: bool = False
     with_fifo: bool = True
+    elsewhere: Elsewhere | None = None
+    """The runtime to run on; else one is launched here."""
 
 
 @dataclass(slots=True)
@@ -66,7 +78,7 @@ class Outcome:
 class Watcher(Protocol):
     """Whoever watches a run."""
 
-    def begins(self, prepared: PreparedRun, runtime_pid: int) -> None:
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
         """Everything is ready and the run begins now."""
         ...
 
@@ -86,7 +98,7 @@ def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
     if prepared.plan is None:
         return outcome
     try:
-        with Runtime(rtpus_of(prepared.plan), settings.is_virtual, settings.with_fifo) as runtime:
+        with _runtime(settings, prepared.plan) as runtime:
             _prepare(prepared, prepared.plan, runtime, outcome)
             outcome.faults += _unheard_of(settings.expectations, prepared.plan)
             if not outcome.faults:
@@ -97,14 +109,20 @@ def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
     return outcome
 
 
-def _prepare(prepared: PreparedRun, plan: Plan, runtime: Runtime, outcome: Outcome) -> None:
+def _runtime(settings: RunSettings, plan: Plan) -> Runtime | Reached:
+    if settings.elsewhere is not None:
+        return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
+    return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo)
+
+
+def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: Outcome) -> None:
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(_fault, answer.faults) if fault not in outcome.faults]
         outcome.notes += answer.notes
 
 
-def _carry_out(settings: RunSettings, plan: Plan, runtime: Runtime, watcher: Watcher, outcome: Outcome) -> None:
+def _carry_out(settings: RunSettings, plan: Plan, runtime: Conversation, watcher: Watcher, outcome: Outcome) -> None:
     outcome.result = _follow(settings, plan, runtime, watcher)
     outcome.printed = "" if outcome.result.completed else runtime.printed()
     values = outcome.result.values
@@ -113,7 +131,7 @@ def _carry_out(settings: RunSettings, plan: Plan, runtime: Runtime, watcher: Wat
         outcome.snapshots = _snapshots(runtime)
 
 
-def _follow(settings: RunSettings, plan: Plan, runtime: Runtime, watcher: Watcher) -> event.Result:
+def _follow(settings: RunSettings, plan: Plan, runtime: Conversation, watcher: Watcher) -> event.Result:
     watch = tuple(dict.fromkeys(one.address for one in settings.expectations))
     begin = request.Begin(watch, settings.settle_s, settings.seed, settings.answers, settings.may_ask)
     done = 0
@@ -143,7 +161,7 @@ def _answer(asked: event.Asked, line: str | None) -> request.Request:
     return request.Reply(asked.subsystem, asked.task, line)
 
 
-def _snapshots(runtime: Runtime) -> dict[str, bytes]:
+def _snapshots(runtime: Conversation) -> dict[str, bytes]:
     try:
         answer = runtime.ask(request.Snapshot())
     except (LinkLost, TimeoutError):

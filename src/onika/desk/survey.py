@@ -1,19 +1,21 @@
 """A survey of files: every fault of a base directory, of one file, or of an application and all it needs (B07)."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 
-from onika.desk.compile import UNKNOWN, planned_task, rtpus_of
+from onika.desk.compile import UNKNOWN, no_code, planned_task, rtpus_of
 from onika.desk.preparation import prepare_run
 from onika.desk.runtime import Runtime
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
+from onika.model.rules.warning import self_fed
 from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
 from onika.wire import request
 from onika.wire.plan import Code, PlannedTask
-from onika.words.fault import Fault, Place
+from onika.words.fault import Fault, Place, parted
 
 _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 
@@ -21,29 +23,50 @@ _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: None) -> tuple[list[Path], list[Fault]]:
     """The files that were read below a path (or the one file), and everything that is wrong with them.
 
-    `note` is told what is worth knowing and wrong with nothing.
+    `note` is told what is worth knowing and wrong with nothing. Files are named as `path` is: relative or absolute.
     """
     if not path.exists():
         return [], [Fault(Place(str(path)), "a base directory or a file", "nothing there", "nothing is checked")]
+    whole = path.absolute()
     types, faults = site.syntax()
     found = list(faults)
-    files = [path] if path.is_file() else _files(path)
+    try:
+        files = _files(whole) if whole.is_dir() else [whole]
+    except OSError as error:
+        return [], [Fault(Place(str(path)), "a directory that can be read", error.strerror or "", "it is left out")]
     if types is not None:
         for file in files:
             found += _read(file, types)
-    home = site if path.is_file() else site.at(path)
-    found += _judge(files, home, note)
-    return files, sorted(set(found))
+    notes: list[str] = []
+    found += _judge(files, site.at(whole) if whole.is_dir() else site, notes.append)
+    wrong, known = parted(found)
+    for told in dict.fromkeys([*map(str, known), *notes]):
+        note(_as_given(told, path))
+    return [Path(_as_given(str(file), path)) for file in files], sorted(_named(one, path) for one in wrong)
+
+
+def _named(fault: Fault, path: Path) -> Fault:
+    return replace(fault, place=Place(_as_given(fault.place.file, path), fault.place.line))
+
+
+def _as_given(text: str, path: Path) -> str:
+    """A place below `path` as the user wrote that path; notes begin with their place."""
+    whole, rest = str(path.absolute()), text.removeprefix(str(path.absolute()))
+    if not text.startswith(whole) or rest[:1] not in ("", "/", ":"):
+        return text
+    return (str(path) + rest).removeprefix("./")
 
 
 def _files(path: Path) -> list[Path]:
+    """What has the name of one of our files, whatever it is: what cannot be read is told when it is."""
     folders = [path / name for name in _FOLDERS if (path / name).is_dir()] or [path]
-    return sorted(file for folder in folders for file in folder.iterdir() if file.is_file() and _is_ours(file))
+    return sorted(file for folder in folders for file in folder.iterdir() if _is_ours(file))
 
 
 def _is_ours(file: Path) -> bool:
     known = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py")
-    return file.name.endswith(known) or file.name in (preferences.NAME, buttons.NAME)
+    own = (preferences.NAME, buttons.NAME, f".{syntax.NAME}")
+    return (file.name.endswith(known) and not file.name.startswith(".")) or file.name in own
 
 
 def _read(file: Path, types: Syntax) -> list[Fault]:
@@ -56,7 +79,7 @@ def _read(file: Path, types: Syntax) -> list[Fault]:
     name, place = file.stem, str(file)
     match file.suffix:
         case rmod.ENDING:
-            return list(rmod.read(content, name, place)[1])
+            return _read_task(content, name, place)
         case conf.ENDING:
             return list(conf.read(content, name, place)[1])
         case onk.ENDING:
@@ -69,7 +92,14 @@ def _read(file: Path, types: Syntax) -> list[Fault]:
         return list(preferences.read(content, name, place)[1])
     if file.name == buttons.NAME:
         return list(buttons.read(content, name, place)[1])
-    return list(picture.read(content, name, place)[1])
+    if file.suffix == picture.ENDING:
+        return list(picture.read(content, name, place)[1])
+    return [Fault(Place(place), "a file of one of Onika's formats", "another name", "it is not read")]
+
+
+def _read_task(content: str, name: str, place: str) -> list[Fault]:
+    record, faults = rmod.read(content, name, place)
+    return [*faults, *(self_fed(record.task, Place(place)) if record else ())]
 
 
 def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[Fault]:
@@ -119,8 +149,7 @@ def _tasks(
         own = BaseDirectory(file.absolute().parent.parent)
         path = _code_path(own, record.task.module, site, record.task)
         if path is None:
-            expected = f"{record.task.module}.py beside it or on the search path, as MODULE says"
-            found.append(Fault(Place(str(file)), expected, "none", f"task {record.task.name} is left out"))
+            found.append(no_code(record.task.module, str(file)))
             continue
         one = _code(path, record.task.module, found)
         if one is not None:
@@ -142,9 +171,8 @@ def _code_path(own: BaseDirectory, module: str, site: Site, task: object) -> Pat
 
 
 def _code(path: Path, module: str, found: list[Fault]) -> Code | None:
-    try:
-        source = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as wrong:
-        found.append(Fault(Place(str(path)), "Python source in UTF-8", str(wrong), f"module {module} is left out"))
+    source, faults = text.load(path, str(path))
+    found += faults
+    if source is None:
         return None
     return Code(sha256(source.encode()).hexdigest(), module, str(path), source)

@@ -4,6 +4,7 @@ import keyword
 from pathlib import Path
 
 from onika.files import whole
+from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
 LONGEST = 64
@@ -84,5 +85,7 @@ def create_module(name: str, base: Path) -> tuple[Path, ...]:
             raise ValueError(f"{path} is there already: nothing was written")
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
-        whole.write(path, text.format(name=name, title=title, identifier=identifier))
+        found = whole.write(path, text.format(name=name, title=title, identifier=identifier), whole.ABSENT)
+        if isinstance(found, Refusal):
+            raise ValueError(found.reason)
     return tuple(files)

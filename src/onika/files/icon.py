@@ -52,7 +52,7 @@ def _kind(line: Line, syntax: Syntax, reading: Reading) -> IconType | None:
     known = syntax.find(line.text)
     acting = known or syntax.acting(line.text)
     if acting is None:
-        reading.note(line.number, "a type of icon that the syntax defines", str(line), "the icon is left out")
+        reading.part(line.number, "a type of icon that the syntax defines", str(line), "the icon is left out")
     elif known is None:
         instead = f"it acts as {acting.name}, its data is asked for while it runs"
         reading.note(line.number, "a type of icon that the syntax defines", str(line), instead)

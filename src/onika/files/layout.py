@@ -1,7 +1,7 @@
 """The layout of a text, its comments and blank lines, carried into a newer text of the same file (requirement B01)."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from difflib import SequenceMatcher
 
@@ -32,9 +32,8 @@ def carry(former: str, new: str, key: Callable[[str], Key] = words_of) -> str:
     """
     old_entries, old_tail = _entries(former, key)
     new_entries, new_tail = _entries(new, key)
-    matcher = SequenceMatcher(None, [e.key for e in old_entries], [e.key for e in new_entries], autojunk=False)
     parts: list[str] = []
-    for tag, i, i_end, j, j_end in matcher.get_opcodes():
+    for tag, i, i_end, j, j_end in _opcodes([e.key for e in old_entries], [e.key for e in new_entries]):
         if tag == "equal":
             parts += [entry.lead + entry.raw for entry in old_entries[i:i_end]]
             continue
@@ -50,6 +49,19 @@ def carry_comments(former: str, new: str) -> str:
     """As `carry`, where `former` has comments at all; else `new` as it is."""
     has_comments = any(line.lstrip(" \t").startswith("#") for line in former.split("\n"))
     return carry(former, new) if has_comments else new
+
+
+def _opcodes(old: list[Key], new: list[Key]) -> Iterator[tuple[str, int, int, int, int]]:
+    """How `new` comes from `old`; what is alike at both ends is not searched, as that takes long in large files."""
+    most = min(len(old), len(new))
+    head = next((at for at in range(most) if old[at] != new[at]), most)
+    tail = next((at for at in range(most - head) if old[-1 - at] != new[-1 - at]), most - head)
+    yield "equal", 0, head, 0, head
+    old_end, new_end = len(old) - tail, len(new) - tail
+    matcher = SequenceMatcher(None, old[head:old_end], new[head:new_end], autojunk=False)
+    for tag, i, i_end, j, j_end in matcher.get_opcodes():
+        yield tag, head + i, head + i_end, head + j, head + j_end
+    yield "equal", old_end, len(old), new_end, len(new)
 
 
 def _entries(text: str, key: Callable[[str], Key]) -> tuple[list[_Entry], str]:

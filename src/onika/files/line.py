@@ -87,11 +87,15 @@ class Reading:
     def fault(self, number: int, expected: str, found: str) -> None:
         """Report something for which the whole text is left out; `number` is its line."""
         self.broken = True
-        self.note(number, expected, found, self.instead)
+        self.part(number, expected, found, self.instead)
+
+    def part(self, number: int, expected: str, found: str, instead: str) -> None:
+        """Report something for which a part is left out, as `instead` says."""
+        self._faults.append(Fault(Place(self.file, number), expected, found, instead))
 
     def note(self, number: int, expected: str, found: str, instead: str) -> None:
-        """Report something that can be put right: what is done instead."""
-        self._faults.append(Fault(Place(self.file, number), expected, found, instead))
+        """Report something that is only worth knowing: nothing is left out."""
+        self._faults.append(Fault(Place(self.file, number), expected, found, instead, is_note=True))
 
     # -- the whole text
 
@@ -134,11 +138,14 @@ class Reading:
         """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is."""
         places = {slot.keyword: place for place, slot in enumerate(slots)}
         found: dict[str, list[Line]] = {slot.keyword: [] for slot in slots}
+        told: set[str] = set()
         reached = -1
         for line in block:
             place = places.get(line.keyword)
             if place is None:
-                self.fault(line.number, self._expected(slots, reached), str(line))
+                expected = self._expected(slots, reached)
+                told.update(expected)
+                self.fault(line.number, " or ".join(expected) or "no more lines here", str(line))
             elif found[line.keyword] and not slots[place].many:
                 self.fault(line.number, f"{line.keyword} once", f"{line} again")
             else:
@@ -146,22 +153,23 @@ class Reading:
                     self.fault(line.number, f"{line.keyword} before {slots[reached].keyword}", f"{line} after it")
                 reached = max(reached, place)
                 found[line.keyword].append(line)
-        self._check_missing(block, slots, found)
+        self._check_missing(block, [slot for slot in slots if slot.keyword not in told], found)
         return found
 
-    def _expected(self, slots: Sequence[Slot], reached: int) -> str:
+    def _expected(self, slots: Sequence[Slot], reached: int) -> list[str]:
         """The keywords that may come after slot `reached`, up to the first that must."""
         names = [slots[reached].keyword] if reached >= 0 and slots[reached].many else []
         for slot in slots[reached + 1 :]:
             names.append(slot.keyword)
             if self._needs(slot):
                 break
-        return " or ".join(names) if names else "no more lines here"
+        return names
 
     def _needs(self, slot: Slot) -> bool:
         return slot.need is Need.ALWAYS or (slot.need is Need.SINCE_1_3 and not self.is_old)
 
     def _check_missing(self, block: Sequence[Line], slots: Sequence[Slot], found: Mapping[str, list[Line]]) -> None:
+        """A line that is missing, but for those in whose place another one stood, as it is told already."""
         later = {slot.keyword: place for place, slot in enumerate(slots)}
         for place, slot in enumerate(slots):
             if self._needs(slot) and not found[slot.keyword]:

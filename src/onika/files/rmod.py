@@ -243,9 +243,13 @@ def _object_type(found: Mapping[str, list[Line]], reading: Reading) -> str | Non
 
 def _local(lines: Sequence[Line], reading: Reading) -> tuple[LocalLine, ...]:
     """The parameters of the module; the words of the lines above LOCAL are no names for them."""
+    seen = set()
     for line in lines:
         if line.keyword in _KEYWORDS:
             reading.fault(line.number, f"{line.keyword} before LOCAL", str(line))
         elif not _LOCAL_KEY.match(line.keyword):
             reading.fault(line.number, "the name of a parameter", str(line))
+        elif line.keyword in seen:
+            reading.note(line.number, f"{line.keyword} once", f"{line} again", "the last one counts")
+        seen.add(line.keyword)
     return tuple(LocalLine(line.keyword, line.words) for line in lines)

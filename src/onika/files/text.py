@@ -1,17 +1,29 @@
 """The text of a file: its bytes as UTF-8, with faults where they are not (requirement B07)."""
 
+import os
+import stat
 from pathlib import Path
 
 from onika.words.fault import Fault, Place
 
+LARGEST = 64 * 2**20
+"""Bytes of the largest file that is read; an application of ten thousand icons has a quarter of it."""
+
+_HOW = os.O_RDONLY | os.O_CLOEXEC | os.O_NOCTTY | os.O_NONBLOCK
+
 
 def load(path: Path, file: str) -> tuple[str | None, tuple[Fault, ...]]:
-    """The text at a path, line ends as they are; None with the fault where it cannot be read. `file` names it."""
+    """The text at a path, line ends as they are; None with the fault where it cannot be read. `file` names it.
+
+    Never waits: a pipe or device is a fault.
+    """
     try:
-        data = path.read_bytes()
+        data = _data(path)
     except OSError as error:
         reason = error.strerror or type(error).__name__
         return None, (Fault(Place(file), "a file that can be read", reason, "the file is left out"),)
+    except ValueError as wrong:
+        return None, (Fault(Place(file), "a file that can be read", str(wrong), "the file is left out"),)
     return decode(data, file)
 
 
@@ -23,3 +35,27 @@ def decode(data: bytes, file: str) -> tuple[str | None, tuple[Fault, ...]]:
         place = Place(file, data.count(b"\n", 0, error.start) + 1)
         found = f"the byte 0x{data[error.start]:02x}"
         return None, (Fault(place, "text in UTF-8", found, "the file is left out"),)
+
+
+def _data(path: Path) -> bytes:
+    """Raises ValueError for what is no plain file, or too large; looked at before it is opened, as devices mind."""
+    _size(os.stat(path))  # noqa: PTH116 - the same on a descriptor
+    descriptor = os.open(path, _HOW)
+    try:
+        left = _size(os.fstat(descriptor)) + 1
+        parts = []
+        while left > 0 and (part := os.read(descriptor, left)):
+            parts.append(part)
+            left -= len(part)
+        return b"".join(parts)
+    finally:
+        os.close(descriptor)
+
+
+def _size(found: os.stat_result) -> int:
+    kinds = {stat.S_IFDIR: "a directory", stat.S_IFIFO: "a pipe", stat.S_IFSOCK: "a socket"}
+    if not stat.S_ISREG(found.st_mode):
+        raise ValueError(kinds.get(stat.S_IFMT(found.st_mode), "a device"))
+    if found.st_size > LARGEST:
+        raise ValueError(f"{found.st_size} bytes, more than {LARGEST}")
+    return found.st_size

@@ -1,92 +1,138 @@
-"""Starts a runtime: `python -m onika.host --link-fd N --parent PID [--virtual] [--rtpu NAME ...]`."""
+"""Starts a runtime: launched (`--link-fd N --parent PID`), or reachable by `--listen HOST:PORT`, or both."""
 
 import argparse
 import secrets
 import select
-import signal
 import sys
 from time import monotonic_ns
 
+from onika.host.ending import Ending
 from onika.host.gate import Gate
+from onika.host.listening import Wanted, judge
 from onika.host.loader import Loader
 from onika.host.outlet import open_outlets
 from onika.host.patience import Patience
-from onika.host.post import Post
+from onika.host.porter import Porter
 from onika.host.program import Program
 from onika.host.rtpu import preload
 from onika.host.schedule import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.virtual import VirtualDriver
 from onika.host.wall import WallDriver
-from onika.link.journal import Journal
+from onika.link.guests import Guests
 from onika.link.launcher import die_with_parent, inherit
-from onika.link.port import ServerPort
-from onika.link.terms import CHILD
 
 _SLICE_NS = 20_000_000
+_REST_NS = 300_000_000
 
 
 def main(words: list[str]) -> None:
     """The process."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--link-fd", type=int, required=True)
-    parser.add_argument("--parent", type=int, required=True)
+    parser.add_argument("--link-fd", type=int)
+    parser.add_argument("--parent", type=int)
     parser.add_argument("--virtual", action="store_true")
     parser.add_argument("--no-fifo", action="store_true")
     parser.add_argument("--rtpu", action="append", default=[])
+    parser.add_argument("--listen", default="", metavar="HOST:PORT")
+    parser.add_argument("--cert", default="")
+    parser.add_argument("--key", default="")
+    parser.add_argument("--users", default="")
+    parser.add_argument("--name", action="append", default=[])
+    parser.add_argument("--accept-code", action="store_true")
     given = parser.parse_args(words)
-    die_with_parent(given.parent)
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
+        parser.error("expected --link-fd N --parent PID, or --listen HOST:PORT, or both")
+    if given.parent is not None:
+        die_with_parent(given.parent)
+    ending = Ending(is_launched=given.parent is not None)
     open_outlets()
+    porter = _porter(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
-    port = ServerPort(Journal(secrets.token_hex(16)), terms=CHILD)
-    port.attach(inherit(given.link_fd), monotonic_ns())
-    gate = Gate(port, monotonic_ns)
+    gate = Gate(Guests(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
+    if given.link_fd is not None:
+        gate.adopt(inherit(given.link_fd))
     try:
         if given.virtual:
             preload()
             patience = Patience()
             virtual = VirtualDriver(rtpus, gate.tell, watch=patience.watch)
             still_garbage()
-            _virtual(Program(gate, virtual, loader, rtpus), gate)
+            _virtual(Program(gate, virtual, loader, rtpus), gate, ending)
         else:
             wall = WallDriver(rtpus, gate.tell, with_fifo=not given.no_fifo)
             fine_timers()
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
-                _wall(Program(gate, wall, loader, rtpus), gate, wall)
+                _wall(Program(gate, wall, loader, rtpus), gate, wall, ending)
             finally:
                 wall.close()
     finally:
         loader.close()
+        if porter is not None:
+            porter.close()
 
 
-def _virtual(program: Program, gate: Gate) -> None:
+def _porter(given: argparse.Namespace) -> Porter | None:
+    """Listen, if that was asked for; end with everything that is missing for it."""
+    if not given.listen:
+        return None
+    wanted = Wanted(given.listen, given.cert, given.key, given.users, tuple(given.name))
+    listening, faults, token_at = judge(wanted)
+    if listening is None:
+        sys.stderr.write("".join(f"{fault}\n" for fault in faults))
+        raise SystemExit(2)
+    porter = Porter(listening)
+    try:
+        address = porter.open()
+    except OSError as wrong:
+        porter.close()
+        sys.stderr.write(f"{wrong}\n")
+        raise SystemExit(2) from None
+    # one line and one write, so that whoever waits for it reads it whole
+    sys.stdout.write(f"onika runtime: listening on {address}" + (f", token in {token_at}\n" if token_at else "\n"))
+    sys.stdout.flush()
+    return porter
+
+
+def _virtual(program: Program, gate: Gate, ending: Ending) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
-    while gate.is_open and not program.is_over:
+    while gate.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
-        select.select([gate], [gate] if gate.is_waiting else [], [], 0.0 if goes_on else 0.1)
+        select.select(gate.readers(), gate.writers(), [], 0.0 if goes_on else gate.wait_s(0.1))
         program.serve()
     _say_last(gate)
 
 
-def _wall(program: Program, gate: Gate, driver: WallDriver) -> None:
+def _wall(program: Program, gate: Gate, driver: WallDriver, ending: Ending) -> None:
     """Woken by the processes, by the environment, or by time."""
-    while gate.is_open and not program.is_over:
-        readers: list[Gate | Post] = [gate, *(one.post for one in driver.posts())]
-        select.select(readers, [gate] if gate.is_waiting else [], [], driver.wait_s())
+    while gate.is_open and not program.is_over and not ending.is_asked:
+        readers = [*gate.readers(), *(one.post for one in driver.posts())]
+        select.select(readers, gate.writers(), [], gate.wait_s(driver.wait_s()))
         driver.look_after()  # first the robot, then the listeners
         program.advance(0)
         program.serve()
+    _come_to_rest(gate, driver)
     _say_last(gate)
+
+
+def _come_to_rest(gate: Gate, driver: WallDriver) -> None:
+    """Every drive in hold before the processes end, as long as that takes within limits."""
+    driver.stop()
+    until = monotonic_ns() + _REST_NS
+    while not driver.is_at_rest() and monotonic_ns() < until:
+        select.select([one.post for one in driver.posts()], [], [], 0.02)
+        driver.look_after()
+        gate.flush()
 
 
 def _say_last(gate: Gate) -> None:
     """Let the last words out, for a moment at most."""
     until = monotonic_ns() + 500_000_000
-    while gate.is_open and gate.is_waiting and monotonic_ns() < until:
-        select.select([], [gate], [], 0.05)
+    gate.close("the runtime ends")
+    while gate.is_waiting and monotonic_ns() < until:
+        select.select([], gate.writers(), [], 0.05)
         gate.requests()
 
 

@@ -6,6 +6,7 @@ import signal
 import socket
 import sys
 from time import monotonic_ns
+from typing import Any
 
 from msgspec import Struct, msgpack
 
@@ -22,6 +23,7 @@ from onika.runtime.bus import Bus
 from onika.runtime.command import DeviceGrant
 
 _LONGEST_SLEEP_S = 0.02
+_POSED_EVERY_NS = 33_000_000
 _MOST_BEHIND_NS = 50_000_000
 """Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
 
@@ -56,8 +58,24 @@ class StopAll(Struct, frozen=True, tag=True):
     """Every drive in hold, latched (law 27)."""
 
 
+class GoOn(Struct, frozen=True, tag=True):
+    """After a stop: commands are heard again; nothing moves by itself."""
+
+
 class Draw(Struct, frozen=True, tag=True):
     """Ask for the worlds as they stand."""
+
+
+class Show(Struct, frozen=True, tag=True):
+    """Ask what a world consists of."""
+
+    world: str
+
+
+class Pose(Struct, frozen=True, tag=True):
+    """From now on tell the poses of a world, 30 times a second."""
+
+    world: str
 
 
 class Granted(Struct, frozen=True, tag=True):
@@ -96,14 +114,28 @@ class Drawn(Struct, frozen=True, tag=True):
     snapshots: dict[str, bytes]
 
 
+class Shown(Struct, frozen=True, tag=True):
+    """The answer to Show."""
+
+    scene: dict[str, Any]
+
+
+class Posed(Struct, frozen=True, tag=True):
+    """Where the bodies of a world are."""
+
+    world: str
+    at_ns: int
+    rows: bytes
+
+
 class Up(Struct, frozen=True, tag=True):
     """The process is up; what the operating system granted it."""
 
     granted: dict[str, bool]
 
 
-Order = Open | Claim | Release | Fence | StopAll | Draw
-Word = Granted | Denied | Opened | Driven | Drawn | Up
+Order = Open | Claim | Release | Fence | StopAll | GoOn | Draw | Show | Pose
+Word = Granted | Denied | Opened | Driven | Drawn | Shown | Posed | Up
 
 encode = msgpack.Encoder().encode
 decode_order = msgpack.Decoder(Order).decode
@@ -119,6 +151,8 @@ class DeviceServer:
         self._zero = zero_ns
         self._buses: dict[str, Bus] = {}
         self._behind: dict[str, int] = {}
+        self._posing: dict[str, int] = {}
+        self._is_stopped = False
         self._segments: list[Segment] = []
 
     def run(self) -> None:
@@ -153,6 +187,9 @@ class DeviceServer:
             bus.step(until)
         for one in world.take_events():
             self._post.send(encode(_driven(name, one)))
+        if self._posing.get(name, now + 1) <= now:
+            self._posing[name] = now + _POSED_EVERY_NS
+            self._post.send(encode(Posed(name, *bus.poses())))
 
     def _take_orders(self) -> None:
         if self._post.is_waiting:
@@ -175,15 +212,26 @@ class DeviceServer:
             case Release():
                 world, device = split(order.device)
                 self._buses[world].release(device, order.epoch)
-            case Fence():
-                for bus in self._buses.values():
-                    bus.world.fence(order.epoch)
-            case StopAll():
-                for bus in self._buses.values():
-                    bus.world.stop()
+            case Fence() | StopAll() | GoOn():
+                self._tell_all(order)
+            case Show():
+                return Shown(self._buses[order.world].scene()) if order.world in self._buses else Denied("not open")
+            case Pose():
+                self._posing.setdefault(order.world, 0)
             case Draw():
                 return Drawn({name: bus.world.snapshot() for name, bus in self._buses.items()})
         return None
+
+    def _tell_all(self, order: Fence | StopAll | GoOn) -> None:
+        self._is_stopped = isinstance(order, StopAll) or (self._is_stopped and not isinstance(order, GoOn))
+        for bus in self._buses.values():
+            match order:
+                case Fence():
+                    bus.world.fence(order.epoch)
+                case StopAll():
+                    bus.world.stop()
+                case GoOn():
+                    bus.world.go_on()
 
     def _open(self, name: str, descriptor: int) -> Word:
         segment = Segment.attach(descriptor)
@@ -192,6 +240,8 @@ class DeviceServer:
             world = open_world(name)
         except ValueError as wrong:
             return Denied(str(wrong))
+        if self._is_stopped:
+            world.stop()
         self._buses[name] = Bus(name, world, segment)
         self._behind[name] = self._now() - world.now_ns
         return Opened(name)

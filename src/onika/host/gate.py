@@ -1,61 +1,204 @@
-"""The gate: the runtime's end of the link; requests in, replies and events out (house decision 7)."""
+"""The gate: the runtime's end of all links; requests in, replies, events and readings out (house decision 7)."""
 
+import socket
 from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
 
+from onika.host.permission import refusal
+from onika.link.caller import Role
+from onika.link.carrier import Carrier, SocketCarrier
+from onika.link.guests import Guests, Introduction
 from onika.link.happening import Asked
 from onika.link.port import ServerPort
+from onika.link.session import Session
+from onika.link.terms import CHILD, Terms
 from onika.wire import event, request
+from onika.wire.packet import Bye, encode
+
+_EVERY = "*"
+_WAITING = 4 * 1024 * 1024
+"""Bytes that may wait for a guest who reads slowly before he is cut."""
+_PACKETS, _BYTES = 16, 256 * 1024
+"""What one connection of a guest may bring in one turn; the rest waits, so that a flood takes nobody's time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One request of one session."""
+
+    ticket: int
+    session: str
+    role: Role
+    asked: request.Request
+
+
+class Descriptor(Protocol):
+    """What `select` can wait for."""
+
+    def fileno(self) -> int:
+        """Its number."""
+        ...
+
+
+class Door(Protocol):
+    """Where guests come from: the porter, or a test's."""
+
+    @property
+    def post(self) -> Descriptor:
+        """Readable when somebody has come, or at its end."""
+        ...
+
+    def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
+        """Who has come since the last call."""
+        ...
+
+    def ending(self) -> str:
+        """How it ended; empty while it lives."""
+        ...
 
 
 class Gate:
-    """One environment; every request gets exactly one response."""
+    """All sessions of a runtime; every request gets exactly one response, now or later."""
 
-    def __init__(self, port: ServerPort, clock: Callable[[], int]) -> None:
-        self._port = port
+    def __init__(
+        self, guests: Guests, clock: Callable[[], int], porter: Door | None = None, accepts_code: bool = False
+    ) -> None:
+        self._guests = guests
+        self._porter = porter
         self._clock = clock
-        self._told: list[event.Event] = []
+        self._accepts_code = accepts_code
+        self._parent: Session | None = None
+        self._told: list[tuple[event.Event, str, str]] = []
+        self._tickets: dict[int, tuple[Session, int]] = {}
+        self._count = 0
+        self._turn = 0
 
     @property
     def is_open(self) -> bool:
-        """Whether the environment is there."""
-        return self._port.is_open
-
-    def fileno(self) -> int:
-        """To wait for in `select`."""
-        return self._port.fileno()
+        """Whether somebody may still ask: as long as the launching program is there; for ever where there is none."""
+        return self._parent is None or bool(self._parent.ports)
 
     @property
     def is_waiting(self) -> bool:
         """Whether something still waits to be sent."""
-        return self._port.want_write()
+        return bool(self._told) or bool(self.writers())
 
-    def tell(self, one: event.Event) -> None:
-        """Say an event: numbered, acknowledged, never lost. It goes out at the next `flush`, so that telling never
-        stands between a trigger's finish and the next job."""
-        self._told.append(one)
+    def adopt(self, carrier: Carrier, terms: Terms = CHILD) -> str:
+        """Serve the program that launched this one; the name of its session."""
+        self._parent = self._guests.adopt(carrier, self._clock(), terms)
+        return self._parent.name
+
+    def readers(self) -> list[Descriptor]:
+        """What to wait for reading."""
+        return [*self._ports(), *([] if self._porter is None else [self._porter.post])]
+
+    def writers(self) -> list[Descriptor]:
+        """What to wait for writing."""
+        return [port for port in self._ports() if port.want_write()]
+
+    def due_s(self) -> float | None:
+        """How long `requests` may be left alone, in s; None: until something can be read or written."""
+        if self._told:
+            return 0.0
+        now = self._clock()
+        times = [due for one in self._guests.sessions if (due := one.due_ns(now)) is not None]
+        return min(times) * 1e-9 if times else None
+
+    def wait_s(self, most_s: float) -> float:
+        """How long to wait at most, where nothing else is to be done for so long."""
+        due_s = self.due_s()
+        return most_s if due_s is None else min(most_s, due_s)
+
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+        """Say an event to every session that attends the subsystem (empty: to all), and to the named one in any case.
+
+        Numbered, acknowledged, never lost. It goes out at the next `flush`, so that telling never stands between a
+        trigger's finish and the next job.
+        """
+        self._told.append((one, subsystem, session))
 
     def flush(self) -> None:
         """Send what was told."""
         if self._told:
             told, self._told = self._told, []
             now = self._clock()
-            for one in told:
-                self._port.signal(event.encode(one), now)
+            for one, subsystem, name in told:
+                self._say(event.encode(one), subsystem, name, now)
 
-    def requests(self) -> list[tuple[int, request.Request]]:
-        """What was asked since the last call, by ticket; what is no request is refused at once."""
+    def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
+        """From now on the session hears these subsystems, in place of what it heard before; `*`: all."""
+        found = self._guests.find(session)
+        if found is not None:
+            found.attends = frozenset(subsystems)
+
+    def show(self, session: str, key: str, body: bytes) -> None:
+        """The newest reading under a key, to one session; dropped where there is no room."""
+        found = self._guests.find(session)
+        if found is not None:
+            found.show(key, body, self._clock())
+
+    def requests(self) -> list[Call]:
+        """What was asked since the last call; what is no request, or is not allowed, is refused at once."""
         self.flush()
-        asked = []
-        for happening in self._port.service(self._clock()):
-            if not isinstance(happening, Asked):
-                continue
-            try:
-                asked.append((happening.ticket, request.decode_request(happening.body)))
-            except ValueError as wrong:
-                self.reply(happening.ticket, request.Refused(f"expected a request, found something else: {wrong}"))
-        return asked
+        self._welcome()
+        now = self._clock()
+        sessions = self._guests.sessions
+        self._turn += 1
+        first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
+        asked = [(one, each) for one in sessions[first:] + sessions[:first] for each in one.service(now)]
+        return [call for session, each in asked if (call := self._judge(session, each)) is not None]
 
     def reply(self, ticket: int, response: request.Response) -> None:
         """Answer a request; what was told before goes first."""
         self.flush()
-        self._port.reply(ticket, request.encode(response), self._clock())
+        session, number = self._tickets.pop(ticket)
+        session.reply(number, request.encode(response), self._clock())
+
+    def close(self, reason: str) -> None:
+        """Say good-bye to everybody; `requests` and `is_waiting` go on until it is out."""
+        self.flush()
+        for session in self._guests.sessions:
+            session.close(reason, self._clock())
+
+    def lost(self) -> list[str]:
+        """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""
+        return self._guests.lost(self._clock())
+
+    def _welcome(self) -> None:
+        """Take in who has come, and notice when nobody can come any more."""
+        if self._porter is None:
+            return
+        for new, connected in self._porter.arrivals():
+            carrier = SocketCarrier(connected, buffer_limit=_WAITING, turn=_PACKETS, turn_bytes=_BYTES)
+            why = self._guests.admit(new, carrier, self._clock())
+            if why:
+                carrier.send(encode(Bye("refused", why)))
+                carrier.close()
+        ending = self._porter.ending()
+        if ending:
+            self._porter = None
+            self.tell(event.Lost("porter", f"the porter {ending}; nobody new can connect", self._clock() * 1e-9))
+
+    def _judge(self, session: Session, each: Asked) -> Call | None:
+        self._count += 1
+        self._tickets[self._count] = (session, each.ticket)
+        try:
+            asked = request.decode_request(each.body)
+        except ValueError as wrong:
+            self.reply(self._count, request.Refused(f"expected a request, found something else: {wrong}"))
+            return None
+        why = refusal(session.caller, asked, self._accepts_code)
+        if why:
+            self.reply(self._count, request.Refused(why))
+            return None
+        return Call(self._count, session.name, session.caller.role, asked)
+
+    def _say(self, body: bytes, subsystem: str, name: str, now: int) -> None:
+        for session in self._guests.sessions:
+            hears = not subsystem or not session.attends.isdisjoint((subsystem, _EVERY))
+            if hears or session.name == name:
+                session.signal(body, now)
+
+    def _ports(self) -> list[ServerPort]:
+        return [port for session in self._guests.sessions for port in session.ports]

@@ -1,61 +1,51 @@
-"""The runtime program: answers requests, prepares plans, starts runs on its driver, tells how they end."""
+"""The runtime program: takes what sessions ask to where it is answered, and lets what runs go on."""
 
-from time import monotonic_ns
+from collections.abc import Callable
 from typing import Protocol
 
-from onika.host.gate import Gate
-from onika.host.preparation import Loading, Preparation, inspect, prepare
-from onika.host.runner import Runner
-from onika.host.units import Units
-from onika.ring.segment import Segment
+from onika.host.asking import Loading
+from onika.host.editor import Editor, refused
+from onika.host.gate import Call, Gate
+from onika.host.holders import Holders
+from onika.host.listener import Listener
+from onika.host.look import Look, Seen
+from onika.host.performance import Performance
+from onika.host.preparation import Preparation, inspect, prepare
+from onika.host.stage import Stage, Tables
 from onika.runtime.subsystem import Subsystem
-from onika.runtime.table import SIZE, Table
-from onika.wire import request
-from onika.words.fault import Fault
-
-_REST_NS = 300_000_000
-"""How long the end of a run waits at most until every drive holds."""
+from onika.wire import event, live, request
 
 
-class Driver(Units, Protocol):
-    """Where a run happens: in wall or in virtual time."""
-
-    @property
-    def now(self) -> int:
-        """The runtime's time in ns since its start."""
-        ...
+class Driver(Tables, Seen, Protocol):
+    """Where everything happens: in wall or in virtual time."""
 
     @property
     def digest(self) -> str:
-        """Of everything that happened in the run, where that is the same every time; else empty."""
+        """Of everything that happened since `begin`, where that is the same every time; else empty."""
         ...
 
-    def share(self, name: str, segment: Segment) -> None:
-        """Let the RTPUs see a table."""
+    def listen(self, listener: Listener) -> None:
+        """Tell this one what happens."""
         ...
 
-    def begin(self, runner: Runner) -> None:
-        """Start a run."""
+    def begin(self) -> None:
+        """A run starts now."""
         ...
 
     def advance(self, wall_ns: int) -> bool:
-        """Let the run go on; False if nothing happens until somebody says something."""
-        ...
-
-    def abort(self, cause: str) -> None:
-        """End the run."""
-        ...
-
-    def answer(self, subsystem: str, task: str, line: str) -> None:
-        """The user's answer."""
+        """Let everything go on; False if nothing happens until somebody says something."""
         ...
 
     def stop(self) -> None:
         """Every drive in hold, latched."""
         ...
 
+    def reset(self) -> None:
+        """Motion is allowed again; nothing moves by itself."""
+        ...
+
     def is_at_rest(self) -> bool:
-        """Once a run is over: whether every drive holds."""
+        """Whether every drive holds."""
         ...
 
     def snapshots(self) -> dict[str, bytes]:
@@ -64,107 +54,166 @@ class Driver(Units, Protocol):
 
 
 class Program:
-    """One runtime. Runs follow one another, never side by side: several flows of one application are one run."""
+    """One runtime: subsystems held by hand and by applications, side by side."""
 
     def __init__(self, gate: Gate, driver: Driver, loading: Loading, rtpus: tuple[str, ...]) -> None:
         self._gate = gate
         self._driver = driver
         self._loading = loading
         self._rtpus = rtpus
-        self._prepared: Preparation | None = None
-        self._runner: Runner | None = None
-        self._began_wall = 0
-        self._over_since = 0
-        self._runs = 0
+        self._prepared: dict[str, Preparation] = {}
+        self.stage = Stage(driver, gate.tell, rtpus)
+        driver.listen(self.stage)
+        self._editor = Editor(self.stage, loading, rtpus)
+        self._holders = Holders(self.stage, gate.tell)
+        self._look = Look(self.stage, driver, gate, rtpus)
+        self.is_stopped = False
         self.is_over = False
 
     @property
     def is_running(self) -> bool:
         """Whether an application is executed now."""
-        return self._runner is not None
+        return bool(self.stage.performances)
 
     def serve(self) -> None:
-        """Carry out what was asked."""
-        for ticket, asked in self._gate.requests():
-            self._gate.reply(ticket, self._respond(asked))
+        """Carry out what was asked; look after sessions that are gone."""
+        for call in self._gate.requests():
+            self._serve(call)
+        for session in self._gate.lost():
+            self._prepared.pop(session, None)
+            self._look.forget(session)
+            self._holders.lost(session, self._driver.now)
 
     def advance(self, wall_ns: int) -> bool:
-        """Let a run go on for about so long; tell its result when it is over. False: nothing happens by itself."""
-        if self._runner is None:
-            return False
+        """Let everything go on for about so long; tell what is over. False: nothing happens by itself."""
         goes_on = self._driver.advance(wall_ns)
-        if not self._runner.is_over:
-            return goes_on
-        self._over_since = self._over_since or monotonic_ns()
-        if self._driver.is_at_rest() or monotonic_ns() - self._over_since > _REST_NS:
-            self._tell_result(self._runner)
-            self._runner = None
-            self._over_since = 0
-        return False
+        for performance in list(self.stage.performances):
+            if performance.is_through(self._driver.is_at_rest):
+                self.stage.performances.remove(performance)
+                performance.end(self._driver.digest)
+        self._look.show(self._driver.now)
+        return goes_on
 
-    def take(self, prepared: Preparation) -> None:
-        """The next plan to run; one with faults leaves nothing to run."""
-        self._prepared = None if prepared.faults else prepared
+    def take(self, session: str, prepared: Preparation) -> None:
+        """The next plan of a session to run; one with faults leaves nothing to run."""
+        self._prepared.pop(session, None)
+        if not prepared.faults:
+            self._prepared[session] = prepared
 
-    def begin(self, asked: request.Begin) -> request.Response:
-        """Start a run of the prepared plan on empty, zeroed tables (law 4)."""
-        if self._runner is not None:
-            return request.Refused("an application runs already")
-        if self._prepared is None:
+    def begin(self, session: str, asked: request.Begin) -> request.Response:
+        """Start a run of the session's plan on empty, zeroed tables (law 4)."""
+        prepared = self._prepared.get(session)
+        if prepared is None:
             return request.Refused("no plan is prepared, or it has faults")
-        self._runs += 1
+        refusal = self._holders.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
+        if refusal or self.is_stopped:
+            return request.Refused(refusal or "the runtime is stopped; reset it first")
         subsystems = {}
-        for number, flow in enumerate(self._prepared.plan.flows):
-            table = Table(Segment.create(f"table-{flow.subsystem}", SIZE))
-            self._driver.share(f"table:{flow.subsystem}", table.segment)
+        for number, flow in enumerate(prepared.plan.flows):
             rtpus = {task.name: self._rtpu(task.rtpu) for task in flow.tasks}
-            subsystems[number] = Subsystem(
-                flow.subsystem, table, self._prepared.flows[number], rtpus, self._prepared.constants[number]
-            )
-        self._began_wall = monotonic_ns()
-        self._runner = Runner(self._prepared, asked, subsystems, self._driver, self._gate.tell)
-        self._driver.begin(self._runner)
+            known = prepared.constants[number]
+            table = self.stage.table(flow.subsystem)
+            subsystems[number] = Subsystem(flow.subsystem, table, prepared.flows[number], rtpus, known)
+        if not self.stage.performances:
+            self._driver.begin()
+        self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, self._gate.tell))
         return request.Done()
 
-    def _respond(self, asked: request.Request) -> request.Response:
+    def _serve(self, call: Call) -> None:
+        def answer(response: request.Response) -> None:
+            self._gate.reply(call.ticket, response)
+
+        refusal = self._holders.refusal(call.session, call.asked, self.is_stopped)
+        if refusal:
+            answer(request.Refused(refusal))
+            return
+        match call.asked:
+            case live.Get() | live.Set():
+                self._editor.ask(call.asked, answer)
+            case live.Status():
+                self._look.status(answer)
+            case live.Advance():
+                self._advance(call.asked.seconds, answer)
+            case _:
+                answer(self._respond(call.session, call.asked))
+
+    def _respond(self, session: str, asked: request.Request) -> request.Response:
         match asked:
             case request.Prepare():
-                return self._prepare(asked)
+                prepared = prepare(asked.plan, asked.targets, self._loading)
+                self.take(session, prepared)
+                return refused(prepared.faults, prepared.notes)
             case request.Inspect():
-                faults, notes = inspect(asked.tasks, asked.code, self._loading)
-                return request.Prepared(_texts(faults), tuple(notes))
+                return refused(*inspect(asked.tasks, asked.code, self._loading))
             case request.Begin():
-                return self.begin(asked)
+                return self.begin(session, asked)
             case request.Reply():
-                self._driver.answer(asked.subsystem, asked.task, asked.line)
+                return self._answer(asked)
             case request.Abort():
-                self._driver.abort(asked.cause)
-            case request.Stop():
-                self._driver.stop()
-                self._driver.abort(asked.cause)
+                return self._abort(session, asked.cause)
+            case request.Stop() | live.Reset():
+                return self._stop(session, asked)
             case request.Snapshot():
                 return request.Worlds(self._driver.snapshots())
             case request.Quit():
                 self.is_over = True
+                return request.Done()
+        return self._by_hand(session, asked)
+
+    def _by_hand(self, session: str, asked: request.Request) -> request.Response:
+        match asked:
+            case live.Change():
+                return self._holders.takes(session, asked.subsystem, self._editor.change(asked))
+            case live.Reinit():
+                return self._editor.reinit(asked)
+            case live.Swap():
+                return self._editor.swap(asked)
+            case live.Clear():
+                return self._editor.clear(asked)
+            case live.Close():
+                return self._editor.close(asked)
+            case live.Take() | live.Release():
+                return self._holders.change(session, asked)
+        return self._look.answer(session, asked, self.is_stopped)
+
+    def _answer(self, asked: request.Reply) -> request.Response:
+        performance = self.stage.performance_in(asked.subsystem)
+        if performance is None:
+            return self._editor.answer(asked)
+        performance.runner.answer(asked.subsystem, asked.task, asked.line)
         return request.Done()
 
-    def _prepare(self, asked: request.Prepare) -> request.Response:
-        prepared = prepare(asked.plan, asked.targets, self._loading)
-        self.take(prepared)
-        return request.Prepared(_texts(prepared.faults), tuple(prepared.notes))
+    def _abort(self, session: str, cause: str) -> request.Response:
+        for performance in self.stage.performances:
+            if performance.session == session:
+                performance.runner.abort(cause, self._driver.now)
+        return request.Done()
+
+    def _stop(self, session: str, asked: request.Stop | live.Reset) -> request.Response:
+        """Straight to the devices and every unit; left by a deliberate reset only (law 27)."""
+        cause = ""
+        if isinstance(asked, request.Stop):
+            self._driver.stop()
+            cause = asked.cause
+            for performance in self.stage.performances:
+                performance.runner.abort(cause, self._driver.now)
+            for one in self.stage.live.values():
+                one.wanted.clear()
+        else:
+            self._driver.reset()
+        self.is_stopped = isinstance(asked, request.Stop)
+        self._gate.tell(event.Stopped(self.is_stopped, cause), "", session)
+        return request.Done()
+
+    def _advance(self, seconds: float, answer: Callable[[request.Response], None]) -> None:
+        if not self._driver.is_virtual:
+            answer(request.Refused("wall time passes by itself; only virtual time can be let pass"))
+        elif not 0 <= seconds <= 1e6:
+            answer(request.Refused(f"expected 0 to 1000000 seconds, found {seconds:g}"))
+        else:
+            self.stage.when(self._driver.now + round(seconds * 1e9), lambda: answer(request.Done()))
 
     def _rtpu(self, wanted: str) -> str:
-        """The unit a task runs on: the named one, else the first (decision 12)."""
-        return wanted if wanted in self._rtpus else self._rtpus[0]
-
-    def _tell_result(self, runner: Runner) -> None:
-        assert self._prepared is not None  # noqa: S101 - a run has a plan
-        actions = sum(len(flow.actions) for flow in self._prepared.plan.flows)
-        wall = (monotonic_ns() - self._began_wall) * 1e-9
-        self._gate.tell(runner.tally.result(actions, wall, self._driver.digest))
-
-
-def _texts(faults: list[Fault]) -> tuple[request.FaultText, ...]:
-    return tuple(
-        request.FaultText(one.place.file, one.place.line, one.expected, one.found, one.instead) for one in faults
-    )
+        """The unit a task runs on: the named one, else the first that lives (decision 12)."""
+        alive = [name for name in self._rtpus if name not in self.stage.lost_units]
+        return wanted if wanted in self._rtpus else (alive or list(self._rtpus))[0]

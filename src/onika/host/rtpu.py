@@ -33,6 +33,12 @@ class Share(Struct, frozen=True, tag=True):
     name: str
 
 
+class Unshare(Struct, frozen=True, tag=True):
+    """The shared memory of this name is not used any more."""
+
+    name: str
+
+
 class Ready(Struct, frozen=True, tag=True):
     """The process is up; what the operating system granted it."""
 
@@ -40,7 +46,7 @@ class Ready(Struct, frozen=True, tag=True):
 
 
 encode = msgpack.Encoder().encode
-decode_command = msgpack.Decoder(Share | command.Command).decode
+decode_command = msgpack.Decoder(Share | Unshare | command.Command).decode
 decode_news = msgpack.Decoder(list[Ready | news.News]).decode
 """News come as lists: what one command or cycle led to is one datagram."""
 
@@ -53,7 +59,7 @@ class Rtpu:
         self._heartbeat = heartbeat
         self._zero = zero_ns
         self._views: dict[str, memoryview] = {}
-        self._segments: list[Segment] = []
+        self._segments: dict[str, Segment] = {}
         self._executive = Executive(name, self._views, heartbeat.watch)
         self._over = False
 
@@ -101,10 +107,8 @@ class Rtpu:
         while (received := self._post.receive()) is not None:
             body, descriptors = received
             order = decode_command(body)
-            if isinstance(order, Share):
-                segment = Segment.attach(descriptors[0])
-                self._segments.append(segment)
-                self._views[order.name] = segment.view
+            if isinstance(order, Share | Unshare):
+                self._share(order, descriptors)
                 continue
             slow = isinstance(order, command.Spawn)
             if slow:
@@ -114,6 +118,15 @@ class Rtpu:
                 self._heartbeat.is_slow(False)
             self._over = self._over or isinstance(order, command.Quit)
             self._heartbeat.beat()
+
+    def _share(self, order: Share | Unshare, descriptors: list[int]) -> None:
+        """See other memory under a name, or none; the old one is given back."""
+        self._views.pop(order.name, None)
+        if order.name in self._segments:
+            self._segments.pop(order.name).close()
+        if isinstance(order, Share):
+            segment = self._segments[order.name] = Segment.attach(descriptors[0])
+            self._views[order.name] = segment.view
 
 
 def preload() -> None:

@@ -72,19 +72,32 @@ class Runner:
         self._settle_at = None
         self._feed(said.Abort(cause))
 
-    def lost(self, rtpu: str, now: int) -> None:
-        """An RTPU is gone: its tasks are."""
+    def lost(self, rtpu: str, reason: str, now: int) -> None:
+        """A process is gone, and so are the tasks of a unit; the run ends where it needs it."""
         self._now = now
         self._reports_open.discard(rtpu)
-        for flow, subsystem in self._subsystems.items():
-            for name, member in subsystem.members.items():
-                if member.rtpu == rtpu and member.state is not State.KILLED and member.is_sent:
-                    self._changed(flow, name, State.KILLED)
+        here = [
+            (flow, name)
+            for flow, subsystem in self._subsystems.items()
+            for name, member in subsystem.members.items()
+            if member.rtpu == rtpu
+        ]
+        if here or not rtpu:
+            self.abort(reason, now)
+        for flow, name in here:
+            member = self._subsystems[flow].members[name]
+            if member.state is not State.KILLED and member.is_sent:
+                self._changed(flow, name, State.KILLED)
 
     @property
     def is_asking(self) -> bool:
-        """Whether a task waits for user input."""
+        """Whether a task waits for user input: then the virtual clock stands."""
         return bool(self._asking)
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the clock goes on: it stands while a task waits for user input."""
+        return not (self.is_over or self._asking)
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
@@ -106,10 +119,13 @@ class Runner:
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Take in one piece of news."""
         self._now = now
+        if isinstance(heard, news.Loads | news.Got):
+            return
         if isinstance(heard, news.Statuses):
-            self.tally.figures(heard)
+            self.tally.figures(heard, self._flows)
+            was_open = rtpu in self._reports_open
             self._reports_open.discard(rtpu)
-            if not self._reports_open and not self._is_aborting:
+            if was_open and not self._reports_open and not self._is_aborting:
                 self._feed(said.Settled())
             return
         flow = self._flows.get(heard.subsystem)
@@ -164,12 +180,13 @@ class Runner:
     def _failed(self, flow: int, heard: news.Failed) -> None:
         at = self._seconds(heard.now_ns)
         text = f"{heard.entry}: {heard.text}"
-        self._tell(event.Failed(heard.subsystem, heard.task, text, heard.path, heard.line, heard.traceback, at))
+        where = (heard.path, heard.line, heard.traceback, at, heard.entry, heard.values)
+        self._tell(event.Failed(heard.subsystem, heard.task, text, *where))
         self._subsystems[flow].members[heard.task].state = State.ERROR
         self._asking.discard((flow, heard.task))
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ERROR.value, at))
-        where = f" ({heard.path}:{heard.line})" if heard.line else ""
-        self._feed(said.Failed(flow, heard.task, f"{text}{where}"))
+        line = f" ({heard.path}:{heard.line})" if heard.line else ""
+        self._feed(said.Failed(flow, heard.task, f"{text}{line}"))
         self._switchboard.settled(flow, heard.task)
 
     def _asked(self, flow: int, heard: news.Asked) -> None:

@@ -1,11 +1,12 @@
 """The tally of a run: what is counted and read for its result."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
+from msgspec import structs
 
-from onika.runtime.news import Statuses
+from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import Table
 from onika.wire import event
 
@@ -16,7 +17,7 @@ class Tally:
     def __init__(self, watch: tuple[str, ...]) -> None:
         self._watch = watch
         self._finished_at: dict[int, int] = {}
-        self._figures: list[event.TaskFigures] = []
+        self._figures: dict[tuple[str, str], event.TaskFigures] = {}
         self._switches: list[float] = []
         self.answered: set[str] = set()
         self.values: dict[str, Any] = {}
@@ -36,21 +37,12 @@ class Tally:
         if finished is not None:
             self._switches.append((at - finished) / 1e3)
 
-    def figures(self, statuses: Statuses) -> None:
-        """The statuses of one RTPU."""
+    def figures(self, statuses: Statuses, subsystems: Collection[str]) -> None:
+        """The statuses of one RTPU; whoever asked for them, they add up to the figures of the run."""
         for one in statuses.tasks:
-            self._figures.append(
-                event.TaskFigures(
-                    one.subsystem,
-                    one.task,
-                    statuses.rtpu,
-                    round(one.reference_hz, 3),
-                    one.cycle,
-                    one.miss,
-                    round(one.mean_us, 1),
-                    round(one.most_us, 1),
-                )
-            )
+            if one.subsystem in subsystems:
+                address = (one.subsystem, one.task)
+                self._figures[address] = _sum(self._figures.get(address), _figures(statuses.rtpu, one))
 
     def read(self, tables: Mapping[str, Table]) -> None:
         """Read the watched variables; an address without a subsystem is looked for in all, in order."""
@@ -76,10 +68,25 @@ class Tally:
             runtime_s=round((self.ended_at - self.began_at) * 1e-9, 9),
             wall_s=wall_s,
             values=self.values,
-            tasks=tuple(sorted(self._figures, key=lambda one: (one.subsystem, one.task))),
+            tasks=tuple(self._figures[address] for address in sorted(self._figures)),
             hash=digest,
             switches_us=tuple(self._switches),
         )
+
+
+def _figures(rtpu: str, one: TaskStatus) -> event.TaskFigures:
+    times = (round(one.mean_us, 1), round(one.most_us, 1))
+    return event.TaskFigures(one.subsystem, one.task, rtpu, round(one.reference_hz, 3), one.cycle, one.miss, *times)
+
+
+def _sum(before: event.TaskFigures | None, more: event.TaskFigures) -> event.TaskFigures:
+    if before is None:
+        return more
+    cycles = before.cycles + more.cycles
+    mean = (before.cycles * before.mean_us + more.cycles * more.mean_us) / cycles if cycles else 0.0
+    most = max(before.most_us, more.most_us)
+    missed = before.missed + more.missed
+    return structs.replace(more, cycles=cycles, missed=missed, mean_us=round(mean, 1), most_us=most)
 
 
 def plain(value: Any) -> Any:

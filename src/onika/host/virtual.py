@@ -6,7 +6,7 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from time import monotonic_ns
 
-from onika.host.runner import Runner
+from onika.host.listener import Listener
 from onika.host.worlds import open_world, split
 from onika.ring.device import Drive, DriveEvent
 from onika.ring.segment import Segment
@@ -46,7 +46,7 @@ class VirtualDriver:
         self._buses: dict[str, Bus] = {}
         self._claims: dict[str, int] = {}
         self._epoch = 0
-        self._runner: Runner | None = None
+        self._listener: Listener | None = None
         self._hash = hashlib.sha256()
         self._hash_at = 0
 
@@ -76,43 +76,54 @@ class VirtualDriver:
 
     # A run
 
+    @property
+    def is_virtual(self) -> bool:
+        """Yes."""
+        return True
+
+    @property
+    def worlds(self) -> tuple[str, ...]:
+        """The worlds that are open."""
+        return tuple(self._buses)
+
+    def scene(self, world: str) -> dict[str, object] | None:
+        """What an open world consists of."""
+        return self._buses[world].scene() if world in self._buses else None
+
+    def poses(self, world: str) -> tuple[int, bytes] | None:
+        """Where the bodies of an open world are."""
+        return self._buses[world].poses() if world in self._buses else None
+
+    def unshare(self, name: str) -> None:
+        """The table is not used any more."""
+        self._views.pop(name, None)
+
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table."""
         self._views[name] = segment.view
 
-    def begin(self, runner: Runner) -> None:
-        """Start a run at the present time."""
-        self._runner = runner
+    def listen(self, listener: Listener) -> None:
+        """Tell this one what happens."""
+        self._listener = listener
+
+    def begin(self) -> None:
+        """A run starts now: what happens from here on is its digest."""
         self._hash = hashlib.sha256()
         self._hash_at = self._now
-        runner.start(self._now)
-        self._deliver()
 
     def advance(self, wall_ns: int) -> bool:
         """Run for about so much wall time; False when there is nothing to do until somebody says something."""
-        runner, until = self._runner, monotonic_ns() + wall_ns
-        if runner is None:
+        listener, until = self._listener, monotonic_ns() + wall_ns
+        self._deliver()
+        if listener is None:
             return False
-        while not runner.is_over:
-            if self._commands:
-                self._deliver()
-            if runner.is_asking or not self._instant(runner):
+        while listener.is_moving:
+            if not self._instant(listener):
                 return False
+            self._deliver()
             if monotonic_ns() > until:
                 return True
         return False
-
-    def abort(self, cause: str) -> None:
-        """End the run; what has to happen at once happens at the present time."""
-        if self._runner is not None:
-            self._runner.abort(cause, self._now)
-            self._deliver()
-
-    def answer(self, subsystem: str, task: str, line: str) -> None:
-        """The user's answer."""
-        if self._runner is not None:
-            self._runner.answer(subsystem, task, line)
-            self._deliver()
 
     def stop(self) -> None:
         """Everything off and every drive in hold, latched (law 27)."""
@@ -120,6 +131,14 @@ class VirtualDriver:
             bus.world.stop()
         for name in sorted(self._rtpus):
             self.send(name, command.Stop("stop"))
+        self._deliver()
+
+    def reset(self) -> None:
+        """After a stop: motion is allowed again; nothing moves by itself."""
+        for bus in self._buses.values():
+            bus.world.go_on()
+        for name in sorted(self._rtpus):
+            self.send(name, command.Reset())
         self._deliver()
 
     @property
@@ -140,9 +159,9 @@ class VirtualDriver:
 
     # Inner
 
-    def _instant(self, runner: Runner) -> bool:
+    def _instant(self, listener: Listener) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
-        now = wake = runner.wake_at()
+        now = wake = listener.wake_at()
         release = self._executive.next_release()
         if release is not None and (now is None or release < now):
             now = release
@@ -151,7 +170,7 @@ class VirtualDriver:
         if now > self._now:
             self._step(now)
         if now == wake:
-            runner.tick(now)
+            listener.tick(now)
             self._deliver()
         self._take_events()
         while (heard := self._executive.run_due(now, _AT_ONCE)) is not None:
@@ -193,11 +212,13 @@ class VirtualDriver:
 
     def _hear(self, heard: Sequence[news.News]) -> None:
         for one in heard:
-            rtpu = one.rtpu if isinstance(one, news.Statuses) else self._homes.get((one.subsystem, one.task), "")
-            if not isinstance(one, news.Statuses):  # its times are of the wall
+            if isinstance(one, news.Statuses | news.Loads):  # its times are of the wall
+                rtpu = one.rtpu
+            else:
+                rtpu = self._homes.get((one.subsystem, one.task), "")
                 self._hash.update(news.encode(one))
-            if self._runner is not None:
-                self._runner.hear(rtpu, one, self._now)
+            if self._listener is not None:
+                self._listener.hear(rtpu, one, self._now)
 
     def _statuses_of(self, rtpu: str) -> news.Statuses:
         """One unit's share of the statuses, which are taken of all units at once."""

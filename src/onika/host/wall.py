@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from time import monotonic_ns
 
 from onika.host import device_server, rtpu
-from onika.host.runner import Runner
+from onika.host.listener import Listener
 from onika.host.supervisor import Supervised, Supervisor
 from onika.host.worlds import split
 from onika.ring.device import Drive
@@ -28,9 +28,11 @@ class WallDriver:
         self._supervisor = Supervisor(self._zero, with_fifo)
         self._segments: list[Segment] = []
         self._opened: set[str] = set()
+        self._shown: set[str] = set()
+        self._poses: dict[str, tuple[int, bytes]] = {}
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
-        self._runner: Runner | None = None
+        self._listener: Listener | None = None
         self._answers: deque[device_server.Word] = deque()
         self._heard: deque[tuple[str, news.News]] = deque()
         self._drives: dict[str, int] = {}
@@ -82,58 +84,82 @@ class WallDriver:
 
     # A run
 
+    @property
+    def is_virtual(self) -> bool:
+        """No."""
+        return False
+
+    @property
+    def worlds(self) -> tuple[str, ...]:
+        """The worlds that are open."""
+        return tuple(sorted(self._opened))
+
+    def scene(self, world: str) -> dict[str, object] | None:
+        """What an open world consists of; from then on its poses are told."""
+        if world not in self._opened or self._devices.is_lost:
+            return None
+        answer = self._ask_devices(device_server.Show(world))
+        return answer.scene if isinstance(answer, device_server.Shown) else None
+
+    def poses(self, world: str) -> tuple[int, bytes] | None:
+        """Where the bodies of an open world are, as the device server said last; from then on it says so."""
+        if world in self._opened and world not in self._shown:
+            self._shown.add(world)
+            self._devices.post.send(device_server.encode(device_server.Pose(world)))
+        return self._poses.get(world)
+
+    def unshare(self, name: str) -> None:
+        """The table is not used any more."""
+        for one in self._rtpus.values():
+            one.post.send(rtpu.encode(rtpu.Unshare(name)))
+
     def share(self, name: str, segment: Segment) -> None:
-        """Let the RTPUs see a table."""
-        self._segments.append(segment)
+        """Let the RTPUs see a table, in place of an old one of this name."""
         for one in self._rtpus.values():
             one.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
 
-    def begin(self, runner: Runner) -> None:
-        """Start a run."""
-        self._runner = runner
-        runner.start(self.now)
+    def listen(self, listener: Listener) -> None:
+        """Tell this one what happens."""
+        self._listener = listener
+
+    def begin(self) -> None:
+        """A run starts now; wall time has no digest."""
 
     def advance(self, wall_ns: int) -> bool:
-        """Let time pass; never waits. True if a run goes on."""
+        """Let time pass; never waits. False: nothing has to be done before somebody says something."""
         del wall_ns
         self.look_after()
-        runner = self._runner
-        if runner is None:
-            return False
-        runner.tick(self.now)
-        return not runner.is_over
+        if self._listener is not None:
+            self._listener.tick(self.now)
+        return False
 
     def look_after(self) -> None:
         """Take in what the processes say; end those that fail."""
         self._receive()
-        while self._heard and self._runner is not None:
+        while self._heard and self._listener is not None:
             name, heard = self._heard.popleft()
-            self._runner.hear(name, heard, self.now)
+            self._listener.hear(name, heard, self.now)
         for one, reason in self._supervisor.troubles():
             self._lost(one, reason)
 
     def wait_s(self) -> float:
         """How long the loop may sleep before `advance` has something to do."""
-        wake = self._runner.wake_at() if self._runner is not None else None
+        wake = self._listener.wake_at() if self._listener is not None else None
         if wake is None:
             return 0.05
         return min(max((wake - self.now) * 1e-9, 0.0), 0.05)
-
-    def abort(self, cause: str) -> None:
-        """End the run."""
-        if self._runner is not None:
-            self._runner.abort(cause, self.now)
-
-    def answer(self, subsystem: str, task: str, line: str) -> None:
-        """The user's answer."""
-        if self._runner is not None:
-            self._runner.answer(subsystem, task, line)
 
     def stop(self) -> None:
         """Every drive in hold and everything off, straight to the processes (law 27)."""
         self._devices.post.send(device_server.encode(device_server.StopAll()))
         for name in self._rtpus:
             self.send(name, command.Stop("stop"))
+
+    def reset(self) -> None:
+        """After a stop: motion is allowed again; nothing moves by itself."""
+        self._devices.post.send(device_server.encode(device_server.GoOn()))
+        for name in self._rtpus:
+            self.send(name, command.Reset())
 
     def is_at_rest(self) -> bool:
         """Whether every drive holds, as far as the device server lives to say so."""
@@ -191,22 +217,25 @@ class WallDriver:
                         word.cause,
                     )
                 )
+            case device_server.Posed():
+                self._poses[word.world] = (word.at_ns, word.rows)
             case _:
                 self._answers.append(word)
 
     def _lost(self, one: Supervised, reason: str) -> None:
-        """A process is gone: fence its claims, let hardware tasks know, end the run and name the cause."""
+        """A process is gone: fence its claims, let hardware tasks know, name the cause."""
         if one is self._devices:
             for name in self._rtpus:
                 self.send(name, command.Fail(f"the {reason}"))
-            self.abort(f"the {reason}")
-            return
-        for epoch, holder in self._claims.values():
-            if holder == one.name:
-                self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
-        self.abort(f"processing unit {reason}")
-        if self._runner is not None:
-            self._runner.lost(one.name, self.now)
+        else:
+            for epoch, holder in self._claims.values():
+                if holder == one.name:
+                    self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
+        if self._listener is not None:
+            if one is self._devices:
+                self._listener.lost("", f"the {reason}", self.now)
+            else:
+                self._listener.lost(one.name, f"processing unit {reason}", self.now)
 
     def _open(self, world: str) -> None:
         segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)

@@ -4,6 +4,7 @@ import os
 import select
 import socket
 from collections import deque
+from collections.abc import Sequence
 from typing import Protocol
 
 from onika.link import lost
@@ -13,12 +14,13 @@ BUFFER_LIMIT = 16 * 1024 * 1024
 """Bytes that may wait for a slow reader before the connection is cut."""
 
 _CHUNK = 256 * 1024
+_PAYLOADS = 1 << 20
 _TURN = 2 * 1024 * 1024
 """Bytes read in one call at most, so that a fast sender starves nobody."""
 
 
-class Carrier(Protocol):
-    """What the link needs of a connection. One carrier is one connection; a new connection is a new carrier."""
+class Source(Protocol):
+    """What can be waited for."""
 
     @property
     def pending(self) -> int:
@@ -26,6 +28,14 @@ class Carrier(Protocol):
 
     def fileno(self) -> int:
         """The file descriptor to wait for, -1 when there is none."""
+
+
+class Carrier(Source, Protocol):
+    """What the link needs of a connection. One carrier is one connection; a new connection is a new carrier."""
+
+    @property
+    def held(self) -> int:
+        """Payloads that came and are left for the next `receive`, for which no descriptor wakes anybody."""
 
     def send(self, payload: bytes) -> None:
         """Send now what goes and keep the rest; raises LinkLost when too much waits."""
@@ -41,10 +51,18 @@ class Carrier(Protocol):
 
 
 class SocketCarrier:
-    """A carrier over a connected stream socket (socket pair, Unix, TCP), which it owns from now on."""
+    """A carrier over a connected stream socket (socket pair, Unix, TCP), which it owns from now on.
+
+    turn, turn_bytes    what one `receive` gives and reads at most; a flood waits in the system's own buffers meanwhile
+    """
 
     def __init__(
-        self, connected: socket.socket, frame_limit: int = FRAME_LIMIT, buffer_limit: int = BUFFER_LIMIT
+        self,
+        connected: socket.socket,
+        frame_limit: int = FRAME_LIMIT,
+        buffer_limit: int = BUFFER_LIMIT,
+        turn: int = _PAYLOADS,
+        turn_bytes: int = _TURN,
     ) -> None:
         self._socket = connected
         self._socket.setblocking(False)
@@ -53,6 +71,9 @@ class SocketCarrier:
         self._reader = FrameReader(frame_limit)
         self._frame_limit = frame_limit
         self._buffer_limit = buffer_limit
+        self._turn = turn
+        self._turn_bytes = turn_bytes
+        self._held: deque[bytes] = deque()
         self._waiting = bytearray()
         self._end: lost.LinkLost | None = None
 
@@ -60,6 +81,11 @@ class SocketCarrier:
     def pending(self) -> int:
         """Bytes that wait to be sent."""
         return len(self._waiting)
+
+    @property
+    def held(self) -> int:
+        """Payloads that came and are left for the next `receive`."""
+        return len(self._held)
 
     def fileno(self) -> int:
         """The socket's file descriptor, -1 after `close`."""
@@ -87,15 +113,19 @@ class SocketCarrier:
 
     def receive(self) -> list[bytes]:
         """What has come; raises LinkLost at the end of the connection, after all that came before it."""
-        if self._end is not None:
+        if self._end is None:
+            self._read()
+        if self._end is not None and not self._held:
             raise self._end
-        payloads: list[bytes] = []
+        return [self._held.popleft() for _ in range(min(self._turn, len(self._held)))]
+
+    def _read(self) -> None:
         try:
             taken = 0
-            while taken < _TURN and self._end is None:
-                data = self._socket.recv(_CHUNK)
+            while taken < self._turn_bytes and len(self._held) < self._turn and self._end is None:
+                data = self._socket.recv(min(_CHUNK, self._turn_bytes))
                 taken += len(data)
-                payloads += self._reader.feed(data)
+                self._held += self._reader.feed(data)
                 if not data:
                     self._end = lost.closed("" if self._reader.is_between_frames else "in the middle of a message")
         except (BlockingIOError, InterruptedError):
@@ -104,13 +134,11 @@ class SocketCarrier:
             self._end = lost.garbage(str(fault))
         except OSError as fault:
             self._end = lost.closed(os.strerror(fault.errno or 0))
-        if self._end is not None and not payloads:
-            raise self._end
-        return payloads
 
     def close(self) -> None:
         """Let the connection go, with all that waits."""
         self._waiting.clear()
+        self._held.clear()
         self._end = self._end or lost.here()
         self._socket.close()
 
@@ -128,6 +156,11 @@ class MemoryCarrier:
     @property
     def pending(self) -> int:
         """None: what is sent lies in the other end's inbox at once."""
+        return 0
+
+    @property
+    def held(self) -> int:
+        """None: `receive` gives all."""
         return 0
 
     def fileno(self) -> int:
@@ -179,8 +212,9 @@ def socket_pair(frame_limit: int = FRAME_LIMIT) -> tuple[SocketCarrier, SocketCa
     return SocketCarrier(here, frame_limit), SocketCarrier(there, frame_limit)
 
 
-def wait_for(carrier: Carrier, timeout_s: float | None) -> None:
+def wait_for(sources: Sequence[Source], timeout_s: float | None) -> None:
     """Wait until something came, what waits can be sent on, or the time is over (None: never)."""
     poller = select.poll()
-    poller.register(carrier.fileno(), select.POLLIN | (select.POLLOUT if carrier.pending else 0))
+    for source in sources:
+        poller.register(source.fileno(), select.POLLIN | (select.POLLOUT if source.pending else 0))
     poller.poll(None if timeout_s is None else max(0.0, timeout_s * 1000))

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from onika.link import lost
+from onika.link.channel import Channel
 from onika.link.happening import EpochChanged, Failed, Fate, Happening, Read, Replied, Resumed, Signalled
 from onika.link.lanes import Lanes
 from onika.link.parts import Gathering, split
@@ -45,10 +46,11 @@ class ClientEnd:
     was meant for the old one is said.
     """
 
-    def __init__(self, client: str, terms: Terms = LOCAL) -> None:
+    def __init__(self, client: str, terms: Terms = LOCAL, channel: Channel = Channel.ALL) -> None:
         self.epoch = ""
         self._client = client
         self._terms = terms
+        self._channel = channel
         self._happenings: list[Happening] = []
         self._pulse = Pulse(terms, self._happenings)
         self._lanes = Lanes(Readings())
@@ -79,6 +81,11 @@ class ClientEnd:
             self._end(LinkEvent.CUT, why)
             if why.cause is lost.Cause.GARBAGE:
                 self._lanes.last(Bye("garbage", str(why)[:1000]))
+
+    def follow(self, epoch: str) -> None:
+        """To a channel that does not ask: the session it belongs to is in this epoch; in a new one it begins anew."""
+        if epoch != self.epoch:
+            self.epoch, self._accepted = epoch, 0
 
     def close(self, reason: str = "closed") -> None:
         """End the link for good; the good-bye is still to be sent."""
@@ -165,6 +172,9 @@ class ClientEnd:
                 self._unexpected(packet)
 
     def _feed_linked(self, packet: Packet, now_ns: int) -> None:
+        if not self._channel.carries(packet):
+            self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
+            return
         match packet:
             case Signal():
                 self._signal(packet)
@@ -184,6 +194,9 @@ class ClientEnd:
     def _welcome(self, packet: Welcome, now_ns: int) -> None:
         if packet.version != VERSION:
             self._end(LinkEvent.REFUSED, lost.version(VERSION, packet.version))
+            return
+        if not self._channel.asks and packet.epoch != self.epoch:
+            self.cut(lost.closed("the runtime was started anew"))
             return
         first, resumed = not self.epoch, packet.resumed and packet.epoch == self.epoch
         self._clock_ahead_ns = packet.clock_ns - now_ns

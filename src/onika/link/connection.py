@@ -2,23 +2,36 @@
 
 import secrets
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from typing import Protocol
 
-from onika.link.carrier import Carrier, wait_for
-from onika.link.client import ClientEnd
+from onika.link.bundle import Bundle
+from onika.link.carrier import Carrier, Source, wait_for
+from onika.link.channel import THREE, Channel
 from onika.link.happening import Failed, Fate, Happening, Read, Replied, Turned
 from onika.link.lost import LinkLost, closed, here
-from onika.link.pump import Pump
 from onika.link.state import LinkState
 from onika.link.terms import LOCAL, Terms
 
 Clock = Callable[[], int]
 """A clock that never goes back, in ns (`time.monotonic_ns`)."""
 
-Wait = Callable[[Carrier, float | None], None]
-"""Wait until the carrier can be served or the seconds are over; a test lets the other side work meanwhile."""
 
-_GONE = (LinkState.APART, LinkState.ENDED)
+Wait = Callable[[Sequence[Source], float | None], None]
+"""Wait until one of these can be served or the seconds are over; a test lets the other side work meanwhile."""
+
+
+class Dialler(Source, Protocol):
+    """Opens connections for channels without letting anybody wait; readable when something has finished."""
+
+    def dial(self, channel: Channel) -> None:
+        """Begin to open a connection."""
+
+    def finished(self) -> list[tuple[Channel, Carrier | LinkLost]]:
+        """What came of those that were begun."""
+
+    def close(self) -> None:
+        """Nothing more is wanted."""
 
 
 class Connection:
@@ -26,62 +39,72 @@ class Connection:
 
     def __init__(
         self,
-        carrier: Carrier,
+        carrier: Carrier | None,
         clock: Clock,
         terms: Terms = LOCAL,
         client: str | None = None,
         wait: Wait = wait_for,
+        dialler: Dialler | None = None,
     ) -> None:
         self._clock = clock
         self._wait = wait
-        self._end = ClientEnd(client or secrets.token_hex(16), terms)
-        self._pump = Pump(self._end)
+        self._dialler = dialler
+        channels = (Channel.ALL,) if dialler is None else THREE
+        self._bundle = Bundle(client or secrets.token_hex(16), terms, channels)
         self._awaited: set[int] = set()
         self._outcomes: dict[int, Replied | Failed] = {}
         self._news: deque[Happening] = deque()
         self._readings: dict[str, Read] = {}
         self._lost: LinkLost | None = None
-        self.reconnect(carrier)
+        self._refusal: LinkLost | None = None
+        if carrier is not None:
+            self.reconnect(carrier)
 
     @property
     def state(self) -> LinkState:
         """How the environment stands to the runtime."""
-        return self._end.state
+        return self._bundle.state
 
     @property
     def epoch(self) -> str:
-        """The name of this life of the runtime, "" before the first greeting."""
-        return self._end.epoch
+        """The name of this life of the session, "" before the first greeting."""
+        return self._bundle.epoch
 
     @property
     def lost(self) -> LinkLost | None:
         """Why there is no link, None while there is one or one is being made."""
         return self._lost
 
-    def fileno(self) -> int:
-        """The descriptor to wait for in a loop of one's own before `poll(0)`; -1 when there is none."""
-        return self._pump.carrier.fileno() if self._pump.carrier is not None else -1
+    @property
+    def comes_back(self) -> bool:
+        """Whether a cut link is made anew by itself."""
+        return self._dialler is not None and self._refusal is None and self.state is not LinkState.ENDED
 
-    def want_write(self) -> bool:
-        """Whether to wait for writing too."""
-        return self._pump.carrier is not None and self._pump.carrier.pending > 0
+    def readers(self) -> list[int]:
+        """The descriptors to wait for in a loop of one's own before `poll(0)`."""
+        return [source.fileno() for source in self._sources()]
+
+    def writers(self) -> list[int]:
+        """Those to wait for writing too."""
+        return [carrier.fileno() for carrier in self._bundle.carriers if carrier.pending]
 
     def due_s(self) -> float | None:
         """How long that loop may wait at most, in s."""
-        due_ns = self._end.due_ns(self._clock())
+        due_ns = self._bundle.due_ns(self._clock())
         return None if due_ns is None else due_ns / 1e9
 
     def reconnect(self, carrier: Carrier) -> None:
         """Go on over a new connection to the same runtime; raises LinkLost when the link was ended for good."""
-        if self._end.state is LinkState.ENDED:
+        if self.state is LinkState.ENDED:
             carrier.close()
             raise self._lost or here()
-        self._pump.attach(carrier, self._clock())
+        self._bundle.attach(Channel.ALL, carrier, self._clock())
         self._sort()
 
     def open(self, timeout_s: float = 5.0) -> str:
-        """Wait until the greeting is complete; the runtime's epoch. Raises LinkLost, or TimeoutError."""
+        """Wait until the greeting is complete; the session's epoch. Raises LinkLost, or TimeoutError."""
         until_ns = self._clock() + round(timeout_s * 1e9)
+        self._serve()
         while self.state not in (LinkState.LINKED, LinkState.SUSPECT):
             self._raise_if_gone()
             self._step(until_ns, f"no greeting within {timeout_s:g} s")
@@ -98,9 +121,8 @@ class Connection:
         """
         now_ns = self._clock()
         limit_ns = round(timeout_s * 1e9)
-        number = self._end.request(body, now_ns, limit_ns, once, urgent)
+        number = self._bundle.request(body, now_ns, limit_ns, once, urgent)
         self._awaited.add(number)
-        self._pump.push(now_ns)
         self._sort()
         try:
             while number not in self._outcomes:
@@ -110,25 +132,24 @@ class Connection:
         finally:
             self._awaited.discard(number)
             self._outcomes.pop(number, None)
-            self._end.forget(number)
+            self._bundle.forget(number)
 
     def ask(self, body: bytes, begin_within_s: float | None = None, once: bool = False, urgent: bool = False) -> int:
         """Ask without waiting; `poll` tells of the answer (Replied or Failed) under the number given back."""
-        now_ns = self._clock()
         within_ns = round(begin_within_s * 1e9) if begin_within_s is not None else 0
-        number = self._end.request(body, now_ns, within_ns, once, urgent)
-        self._pump.push(now_ns)
+        number = self._bundle.request(body, self._clock(), within_ns, once, urgent)
         self._sort()
         return number
 
     def poll(self, timeout_s: float = 0.0) -> list[Happening]:
         """The news since the last call, signals in order, then the newest readings; waits for the first one.
 
-        Never raises LinkLost: the end of the link is news too (Turned), and after it there is nothing to wait for.
+        Never raises LinkLost: the end of the link is news too (Turned), and where it does not come back there is
+        nothing to wait for after it.
         """
         until_ns = self._clock() + round(timeout_s * 1e9)
         self._serve()
-        while not self._news and not self._readings and self.state not in _GONE and self._clock() < until_ns:
+        while not self._news and not self._readings and not self._is_gone and self._clock() < until_ns:
             self._rest(until_ns)
             self._serve()
         news = [*self._news, *self._readings.values()]
@@ -138,14 +159,20 @@ class Connection:
 
     def close(self, reason: str = "closed", timeout_s: float = 1.0) -> None:
         """Say good-bye and let the connection go; waits a little for a slow reader."""
-        self._end.close(reason)
         until_ns = self._clock() + round(timeout_s * 1e9)
-        self._pump.push(self._clock())
-        while self._pump.carrier is not None and self._clock() < until_ns:
+        self._bundle.close(reason, self._clock())
+        while self._bundle.carriers and self._clock() < until_ns:
             self._rest(until_ns)
-            self._pump.push(self._clock())
-        self._pump.drop()
+            self._bundle.push(self._clock())
+        self._bundle.cut(here(reason))
+        if self._dialler is not None:
+            self._dialler.close()
+            self._dialler = None
         self._sort()
+
+    @property
+    def _is_gone(self) -> bool:
+        return self.state in (LinkState.APART, LinkState.ENDED) and not self.comes_back
 
     def _step(self, until_ns: int, text: str) -> None:
         if self._clock() >= until_ns:
@@ -155,17 +182,36 @@ class Connection:
 
     def _rest(self, until_ns: int) -> None:
         now_ns = self._clock()
-        due_ns = self._end.due_ns(now_ns)
+        due_ns = self._bundle.due_ns(now_ns)
         rest_ns = max(0, until_ns - now_ns)
-        if self._pump.carrier is not None:
-            self._wait(self._pump.carrier, (rest_ns if due_ns is None else min(rest_ns, due_ns)) / 1e9)
+        sources = self._sources()
+        if sources:
+            self._wait(sources, (rest_ns if due_ns is None else min(rest_ns, due_ns)) / 1e9)
+
+    def _sources(self) -> list[Source]:
+        return [*self._bundle.carriers, *([] if self._dialler is None else [self._dialler])]
 
     def _serve(self) -> None:
-        self._pump.service(self._clock())
+        self._dial()
+        self._bundle.service(self._clock())
         self._sort()
 
+    def _dial(self) -> None:
+        if self._dialler is None or self._refusal is not None:
+            return
+        for channel, came in self._dialler.finished():
+            if isinstance(came, LinkLost):
+                self._bundle.failed(channel, self._clock())
+                self._lost = came
+                # nobody there before the first greeting, or what trying again does not mend
+                self._refusal = came if not self.epoch or came.is_final else None
+            else:
+                self._bundle.attach(channel, came, self._clock())
+        for channel in self._bundle.wants(self._clock()):
+            self._dialler.dial(channel)
+
     def _sort(self) -> None:
-        for happening in self._end.take_happenings():
+        for happening in self._bundle.take_happenings():
             if isinstance(happening, Replied | Failed) and happening.number in self._awaited:
                 self._outcomes[happening.number] = happening
             elif isinstance(happening, Read):
@@ -176,14 +222,14 @@ class Connection:
                     self._lost = happening.lost
 
     def _raise_if_gone(self) -> None:
-        if self.state in _GONE:
+        if self._is_gone:
             raise self._lost or closed()
 
     def _outcome(self, outcome: Replied | Failed, timeout_s: float) -> bytes:
         if isinstance(outcome, Replied):
             return outcome.body
         if outcome.fate is Fate.LOST:
-            raise self._lost or closed("the runtime was started anew")
-        if outcome.fate is Fate.UNSENT and self.state in _GONE:
+            raise self._lost or closed("it may or may not have been carried out")
+        if outcome.fate is Fate.UNSENT and self.state in (LinkState.APART, LinkState.ENDED):
             raise self._lost or closed()
         raise TimeoutError(f"not begun within {timeout_s:g} s: {outcome.fate.value}")

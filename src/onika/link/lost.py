@@ -18,6 +18,18 @@ class Cause(Enum):
     """The reader fell so far behind that its buffer was full."""
     HERE = "here"
     """This side closed it."""
+    REFUSED = "refused"
+    """The runtime does not take this connection: too many sessions, or another user's."""
+    UNREACHABLE = "unreachable"
+    """Nobody answers at that address."""
+    TIMEOUT = "timeout"
+    """Somebody is there, but the connection did not come about in time."""
+    CERTIFICATE = "certificate"
+    """The other side's certificate is not one to trust."""
+    TOKEN = "token"  # noqa: S105 - a word, not a secret
+    """The token is wrong or missing."""
+    FORBIDDEN = "forbidden"
+    """The role, the address or the name under which it was called is not allowed."""
 
 
 class LinkLost(Exception):
@@ -26,6 +38,11 @@ class LinkLost(Exception):
     def __init__(self, cause: Cause, text: str) -> None:
         super().__init__(text)
         self.cause = cause
+
+    @property
+    def is_final(self) -> bool:
+        """Whether trying again as it stands mends nothing."""
+        return self.cause in (Cause.VERSION, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN)
 
 
 def closed(detail: str = "") -> LinkLost:

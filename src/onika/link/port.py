@@ -1,6 +1,9 @@
 """A runtime's port for an environment, to be served in the runtime's own loop; it never waits."""
 
+from collections.abc import Callable
+
 from onika.link.carrier import Carrier
+from onika.link.channel import Channel
 from onika.link.happening import Happening
 from onika.link.journal import Journal
 from onika.link.pump import Pump
@@ -9,6 +12,9 @@ from onika.link.server import ServerEnd
 from onika.link.state import LinkState
 from onika.link.terms import LOCAL, Terms
 
+MakeServer = Callable[[Journal, ReplyBook, Terms, Channel], ServerEnd]
+"""Makes the end that decides."""
+
 
 class ServerPort:
     """Answers one environment at a time; when its connection ends, another may be attached and goes on.
@@ -16,8 +22,15 @@ class ServerPort:
     Ports of one runtime share its journal and its reply book.
     """
 
-    def __init__(self, journal: Journal, replies: ReplyBook | None = None, terms: Terms = LOCAL) -> None:
-        self._end = ServerEnd(journal, replies or ReplyBook(), terms)
+    def __init__(
+        self,
+        journal: Journal,
+        replies: ReplyBook | None = None,
+        terms: Terms = LOCAL,
+        channel: Channel = Channel.ALL,
+        make: MakeServer = ServerEnd,
+    ) -> None:
+        self._end = make(journal, replies or ReplyBook(), terms, channel)
         self._pump = Pump(self._end)
 
     @property
@@ -29,6 +42,16 @@ class ServerPort:
     def is_open(self) -> bool:
         """Whether there is a connection, so that `fileno` can be waited for."""
         return self._pump.carrier is not None
+
+    @property
+    def heard_ns(self) -> int:
+        """When the environment was heard last."""
+        return self._end.heard_ns
+
+    @property
+    def has_more(self) -> bool:
+        """Whether something came that the last `service` left for the next."""
+        return self._pump.carrier is not None and self._pump.carrier.held > 0
 
     def fileno(self) -> int:
         """The descriptor to wait for reading; -1 when there is no connection."""

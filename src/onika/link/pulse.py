@@ -16,7 +16,7 @@ class Pulse:
         self.state = LinkState.APART
         self._terms = terms
         self._happenings = happenings
-        self._heard_ns = 0
+        self.heard_ns = 0
         self._beat_ns = 0
         self._beats = 0
 
@@ -33,25 +33,25 @@ class Pulse:
 
     def opened(self, now_ns: int) -> None:
         """A new connection; its greeting must be complete in time."""
-        self._heard_ns = now_ns
+        self.heard_ns = now_ns
         self.turn(LinkEvent.OPENED)
 
     def greeted(self, now_ns: int) -> None:
         """The greeting is complete: beats begin."""
-        self._heard_ns = now_ns
+        self.heard_ns = now_ns
         self._beat_ns = now_ns
         self._beats = 0
         self.turn(LinkEvent.GREETED)
 
     def heard(self, now_ns: int) -> None:
         """The other side said something."""
-        self._heard_ns = now_ns
+        self.heard_ns = now_ns
         if self.is_linked:
             self.turn(LinkEvent.HEARD)
 
     def listen(self, now_ns: int) -> lost.LinkLost | None:
         """How the silence is judged now; a link that is lost is reported and left to the caller to end."""
-        silence_ns = now_ns - self._heard_ns
+        silence_ns = now_ns - self.heard_ns
         limit_ns = self._terms.greeting_ns if self.state is LinkState.GREETING else self._terms.lost_ns
         if self.state in (*_ALIVE, LinkState.GREETING) and limit_ns and silence_ns >= limit_ns:
             return lost.silent(silence_ns / 1e9)
@@ -78,7 +78,7 @@ class Pulse:
         is_greeting = self.state is LinkState.GREETING
         first_ns = terms.suspect_ns if self.state is LinkState.LINKED else 0
         silence_ns = first_ns or (terms.greeting_ns if is_greeting else terms.lost_ns)
-        times = [self._heard_ns + silence_ns] if silence_ns else []
+        times = [self.heard_ns + silence_ns] if silence_ns else []
         times += [self._beat_ns] if terms.beat_ns and not is_greeting else []
         times += [now_ns + terms.retry_ns] if terms.retry_ns and (may_retry or is_greeting) else []
         return max(0, min(times) - now_ns) if times else None

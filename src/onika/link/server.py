@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from onika.link import lost
+from onika.link.channel import Channel
 from onika.link.happening import Asked, Greeted, Happening
 from onika.link.journal import Journal
 from onika.link.lanes import Lanes
@@ -29,10 +30,13 @@ class ServerEnd:
     is handed over at most once, whatever the connections do; on a new connection nothing is said before the greeting.
     """
 
-    def __init__(self, journal: Journal, replies: ReplyBook, terms: Terms = LOCAL) -> None:
+    def __init__(
+        self, journal: Journal, replies: ReplyBook, terms: Terms = LOCAL, channel: Channel = Channel.ALL
+    ) -> None:
         self._journal = journal
         self._replies = replies
         self._terms = terms
+        self._channel = channel
         self._happenings: list[Happening] = []
         self._pulse = Pulse(terms, self._happenings)
         self._readings = Readings(terms.reading_age_ns)
@@ -50,6 +54,11 @@ class ServerEnd:
     def state(self) -> LinkState:
         """How this end stands to the environment."""
         return self._pulse.state
+
+    @property
+    def heard_ns(self) -> int:
+        """When the environment was heard last, on this side's clock."""
+        return self._pulse.heard_ns
 
     def open(self, now_ns: int) -> None:
         """There is a new connection, in place of any old one; the environment speaks first."""
@@ -137,6 +146,9 @@ class ServerEnd:
                 self._garbage(f"an environment does not begin with {type(packet).__name__}")
 
     def _feed_linked(self, account: Account, packet: Packet, now_ns: int) -> None:
+        if not self._channel.carries(packet):
+            self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
+            return
         match packet:
             case Request():
                 self._request(account, packet, now_ns)

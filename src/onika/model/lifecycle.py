@@ -34,16 +34,25 @@ class Step(Enum):
     FAIL = "fail"
     CLEAR = "clear"
     REINIT = "reinit"
+    REBIND = "rebind"
+    SWAP = "swap"
     KILL = "kill"
 
 
 TABLE: dict[State, dict[Step, State]] = {
-    State.WAITING: {Step.INITIALISED: State.OFF, Step.FAIL: State.ERROR, Step.KILL: State.KILLED},
+    State.WAITING: {
+        Step.INITIALISED: State.OFF,
+        Step.REBIND: State.WAITING,
+        Step.FAIL: State.ERROR,
+        Step.KILL: State.KILLED,
+    },
     State.OFF: {
         Step.ON: State.ON,
         Step.ASK: State.ASKING,
         Step.OFF: State.OFF,
         Step.REINIT: State.OFF,
+        Step.REBIND: State.OFF,
+        Step.SWAP: State.OFF,
         Step.FAIL: State.ERROR,
         Step.KILL: State.KILLED,
     },
@@ -54,8 +63,21 @@ TABLE: dict[State, dict[Step, State]] = {
         Step.FAIL: State.ERROR,
         Step.KILL: State.KILLED,
     },
-    State.ON: {Step.OFF: State.OFF, Step.FINISH: State.OFF, Step.FAIL: State.ERROR, Step.KILL: State.KILLED},
-    State.ERROR: {Step.CLEAR: State.OFF, Step.OFF: State.ERROR, Step.FAIL: State.ERROR, Step.KILL: State.KILLED},
+    State.ON: {
+        Step.OFF: State.OFF,
+        Step.FINISH: State.OFF,
+        Step.SWAP: State.ON,
+        Step.FAIL: State.ERROR,
+        Step.KILL: State.KILLED,
+    },
+    State.ERROR: {
+        Step.CLEAR: State.OFF,
+        Step.OFF: State.ERROR,
+        Step.REBIND: State.ERROR,
+        Step.SWAP: State.ERROR,
+        Step.FAIL: State.ERROR,
+        Step.KILL: State.KILLED,
+    },
     State.KILLED: {Step.KILL: State.KILLED, Step.OFF: State.KILLED},
 }
 

@@ -1,25 +1,56 @@
 """One entry of shared memory: a ring of four slots that one writer fills and any reader reads without waiting.
 
-The first line of 64 bytes holds two counters; the slots follow, each a multiple of 64 bytes. The writer fills the slot
+The first line of 64 bytes holds a guard, the counters and a seal for each slot; the slots follow, each a multiple of
+64 bytes. The writer fills the slot
 behind the current one and then moves the counter, so a dead writer blocks nobody. A copy is good unless the writer came
 round meanwhile, which a reader sees by the counter. The order of stores is kept by x86-64; other processors would need
 a fence (law 31).
 """
 
 from collections.abc import Callable
+from typing import NamedTuple
+from zlib import crc32
 
 LINE = 64
 _SLOTS = 4
+_WORD = 8
+_GUARD = 0x4B_61_72_61_6B_61_73_21
+"""Stands before the counters of an armed entry, mixed with its place: what runs over from below meets it first."""
+_SEALS, _STRANGE = 2, 6
+"""Places among the words: of the slots' seals, and of the number of times that somebody else had published."""
+_SEALED = 1 << 32
+"""Beside a checksum: tells a seal from a slot that has none."""
+LONGEST_SEALED = 512
+"""A longer value is not sealed at each publication: that would cost more than to copy it."""
+ATTEMPTS = 64
+"""How often a slot is looked at that is written meanwhile; then it is left alone."""
+
+
+class Signed(NamedTuple):
+    """The end of an entry's declared writer."""
+
+    publish: Callable[[], None]
+    """Publish what lies in the source; counts as strange whatever was published by others since the last time."""
+    look: Callable[[], None]
+    """Take the entry as it stands: what others published until now was their right."""
 
 
 class Ring:
-    """An entry of `size` bytes at `offset` of a shared view; `words` holds its counter and its mark."""
+    """An entry of `size` bytes at `offset` of a shared view; `words` holds its counter and its mark.
+
+    Raises ValueError where the view has no room for it.
+    """
 
     def __init__(self, view: memoryview, offset: int, size: int) -> None:
         stride = _stride(size)
+        if offset < 0 or offset + Ring.footprint(size) > len(view):
+            raise ValueError(f"expected {Ring.footprint(size)} bytes of room at {offset}, found {len(view)} in all")
         self.size = size
-        self.words = view[offset : offset + LINE].cast("Q")
+        self.offset = offset
+        self._guard = view[offset : offset + _WORD].cast("Q")
+        self.words = view[offset + _WORD : offset + LINE].cast("Q")
         first = offset + LINE
+        self._memory = view[first : first + _SLOTS * stride]
         self._slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(_SLOTS))
 
     @staticmethod
@@ -40,6 +71,43 @@ class Ring:
     def forget(self) -> None:
         """Mark the present value as no longer in force; readers still see it."""
         self.words[1] = self.words[0]
+
+    # Integrity
+
+    def arm(self) -> None:
+        """Put the guard in its place: once, by the owner of the memory."""
+        self._guard[0] = _GUARD ^ self.offset
+
+    def faults(self) -> list[str]:
+        """What is wrong with the entry's memory; while it is written too. Only of an armed entry."""
+        found = []
+        if self._guard[0] != _GUARD ^ self.offset:
+            found.append("its guard is overwritten")
+        if self.words[_STRANGE]:
+            found.append(f"it was published {self.words[_STRANGE]} times by somebody who is not its writer")
+        stride = len(self._memory) // _SLOTS
+        if any(any(self._memory[i * stride + self.size : (i + 1) * stride]) for i in range(_SLOTS)):
+            found.append("the memory between its slots is overwritten")
+        if self._is_broken():
+            found.append("its value is not what its writer published")
+        return found
+
+    def _is_broken(self) -> bool:
+        """Whether one of the slots that are not being written is another than its seal says."""
+        words = self.words
+        for _ in range(ATTEMPTS):
+            count = words[0]
+            slots = [(words[_SEALS + (n & 3)], bytes(self._slots[n & 3])) for n in range(max(1, count - 2), count + 1)]
+            if words[0] == count:  # the writer was not in the oldest of them yet
+                return any(seal & _SEALED and seal != _SEALED | crc32(data) for seal, data in slots)
+        return False
+
+    def seal(self) -> None:
+        """Seal the present value, as its writer does when it rests; long ones too."""
+        count = self.words[0]
+        self.words[_SEALS + (count & 3)] = _SEALED | crc32(self._slots[count & 3])
+
+    # Values
 
     def write(self, source: memoryview | bytes) -> None:
         """Publish a value of exactly `size` bytes. One writer at a time, which its owner sees to."""
@@ -62,6 +130,32 @@ class Ring:
             words[0] = count
 
         return publish
+
+    def signed_writer(self, source: memoryview) -> Signed:
+        """As `writer`, for the one whose entry it is: publications of others are noticed, short values sealed."""
+        words, slots = self.words, self._slots
+        _check(source, self.size)
+        expected = words[0] + 1
+        checksum = crc32 if self.size <= LONGEST_SEALED else _no_checksum
+        sealed = _SEALED if self.size <= LONGEST_SEALED else 0
+        seals = words[_SEALS : _SEALS + _SLOTS]
+
+        def publish() -> None:
+            nonlocal expected
+            count = words[0] + 1
+            if count != expected:
+                words[_STRANGE] += 1
+            slot = count & 3
+            slots[slot][:] = source
+            seals[slot] = sealed | checksum(source)
+            words[0] = count
+            expected = count + 1
+
+        def look() -> None:
+            nonlocal expected
+            expected = words[0] + 1
+
+        return Signed(publish, look)
 
     def reader(self, target: memoryview) -> Callable[[], int]:
         """A fast function that copies the newest value into `target` and returns the count it belongs to."""
@@ -92,6 +186,10 @@ class Ring:
                     return
 
         return refresh
+
+
+def _no_checksum(_source: memoryview) -> int:
+    return 0
 
 
 def _stride(size: int) -> int:

@@ -63,6 +63,13 @@ class Agenda:
             slot.deadline = _next_on_grid(slot.release, period_ns)
             heappush(self._releases, (slot.release, slot.deadline, *slot.key, slot.epoch, slot))
 
+    def rekey(self, slot: Slot, key: tuple[int, int, str]) -> None:
+        """Another place among tasks with the same deadline; what was released stays so."""
+        slot.key = key
+        if slot.is_listed:
+            self._renew(slot)
+            heappush(self._releases, (slot.release, slot.deadline, *key, slot.epoch, slot))
+
     def next_due(self, now: int) -> Slot | None:
         """The slot to run now, or None; call `done` after its cycle."""
         releases, ready = self._releases, self._ready

@@ -4,7 +4,7 @@ import math
 import random
 from collections.abc import Callable, Mapping
 from types import SimpleNamespace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,35 +18,55 @@ from onika.runtime.module import Module
 from onika.words.name import SVAR_NAME
 from onika.words.shape import Shape
 
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
 Views = Mapping[str, memoryview]
 """Shared memory by name: `table:SUBSYSTEM`, `bus:WORLD`."""
 
 
 class Binding:
-    """Ports of one instance: functions that copy in and out, and the rings behind them."""
+    """Ports of one instance: functions that copy in and out, and the rings behind them.
 
-    def __init__(self, instance: Module, spawn: Spawn, views: Views) -> None:
+    Raises ValueError for a port without an entry, and then has changed nothing. Buffers of a `former` binding of the
+    same instance hand on what they hold where the shape is the same.
+    """
+
+    def __init__(self, instance: Module, spawn: Spawn, views: Views, former: "Binding | None" = None) -> None:
         self.instance = instance
+        self.values: list[tuple[str, Shape, NDArray[Any]]] = []
+        self._shown: dict[str, NDArray[Any]] = {}
         self.rings: dict[str, Ring] = {}
         self._real_inputs: list[tuple[str, memoryview]] = []
         self._real_outputs: list[tuple[str, memoryview]] = []
         self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
         self.preloads: list[Callable[[], Any]] = []
+        self.constants_out: list[Callable[[], Any]] = []
+        self._on_out: list[tuple[NDArray[Any], Callable[[], Any]]] = []
+        self._preloaded: list[bytes] = []
+        self._looks: list[Callable[[], Any]] = []
+        self._written: list[Ring] = []
         self.input_rings: list[Ring] = []
         self.first_values: list[tuple[str, Ring]] = []
         table = views[f"table:{spawn.subsystem}"]
         bound = {one.port: one for one in spawn.ports}
         for attribute, declared in type(instance).declared_ports.items():
             port = declared.port(attribute)
+            if port.name not in bound:
+                raise ValueError(f"expected an entry for port {port.name}, found none")
             entry = bound[port.name]
             shape = Shape.parse(entry.shape)
             ring = Ring(table, entry.offset, shape.size)
             self.rings[entry.svar] = ring
+            self.values.append((port.name, shape, _buffer(shape)))
             self._bind(attribute, entry.svar, declared.kind.value, shape, ring)
+        if former is not None:
+            self._take_values(former)
+        for attribute, shown in self._shown.items():
+            setattr(instance, slot(attribute), shown)
 
     def _bind(self, attribute: str, svar: str, kind: str, shape: Shape, ring: Ring) -> None:
-        length = shape.count * (shape.type.size if shape.type.is_text else 1)
-        flat = np.zeros(length, dtype=shape.type.code)
+        flat = self.values[-1][2]
         data = flat.data.cast("B")
         shown = flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims)  # type: ignore[arg-type]
         if kind.startswith("IN"):
@@ -61,12 +81,25 @@ class Binding:
                 if shape.type.is_real:
                     self._real_inputs.append((svar, flat.data))
         else:
-            self._add(kind, "out", ring.writer(data))
+            signed = ring.signed_writer(data)
+            self._add(kind, "out", signed.publish)
+            self._looks.append(signed.look)
+            self._written.append(ring)
+            if kind == "OUTCONST":
+                self.constants_out.append(signed.publish)
+            else:
+                self._on_out.append((flat, signed.publish))
             if shape.type.is_real and kind != "OUTCONST":
                 self._real_outputs.append((svar, flat.data))
             if kind != "OUTCONST":
                 self.preloads.append(ring.reader(data))
-        setattr(self.instance, slot(attribute), shown)
+        self._shown[attribute] = shown
+
+    def _take_values(self, former: "Binding") -> None:
+        before = {name: (shape, data) for name, shape, data in former.values}
+        for name, shape, data in self.values:
+            if name in before and before[name][0] == shape:
+                data[:] = before[name][1]
 
     def _add(self, kind: str, way: str, copy: Callable[[], Any]) -> None:
         if not kind.endswith("VAR"):
@@ -77,6 +110,29 @@ class Binding:
     def copies(self, which: str) -> list[Callable[[], Any]]:
         """The copy functions of `init_in`, `init_out`, `in` or `out`."""
         return self._copies[which]
+
+    def preload(self) -> None:
+        """Own outputs from the table; what others wrote until now was their right."""
+        for preload in self.preloads:
+            preload()
+        self.look()
+        self._preloaded = [data.tobytes() for data, _ in self._on_out]
+
+    def look(self) -> None:
+        """From now on nobody else writes the outputs (the check of integrity tells if somebody does)."""
+        for look in self._looks:
+            look()
+
+    def publish_changed(self) -> None:
+        """The outputs that are not what was preloaded: what `on` has not written does not count as written (law 4)."""
+        for (data, publish), before in zip(self._on_out, self._preloaded, strict=True):
+            if data.tobytes() != before:
+                publish()
+
+    def seal(self) -> None:
+        """The outputs rest: seal their present values, long ones too (requirement A12)."""
+        for ring in self._written:
+            ring.seal()
 
     def not_finite(self) -> list[str]:
         """The variables among the real inputs that hold NaN or infinity (law 5)."""
@@ -102,9 +158,14 @@ def instantiate(cls: type[Module], spawn: Spawn, views: Views) -> Module:
     instance.random = random.Random(f"{spawn.seed}/{spawn.subsystem}/{spawn.task}")  # noqa: S311 - simulation, no secret
     if spawn.device is not None:
         instance.device = attach(spawn.device, views)
-    for name, value in vars(locals_of(cls, dict(spawn.local))).items():
-        setattr(instance, name, value)
+    give_locals(instance, locals_of(cls, dict(spawn.local)))
     return instance
+
+
+def give_locals(instance: Module, parameters: SimpleNamespace) -> None:
+    """Set the parameters on an instance."""
+    for name, value in vars(parameters).items():
+        setattr(instance, name, value)
 
 
 def attach(grant: DeviceGrant, views: Views) -> Device:
@@ -129,6 +190,10 @@ def locals_of(cls: type[Module], lines: Mapping[str, tuple[str, ...]]) -> Simple
         else:
             setattr(found, name, declared.default)
     return found
+
+
+def _buffer(shape: Shape) -> "NDArray[Any]":
+    return np.zeros(shape.count * (shape.type.size if shape.type.is_text else 1), dtype=shape.type.code)
 
 
 def undeclared(instance: Module) -> list[str]:

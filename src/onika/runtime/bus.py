@@ -4,6 +4,7 @@ The same code runs in the device server's process in wall time and beside the vi
 """
 
 from collections.abc import Callable, Sequence
+from dataclasses import asdict
 from typing import Any, Protocol
 
 import numpy as np
@@ -54,8 +55,20 @@ class World(Protocol):
         """Hold everything, latched."""
         ...
 
+    def go_on(self) -> None:
+        """Leave a stop without moving anything: drives hold until they are commanded."""
+        ...
+
     def take_events(self) -> list[DriveEvent]:
         """Changes of drives since the last call."""
+        ...
+
+    def scene(self) -> Sequence[Any]:
+        """What there is to draw, as dataclasses of plain values."""
+        ...
+
+    def poses(self) -> Any:
+        """Where its bodies are: an array of float32, a row for each body of the scene."""
         ...
 
     def snapshot(self) -> bytes:
@@ -123,6 +136,14 @@ class Bus:
         for commands in self._commands.values():
             if commands.words[0] != commands.seen:
                 commands.pump(self.world)
+
+    def scene(self) -> dict[str, Any]:
+        """What there is to draw, as plain values that travel."""
+        return {"shapes": [asdict(shape) for shape in self.world.scene()]}
+
+    def poses(self) -> tuple[int, bytes]:
+        """The world's time and the poses of its bodies."""
+        return self.world.now_ns, self.world.poses().tobytes()
 
     def _publisher(self, sheet: DeviceSheet, offset: int) -> Callable[[], None]:
         """A function that publishes the device's state, straight from the world's vector, which is always the same."""

@@ -43,6 +43,16 @@ def line_in(path: str, wrong: BaseException) -> int:
     return lines[-1] if lines else 0
 
 
+def where(path: str, wrong: BaseException) -> tuple[str, int, str]:
+    """File and line in which a module's code raised, and the traceback from there on."""
+    frames = traceback.extract_tb(wrong.__traceback__)
+    own = [index for index, frame in enumerate(frames) if frame.filename == path]
+    if not own:
+        return path, 0, told(wrong)
+    lines = traceback.format_list(frames[own[0] :])
+    return path, frames[own[-1]].lineno or 0, showable("".join([*lines, told(wrong)]), 10_000)
+
+
 def told(wrong: BaseException) -> str:
     """An exception as a text that can be shown."""
     try:

@@ -41,6 +41,10 @@ class Spawn(Struct, frozen=True, tag=True):
     rank: int
     seed: int
     device: DeviceGrant | None
+    cost_ns: int = 0
+    """What loading and `init` are expected to take; 0: carry it out at once, whatever is ON (law 21)."""
+    init_ns: int = 0
+    """The part of it that `init` takes, which then is a piece of its own; 0: both are one piece."""
 
 
 class Launch(Struct, frozen=True):
@@ -49,6 +53,8 @@ class Launch(Struct, frozen=True):
     task: str
     arguments: str = ""
     frequency: float | None = None
+    activation: int = 0
+    """Comes back with all news of what follows, until the next Launch."""
 
 
 class Switch(Struct, frozen=True, tag=True):
@@ -59,6 +65,39 @@ class Switch(Struct, frozen=True, tag=True):
     forget: tuple[str, ...]
     on: tuple[Launch, ...]
     rates: tuple[tuple[str, float], ...] = ()
+
+
+class Rank(Struct, frozen=True, tag=True):
+    """New places of living tasks in the order of data flow (law 1); no release is lost."""
+
+    subsystem: str
+    ranks: tuple[tuple[str, int], ...]
+
+
+class Reinit(Struct, frozen=True, tag=True):
+    """Initialise a task that is OFF anew: constants in, `reinit`, constants out (law 3)."""
+
+    subsystem: str
+    task: str
+
+
+class Rebind(Struct, frozen=True, tag=True):
+    """Bind ports of a living instance to other entries, and set its parameters where `local` is given (law 12).
+
+    The task is OFF or in ERROR; ports that are not named stay as they are. No entry point is called: before it comes
+    on again a Reinit has to follow (from ERROR a Clear, which initialises too).
+    """
+
+    subsystem: str
+    task: str
+    ports: tuple[BoundPort, ...]
+    local: tuple[tuple[str, tuple[str, ...]], ...] | None = None
+
+
+class Swap(Struct, frozen=True, tag=True):
+    """Exchange the module of the living task of the spawn's name; its rate, state and activation stay (law 21)."""
+
+    spawn: Spawn
 
 
 class Answer(Struct, frozen=True, tag=True):
@@ -104,10 +143,18 @@ class Report(Struct, frozen=True, tag=True):
     """Ask for the status of every task; counters begin anew with it (requirement A17)."""
 
 
+class Load(Struct, frozen=True, tag=True):
+    """Ask what the tasks cost; nothing begins anew with it (requirement X13)."""
+
+
 class Stop(Struct, frozen=True, tag=True):
     """Everything off at once, devices in hold (law 27)."""
 
     cause: str
+
+
+class Reset(Struct, frozen=True, tag=True):
+    """After a Stop: tasks may be spawned and come on again."""
 
 
 class Fail(Struct, frozen=True, tag=True):
@@ -120,7 +167,25 @@ class Quit(Struct, frozen=True, tag=True):
     """End the processing unit."""
 
 
-Command = Spawn | Switch | Answer | Clear | Get | Set | Kill | Report | Stop | Fail | Quit
+Command = (
+    Spawn
+    | Switch
+    | Rank
+    | Reinit
+    | Rebind
+    | Swap
+    | Answer
+    | Clear
+    | Get
+    | Set
+    | Kill
+    | Report
+    | Load
+    | Stop
+    | Reset
+    | Fail
+    | Quit
+)
 
 encode = msgspec.msgpack.Encoder().encode
 decode = msgspec.msgpack.Decoder(Command).decode

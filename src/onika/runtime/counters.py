@@ -2,12 +2,13 @@
 
 
 class Counters:
-    """Cycles, warnings and the times of cycles in nanoseconds."""
+    """Cycles, warnings, the times of cycles and the time in which the task was ON, in nanoseconds."""
 
-    __slots__ = ("cycles", "least_ns", "most_ns", "since_ns", "total_ns", "warnings")
+    __slots__ = ("cycles", "least_ns", "most_ns", "on_since_ns", "total_ns", "warnings", "was_on_ns")
 
-    def __init__(self, now: int) -> None:
-        self.since_ns = now
+    def __init__(self, on_since_ns: int | None = None) -> None:
+        self.on_since_ns = on_since_ns
+        self.was_on_ns = 0
         self.cycles = 0
         self.warnings = 0
         self.total_ns = 0
@@ -23,9 +24,18 @@ class Counters:
         if took_ns < self.least_ns or self.cycles == 1:
             self.least_ns = took_ns
 
-    def span_s(self, now: int) -> float:
-        """Seconds counted over; never 0, so that it can be divided by."""
-        return max(now - self.since_ns, 1) * 1e-9
+    def begin(self, now: int) -> None:
+        """The task comes on."""
+        self.on_since_ns = now
+
+    def end(self, now: int) -> None:
+        """The task is ON no more; harmless where it was not."""
+        self.was_on_ns = self.profiled_ns(now)
+        self.on_since_ns = None
+
+    def profiled_ns(self, now: int) -> int:
+        """The time in which cycles could have been counted."""
+        return self.was_on_ns + (0 if self.on_since_ns is None else now - self.on_since_ns)
 
     @property
     def mean_ns(self) -> float:

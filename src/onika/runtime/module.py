@@ -87,6 +87,13 @@ class Module:
     def on(self, inputs: SimpleNamespace) -> None:
         """All inputs are read, own outputs are preloaded with the table's values; `inputs` holds the user's input."""
 
+    def take(self, old: Any) -> None:
+        """In place of `on`, where this module is exchanged for the code of a task that is ON: go on where `old` stands.
+
+        `old` is the instance that worked until now, to be read and not to be changed. All inputs are read and own
+        outputs preloaded. What raises leaves the old one at work. Without a `take` of its own the module comes on anew.
+        """
+
     def cycle(self) -> Signal | None:
         """One period of a periodic task, or the one run of an aperiodic one."""
 

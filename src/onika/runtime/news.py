@@ -5,11 +5,16 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
+from onika.runtime.load import TaskLoad
 from onika.runtime.user_input import AskedItem
 
 
 class TaskStatus(Struct, frozen=True):
-    """The figures of one task (requirement A11); counters count since the last status, times in microseconds."""
+    """The figures of one task (requirement A11, dissertation §A.5 STATINFO); times in microseconds.
+
+    `cycle`, `miss` and `warn` count since the last status; so does the profile (`profiled_s` and whatever follows it),
+    over the time in which the task was ON. `tid` counts the tasks of this unit in the order of their coming.
+    """
 
     subsystem: str
     task: str
@@ -27,6 +32,28 @@ class TaskStatus(Struct, frozen=True):
     least_us: float
     mean_us: float
     most_us: float
+    tid: int = 0
+    tick_ms: float = 0.0
+    """The resolution of the unit's clock."""
+
+    @property
+    def letter(self) -> str:
+        """The type as `status` shows it: P periodic, Y synchronous, A aperiodic."""
+        return {"periodic": "P", "synchronous": "Y"}.get(self.type, "A")
+
+    @property
+    def reference_ms(self) -> float:
+        """The desired period; 0 without one."""
+        return 1e3 / self.reference_hz if self.reference_hz else 0.0
+
+    @property
+    def measured_ms(self) -> float:
+        """The measured period; 0 without a cycle."""
+        return 1e3 / self.measured_hz if self.measured_hz else 0.0
+
+    def use(self, took_us: float) -> float:
+        """The utilisation that a cycle of so many microseconds is: U = C / period, the measured one without a rate."""
+        return took_us * 1e-6 * (self.reference_hz or self.measured_hz)
 
 
 class Initialised(Struct, frozen=True, tag=True):
@@ -36,14 +63,40 @@ class Initialised(Struct, frozen=True, tag=True):
     task: str
 
 
+class Reinitialised(Struct, frozen=True, tag=True):
+    """A task that is OFF has taken over its constants anew."""
+
+    subsystem: str
+    task: str
+
+
+class Rebound(Struct, frozen=True, tag=True):
+    """A task's ports are bound anew; it is to be reinitialised."""
+
+    subsystem: str
+    task: str
+
+
+class Swapped(Struct, frozen=True, tag=True):
+    """A task lives on with another module, whose source has this SHA-256."""
+
+    subsystem: str
+    task: str
+    digest: str
+
+
 class Changed(Struct, frozen=True, tag=True):
-    """A task's state by command or by its own OFF signal (`signal`)."""
+    """A task's state by command or by its own OFF signal (`signal`).
+
+    `activation`, here and below, is that of the Launch with which the task came on, or tried to, last.
+    """
 
     subsystem: str
     task: str
     state: str
     now_ns: int
     signal: str = ""
+    activation: int = 0
 
 
 class Cycled(Struct, frozen=True, tag=True):
@@ -52,6 +105,7 @@ class Cycled(Struct, frozen=True, tag=True):
     subsystem: str
     task: str
     at_ns: int
+    activation: int = 0
 
 
 class Finished(Struct, frozen=True, tag=True):
@@ -62,6 +116,7 @@ class Finished(Struct, frozen=True, tag=True):
     flow: int
     loop: bool
     now_ns: int
+    activation: int = 0
 
 
 class Failed(Struct, frozen=True, tag=True):
@@ -75,6 +130,9 @@ class Failed(Struct, frozen=True, tag=True):
     line: int
     traceback: str
     now_ns: int
+    activation: int = 0
+    values: dict[str, Any] = {}
+    """Its ports when it failed: inputs as read, outputs as they stood; arrays as lists, long ones cut (A18)."""
 
 
 class Warned(Struct, frozen=True, tag=True):
@@ -95,6 +153,7 @@ class Signalled(Struct, frozen=True, tag=True):
     number: int
     text: str
     now_ns: int
+    activation: int = 0
 
 
 class Asked(Struct, frozen=True, tag=True):
@@ -105,6 +164,7 @@ class Asked(Struct, frozen=True, tag=True):
     reason: str
     items: tuple[AskedItem, ...]
     now_ns: int
+    activation: int = 0
 
 
 class Refused(Struct, frozen=True, tag=True):
@@ -133,7 +193,30 @@ class Statuses(Struct, frozen=True, tag=True):
     tasks: tuple[TaskStatus, ...]
 
 
-News = Initialised | Changed | Cycled | Finished | Failed | Warned | Signalled | Asked | Refused | Got | Statuses
+class Loads(Struct, frozen=True, tag=True):
+    """The answer to a Load: what the tasks of this RTPU cost, by the newest figures there are."""
+
+    rtpu: str
+    tasks: tuple[TaskLoad, ...]
+
+
+News = (
+    Initialised
+    | Reinitialised
+    | Rebound
+    | Swapped
+    | Changed
+    | Cycled
+    | Finished
+    | Failed
+    | Warned
+    | Signalled
+    | Asked
+    | Refused
+    | Got
+    | Statuses
+    | Loads
+)
 
 
 def _plain(value: Any) -> Any:

@@ -1,20 +1,20 @@
 """A running task: one instance of a module, its state, its cycle and its counters (laws 2 to 5)."""
 
-import traceback
+from collections.abc import Callable, Iterable
 from operator import index
 from time import perf_counter_ns
 from types import SimpleNamespace
 
+from msgspec import structs
+
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.agenda import Slot
-from onika.runtime.binding import Binding, Views, instantiate, undeclared
-from onika.runtime.code import showable, told
-from onika.runtime.command import Spawn
+from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of, undeclared
+from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.counters import Counters
 from onika.runtime.device import SILENCE_NS, Device
 from onika.runtime.module import Module, ModuleError
-from onika.runtime.news import TaskStatus
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
 
@@ -36,8 +36,11 @@ def period_of(frequency: float) -> int:
 class RunningTask:
     """Carries out entry points in the order of the law; its owner decides when, and what an exception means."""
 
-    def __init__(self, spawn: Spawn, cls: type[Module], views: Views, now: int) -> None:
+    def __init__(self, spawn: Spawn, cls: type[Module], views: Views) -> None:
         self.spawn = spawn
+        self.tid = 0
+        self.activation = 0
+        self.line = ""
         self.state = State.WAITING
         self.module = instantiate(cls, spawn, views)
         self.binding = Binding(self.module, spawn, views)
@@ -45,15 +48,16 @@ class RunningTask:
         self.passive = cls.passive
         self.trigger = cls.trigger
         self.period_ns = SLOWEST_GRID_NS if spawn.frequency is None else period_of(spawn.frequency)
-        name = f"{spawn.subsystem}/{spawn.task}"
-        self.slot = Slot((-cls.crit, spawn.rank, name), self.period_ns)
-        self.counters = Counters(now)
+        self.slot = Slot(self.key, self.period_ns)
+        self.counters = self.last_profile = Counters()
         self.is_first = False
+        self.goes_on = False
         self.is_initialised = False
         self.warnings = self.module.warnings
         self.is_periodic = spawn.task_type == "periodic"
         self._reads = self.binding.copies("in")
         self._writes = self.binding.copies("out")
+        self._views = views
         self._wanted = cls.declared_inputs
         self._input: UserInput | None = None
         self._waits_for_fresh = False
@@ -64,6 +68,21 @@ class RunningTask:
         """The task's device, if it has one."""
         return self.module.device if self.spawn.device is not None else None
 
+    @property
+    def is_on(self) -> bool:
+        """Whether it is ON."""
+        return self.state is State.ON
+
+    @property
+    def address(self) -> tuple[str, str]:
+        """Subsystem and name."""
+        return self.spawn.subsystem, self.spawn.task
+
+    @property
+    def key(self) -> tuple[int, int, str]:
+        """Its place among tasks with the same deadline (law 1)."""
+        return -type(self.module).crit, self.spawn.rank, f"{self.spawn.subsystem}/{self.spawn.task}"
+
     def step(self, step: Step) -> None:
         """Change state as the table of lifecycles says."""
         self.state = after(self.state, step)
@@ -72,18 +91,48 @@ class RunningTask:
 
     def init(self) -> None:
         """Constants in, `init`, constants out."""
+        self.prepare(self.module.init)
+        self.publish_constants()
+
+    def reinit(self) -> None:
+        """Constants in, `reinit`, constants out; where it raises, the task counts as not initialised."""
+        self.is_initialised = False
+        self.prepare(self.module.reinit)
+        self.publish_constants()
+
+    def prepare(self, entry: Callable[[], None]) -> None:
+        """All of `init` or `reinit` but what others see of it."""
         for svar, ring in self.binding.first_values:
             if not ring.count:
                 self.module.warn(f"{svar} was never written: its first value here is zero")
         for read in self.binding.copies("init_in"):
             read()
-        self.module.init()
-        self._no_strays()
-        for write in self.binding.copies("init_out"):
-            write()
+        entry()
+        self.no_strays()
         if self._wanted:
             self._input = UserInput(sheet_of(type(self.module)).inputs, self._constants())
         self.is_initialised = True
+
+    def publish_constants(self, first_values: bool = True) -> None:
+        """Constants out; first values too, unless a cycle has written them long since."""
+        self.binding.look()
+        for write in self.binding.copies("init_out") if first_values else self.binding.constants_out:
+            write()
+        self.binding.seal()
+
+    def rebind(self, ports: Iterable[BoundPort], local: tuple[tuple[str, tuple[str, ...]], ...] | None) -> None:
+        """Bind these ports anew and take other parameters; raises ValueError and then has changed nothing."""
+        bound = {one.port: one for one in (*self.spawn.ports, *ports)}
+        spawn = structs.replace(self.spawn, ports=tuple(bound.values()))
+        if local is not None:
+            spawn = structs.replace(spawn, local=local)
+        parameters = locals_of(type(self.module), dict(spawn.local))
+        self.binding = Binding(self.module, spawn, self._views, self.binding)
+        if local is not None:
+            give_locals(self.module, parameters)
+        self.spawn = spawn
+        self._reads, self._writes = self.binding.copies("in"), self.binding.copies("out")
+        self.is_initialised = False
 
     def clear(self) -> None:
         """`clear`, and `init` where that has not succeeded yet."""
@@ -95,22 +144,34 @@ class RunningTask:
         """Another rate in hertz from the next cycle on; the new period. Raises ValueError where there is none."""
         self.period_ns = period_of(frequency)
         self.module.dt = 1.0 / frequency
+        if self.spawn.frequency is not None:
+            self.spawn = structs.replace(self.spawn, frequency=frequency)
         return self.period_ns
 
     def on(self, now: int, inputs: SimpleNamespace) -> None:
         """All inputs in, own outputs preloaded, `on`, out."""
+        self.begin(now, inputs)
+        self.publish()
+
+    def begin(self, now: int, inputs: SimpleNamespace) -> None:
+        """All of `on` but what others see of it."""
+        self.look()
+        if self.hardware:
+            self._begin_hold(now)
+        self.module.on(inputs)
+
+    def look(self) -> None:
+        """All inputs in, own outputs preloaded from the table."""
         for read in self.binding.copies("init_in"):
             read()
         for read in self._reads:
             read()
-        for preload in self.binding.preloads:
-            preload()
+        self.binding.preload()
         self.module.in_force = self._in_force()
-        if self.hardware:
-            self._begin_hold(now)
-        self.module.on(inputs)
-        for write in self._writes:
-            write()
+
+    def publish(self) -> None:
+        """Outputs that `on` changed out."""
+        self.binding.publish_changed()
         self.is_first = True
 
     def cycle(self, now: int) -> Signal | None:
@@ -160,6 +221,7 @@ class RunningTask:
             self.module.off()
         finally:
             self.hold()
+            self.binding.seal()
 
     def hold(self) -> None:
         """Put the task's device in hold, whatever its module thinks."""
@@ -182,39 +244,11 @@ class RunningTask:
         names = undeclared(self.module)
         return f"{', '.join(names)} is no port of this module: declare it or use another name" if names else ""
 
-    def where(self, wrong: BaseException) -> tuple[str, int, str]:
-        """File and line in which the module's code raised, and the traceback from there on."""
-        frames = traceback.extract_tb(wrong.__traceback__)
-        own = [index for index, frame in enumerate(frames) if frame.filename == self.spawn.path]
-        if not own:
-            return self.spawn.path, 0, told(wrong)
-        lines = traceback.format_list(frames[own[0] :])
-        return self.spawn.path, frames[own[-1]].lineno or 0, showable("".join([*lines, told(wrong)]), 10_000)
-
-    def report(self, now: int) -> TaskStatus:
-        """The figures since the last report; counting begins anew."""
-        counters, spawn = self.counters, self.spawn
-        status = TaskStatus(
-            subsystem=spawn.subsystem,
-            task=spawn.task,
-            module=spawn.module,
-            state=self.state.value,
-            type=spawn.task_type,
-            crit=-self.slot.key[0],
-            cycle=counters.cycles,
-            miss=self.slot.missed,
-            warn=counters.warnings,
-            reference_hz=0.0 if spawn.frequency is None else 1e9 / self.period_ns,
-            measured_hz=counters.cycles / counters.span_s(now),
-            profiled_s=counters.span_s(now),
-            total_us=counters.total_ns / 1e3,
-            least_us=counters.least_ns / 1e3,
-            mean_us=counters.mean_ns / 1e3,
-            most_us=counters.most_ns / 1e3,
-        )
-        self.counters = Counters(now)
-        self.slot.missed = 0
-        return status
+    def no_strays(self) -> None:
+        """Raises ModuleError where there are some."""
+        strays = self.strays()
+        if strays:
+            raise ModuleError(strays)
 
     # Hardware
 
@@ -258,8 +292,3 @@ class RunningTask:
     def _in_force(self) -> frozenset[str]:
         live = self.binding.in_force()
         return frozenset(one.port for one in self.spawn.ports if one.svar in live)
-
-    def _no_strays(self) -> None:
-        strays = self.strays()
-        if strays:
-            raise ModuleError(strays)

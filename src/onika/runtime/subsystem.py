@@ -63,7 +63,7 @@ class Subsystem:
         wired = self.members[task].wired
         planned = wired.task
         names = {name for port in wired.ports for name in port.shape.names}
-        constants = {name: self._dimension(name) for name in sorted(names)}
+        constants = {name: self.dimension(name) for name in sorted(names)}
         ports = []
         for port in wired.ports:
             entry = self.table.entry(port.svar, port.shape.resolve(constants))
@@ -113,9 +113,9 @@ class Subsystem:
             if svar in writers
         ]
 
-    def _dimension(self, name: str) -> int:
-        """A constant that shapes depend on: as written, else as its supplier said it will be."""
-        return int(self.table.value(name)) if self._is_written(name) else int(self._known[name])
+    def dimension(self, name: str) -> int:
+        """A constant that shapes depend on: as its supplier states it before it lives, else as written."""
+        return int(self._known[name]) if name in self._known else int(self.table.value(name))
 
     def _is_written(self, svar: str) -> bool:
         return svar in self.table.entries and self.table.ring(svar).count > 0

@@ -33,6 +33,7 @@ class Table:
         self.entries: dict[str, Entry] = {}
         self._rings: dict[str, Ring] = {}
         self._end = 0
+        self._free: dict[int, list[int]] = {}
 
     def entry(self, name: str, shape: Shape) -> Entry:
         """The entry of a variable, made zeroed at first; raises ValueError where the shape differs from the entry's."""
@@ -41,14 +42,22 @@ class Table:
             if known.shape != shape:
                 raise ValueError(f"{name} is {known.shape} in this subsystem, found {shape}")
             return known
-        need = Ring.footprint(shape.size)
-        if self._end + need > self.segment.size:
-            raise ValueError(f"the table of {self.segment.size} bytes has no room for {name} {shape}")
-        entry = Entry(name, shape, self._end)
-        self._end += need
+        entry = Entry(name, shape, self._room(name, shape))
         self.entries[name] = entry
         self._rings[name] = Ring(self.segment.view, entry.offset, shape.size)
+        self._rings[name].arm()
         return entry
+
+    def drop(self, name: str) -> Entry:
+        """Forget a variable; its memory stays as it is until it is freed, for tasks that are bound to it still."""
+        del self._rings[name]
+        return self.entries.pop(name)
+
+    def free(self, entry: Entry) -> None:
+        """Give the memory of a dropped entry back, zeroed; nobody is bound to it any more."""
+        need = Ring.footprint(entry.shape.size)
+        self.segment.view[entry.offset : entry.offset + need] = bytes(need)
+        self._free.setdefault(need, []).append(entry.offset)
 
     def ring(self, name: str) -> Ring:
         """The ring of a known variable."""
@@ -61,6 +70,20 @@ class Table:
     def values(self, names: Iterable[str]) -> dict[str, Any]:
         """Copies of those variables that are there."""
         return {name: self.value(name) for name in names if name in self.entries}
+
+    def _room(self, name: str, shape: Shape) -> int:
+        need = Ring.footprint(shape.size)
+        if self._free.get(need):
+            return self._free[need].pop()
+        if self._end + need > self.segment.size:
+            raise ValueError(f"the table of {self.segment.size} bytes has no room for {name} {shape}")
+        self._end += need
+        return self._end - need
+
+    @property
+    def end(self) -> int:
+        """Where the memory begins that no entry has taken yet."""
+        return self._end
 
     @property
     def is_zeroed(self) -> bool:

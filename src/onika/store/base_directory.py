@@ -1,23 +1,23 @@
 """A base directory: the libraries and dictionaries of one place, `module/ conf/ dict/ appl/` (requirement B08)."""
 
-from collections.abc import Callable
+import os
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import TypeVar
 
-from onika.files import appl, conf, onk, rmod, text, whole
+from onika.files import appl, conf, onk, rmod, whole
 from onika.files.rmod import RmodText
 from onika.model.application import Application
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
-from onika.words.fault import Fault, Place
+from onika.model.task import Task
+from onika.store.opened import Faults, Opened, Read, open_file, put, save
+from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 
 _T = TypeVar("_T")
-Faults = tuple[Fault, ...]
-_Read = Callable[[str, str, str], tuple[_T | None, Faults]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,6 +57,22 @@ class BaseDirectory:
         expected = "a name of letters, digits and _ . - that begins with a letter"
         return tuple(Fault(Place(str(path)), expected, repr(path.stem), "the file is left out") for path in wrong)
 
+    @property
+    def unreadable(self) -> Faults:
+        """This directory where there is none, and its folders that cannot be looked into; absent ones are empty."""
+        found = []
+        if not self.path.is_dir():
+            found.append(Fault(Place(str(self.path)), "a base directory", "none", "it is left out"))
+        for folder in ("module", "conf", "dict", "appl"):
+            try:
+                os.listdir(self.path / folder)  # noqa: PTH208 - iterdir waits until it is asked
+            except FileNotFoundError:
+                continue
+            except OSError as error:
+                place = Place(str(self.path / folder))
+                found.append(Fault(place, "a folder that can be read", error.strerror or "", "its files are left out"))
+        return tuple(found)
+
     def task_file(self, name: str) -> Path:
         """Where the task `name` stands or would stand."""
         return self._file("module", name, rmod.ENDING)
@@ -93,24 +109,60 @@ class BaseDirectory:
         """The application `name`."""
         return _read(self.application_file(name), name, partial(appl.read, syntax=syntax))
 
-    def save_task(self, record: RmodText) -> None:
-        """Write a task, its comments as they were; OSError where that cannot be."""
-        _save(self.task_file(record.task.name), rmod.write(record))
+    # -- to edit: opened with the text of the file, saved where that text still is
 
-    def save_configuration(self, configuration: Configuration) -> None:
-        """Write a configuration; comments of the file it replaces are kept. OSError where that cannot be."""
+    def open_configuration(self, name: str) -> tuple[Opened[Configuration] | None, Faults]:
+        """The configuration `name`, to be saved again."""
+        return open_file(self.configuration_file(name), name, conf.read)
+
+    def open_onikon(self, name: str, syntax: Syntax) -> tuple[Opened[Onikon] | None, Faults]:
+        """The onikon `name`, to be saved again."""
+        return open_file(self.onikon_file(name), name, partial(onk.read, syntax=syntax))
+
+    def open_application(self, name: str, syntax: Syntax) -> tuple[Opened[Application] | None, Faults]:
+        """The application `name`, to be saved again."""
+        return open_file(self.application_file(name), name, partial(appl.read, syntax=syntax))
+
+    def save_task(self, record: RmodText, task: Task | None = None, *, overwrites: bool = False) -> RmodText | Refusal:
+        """Save a task with what `task` changes in it; a new record, and one under another name, is a new file.
+
+        Refused where the file is no longer the record's text, unless the user `overwrites` it. Gives what was saved.
+        """
+        task = task or record.task
+        is_new = not record.text or task.name != record.task.name
+        expected = whole.ABSENT if is_new else whole.stamp(record.text)
+        content = rmod.write(record, task)
+        found = put(self.task_file(task.name), task, content, whole.ANYTHING if overwrites else expected)
+        return found if isinstance(found, Refusal) else RmodText(task, content)
+
+    def save_configuration(
+        self, configuration: Configuration, former: Opened[Configuration] | None = None, *, overwrites: bool = False
+    ) -> Opened[Configuration] | Refusal:
+        """Save a configuration opened as `former`, or a new one; see `opened.save`."""
         path = self.configuration_file(configuration.name)
-        _save(path, conf.write(configuration, _former(path)))
+        return save(path, configuration, conf.write, former, overwrites=overwrites)
 
-    def save_onikon(self, onikon: Onikon) -> None:
-        """Write an onikon; comments of the file it replaces are kept. OSError where that cannot be."""
-        path = self.onikon_file(onikon.name)
-        _save(path, onk.write(onikon, _former(path)))
+    def save_onikon(
+        self, onikon: Onikon, former: Opened[Onikon] | None = None, *, overwrites: bool = False
+    ) -> Opened[Onikon] | Refusal:
+        """Save an onikon opened as `former`, or a new one; see `opened.save`.
 
-    def save_application(self, application: Application) -> None:
-        """Write an application; comments of the file it replaces are kept. OSError where that cannot be."""
+        A configuration and an application of one name would share it: whose icon it is first keeps it (decision 34).
+        """
+        path, name = self.onikon_file(onikon.name), onikon.name
+        found = save(path, onikon, onk.write, former, overwrites=overwrites)
+        both = self.configuration_file(name).exists() and self.application_file(name).exists()
+        if former is None and both and isinstance(found, Refusal):
+            remedies = (f"rename the configuration or the application {name}", *found.remedies)
+            return Refusal(f"{found.reason}; the configuration and the application {name} share it", remedies)
+        return found
+
+    def save_application(
+        self, application: Application, former: Opened[Application] | None = None, *, overwrites: bool = False
+    ) -> Opened[Application] | Refusal:
+        """Save an application opened as `former`, or a new one; see `opened.save`."""
         path = self.application_file(application.name)
-        _save(path, appl.write(application, _former(path)))
+        return save(path, application, appl.write, former, overwrites=overwrites)
 
     def _file(self, folder: str, name: str, ending: str) -> Path:
         if not _is_name(name):
@@ -134,16 +186,6 @@ def _is_name(name: str) -> bool:
     return TASK_NAME.match(name) is not None
 
 
-def _read(path: Path, name: str, read: _Read[_T]) -> tuple[_T | None, Faults]:
-    content, faults = text.load(path, str(path))
-    return (None, faults) if content is None else read(content, name, str(path))
-
-
-def _former(path: Path) -> str:
-    """The text a file had; "" where there was none to keep comments of."""
-    return text.load(path, str(path))[0] or ""
-
-
-def _save(path: Path, content: str) -> None:
-    path.parent.mkdir(parents=True, exist_ok=True)
-    whole.write(path, content)
+def _read(path: Path, name: str, read: Read[_T]) -> tuple[_T | None, Faults]:
+    opened, faults = open_file(path, name, read)
+    return (opened.value if opened else None), faults

@@ -9,7 +9,7 @@ from onika.model.application import Application, actions
 from onika.model.configuration import Configuration
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.store.base_directory import Faults
+from onika.store.opened import Faults
 from onika.store.site import Site
 from onika.words.fault import Fault
 
@@ -26,6 +26,8 @@ class Program:
     applications: Mapping[str, Application]
     """Those that nested icons run."""
     faults: Faults
+    unread: frozenset[str] = frozenset()
+    """Configurations and tasks that were found and are at fault."""
 
 
 def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults]:
@@ -57,6 +59,7 @@ class _Gathering:
         self._tasks: dict[str, Task] = {}
         self._seen: set[tuple[str, str]] = set()
         self._faults: list[Fault] = []
+        self._unread: set[str] = set()
 
     def program(self, application: Application, faults: Faults) -> Program:
         self._faults += faults
@@ -64,7 +67,8 @@ class _Gathering:
         paths = {task.module: self._site.code_file(task) for task in self._tasks.values()}
         code = {module: path for module, path in paths.items() if path}
         found = tuple(self._faults)
-        return Program(application, self._configurations, self._tasks, code, self._applications, found)
+        unread = frozenset(self._unread)
+        return Program(application, self._configurations, self._tasks, code, self._applications, found, unread)
 
     def _enter(self, application: Application) -> None:
         for flow in application.flows:
@@ -83,6 +87,8 @@ class _Gathering:
                 self._configurations[name] = configuration
                 for placed in configuration.placed:
                     self._task(placed.task)
+            elif faults:
+                self._unread.add(name)
 
     def _application(self, name: str) -> None:
         if self._is_new("appl", name):
@@ -98,6 +104,8 @@ class _Gathering:
             self._faults += faults
             if record:
                 self._tasks[name] = record.task
+            elif faults:
+                self._unread.add(name)
 
     def _is_new(self, folder: str, name: str) -> bool:
         is_new = (folder, name) not in self._seen

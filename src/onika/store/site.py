@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from importlib import resources
 from pathlib import Path
 
-from onika.files import appl, buttons, picture, preferences, syntax, text
+from onika.files import appl, buttons, picture, preferences, syntax, text, whole
 from onika.files.rmod import RmodText
 from onika.model.application import Application
 from onika.model.button import Button
@@ -16,8 +16,9 @@ from onika.model.picture import Picture, blank
 from onika.model.preferences import Preferences
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.store.base_directory import BaseDirectory, Faults
-from onika.words.fault import Fault, Place
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened import Faults, Opened, open_file, put, save
+from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 
 _FOLDERS = ("module", "conf", "dict", "appl")
@@ -66,6 +67,28 @@ class Site:
         if content is None:
             return Preferences(), faults
         return preferences.read(content, preferences.NAME, str(self._own_path(preferences.NAME)))
+
+    def keep_preferences(self, preferred: Preferences) -> Refusal | None:
+        """Write the preferences at the end of a session where the user has no file of them yet (requirement B12)."""
+        path = self._own_path(preferences.NAME)
+        if path is None or os.path.lexists(path):
+            return None
+        found = put(path, preferred, preferences.write(preferred), whole.ABSENT)
+        return found if isinstance(found, Refusal) else None
+
+    def open_preferences(self) -> tuple[Opened[Preferences] | None, Faults]:
+        """The preferences to be edited and saved again; None where the user has no file of them that can be read."""
+        path = self._own_path(preferences.NAME)
+        return open_file(path, preferences.NAME, preferences.read) if path and path.exists() else (None, ())
+
+    def save_preferences(
+        self, preferred: Preferences, former: Opened[Preferences] | None = None, *, overwrites: bool = False
+    ) -> Opened[Preferences] | Refusal:
+        """Save preferences opened as `former`, or new ones; see `opened.save`."""
+        path = self._own_path(preferences.NAME)
+        if path is None:
+            return Refusal("there is no home directory for preferences")
+        return save(path, preferred, preferences.write, former, overwrites=overwrites)
 
     def buttons(self) -> tuple[tuple[Button, ...], Faults]:
         """The user's buttons; none where the file is missing or at fault."""
@@ -149,7 +172,8 @@ class Site:
                 if winner is not base:
                     place = Place(str(base.path / folder / name))
                     found = f"it again, first in {winner.path / folder}"
-                    yield Fault(place, f"the name {name} once on the search path", found, "the first one is used")
+                    expected = f"the name {name} once on the search path"
+                    yield Fault(place, expected, found, "the first one is used", is_note=True)
 
     def _first(self, name: str, file: Callable[[BaseDirectory, str], Path]) -> BaseDirectory | None:
         if not TASK_NAME.match(name):

@@ -48,13 +48,18 @@ class Rig:
         self._watched = ""
         self.executive = Executive("unit", self.views, self._watch)
         self.bus = None if world is None else self._open(world)
+        self._grants: dict[str, command.DeviceGrant] = {}
         self._stepped_to = 0
         self._requests: deque[tuple[int, command.Command]] = deque()
 
     def __getitem__(self, name: str) -> Any:
         return self.table.value(name)
 
-    def spawn(
+    def spawn(self, task: str, source: str, **given: Any) -> Self:
+        """Bring a task of this source to life; the words are those of `spawn_of`."""
+        return self.do(self.spawn_of(task, source, **given))
+
+    def spawn_of(
         self,
         task: str,
         source: str,
@@ -66,16 +71,18 @@ class Rig:
         aliases: Mapping[str, str] | None = None,
         constants: Mapping[str, int] | None = None,
         device: str = "",
-    ) -> Self:
-        """A task of this source; shapes are resolved by `constants`, ports bound by `aliases`."""
+        cost_ns: int = 0,
+        init_ns: int = 0,
+    ) -> command.Spawn:
+        """The command for a task of this source; shapes are resolved by `constants`, ports bound by `aliases`."""
         path = f"{task}.py"
         cls = load(source, path, task)
         ports = () if isinstance(cls, Fault) else self._lay(cls, aliases or {}, constants or {})
-        grant = self.bus.grant(device, 1) if device and self.bus is not None else None
-        order = command.Spawn(
-            HOME, task, task, path, source, kind, frequency, tuple(local), ports, rank, self._seed, grant
-        )
-        return self.do(order)
+        grant = self._grant(device) if device and self.bus is not None else None
+        return command.Spawn(
+            HOME, task, task, path, source, kind, frequency, tuple(local), ports, rank, self._seed, grant,
+            cost_ns, init_ns,
+        )  # fmt: skip
 
     def do(self, order: command.Command) -> Self:
         """Carry out a command now."""
@@ -148,6 +155,12 @@ class Rig:
         bus = Bus("world", world, segment)
         bus.step(0)
         return bus
+
+    def _grant(self, device: str) -> command.DeviceGrant:
+        """The device of a world; once granted, the same grant serves the module that takes the place of another."""
+        if device not in self._grants and self.bus is not None:
+            self._grants[device] = self.bus.grant(device, 1)
+        return self._grants[device]
 
     def _lay(
         self, cls: type[Module], aliases: Mapping[str, str], constants: Mapping[str, int]

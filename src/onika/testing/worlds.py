@@ -92,10 +92,23 @@ class MassWorld:
         for mass in self._masses.values():
             self._turn(mass, Drive.HELD, "stop")
 
+    def go_on(self) -> None:
+        """Hear again; every drive holds until it is commanded."""
+        self._is_stopped = False
+
     def take_events(self) -> list[DriveEvent]:
         """Changes of drives since the last call."""
         taken, self._events = self._events, []
         return taken
+
+    def scene(self) -> list[object]:
+        """There is nothing to draw."""
+        return []
+
+    def poses(self) -> np.ndarray:
+        """Where each mass is, on the x axis."""
+        rows = [[mass.state[2], 0.0, 0.0, 1.0, 0.0, 0.0, 0.0] for mass in self._masses.values()]
+        return np.asarray(rows, dtype=np.float32)
 
     def snapshot(self) -> bytes:
         """The same as the fingerprint: there is nothing to draw."""

@@ -55,6 +55,10 @@ class Failed(Struct, frozen=True, tag=True):
     line: int
     traceback: str
     at_s: float
+    entry: str = ""
+    """The entry point that failed."""
+    values: dict[str, Any] = {}
+    """The task's ports at that moment, arrays as lists (A18)."""
 
 
 class Item(Struct, frozen=True):
@@ -91,6 +95,48 @@ class Drive(Struct, frozen=True, tag=True):
     cause: str
 
 
+class Edited(Struct, frozen=True, tag=True):
+    """The outcome of an accepted change of a subsystem; no cause: it is done."""
+
+    subsystem: str
+    number: int
+    cause: str
+    at_s: float
+
+
+class Signalled(Struct, frozen=True, tag=True):
+    """An ILLEGAL, LEGAL, SHUTDOWN, FINISH or user signal of a task that no application answers (Table 9)."""
+
+    subsystem: str
+    task: str
+    kind: str
+    number: int
+    text: str
+    at_s: float
+
+
+class Lost(Struct, frozen=True, tag=True):
+    """A process of the runtime is gone, and why; its tasks are."""
+
+    name: str
+    cause: str
+    at_s: float
+
+
+class Held(Struct, frozen=True, tag=True):
+    """The holder of a subsystem has changed; empty: nobody holds it."""
+
+    subsystem: str
+    holder: str
+
+
+class Stopped(Struct, frozen=True, tag=True):
+    """Everything was stopped, by whom and why; or may move again (is_stopped false)."""
+
+    is_stopped: bool
+    cause: str
+
+
 class TaskFigures(Struct, frozen=True):
     """A task's figures over the run."""
 
@@ -121,7 +167,7 @@ class Result(Struct, frozen=True, tag=True):
     """From each trigger's finish to the first cycle of the next action's tasks, in the runtime's time."""
 
 
-Event = Began | Done | TaskState | Warned | Failed | Asked | Drive | Result
+Event = Began | Done | TaskState | Warned | Failed | Asked | Drive | Result | Edited | Signalled | Lost | Held | Stopped
 
 encode = msgspec.msgpack.Encoder().encode
 decode = msgspec.msgpack.Decoder(Event).decode

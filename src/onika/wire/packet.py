@@ -10,7 +10,7 @@ from typing import Annotated, Literal
 
 import msgspec
 
-VERSION = 1
+VERSION = 2
 """Version of this language; two ends of different versions do not talk."""
 
 Count = Annotated[int, msgspec.Meta(ge=0, le=2**63 - 1)]
@@ -100,7 +100,7 @@ class Beat(msgspec.Struct, frozen=True, array_like=True, tag="beat", forbid_unkn
 class Bye(msgspec.Struct, frozen=True, array_like=True, tag="bye", forbid_unknown_fields=True):
     """The last word on a connection and why."""
 
-    cause: Literal["closed", "version", "garbage", "behind"]
+    cause: Literal["closed", "version", "garbage", "behind", "refused"]
     reason: Sentence
 
 

@@ -3,6 +3,7 @@
 import msgspec
 from msgspec import Struct
 
+from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Plan, PlannedTask
 
 
@@ -51,6 +52,8 @@ class Begin(Struct, frozen=True, tag=True):
     """For tasks that ask: the task, the name of an input, its values."""
     may_ask: bool = False
     """Whether somebody is there to answer; else a question without an answer aborts."""
+    on_loss: str = "stop"
+    """What becomes of the run when the session that began it is lost: `stop`, or `run` on."""
 
 
 class Reply(Struct, frozen=True, tag=True):
@@ -104,8 +107,8 @@ class Worlds(Struct, frozen=True, tag=True):
     snapshots: dict[str, bytes]
 
 
-Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
-Response = Prepared | Done | Refused | Worlds
+Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit | LiveRequest
+Response = Prepared | Done | Refused | Worlds | LiveResponse
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

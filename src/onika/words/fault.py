@@ -1,5 +1,6 @@
 """What is wrong with something a user gave us, as values that are collected and shown (requirement B07)."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 
@@ -22,9 +23,17 @@ class Fault:
     expected: str
     found: str
     instead: str
+    is_note: bool = False
+    """Whether it is only worth knowing: what happens instead is what everybody would want, and nothing is refused."""
 
     def __str__(self) -> str:
         return f"{self.place}: expected {self.expected}, found {self.found}; instead: {self.instead}"
+
+
+def parted(faults: Iterable[Fault]) -> tuple[tuple[Fault, ...], tuple[Fault, ...]]:
+    """What is wrong, and the notes: each once, in the order given."""
+    every = tuple(dict.fromkeys(faults))
+    return tuple(one for one in every if not one.is_note), tuple(one for one in every if one.is_note)
 
 
 @dataclass(frozen=True, slots=True)

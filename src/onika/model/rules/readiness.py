@@ -20,6 +20,7 @@ class _Laboratory:
     configurations: Mapping[str, Configuration]
     tasks: Mapping[str, Task]
     applications: Mapping[str, Application] | None
+    unread: frozenset[str]
 
 
 def faults(
@@ -30,13 +31,15 @@ def faults(
     place: Place,
     *,
     applications: Mapping[str, Application] | None = None,
+    unread: frozenset[str] = frozenset(),
 ) -> tuple[Fault, ...]:
     """Everything that keeps `application` from running; empty: it can.
 
     `configurations` and `tasks` hold what was found, by name; `applications` what nested icons run, None where nested
-    applications cannot be executed yet.
+    applications cannot be executed yet. `unread` names configurations and tasks that are there and at fault, as is told
+    elsewhere.
     """
-    laboratory = _Laboratory(syntax, configurations, tasks, applications)
+    laboratory = _Laboratory(syntax, configurations, tasks, applications, unread)
     found = [] if application.flows else [_fault(place, "at least one flow", "none")]
     for number, flow in enumerate(application.flows):
         where = f"flow {number}"
@@ -168,9 +171,9 @@ def _jobs(flow: AppFlow, laboratory: _Laboratory, where: str, place: Place) -> I
             continue
         configuration = laboratory.configurations.get(icon.onikon.name)
         if configuration is None:
-            yield _fault(
-                _on(place, icon), f"the configuration {icon.onikon.name}", f"none for {_at(where, position, icon)}"
-            )
+            if icon.onikon.name not in laboratory.unread:
+                expected = f"the configuration {icon.onikon.name}"
+                yield _fault(_on(place, icon), expected, f"none for {_at(where, position, icon)}")
             continue
         tasks = union.tasks_of([configuration], laboratory.tasks)
         types = [task.object_type for task in tasks if task.object_type]
@@ -192,7 +195,7 @@ def _configuration(configuration: Configuration, laboratory: _Laboratory, where:
     if not configuration.placed:
         yield _fault(place, "tasks", f"none in {inside}")
     for placed in configuration.placed:
-        if placed.task not in laboratory.tasks:
+        if placed.task not in laboratory.tasks and placed.task not in laboratory.unread:
             yield _fault(place, f"the task {placed.task}", f"none for {inside}")
     for one, other in combinations(union.tasks_of([configuration], laboratory.tasks), 2):
         for refusal in placement.refusals(other, [one]):

@@ -1,16 +1,51 @@
-"""What has to be switched to get from the tasks that are ON to the tasks that are wanted ON (§5.3.4)."""
+"""What has to happen to get from the tasks there are to the tasks that are wanted (§5.3.4, Fig. 17)."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import dataclass
+
+from onika.model.rules.order import Ports, constant_order
 
 
 @dataclass(frozen=True, slots=True)
 class Change:
-    """A reconfiguration: T1 - T2 goes off, T1 ∩ T2 is not touched, T2 - T1 comes on."""
+    """A switch: T1 - T2 goes off, T1 ∩ T2 is not touched, T2 - T1 comes on."""
 
     off: tuple[str, ...]
     keep: tuple[str, ...]
     on: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Placed:
+    """A task as reconfiguration sees it: its variables, its module and the device it claims."""
+
+    ports: Ports
+    module: str
+    device: str | None = None
+
+    @property
+    def name(self) -> str:
+        """The task's name."""
+        return self.ports.name
+
+    def excludes(self, other: "Placed") -> bool:
+        """Whether both cannot live at the same time: one name, one module or one claimed device (decision 14)."""
+        same_device = self.device is not None and self.device == other.device
+        return self.name == other.name or self.module == other.module or same_device
+
+
+@dataclass(frozen=True, slots=True)
+class Exchange:
+    """A change of the tasks that live: who stays untouched, who dies, who is born, who learns new constants."""
+
+    keep: tuple[str, ...]
+    kill: tuple[str, ...]
+    kill_first: tuple[str, ...]
+    """Of `kill`: those that exclude a new task, so that they go before it comes (decision 14)."""
+    spawn: tuple[str, ...]
+    """In the order of constants."""
+    reinit: tuple[str, ...]
+    """Of `keep`: consumers of exchanged constants, in the order of constants (requirement A13)."""
 
 
 def difference(on_now: Iterable[str], wanted: Sequence[str]) -> Change:
@@ -22,3 +57,32 @@ def difference(on_now: Iterable[str], wanted: Sequence[str]) -> Change:
         keep=tuple(name for name in after if name in before),
         on=tuple(name for name in after if name not in before),
     )
+
+
+def exchange(living: Sequence[Placed], kill: Collection[str], new: Sequence[Placed]) -> Exchange:
+    """What happens to each task when `kill` goes and `new` comes; a name that is in both is exchanged."""
+    keep = [one for one in living if one.name not in kill]
+    gone = [one for one in living if one.name in kill]
+    supplied = {svar for one in new for svar in one.ports.outconst}
+    exchanged = supplied & {svar for one in gone for svar in one.ports.outconst}
+    born = {one.name for one in new}
+    order, _ = constant_order([one.ports for one in (*keep, *new)])
+    return Exchange(
+        keep=tuple(one.name for one in keep),
+        kill=tuple(one.name for one in gone),
+        kill_first=tuple(one.name for one in gone if any(one.excludes(other) for other in new)),
+        spawn=tuple(name for name in order if name in born),
+        reinit=dependents([one.ports for one in keep], exchanged),
+    )
+
+
+def dependents(tasks: Sequence[Ports], constants: Collection[str]) -> tuple[str, ...]:
+    """Who has to be initialised anew when these constants change, at first or second hand, suppliers first."""
+    stale, found = set(constants), set[str]()
+    order, _ = constant_order(tasks)
+    by_name = {task.name: task for task in tasks}
+    for name in order:
+        if stale & set(by_name[name].inconst):
+            found.add(name)
+            stale |= set(by_name[name].outconst)
+    return tuple(name for name in order if name in found)

@@ -10,7 +10,11 @@ def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
     """Equation (5): each variable that the task both reads and writes."""
     return tuple(
         Fault(
-            place, f"variables that `{task.name}` reads or writes", f"{svar}, which it does both", "it is used as it is"
+            place,
+            f"variables that `{task.name}` reads or writes",
+            f"{svar}, which it does both",
+            "it is used as it is",
+            is_note=True,
         )
         for svar in sorted(task.inputs & task.outputs)
     )
@@ -24,7 +28,13 @@ def hanging(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
         for svar in sorted(task.inputs - written):
             readers.setdefault(svar, []).append(f"`{task.name}`")
     return tuple(
-        Fault(place, f"a task that writes {svar}", f"only {' and '.join(names)}, reading it", "it keeps its last value")
+        Fault(
+            place,
+            f"a task that writes {svar}",
+            f"only {' and '.join(names)}, reading it",
+            "it keeps its last value",
+            is_note=True,
+        )
         for svar, names in sorted(readers.items())
     )
 
@@ -38,6 +48,7 @@ def further_triggers(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
             "one task that takes the target",
             f"`{task.name}` ({task.object_type}) beside `{triggers[0].name}`",
             f"the job is a {triggers[0].object_type}, by `{triggers[0].name}`",
+            is_note=True,
         )
         for task in triggers[1:]
     )

@@ -1,0 +1,122 @@
+"""A conversation at a console: lines are carried out, and what happens is shown meanwhile (A16)."""
+
+from collections.abc import Callable, Iterator
+from itertools import count
+from pathlib import Path
+from typing import Protocol
+
+from onika.desk.console.console import Console
+from onika.desk.console.face import Face, Tone
+from onika.desk.console.session import Faults, Session
+from onika.desk.interruption import Interruption
+from onika.words.fault import Place
+
+_LOOK_S = 0.05
+_SERVED_S = 0.5
+
+
+class Desk(Face, Protocol):
+    """Where lines come from and go to."""
+
+    is_person: bool
+
+    def line(self, prompt: str, timeout_s: float) -> str | None:
+        """The next line, None while there is none yet; raises EOFError at the end of the input."""
+        ...
+
+    def drop(self) -> None:
+        """Forget what was typed of this line."""
+        ...
+
+
+def converse(console: Console, desk: Desk, script: Path | None) -> int:
+    """Carry out the script, then the lines of the desk, to their end; the exit code.
+
+    A person goes on after a line that failed. Lines from a file or a pipe are a script: the first that fails ends them.
+    """
+    if script is not None:
+        faults = _guarded(console.session, lambda: console.run_script(script))
+        _show(desk, faults, typed=False)
+        if faults and not desk.is_person:
+            return 1
+    console.session.in_script = not desk.is_person
+    numbers = count(1)
+    while True:
+        with Interruption() as interruption:  # beneath those of single lines, so that none is lost between them
+            code = _talk(console, desk, interruption, numbers)
+        if code is not None:
+            return code
+
+
+def run_batch(console: Console, desk: Face, script: Path) -> int:
+    """Carry out a script and nothing else; the exit code."""
+    faults = _guarded(console.session, lambda: console.run_script(script))
+    _show(desk, faults, typed=False)
+    return 1 if faults else 0
+
+
+def serve(console: Console) -> int:
+    """Show what happens, until Ctrl-C, which stops everything; the exit code."""
+    with Interruption() as interruption:
+        while not interruption.is_new():
+            console.session.hear(_SERVED_S)
+        console.session.interrupt()
+    return 0
+
+
+def _talk(console: Console, desk: Desk, interruption: Interruption, numbers: Iterator[int]) -> int | None:
+    """Lines up to the end, and the exit code; None after a Ctrl-C, so that only two in a row end everything."""
+    while not console.is_over:
+        console.session.hear()
+        if interruption.is_new():
+            _interrupted(console.session, desk)
+            return None
+        try:
+            line = desk.line(_prompt(console.session), _LOOK_S)
+        except EOFError:
+            break
+        if line is None:
+            continue
+        place = None if desk.is_person else Place("stdin", next(numbers))
+        faults = _carry_out(console, line, place)
+        _show(desk, faults, typed=desk.is_person)
+        if faults and not desk.is_person:
+            return 1
+    return 0
+
+
+def _carry_out(console: Console, line: str, place: Place | None) -> Faults:
+    if place is None:
+        return _guarded(console.session, lambda: console.answer(line))
+    return _guarded(console.session, lambda: console.carry_out(line, place))
+
+
+def _guarded(session: Session, act: Callable[[], Faults]) -> Faults:
+    """Do it; Ctrl-C meanwhile stops everything, the second one is a KeyboardInterrupt."""
+    with Interruption() as interruption:
+        session.is_interrupted = interruption.is_new
+        faults = act()
+        return (*faults, *session.interrupt()) if interruption.is_new() else faults
+
+
+def _interrupted(session: Session, desk: Desk) -> None:
+    """Ctrl-C at the prompt: stop where something may move, else only forget what was typed."""
+    desk.drop()
+    moves = session.running or any(task.state == "ON" for one in session.standing().subsystems for task in one.tasks)
+    if moves:
+        session.interrupt()
+    else:
+        desk.say("nothing moves; `quit` or Ctrl-D ends this console", Tone.DIM)
+
+
+def _prompt(session: Session) -> str:
+    if session.questions:
+        subsystem, name = next(iter(session.questions))
+        return f"{name if subsystem == session.subsystem else f'{subsystem}/{name}'}? "
+    return f"{session.subsystem}{' (stopped)' if session.is_stopped else ''}> "
+
+
+def _show(desk: Face, faults: Faults, typed: bool) -> None:
+    for fault in faults:
+        whole = str(fault)
+        desk.say(whole.partition(": ")[2] if typed and fault.place == Place("line") else whole, Tone.FAULT)

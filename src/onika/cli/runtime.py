@@ -1,0 +1,83 @@
+"""`onika runtime`: start a runtime and operate it by hand, by lines or by a script."""
+
+import argparse
+import re
+from pathlib import Path
+
+from onika.cli.place import directory, site_here
+from onika.cli.sitting import sit_down
+from onika.desk.runtime import Runtime
+from onika.words.name import TASK_NAME
+
+_LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
+
+
+def describe(parser: argparse.ArgumentParser) -> None:
+    """What the command takes."""
+    parser.add_argument("--virtual", action="store_true", help="in virtual time, which passes when a line says so")
+    parser.add_argument(
+        "--rtpu", action="append", default=[], type=_unit, metavar="NAME",
+        help="a processing unit; may be given several times (rt0)",
+    )  # fmt: skip
+    parser.add_argument("--script", type=script_file, metavar="FILE", help="lines to carry out first")
+    parser.add_argument(
+        "--no-console", action="store_true", help="end after the script, or only serve those who connect"
+    )
+    parser.add_argument("--listen", metavar="HOST:PORT", help="let others connect; on this machine with a token")
+    parser.add_argument("--cert", metavar="FILE", help="certificate, to listen to other machines")
+    parser.add_argument("--key", metavar="FILE", help="key of the certificate")
+    parser.add_argument("--users", metavar="FILE", help="who may connect: lines of name, role, SHA-256 of a token")
+    parser.add_argument("--name", action="append", default=[], metavar="HOST", help="another name of this machine")
+    parser.add_argument("--accept-code", action="store_true", help="take modules from other machines, too")
+    parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
+    add_base(parser)
+
+
+def carry_out(given: argparse.Namespace) -> int:
+    """Start it and sit down at it."""
+    listen = _listen(given)
+    if given.no_console and given.script is None and not listen:
+        raise SystemExit(
+            "expected --listen or --script with --no-console, found neither: nobody could reach the runtime"
+        )
+    rtpus = tuple(dict.fromkeys(given.rtpu)) or ("rt0",)
+    site = site_here(given.base)
+    with Runtime(rtpus, given.virtual, not given.no_fifo, listen) as runtime:
+        addresses = tuple(_LISTENING.findall(runtime.printed())) if listen else ()
+        return sit_down(runtime, site, given.script, has_console=not given.no_console, addresses=addresses)
+
+
+def add_base(parser: argparse.ArgumentParser) -> None:
+    """Where tasks, configurations and applications are looked for first."""
+    parser.add_argument(
+        "--base", "--local", action="append", default=[], type=directory, metavar="DIR",
+        help="a base directory to look in first; may be given several times",
+    )  # fmt: skip
+
+
+def script_file(text: str) -> Path:
+    """A script on the command line; raises ArgumentTypeError where there is none."""
+    path = Path(text)
+    if not path.is_file():
+        raise argparse.ArgumentTypeError(f"expected a file of lines, found none at {text!r}")
+    return path
+
+
+def _listen(given: argparse.Namespace) -> tuple[str, ...]:
+    """The words for the runtime program about its network channel."""
+    named = {"--cert": given.cert, "--key": given.key, "--users": given.users}
+    words = [word for option, value in named.items() if value for word in (option, value)]
+    words += [word for name in given.name for word in ("--name", name)]
+    words += ["--accept-code"] * given.accept_code
+    if given.listen:
+        return ("--listen", given.listen, *words)
+    if words:
+        raise SystemExit(f"expected --listen HOST:PORT with {words[0]}, found none")
+    return ()
+
+
+def _unit(text: str) -> str:
+    if not TASK_NAME.match(text):
+        expected = "a name of letters, digits and _ . - that begins with a letter"
+        raise argparse.ArgumentTypeError(f"expected {expected}, found {text!r}")
+    return text

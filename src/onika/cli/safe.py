@@ -1,0 +1,7 @@
+"""Text from elsewhere as it may be shown on a terminal: without signs that command it."""
+
+
+def safe(text: str) -> str:
+    """The same text, with a sign of its own in place of each that cannot be printed."""
+    plain = text.expandtabs(4)
+    return plain if plain.isprintable() else "".join(one if one.isprintable() else "�" for one in plain)

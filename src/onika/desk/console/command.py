@@ -1,0 +1,50 @@
+"""A command of a console: its name, how it is written, what it does, what it takes."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+
+from onika.desk.console.session import Faults, Session
+from onika.words import argument
+
+Words = tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Command:
+    """One command. `raw` words stand before a rest that is taken as it is written; -1: all is words."""
+
+    name: str
+    usage: str
+    text: str
+    """What it does, in one line; further lines are shown by `help NAME` only."""
+    carry_out: Callable[[Session, Words], Faults]
+    takes: Words = ()
+    """What stands at each place, for completion; the last holds for all further places."""
+    least: int = 0
+    most: int | None = None
+    raw: int = -1
+
+    @property
+    def summary(self) -> str:
+        """Its first line."""
+        return self.text.partition("\n")[0]
+
+    def words(self, rest: str) -> Words:
+        """What follows its name, as it takes it; raises ValueError where that is not as it is written."""
+        words = _raw(rest, self.raw) if self.raw >= 0 else tuple(argument.split(rest))
+        if len(words) < self.least or (self.most is not None and len(words) > self.most):
+            raise ValueError(f"`{self.name} {rest}`".replace(" `", "`"))
+        return words
+
+
+def find(name: str, commands: Iterable[Command]) -> list[Command]:
+    """The command of this name, else all that begin with it."""
+    known = list(commands)
+    exact = [one for one in known if one.name == name]
+    return exact or [one for one in known if name and one.name.startswith(name)]
+
+
+def _raw(rest: str, count: int) -> Words:
+    """So many words, parted by blanks, and the rest."""
+    words = rest.split(None, count)
+    return tuple(word.strip() for word in words)

@@ -1,0 +1,172 @@
+"""The commands of a console by groups, as `help` shows them."""
+
+from onika.desk.console import holding, life, log, look, passing, running, tuning
+from onika.desk.console.command import Command
+from onika.desk.console.session import Faults, Session
+
+Words = tuple[str, ...]
+
+
+def _echo(session: Session, words: Words) -> Faults:
+    session.say(words[0] if words else "")
+    return ()
+
+
+TASKS = (
+    Command(
+        "spawn",
+        "spawn TASK… [on RTPU] [as NAME] [at HZ]  |  spawn all of CONFIGURATION",
+        "bring tasks to life, OFF\n"
+        "Tasks are found on the search path. A task waits for its constants' suppliers, so the order\n"
+        "does not matter. `as` gives one task another name, `at` another rate.",
+        life.spawn,
+        ("library", "spawn words"),
+        1,
+    ),
+    Command(
+        "on",
+        "on TASK [ARGUMENTS | @TARGET]  |  on all",
+        "turn a task ON, with its argument line\n"
+        "What it lacks it asks for. `@home` means the values of the target home.",
+        life.on,
+        ("task",),
+        1,
+        raw=1,
+    ),
+    Command(
+        "off", "off [TASK… | all]", "turn tasks OFF, all of the subsystem where none is named", life.off, ("task",)
+    ),
+    Command("kill", "kill TASK…  |  kill all", "end tasks", life.kill, ("task",), 1),
+    Command("clear", "clear [TASK]", "bring a task, or all, out of ERROR", life.clear, ("task",), 0, 1),
+    Command(
+        "config",
+        "config NAME [ARGUMENTS | @TARGET]",
+        "have exactly the tasks of a configuration, ON\n"
+        "Tasks that are there already keep cycling untouched, new ones are spawned first, the others killed.\n"
+        "The arguments go to the task that takes a target. All of it is done, or nothing.",
+        life.configure,
+        ("configuration", ""),
+        1,
+        raw=1,
+    ),
+    Command(
+        "answer",
+        "answer TASK [ARGUMENTS | @TARGET]",
+        "answer a task that asks\n"
+        "Without arguments: the defaults. At a prompt the answer alone does, as long as it does not begin\n"
+        "with the name of a command.",
+        tuning.answer,
+        ("asking", ""),
+        1,
+        raw=1,
+    ),
+)
+
+CHANGES = (
+    Command("rate", "rate TASK HZ", "another rate, while it runs", tuning.rate, ("task", ""), 2, 2),
+    Command("get", "get TASK NAME", "ask its module for something by name", tuning.get, ("task", ""), 2, 2),
+    Command(
+        "set", "set TASK NAME VALUE", "tell its module a new value of something", tuning.put, ("task", ""), 3, raw=2
+    ),
+    Command(
+        "reinit",
+        "reinit TASK [KEY WORDS…]",
+        "initialise it anew, with another LOCAL line where one is given\n"
+        "Who needs its constants is initialised anew after it.",
+        tuning.reinit,
+        ("task", ""),
+        1,
+    ),
+    Command(
+        "swap", "swap TASK [FILE]", "exchange its code for what its file holds now", tuning.swap, ("task", "file"), 1, 2
+    ),
+)
+
+LOOKS = (
+    Command(
+        "status",
+        "status [TASK…]",
+        "figures of tasks, loads of units; counters begin anew\n"
+        "The columns are those of STATINFO in your preferences; with a task, all of them. Loads that are or will be\n"
+        "too much are told.",
+        look.status,
+        ("task",),
+    ),
+    Command("tasks", "tasks [SUBSYSTEM]", "the living tasks", look.tasks, ("subsystem",), 0, 1),
+    Command(
+        "library",
+        "library [PATTERN]",
+        "tasks, configurations and applications that there are to use",
+        look.library,
+        ("library",),
+        0,
+        1,
+    ),
+    Command("rtpus", "rtpus", "the processing units and their loads", look.rtpus, most=0),
+    Command("subsystems", "subsystems", "the subsystems and who holds them", look.subsystems, most=0),
+    Command(
+        "subsystem",
+        "subsystem [NAME]",
+        "choose the subsystem that the other lines mean\n`SUBSYSTEM/NAME` means another one in any line.",
+        look.choose,
+        ("subsystem",),
+        0,
+        1,
+    ),
+    Command("vars", "vars [PATTERN]", "variables with their types and values", look.variables, ("variable",), 0, 1),
+    Command("read", "read NAME…", "the values of variables now", look.read, ("variable",), 1),
+    Command(
+        "log",
+        "log FILE [SUBSYSTEM…]",
+        "write all readings to a file\n"
+        "One line for each variable: time, subsystem, name, type, values. The file is written whole or not at all.",
+        log.log,
+        ("file", "subsystem"),
+        1,
+    ),
+    Command("check", "check [SUBSYSTEM…]", "check the memory of variables", look.check, ("subsystem",)),
+)
+
+WHOLE = (
+    Command(
+        "run",
+        "run APPLICATION",
+        "run an application\nIn a script the next line waits for its end.",
+        running.run,
+        ("application",),
+        1,
+        1,
+    ),
+    Command("abort", "abort [CAUSE]", "end the run: tasks off, drives in hold", running.abort),
+    Command("home", "home", "run the application go_home", running.home, most=0),
+    Command(
+        "calibrate",
+        "calibrate [ROBOT]",
+        "run the application calibrate, or calibrate_ROBOT, of the laboratory\n"
+        "The shipped arms measure absolute angles and need none; there it says so.",
+        running.calibrate,
+        most=1,
+    ),
+    Command("stop", "stop [CAUSE]", "every drive holds, at once, until `reset`; Ctrl-C does the same", holding.stop),
+    Command("reset", "reset", "allow motion again", holding.reset, most=0),
+    Command(
+        "take", "take [SUBSYSTEM]", "become the one who may change a subsystem", holding.take, ("subsystem",), 0, 1
+    ),
+    Command("release", "release [SUBSYSTEM]", "let another change it", holding.release, ("subsystem",), 0, 1),
+    Command("open", "open [HOST:PORT]", "say where others reach this runtime", holding.open_channel, most=1),
+    Command("listen", "listen [HOST:PORT]", "the same as open", holding.open_channel, most=1),
+    Command("network", "network", "the same as open", holding.open_channel, most=0),
+    Command("advance", "advance SECONDS", "in virtual time: let time pass", passing.advance, (), 1, 1),
+    Command(
+        "wait",
+        "wait SECONDS  |  wait CONDITION [within SECONDS]",
+        "wait, in the runtime's time\n"
+        "Conditions: `run` (its end), `TASK STATE` as in `jtraj off`, a comparison as in `Q_MEZ[0] > 0.5`.\n"
+        "60 s where nothing is said; then the line fails.",
+        passing.wait,
+        ("task", "state"),
+        1,
+        raw=0,
+    ),
+    Command("echo", "echo [TEXT]", "say a line", _echo, raw=0),
+)

@@ -1,0 +1,101 @@
+"""Completion: what may stand where the cursor is."""
+
+from collections.abc import Callable, Sequence
+from pathlib import Path
+
+from onika.desk.console.command import Command, find
+from onika.desk.console.library import Library
+from onika.desk.console.session import Session
+from onika.model.lifecycle import State
+from onika.wire import live
+
+_FOUND = 200
+
+
+class Completion:
+    """Knows the commands and, from the session, tasks, variables and all else by name."""
+
+    def __init__(self, session: Session, commands: Sequence[Command]) -> None:
+        self._session = session
+        self._commands = commands
+
+    def candidates(self, before: str) -> list[str]:
+        """What the last word of the text before the cursor may become, in order; each begins with that word."""
+        words = before.split()
+        if not before or before[-1].isspace():
+            words.append("")
+        *passed, typed = words or [""]
+        if before.startswith("<"):
+            return _files(typed.removeprefix("<"), "<")
+        if not passed:
+            return sorted(one.name for one in self._commands if one.name.startswith(typed))
+        return sorted({name for name in self._offered(passed, typed) if name.startswith(typed)})[:_FOUND]
+
+    def _offered(self, passed: list[str], typed: str) -> Sequence[str]:
+        found = find(passed[0], self._commands)
+        if len(found) != 1 or not found[0].takes:
+            return ()
+        takes = found[0].takes
+        kind = takes[min(len(passed) - 1, len(takes) - 1)]
+        if typed.startswith("@"):
+            return [f"@{name}" for base in self._session.site.directories for name in base.onikons]
+        offer = _KINDS.get(kind)
+        return () if offer is None else offer(self._session, self._commands, typed)
+
+
+def _tasks(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
+    others = [
+        f"{subsystem.name}/{task.task.name}"
+        for subsystem in session.standing().subsystems
+        if subsystem.name != session.subsystem
+        for task in subsystem.tasks
+    ]
+    return [*session.tasks(), *others]
+
+
+def _asking(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
+    return [name if home == session.subsystem else f"{home}/{name}" for home, name in session.questions]
+
+
+def _variables(session: Session, _commands: Sequence[Command], typed: str) -> list[str]:
+    subsystem, slash, _ = typed.rpartition("/")
+    answer = session.ask(live.Read(subsystem or session.subsystem))
+    names = answer.values if isinstance(answer, live.Values) else {}
+    return [f"{subsystem}{slash}{name}" for name in names]
+
+
+def _library(session: Session) -> Library:
+    return Library(session.site, session.place)
+
+
+def _spawn_words(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
+    units = [one.name for one in session.standing().rtpus]
+    library = _library(session)
+    return [*library.tasks, *library.configurations, "on", "as", "at", "of", *units]
+
+
+def _files(typed: str, before: str = "") -> list[str]:
+    """Files and folders that begin so; folders end with a stroke."""
+    folder, slash, start = typed.rpartition("/")
+    try:
+        found = sorted(Path(folder or ("/" if slash else ".")).expanduser().iterdir())
+    except OSError:
+        return []
+    names = [one.name + ("/" if one.is_dir() else "") for one in found if start or not one.name.startswith(".")]
+    return [f"{before}{folder}{slash}{name}" for name in names if name.startswith(start)]
+
+
+_KINDS: dict[str, Callable[[Session, Sequence[Command], str], list[str]]] = {
+    "task": _tasks,
+    "asking": _asking,
+    "variable": _variables,
+    "library": lambda session, commands, typed: ["all", *_library(session).tasks],
+    "spawn words": _spawn_words,
+    "configuration": lambda session, commands, typed: list(_library(session).configurations),
+    "application": lambda session, commands, typed: list(_library(session).applications),
+    "subsystem": lambda session, commands, typed: [one.name for one in session.standing().subsystems],
+    "command": lambda session, commands, typed: [one.name for one in commands],
+    "state": lambda session, commands, typed: [one.value.lower() for one in State],
+    "file": lambda session, commands, typed: _files(typed),
+    "quit words": lambda session, commands, typed: ["runtime"],
+}

@@ -1,0 +1,183 @@
+"""A console: carries out lines, one command each, and completes what is being typed (requirement A16)."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from onika.desk.console import commands, script
+from onika.desk.console.command import Command, find
+from onika.desk.console.completion import Completion
+from onika.desk.console.face import Tone
+from onika.desk.console.follow import Follow
+from onika.desk.console.session import TYPED, Faults, Session
+from onika.desk.console.watch import Watch
+from onika.wire import request
+from onika.words.fault import Place
+
+Words = tuple[str, ...]
+_DEEPEST = 16
+
+
+class Console:
+    """Lines in, faults out; what is found goes to the session's face."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.is_over = False
+        self._depth = 0
+        self._watch = Watch()
+        self._follow = Follow()
+        session.ticks += [lambda: self._watch.tick(session), lambda: self._follow.tick(session)]
+        self._groups = self._vocabulary()
+        self._commands = [one for _, group in self._groups for one in group]
+        self.completion = Completion(session, self._commands)
+
+    def carry_out(self, line: str, place: Place = TYPED) -> Faults:
+        """Carry out one line; an empty one is nothing. Raises LinkLost where the runtime is gone."""
+        session, former = self.session, self.session.place
+        session.place = place
+        try:
+            return self._carry_out(script.bare(line))
+        except TimeoutError as late:
+            return session.no("an answer of the runtime", str(late), "it may have been done all the same")
+        finally:
+            session.place = former
+
+    def answer(self, line: str) -> Faults:
+        """Carry out a line while a task asks: its answer, unless it begins with the full name of a command."""
+        first = line.split(None, 1)[0] if line.strip() else ""
+        if not self.session.questions or any(one.name == first for one in self._commands):
+            return self.carry_out(line)
+        subsystem, name = next(iter(self.session.questions))
+        return self.carry_out(f"answer {subsystem}/{name} {line}")
+
+    def run_script(self, path: Path) -> Faults:
+        """Carry out a file to its end, or to its first line that fails."""
+        lines, faults = script.load(path)
+        if lines is None:
+            return faults
+        if self._depth == _DEEPEST:
+            return self.session.no(f"scripts within scripts {_DEEPEST} deep at most", str(path))
+        former, self.session.in_script = self.session.in_script, True
+        self._depth += 1
+        try:
+            return self._run(lines)
+        finally:
+            self._depth -= 1
+            self.session.in_script = former
+
+    def _run(self, lines: list[tuple[Place, str]]) -> Faults:
+        for place, line in lines:
+            self.session.say(f"> {line}", Tone.DIM)
+            faults = self.carry_out(line, place)
+            if faults:
+                own = any(fault.place == place for fault in faults)
+                self.session.place = place
+                last = () if own else self.session.no(f"`{line}` carried out", "what is said above", "the script ends")
+                return (*faults, *last)
+            self.session.hear()
+            if self.is_over:
+                return ()
+        return ()
+
+    def _carry_out(self, line: str) -> Faults:
+        if line.startswith("<"):  # as the thesis's console has it (§E.1)
+            line = f"source {line[1:]}"
+        name, _, rest = line.partition(" ")
+        if not name:
+            return ()
+        found = find(name, self._commands)
+        if len(found) != 1:
+            names = ", ".join(one.name for one in found)
+            return self.session.no("one command" + (f" of {names}" if names else "; `help` names them"), repr(name))
+        try:
+            words = found[0].words(rest.strip())
+        except ValueError as wrong:
+            return self.session.no(f"`{found[0].usage}`", str(wrong))
+        return found[0].carry_out(self.session, words)
+
+    # -- lines about the console itself
+
+    def _vocabulary(self) -> list[tuple[str, tuple[Command, ...]]]:
+        def command(name: str, usage: str, text: str, act: Callable[[Session, Words], Faults], *takes: str) -> Command:
+            return Command(name, usage, text, act, takes, most=None if takes else 0)
+
+        watch = command(
+            "watch",
+            "watch NAME… [HZ]  |  watch off",
+            "show variables whenever they change",
+            self._watch.command,
+            "variable",
+        )
+        follow = command(
+            "follow",
+            "follow TASK [FILE]  |  follow off [TASK…]",
+            "exchange its code whenever its file changes",
+            self._follow.command,
+            "task",
+            "file",
+        )
+        own = (
+            Command(
+                "source",
+                "source FILE  |  <FILE",
+                "carry out a file of lines, to the first that fails",
+                self._source,
+                ("file",),
+                1,
+                1,
+            ),
+            Command(
+                "help", "help [COMMAND]", "what there is, or how a command is written", self._help, ("command",), 0, 1
+            ),
+            Command(
+                "quit",
+                "quit [runtime]",
+                "end this console, and with it the runtime that it started\n"
+                "`quit runtime` ends a runtime that others started, too.",
+                self._quit,
+                ("quit words",),
+                0,
+                1,
+            ),
+        )
+        return [
+            ("tasks", commands.TASKS),
+            ("a living task", (*commands.CHANGES, follow)),
+            ("looking", (*commands.LOOKS, watch)),
+            ("the whole", commands.WHOLE),
+            ("this console", own),
+        ]
+
+    def _source(self, session: Session, words: Words) -> Faults:
+        del session
+        return self.run_script(Path(words[0]).expanduser())
+
+    def _help(self, session: Session, words: Words) -> Faults:
+        if words:
+            found = find(words[0], self._commands)
+            if not found:
+                return session.no("a command; `help` names them", repr(words[0]))
+            for one in found:
+                session.say(one.usage, Tone.HEAD)
+                for line in one.text.splitlines():
+                    session.say(f"  {line}")
+            return ()
+        width = max(len(one.name) for one in self._commands)
+        for title, group in self._groups:
+            session.say(title, Tone.HEAD)
+            for one in group:
+                session.say(f"  {one.name:<{width}}  {one.summary}")
+        session.say(
+            "A command may be cut to what tells it from the others. `help COMMAND` says how it is written.", Tone.DIM
+        )
+        return ()
+
+    def _quit(self, session: Session, words: Words) -> Faults:
+        if words and words != ("runtime",):
+            return session.no("`quit [runtime]`", f"`quit {words[0]}`")
+        if words:
+            faults = session.order(request.Quit())
+            if faults:
+                return faults
+        self.is_over = True
+        return ()

@@ -1,0 +1,24 @@
+"""The face of a console: whoever shows its lines, in a terminal, a pipe or a test."""
+
+from enum import Enum
+from typing import Protocol
+
+
+class Tone(Enum):
+    """How a line is meant; a terminal may colour it."""
+
+    PLAIN = "plain"
+    HEAD = "head"
+    GOOD = "good"
+    DIM = "dim"
+    NOTE = "note"
+    FAULT = "fault"
+    ASK = "ask"
+
+
+class Face(Protocol):
+    """Shows lines as they come."""
+
+    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+        """Show one line."""
+        ...

@@ -1,0 +1,53 @@
+"""Lines about who may move the robots: stop, reset, take, release, open (law 27, §E.1)."""
+
+from onika.desk.console.face import Tone
+from onika.desk.console.session import Faults, Session
+from onika.wire import live, request
+
+Words = tuple[str, ...]
+
+
+def stop(session: Session, words: Words) -> Faults:
+    """Every drive holds, at once, until `reset`."""
+    faults = session.order(request.Stop(" ".join(words) or "stopped at the console"))
+    session.hear()
+    return faults
+
+
+def reset(session: Session, words: Words) -> Faults:
+    """After a stop: allow motion again; nothing moves by itself."""
+    del words
+    faults = session.order(live.Reset())
+    session.hear()
+    return faults
+
+
+def take(session: Session, words: Words) -> Faults:
+    """Become the one who may change a subsystem."""
+    return _hand(session, live.Take(words[0] if words else session.subsystem))
+
+
+def release(session: Session, words: Words) -> Faults:
+    """Let another change a subsystem."""
+    return _hand(session, live.Release(words[0] if words else session.subsystem))
+
+
+def open_channel(session: Session, words: Words) -> Faults:
+    """Say where others reach this runtime; it listens from its start or never."""
+    if session.addresses and (not words or words[0] in session.addresses):
+        for address in session.addresses:
+            session.say(f"others reach this runtime at {address}", Tone.GOOD)
+        return ()
+    wanted = words[0] if words else "127.0.0.1:7994"
+    found = f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
+    return session.no(
+        "a runtime that was started to listen there",
+        found,
+        f"nothing is opened; end it and start `onika runtime --listen {wanted}`",
+    )
+
+
+def _hand(session: Session, asked: request.Request) -> Faults:
+    faults = session.order(asked)
+    session.hear()
+    return faults

@@ -1,0 +1,140 @@
+"""Letting time pass: `advance`, and `wait` for seconds, a state, a variable, the end of a run (A16, law 15)."""
+
+import re
+from collections.abc import Callable
+
+from onika.desk.console.life import missing, positive
+from onika.desk.console.look import value
+from onika.desk.console.session import Faults, Session
+from onika.desk.expectation import Expectation
+from onika.model.lifecycle import State
+from onika.wire import live, request
+
+Words = tuple[str, ...]
+_WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
+_USUAL_S = 60.0
+_SLICE_S = 0.25
+"""Of virtual time: between two slices events are told and Ctrl-C is heard."""
+_STEP_S = 0.02
+"""How often a condition is looked at."""
+
+
+def advance(session: Session, words: Words) -> Faults:
+    """In virtual time: let so many seconds pass."""
+    seconds = positive(words[0])
+    if seconds is None:
+        return session.no("seconds above 0", repr(words[0]))
+    if not session.standing().is_virtual:
+        return session.no("a runtime in virtual time", "one in wall time, where time passes by itself")
+    return _advance(session, seconds)
+
+
+def wait(session: Session, words: Words) -> Faults:
+    """Wait for seconds of the runtime's time, or until a condition holds."""
+    text = words[0]
+    seconds = positive(text)
+    if seconds is not None:
+        return _advance(session, seconds) if session.standing().is_virtual else _sleep(session, seconds)
+    found = _WITHIN.match(text)
+    condition, limit = (found[1], positive(found[2])) if found else (text, _USUAL_S)
+    if limit is None:
+        return session.no("seconds after `within`", repr(text))
+    if condition == "run":
+        return ended(session, None if found is None else limit)
+    parts = condition.split()
+    if len(parts) == 2 and parts[1].upper() in State.__members__:
+        return _state(session, parts[0], parts[1].upper(), limit)
+    try:
+        expectation = Expectation.parse(condition)
+    except ValueError:
+        expected = "seconds, `run`, `TASK STATE` or a comparison such as `LAMP == 1`, each with `within SECONDS` or not"
+        return session.no(expected, repr(text))
+    return _variable(session, expectation, limit)
+
+
+def ended(session: Session, within_s: float | None = None) -> Faults:
+    """Wait for the end of the run; a fault where it is not completed."""
+    if not session.running and session.result is None:
+        return session.no("a run to wait for", "none")
+    name = session.running
+    limit = float("inf") if within_s is None else within_s
+    faults = session.until(lambda: not session.running, f"the end of {name}", limit)
+    result = session.result
+    if faults or result is None or result.completed:
+        return faults
+    return session.no("the run completed", f"it was aborted: {result.cause}", "the robot holds")
+
+
+def _state(session: Session, address: str, state: str, limit: float) -> Faults:
+    subsystem, name = session.address(address)
+    if state != State.KILLED.value:
+        faults = missing(session, subsystem, (name,))
+        if faults:
+            return faults
+
+    def now() -> str:
+        task = session.tasks(subsystem).get(name)
+        return State.KILLED.value if task is None else task.state
+
+    return _until(session, lambda: now() == state, limit, f"{address} {state}", now)
+
+
+def _variable(session: Session, expectation: Expectation, limit: float) -> Faults:
+    subsystem, name = session.address(expectation.address)
+    _, faults = value(session, subsystem, name)
+    if faults:
+        return faults
+    seen: dict[str, object] = {}
+
+    def holds() -> bool:
+        seen[expectation.address] = value(session, subsystem, name)[0]
+        return expectation.holds(seen)
+
+    return _until(session, holds, limit, expectation.text, lambda: str(expectation.found(seen)))
+
+
+def _until(
+    session: Session, reached: Callable[[], bool], limit: float, expected: str, found: Callable[[], str]
+) -> Faults:
+    """Let time pass, the runtime's own, until something is so."""
+    virtual = session.standing().is_virtual
+    until_s, passed = session.clock() + limit, 0.0
+    while not reached():
+        if session.is_interrupted():
+            return session.interrupt()
+        if (passed if virtual else session.clock()) >= (limit if virtual else until_s):
+            return session.no(f"{expected} within {limit:g} s", found(), "the line is given up")
+        if virtual and not session.running:
+            faults = _advance(session, _STEP_S)
+            if faults:
+                return faults
+            passed += _STEP_S
+        else:
+            session.hear(_STEP_S)
+            passed += _STEP_S
+    return ()
+
+
+def _sleep(session: Session, seconds: float) -> Faults:
+    until_s = session.clock() + seconds
+    while (rest := until_s - session.clock()) > 0:
+        if session.is_interrupted():
+            return session.interrupt()
+        session.hear(min(rest, 0.05))
+    return ()
+
+
+def _advance(session: Session, seconds: float) -> Faults:
+    """In slices on a grid of their own, so that the sum is the number that was asked for."""
+    count = max(1, round(seconds / _SLICE_S))
+    for _ in range(count):
+        if session.is_interrupted():
+            return session.interrupt()
+        if session.questions:
+            asking = ", ".join("/".join(one) for one in session.questions)
+            return session.no("no task that asks, for until it is answered the clock stands", asking)
+        answer = session.ask(live.Advance(seconds / count))
+        session.hear()
+        if isinstance(answer, request.Refused):
+            return session.no("the clock to go on", answer.reason)
+    return ()

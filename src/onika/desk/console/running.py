@@ -1,0 +1,55 @@
+"""Lines that run applications: run, abort, home, calibrate (requirement A16, §E.1)."""
+
+from onika.desk.console.face import Tone
+from onika.desk.console.library import Library
+from onika.desk.console.passing import ended
+from onika.desk.console.session import Faults, Session
+from onika.desk.preparation import prepare_run
+from onika.wire import request
+
+Words = tuple[str, ...]
+HOME = "go_home"
+CALIBRATE = "calibrate"
+
+
+def run(session: Session, words: Words) -> Faults:
+    """Begin an application; in a script, wait for its end too."""
+    if session.running:
+        return session.no("no application that runs", session.running)
+    prepared = prepare_run(words[0], session.site)
+    for note in prepared.notes:
+        session.say(f"note: {note}", Tone.NOTE)
+    if prepared.faults or prepared.plan is None:
+        return prepared.faults
+    faults = session.order(request.Prepare(prepared.plan, prepared.targets))
+    faults = faults or session.order(request.Begin(may_ask=True))
+    if faults:
+        return faults
+    session.running, session.result = prepared.name, None
+    total = sum(len(flow.actions) for flow in prepared.plan.flows)
+    session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
+    return ended(session) if session.in_script else ()
+
+
+def abort(session: Session, words: Words) -> Faults:
+    """End the run: tasks off, drives in hold."""
+    if not session.running:
+        return session.no("an application that this console runs", "none")
+    cause = " ".join(words) or "aborted by the user"
+    faults = session.order(request.Abort(cause))
+    return faults or session.until(lambda: not session.running, "the end of the run")
+
+
+def home(session: Session, words: Words) -> Faults:
+    """Run the application `go_home`."""
+    del words
+    return run(session, (HOME,))
+
+
+def calibrate(session: Session, words: Words) -> Faults:
+    """Run the application `calibrate_ROBOT`, or `calibrate`, of the laboratory."""
+    name = f"{CALIBRATE}_{words[0]}" if words else CALIBRATE
+    if name in Library(session.site, session.place).applications:
+        return run(session, (name,))
+    expected = f"an application {name} on the search path, which knows how this robot is calibrated"
+    return session.no(expected, "none", "nothing moves; the shipped arms measure absolute angles and need none")

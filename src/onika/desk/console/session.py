@@ -1,0 +1,223 @@
+"""A session at a runtime's console: the runtime, what is known of it, and what it still owes an answer to."""
+
+from collections.abc import Callable, Iterator
+from typing import Protocol
+
+from onika.desk.console import told
+from onika.desk.console.face import Face, Tone
+from onika.store.site import Site
+from onika.wire import event, live, request
+from onika.words.fault import Fault, Place
+
+Faults = tuple[Fault, ...]
+"""Why a line was not carried out; empty where it was."""
+
+Clock = Callable[[], float]
+"""A clock of the environment that never goes back, in s (`time.monotonic`)."""
+
+TYPED = Place("line")
+"""The place of a line that was typed."""
+
+NOTHING = "nothing is changed"
+_LOOK_S = 0.05
+_PATIENCE_S = 30.0
+_KEPT = 64
+
+
+class Runtime(Protocol):
+    """A runtime, launched or connected to."""
+
+    def ask(self, asked: request.Request) -> request.Response:
+        """Ask and wait for the response; raises LinkLost or TimeoutError."""
+        ...
+
+    def events(self, timeout_s: float) -> Iterator[event.Event]:
+        """The events since the last call; raises LinkLost at the end."""
+        ...
+
+
+class Session:
+    """Asks the runtime, hears what it tells and shows it; names without a subsystem mean the chosen one.
+
+    `addresses` are those the runtime listens on for others, none where it was started for this console alone;
+    `is_interrupted` says whether there was a Ctrl-C since it was last asked.
+    """
+
+    def __init__(
+        self,
+        runtime: Runtime,
+        site: Site,
+        face: Face,
+        clock: Clock,
+        *,
+        addresses: tuple[str, ...] = (),
+        is_interrupted: Callable[[], bool] = lambda: False,
+    ) -> None:
+        self._runtime = runtime
+        self._face = face
+        self.site = site
+        self.clock = clock
+        self.addresses = addresses
+        self.is_interrupted = is_interrupted
+        self.place = TYPED
+        self.in_script = False
+        self.subsystem = "main"
+        self.questions: dict[tuple[str, str], event.Asked] = {}
+        self.running = ""
+        """The application that this console runs."""
+        self.is_stopped = False
+        self.result: event.Result | None = None
+        """How the last run ended."""
+        self.ticks: list[Callable[[], None]] = []
+        """What is looked at whenever the runtime is listened to: variables watched, files followed."""
+        self._in_tick = False
+        self._edits: dict[tuple[str, int], event.Edited] = {}
+        self._standing: live.Standing | None = None
+        self._applied: frozenset[str] = frozenset()
+
+    def begin(self) -> Faults:
+        """Listen to everything, and choose the subsystem that is there, if it is the only one."""
+        answer = self.ask(live.Attend(("*",)))
+        if isinstance(answer, request.Refused):
+            return self.no("a runtime that can be operated by hand", answer.reason)
+        self.is_stopped = self.standing().is_stopped
+        present = [one for one in self.standing().subsystems if not one.application]
+        if len(present) == 1:
+            self.subsystem = present[0].name
+        return ()
+
+    # -- saying
+
+    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+        """Show one line."""
+        self._face.say(line, tone)
+
+    def show(self, lines: list[str]) -> None:
+        """Show a table: its head, then its rows."""
+        for number, line in enumerate(lines):
+            self.say(line, Tone.PLAIN if number else Tone.HEAD)
+
+    def no(self, expected: str, found: str, instead: str = NOTHING) -> Faults:
+        """One fault at the place of the present line."""
+        return (Fault(self.place, expected, found, instead),)
+
+    # -- asking
+
+    def ask(self, asked: request.Request) -> request.Response:
+        """Ask the runtime; raises LinkLost or TimeoutError."""
+        return self._runtime.ask(asked)
+
+    def order(self, asked: request.Request) -> Faults:
+        """Have something carried out, to its outcome: what the runtime refuses or finds wrong are faults."""
+        answer = self.ask(asked)
+        match answer:
+            case request.Refused():
+                return self.no("the runtime to do it", answer.reason)
+            case request.Prepared():
+                for note in answer.notes:
+                    self.say(f"note: {note}", Tone.NOTE)
+                return tuple(
+                    Fault(Place(one.file, one.line), one.expected, one.found, one.instead) for one in answer.faults
+                )
+            case live.Accepted():
+                return self._outcome(getattr(asked, "subsystem", self.subsystem), answer.number)
+        return ()
+
+    def standing(self) -> live.Standing:
+        """What there is, asked anew after every change; raises ValueError where the runtime cannot say it."""
+        if self._standing is None:
+            answer = self.ask(live.Survey())
+            if not isinstance(answer, live.Standing):
+                raise ValueError(f"expected a runtime that says what there is, found {answer}")
+            self._standing = answer
+            self._applied = frozenset(one.name for one in answer.subsystems if one.application)
+        return self._standing
+
+    def look_again(self) -> live.Standing:
+        """What there is now, the time too."""
+        self._standing = None
+        return self.standing()
+
+    def tasks(self, subsystem: str = "") -> dict[str, live.TaskStanding]:
+        """The living tasks of a subsystem (the chosen one), by name."""
+        for one in self.standing().subsystems:
+            if one.name == (subsystem or self.subsystem):
+                return {task.task.name: task for task in one.tasks if task.state != "KILLED"}
+        return {}
+
+    def address(self, text: str) -> tuple[str, str]:
+        """Subsystem and name of `[SUBSYSTEM/]NAME`."""
+        subsystem, slash, name = text.rpartition("/")
+        return (subsystem, name) if slash else (self.subsystem, text)
+
+    # -- hearing
+
+    def hear(self, timeout_s: float = 0.0) -> None:
+        """Hear and show what the runtime tells, waiting for the first word so long; raises LinkLost at its end."""
+        for one in self._runtime.events(timeout_s):
+            is_chatter = isinstance(one, event.TaskState) and self._is_applied(one.subsystem)
+            self._note(one)
+            if not is_chatter:
+                for line, tone in told.lines(one):
+                    self.say(line, tone)
+        self._tick()
+
+    def until(self, reached: Callable[[], bool], expected: str, within_s: float = _PATIENCE_S) -> Faults:
+        """Hear until something is so; a fault where it is not within the seconds, and after Ctrl-C, which stops all."""
+        until_s = self.clock() + within_s
+        while not reached():
+            if self.is_interrupted():
+                return self.interrupt()
+            if self.clock() >= until_s:
+                return self.no(expected, f"not so within {within_s:g} s", "it may still come")
+            self.hear(min(_LOOK_S, within_s))
+        return ()
+
+    def interrupt(self) -> Faults:
+        """Ctrl-C: every drive holds (decision 11)."""
+        self.ask(request.Stop("stopped by the user (Ctrl-C)"))
+        self.hear()
+        return self.no("no Ctrl-C", "one", "everything is stopped")
+
+    def _outcome(self, subsystem: str, number: int) -> Faults:
+        """Wait until a change is done or refused, or a task asks, which is for the user to go on with."""
+        asked = set(self.questions)
+        key = (subsystem, number)
+        faults = self.until(lambda: key in self._edits or bool(set(self.questions) - asked), "the change to be done")
+        if faults or key not in self._edits:
+            return faults
+        cause = self._edits.pop(key).cause
+        return self.no("the change to be done", cause) if cause else ()
+
+    def _tick(self) -> None:
+        """Each once; what one of them asks for and hears begins none anew."""
+        if self._in_tick:
+            return
+        self._in_tick = True
+        try:
+            for tick in self.ticks:
+                tick()
+        finally:
+            self._in_tick = False
+
+    def _note(self, one: event.Event) -> None:
+        """Remember what later lines need."""
+        self._standing = None
+        match one:
+            case event.Edited():
+                self._edits[one.subsystem, one.number] = one
+                while len(self._edits) > _KEPT:  # those of other sessions are awaited by nobody here
+                    del self._edits[next(iter(self._edits))]
+            case event.Asked():
+                self.questions[one.subsystem, one.task] = one
+            case event.TaskState() if one.state != "ASKING":
+                self.questions.pop((one.subsystem, one.task), None)
+            case event.Stopped():
+                self.is_stopped = one.is_stopped
+            case event.Result():
+                self.running = ""
+                self.result = one
+
+    def _is_applied(self, subsystem: str) -> bool:
+        """Whether an application moves the tasks there: its actions are told, not each task's state."""
+        return subsystem in self._applied or (bool(self.running) and subsystem != self.subsystem)

@@ -1,0 +1,25 @@
+"""A table as lines of text: columns as wide as they have to be, numbers to the right."""
+
+from collections.abc import Iterable, Sequence
+
+_GAP = "  "
+
+
+def lines(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
+    """The head and one line for each row, without blanks at their ends; the head alone where there are no rows."""
+    table = [list(head), *(list(row) for row in rows)]
+    widths = [max(len(row[column]) for row in table) for column in range(len(head))]
+    rights = [_is_numeric(row[column] for row in table[1:]) for column in range(len(head))]
+    return [
+        _GAP.join(_cell(*one) for one in zip(row, widths, rights, strict=True)).rstrip() for row in table
+    ]  # fmt: skip
+
+
+def _cell(text: str, width: int, right: bool) -> str:
+    return text.rjust(width) if right else text.ljust(width)
+
+
+def _is_numeric(cells: Iterable[str]) -> bool:
+    """Whether every cell that says something begins as a number does."""
+    said = [cell for cell in cells if cell not in ("", "-")]
+    return bool(said) and all(cell[0].isdigit() or (cell[0] in "+-." and cell[1:2].isdigit()) for cell in said)

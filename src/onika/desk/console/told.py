@@ -1,0 +1,97 @@
+"""What a runtime tells, as lines of a console."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from onika.desk.console.face import Tone
+from onika.desk.console.value import shown
+from onika.wire import event
+
+Line = tuple[str, Tone]
+
+_STATES = {"ON": Tone.GOOD, "ERROR": Tone.FAULT, "ASKING": Tone.ASK}
+
+
+def lines(one: event.Event) -> Iterator[Line]:
+    """The lines of an event; none for those that only machines want."""
+    match one:
+        case event.Began():
+            yield f"{_at(one.at_s)}  {one.index + 1}/{one.of}  {one.action}", Tone.PLAIN
+        case event.TaskState():
+            yield f"{_at(one.at_s)}  {one.subsystem}/{one.task} {one.state}", _STATES.get(one.state, Tone.DIM)
+        case event.Warned():
+            who = f"{one.subsystem}/{one.task}: " if one.task else ""
+            yield f"{_at(one.at_s)}  note: {who}{one.text}", Tone.NOTE
+        case event.Failed():
+            yield from _failed(one)
+        case event.Asked():
+            yield from _asked(one)
+        case event.Drive():
+            yield from _drive(one)
+        case event.Signalled():
+            number = f" {one.number}" if one.kind in ("FINISH", "USER") else ""
+            text = f": {one.text}" if one.text else ""
+            yield f"{_at(one.at_s)}  {one.subsystem}/{one.task} signals {one.kind}{number}{text}", Tone.NOTE
+        case event.Lost():
+            yield f"{_at(one.at_s)}  LOST {one.name}: {one.cause}", Tone.FAULT
+        case event.Held():
+            yield f"{one.subsystem} is held by {one.holder or 'nobody'}", Tone.NOTE
+        case event.Stopped():
+            yield _stopped(one)
+        case event.Result():
+            yield from _result(one)
+
+
+def question(asked: event.Asked, item: event.Item) -> str:
+    """What a task asks for: name, type, meaning, unit, bounds and default."""
+    kind = item.type if item.count == 1 else f"{item.type}[{item.count}]"
+    parts = [f"{item.name} {kind}" + ("" if item.unit in ("", "-") else f" in {item.unit}"), item.meaning]
+    low, high = (None if bound is None else " ".join(f"{x:g}" for x in bound) for bound in (item.low, item.high))
+    if low is not None and high is not None:
+        parts.append(f"from {low} to {high}")
+    elif low is not None or high is not None:
+        parts.append(f"at least {low}" if low is not None else f"at most {high}")
+    if item.default is not None:
+        parts.append(f"else {' '.join(map(str, item.default))}")
+    return f"{asked.subsystem}/{asked.task} asks for " + ", ".join(part for part in parts if part)
+
+
+def _at(seconds: float) -> str:
+    return f"{seconds:9.2f} s"
+
+
+def _failed(one: event.Failed) -> Iterator[Line]:
+    """The error, its place, the traceback with its source lines, and the values of that cycle (requirement A18)."""
+    where = f" ({one.path}:{one.line})" if one.line else ""
+    yield f"{_at(one.at_s)}  ERROR {one.subsystem}/{one.task}: {one.text}{where}", Tone.FAULT
+    for line in one.traceback.rstrip().splitlines():
+        yield f"    {line}", Tone.DIM
+    values: dict[str, Any] = getattr(one, "values", {})
+    for name in sorted(values):
+        for line in shown(name, values[name]):
+            yield f"    {line}", Tone.DIM
+
+
+def _asked(one: event.Asked) -> Iterator[Line]:
+    if one.reason:
+        yield f"{_at(one.at_s)}  {one.subsystem}/{one.task}: {one.reason}", Tone.ASK
+    for item in one.items:
+        yield f"{_at(one.at_s)}  {question(one, item)}", Tone.ASK
+
+
+def _drive(one: event.Drive) -> Iterator[Line]:
+    text = f"{_at(one.at_ns * 1e-9)}  drive {one.device} {one.state}" + (f": {one.cause}" if one.cause else "")
+    yield text, Tone.FAULT if one.state == "TRIPPED" else Tone.DIM
+
+
+def _stopped(one: event.Stopped) -> Line:
+    cause = f": {one.cause}" if one.cause else ""
+    if one.is_stopped:
+        return f"STOPPED{cause}; every drive holds until `reset`", Tone.FAULT
+    return f"motion is allowed again{cause}", Tone.GOOD
+
+
+def _result(one: event.Result) -> Iterator[Line]:
+    how = "completed" if one.completed else "aborted"
+    text = f"{_at(one.runtime_s)}  run {how}, {one.done} of {one.of} actions"
+    yield text + (f": {one.cause}" if one.cause else ""), Tone.GOOD if one.completed else Tone.FAULT

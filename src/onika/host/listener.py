@@ -1,0 +1,30 @@
+"""Who is told what happens on the RTPUs: the same in wall and in virtual time."""
+
+from typing import Protocol
+
+from onika.runtime import news
+
+
+class Listener(Protocol):
+    """Hears news of RTPUs and lets time pass; it waits for nothing."""
+
+    @property
+    def is_moving(self) -> bool:
+        """In virtual time: whether the clock goes on; it stands still while somebody outside is awaited (law 15)."""
+        ...
+
+    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+        """Take in one piece of news."""
+        ...
+
+    def lost(self, rtpu: str, reason: str, now: int) -> None:
+        """A process is gone, a unit with its tasks or the device server (rtpu empty)."""
+        ...
+
+    def wake_at(self) -> int | None:
+        """When `tick` has something to do, in ns of the runtime's time."""
+        ...
+
+    def tick(self, now: int) -> None:
+        """Let time pass."""
+        ...

@@ -1,0 +1,284 @@
+"""A live subsystem: its tasks are held by hand, one edit after another, each carried out whole or not at all.
+
+An edit is a transaction (`host.edit`): a generator that sends commands and yields what it waits for. News moves the
+present one on; the next one begins when it is through. Nothing here waits.
+"""
+
+from collections import deque
+from collections.abc import Callable, Collection, Generator, Mapping
+from typing import Any
+
+from onika.engine import orders
+from onika.host.reshape import Reshaping
+from onika.host.switchboard import Switchboard
+from onika.host.units import Units
+from onika.model.lifecycle import State
+from onika.model.rules.order import Ports
+from onika.model.rules.reconfiguration import Placed
+from onika.runtime import command, news
+from onika.runtime.subsystem import Member, Subsystem
+from onika.runtime.table import Table
+from onika.runtime.wiring import WiredTask
+from onika.wire import event
+from onika.wire.plan import Code
+
+Wait = Callable[[], bool]
+Transaction = Generator[Wait, None, str]
+"""Yields what it waits for; returns why it came to nothing, or nothing."""
+
+Tell = Callable[[event.Event], None]
+
+
+class LiveSubsystem:
+    """The tasks that share one table while no application runs in it."""
+
+    def __init__(self, name: str, table: Table, units: Units, tell: Tell, clock: Callable[[], int]) -> None:
+        self.name = name
+        self.table = table
+        self.holder = ""
+        self.code: dict[str, Code] = {}
+        self.known: dict[str, dict[str, int]] = {}
+        """By task: the constants a robot module states before it lives."""
+        self.wanted: dict[str, str] = {}
+        """The tasks that are wanted ON, each with its last argument line."""
+        self.reasons: dict[str, str] = {}
+        """Why a task waits, asks or has failed."""
+        self.trouble: dict[str, str] = {}
+        """What went wrong with a task since the present transaction began."""
+        self.done: set[str] = set()
+        """Who was initialised anew, bound anew or exchanged since the last command for it."""
+        self.rates: dict[str, float] = {}
+        self.subsystem = Subsystem(name, table, (), {})
+        self.reshaping = Reshaping(table)
+        self._units = units
+        self._tell = tell
+        self._clock = clock
+        self._switchboard = Switchboard({0: self.subsystem}, units)
+        self._grants: dict[str, command.DeviceGrant | None] = {}
+        self._transactions: deque[tuple[int, Transaction]] = deque()
+        self._waits: Wait | None = None
+        self._now = 0
+
+    # What there is
+
+    @property
+    def members(self) -> dict[str, Member]:
+        """Every task that lives or waits to be born."""
+        return self.subsystem.members
+
+    @property
+    def wired(self) -> list[WiredTask]:
+        """The tasks with their ports."""
+        return [member.wired for member in self.members.values()]
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether a transaction is under way."""
+        return self._waits is not None
+
+    def placed(self) -> list[Placed]:
+        """The tasks as the rule of reconfiguration sees them."""
+        return [placed(one) for one in self.wired]
+
+    def state(self, task: str) -> State:
+        """A task's state; KILLED where there is none."""
+        member = self.members.get(task)
+        return member.state if member is not None else State.KILLED
+
+    def lacking(self, task: str) -> list[str]:
+        """The constants a task waits for, because nobody supplies them or their supplier waits itself (law 10)."""
+        wired = self.members[task].wired
+        suppliers = {svar: one for one in self.members.values() for svar in one.wired.outconst}
+        lacking = []
+        for svar in wired.inconst:
+            supplier = suppliers.get(svar)
+            if supplier is None:
+                lacking += [svar] if svar not in wired.first_values else []
+            elif supplier.state is State.WAITING and supplier.wired.name != task:
+                lacking.append(svar)
+        return lacking
+
+    # Transactions
+
+    def begin(self, number: int, transaction: Transaction) -> None:
+        """Carry this out, after those before it."""
+        self._transactions.append((number, transaction))
+        self._go_on()
+
+    def _go_on(self) -> None:
+        """Move the present transaction as far as it goes."""
+        while self._transactions and (self._waits is None or self._waits()):
+            number, transaction = self._transactions[0]
+            if self._waits is None:
+                self.trouble.clear()
+            try:
+                self._waits = next(transaction)
+            except StopIteration as end:
+                self._waits = None
+                self._transactions.popleft()
+                self.reshaping.end()
+                self._tell(event.Edited(self.name, number, end.value or "", self.seconds()))
+
+    def seconds(self, now: int | None = None) -> float:
+        """The runtime's time in seconds."""
+        return round((self._clock() if now is None else now) * 1e-9, 9)
+
+    # What transactions do
+
+    def send(self, task: str, order: command.Command) -> None:
+        """Give a task's unit a command."""
+        self._units.send(self.members[task].rtpu, order)
+
+    def rewire(self, members: Collection[tuple[WiredTask, str]]) -> None:
+        """From now on these are the tasks, each on its unit; who stays keeps its state, and learns its new rank."""
+        before = self.subsystem
+        tasks = [wired for wired, _ in members]
+        known = {svar: value for wired in tasks for svar, value in self.known.get(wired.name, {}).items()}
+        self.subsystem = Subsystem(self.name, self.table, tasks, {wired.name: rtpu for wired, rtpu in members}, known)
+        for name, member in before.members.items():
+            if name in self.members:
+                self.members[name].state, self.members[name].is_sent = member.state, member.is_sent
+        self._switchboard = Switchboard({0: self.subsystem}, self._units)
+        self._rank(before.ranks)
+
+    def _rank(self, before: Mapping[str, int]) -> None:
+        changed: dict[str, list[tuple[str, int]]] = {}
+        for name, rank in self.subsystem.ranks.items():
+            if self.members[name].is_sent and before.get(name) != rank:
+                changed.setdefault(self.members[name].rtpu, []).append((name, rank))
+        for rtpu, ranks in changed.items():
+            self._units.send(rtpu, command.Rank(self.name, tuple(ranks)))
+
+    def add(self, new: Collection[tuple[WiredTask, str]]) -> None:
+        """These are to be born."""
+        self.rewire([*((one.wired, one.rtpu) for one in self.members.values()), *new])
+
+    def remove(self, tasks: Collection[str]) -> None:
+        """These are gone: devices and memory are given back."""
+        for name in tasks:
+            member = self.members[name]
+            if member.wired.device is not None and member.wired.sheet.hardware and member.is_sent:
+                self._units.release(member.wired.device)
+            for memory in (self.wanted, self.reasons, self.rates, self.known, self._grants):
+                memory.pop(name, None)
+        self.rewire([(one.wired, one.rtpu) for name, one in self.members.items() if name not in tasks])
+        used = {port.svar for one in self.wired for port in one.ports}
+        for svar in [svar for svar in self.table.entries if svar not in used]:
+            self.table.free(self.table.drop(svar))
+
+    def spawn_ready(self) -> None:
+        """Send every task to its unit whose constants are there; the others wait (law 10)."""
+        for name, member in self.members.items():
+            if not member.is_sent and name not in self.trouble:
+                lacking = self.lacking(name)
+                self.reasons[name] = f"waits for {', '.join(lacking)}" if lacking else ""
+                if not lacking:
+                    self._spawn(name, member)
+
+    def _spawn(self, name: str, member: Member) -> None:
+        device = member.wired.device
+        grant = None
+        try:
+            grant = self._units.grant(member.rtpu, device) if device is not None else None
+            self._units.send(member.rtpu, self.spawn_order(name, grant))
+        except (KeyError, ValueError) as wrong:
+            if grant is not None and grant.command_offset is not None:
+                self._units.release(device or "")
+            self.trouble[name] = self.reasons[name] = f"spawn: {wrong}"
+            return
+        self._grants[name] = grant
+        member.is_sent = True
+
+    def spawn_order(self, name: str, grant: command.DeviceGrant | None = None) -> command.Spawn:
+        """The command that brings a task to life, or exchanges the code of one that lives."""
+        wired = self.members[name].wired
+        code = self.code[wired.task.digest]
+        self.reshaping.ports(self.subsystem, name)
+        return self.subsystem.spawn(name, code.source, code.path, 0, grant or self._grants.get(name))
+
+    def warn(self, task: str, text: str) -> None:
+        """Something worth knowing that changes nothing."""
+        self._tell(event.Warned(self.name, task, text, self.seconds()))
+
+    def switch(
+        self, off: Collection[str], on: Collection[command.Launch], rates: tuple[tuple[str, float], ...]
+    ) -> None:
+        """Turn tasks off and on with no cycle in between; nothing happens to the others."""
+        names = [launch.task for launch in on]
+        off = tuple(name for name in off if self.state(name) is not State.WAITING)
+        forget = self.subsystem.forgotten(off, names)
+        self.subsystem.forget(forget)
+        starts = tuple(orders.Start(one.task, one.arguments, one.frequency) for one in on)
+        self._switchboard.put(orders.Switch(0, off, starts, rates), forget)
+
+    # News
+
+    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+        """Take in one piece of news of a task."""
+        del rtpu
+        if isinstance(heard, news.Statuses | news.Loads) or heard.task not in self.members:
+            return
+        self._now = now
+        self._hear(heard, heard.task, self.seconds(getattr(heard, "now_ns", now)))
+        self._go_on()
+
+    def _hear(self, heard: Any, task: str, at: float) -> None:
+        match heard:
+            case news.Initialised():
+                self._turn(task, State.OFF, at)
+                self.spawn_ready()
+            case news.Reinitialised() | news.Rebound() | news.Swapped():
+                self.done.add(task)
+            case news.Changed():
+                self._turn(task, State(heard.state), at)
+            case news.Finished():
+                self._tell(event.Signalled(self.name, task, "FINISH", heard.flow, "", at))
+                self._turn(task, State.OFF, at)
+            case news.Failed():
+                self.reasons[task] = self.trouble[task] = f"{heard.entry}: {heard.text}"
+                where = (heard.path, heard.line, heard.traceback, at, heard.entry, heard.values)
+                self._tell(event.Failed(self.name, task, self.reasons[task], *where))
+                self._turn(task, State.ERROR, at)
+            case news.Asked():
+                self.reasons[task] = f"asks for {', '.join(item.name for item in heard.items)}"
+                items = tuple(
+                    event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items
+                )
+                self._turn(task, State.ASKING, at)
+                self._tell(event.Asked(self.name, task, heard.reason, items, at))
+            case news.Warned():
+                self._tell(event.Warned(self.name, task, heard.text, at))
+            case news.Signalled():
+                self._tell(event.Signalled(self.name, task, heard.kind, heard.number, heard.text, at))
+            case news.Refused():
+                self.trouble[task] = f"{heard.command}: {heard.reason}"
+                self._switchboard.settled(0, task)
+                if not self.is_busy:
+                    self._tell(event.Warned(self.name, task, f"refused, {self.trouble[task]}", at))
+
+    def _turn(self, task: str, state: State, at: float) -> None:
+        self.members[task].state = state
+        if state in (State.ON, State.OFF, State.KILLED):
+            self.reasons[task] = ""
+        self._tell(event.TaskState(self.name, task, state.value, at))
+        if state in (State.ON, State.ASKING, State.ERROR):
+            self._switchboard.settled(0, task)
+
+    def lost(self, rtpu: str, reason: str, now: int) -> None:
+        """A unit is gone with its tasks."""
+        gone = [name for name, member in self.members.items() if member.rtpu == rtpu and member.is_sent]
+        for name in gone:
+            self.trouble[name] = reason
+            self._turn(name, State.KILLED, self.seconds(now))
+            self._switchboard.settled(0, name)
+        self._go_on()
+        if not self.is_busy:
+            self.remove([name for name in gone if name in self.members])
+
+
+def placed(wired: WiredTask) -> Placed:
+    """A task as the rule of reconfiguration sees it; what its shapes depend on counts as a constant it reads."""
+    dimensions = (name for port in wired.ports for name in port.shape.names if name not in wired.outconst)
+    inconst = tuple(dict.fromkeys((*wired.inconst, *dimensions)))
+    ports = Ports(wired.name, inconst, wired.outconst, wired.invar, wired.outvar)
+    return Placed(ports, wired.task.module, wired.device if wired.sheet.hardware else None)

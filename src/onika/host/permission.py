@@ -1,0 +1,49 @@
+"""What a caller may ask of a runtime, by his role and by where he calls from (law 23, law 27)."""
+
+from onika.link.caller import Caller, Role
+from onika.wire import live, request
+
+_LOOKING = (
+    request.Stop,
+    request.Snapshot,
+    live.Survey,
+    live.Read,
+    live.Status,
+    live.Check,
+    live.Attend,
+    live.Scene,
+)
+"""What everybody may: to look, and to stop."""
+
+
+def refusal(caller: Caller, asked: request.Request, accepts_code: bool) -> str:
+    """Why this may not be asked by this caller; empty: it may.
+
+    accepts_code    whether code from other machines is taken
+    """
+    least = _least(asked)
+    if caller.role < least:
+        return f"expected a {least.word} for {type(asked).__name__}, found {caller.user}, who is {caller.role.word}"
+    if brings_code(asked) and not caller.is_near and not accepts_code:
+        return f"code from another machine ({caller.address}) is not accepted; start the runtime with --accept-code"
+    return ""
+
+
+def brings_code(asked: request.Request) -> bool:
+    """Whether module code comes with it."""
+    match asked:
+        case request.Prepare():
+            return bool(asked.plan.code)
+        case request.Inspect() | live.Change():
+            return bool(asked.code)
+        case live.Swap():
+            return True
+    return False
+
+
+def _least(asked: request.Request) -> Role:
+    if isinstance(asked, _LOOKING):
+        return Role.VIEWER
+    if brings_code(asked):
+        return Role.PROGRAMMER
+    return Role.OWNER if isinstance(asked, request.Quit) else Role.OPERATOR

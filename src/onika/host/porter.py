@@ -1,0 +1,267 @@
+"""The porter: a process that listens on the network, so that TLS, HTTP, garbage and floods never touch the program.
+
+It lets in whom the doorkeeper lets in and hands the program one end of a socket pair for each connection.
+"""
+
+import argparse
+import asyncio
+import contextlib
+import os
+import select
+import signal
+import socket
+import ssl
+import subprocess
+import sys
+from functools import partial
+from time import monotonic
+
+from msgspec import Struct, msgpack
+
+from onika.host.doorkeeper import Doorkeeper, Yes, from_near
+from onika.host.listening import Listening, context
+from onika.host.outlet import open_outlets
+from onika.host.post import Post
+from onika.host.process import start
+from onika.host.relay import Relay, Unwelcome
+from onika.host.users import Users
+from onika.link.caller import Caller, Role
+from onika.link.channel import Channel
+from onika.link.guests import Introduction
+from onika.link.launcher import die_with_parent
+from onika.wire.packet import Hello
+
+GREETING_S = 5.0
+"""How long everything may take until the greeting is there: TLS, HTTP, WebSocket, hello."""
+_RELAYS = 256
+"""Connections at most that are let in."""
+_START_S = 20.0
+_LAST_S = 0.5
+
+
+class Ready(Struct, frozen=True, tag=True):
+    """It listens; on which port."""
+
+    port: int
+
+
+class Failed(Struct, frozen=True, tag=True):
+    """It cannot listen."""
+
+    reason: str
+
+
+class Arrived(Struct, frozen=True, tag=True):
+    """Somebody is let in; his end of the connection comes with it."""
+
+    channel: str
+    client: str
+    epoch: str
+    user: str
+    role: int
+    address: str
+
+
+_decode = msgpack.Decoder(Ready | Failed | Arrived).decode
+
+
+class Porter:
+    """The porter as the program sees it."""
+
+    def __init__(self, listening: Listening) -> None:
+        self._listening = listening
+        self._post, theirs = Post.pair()
+        self._process: subprocess.Popen[bytes] = start("onika.host.porter", theirs)
+        self._post.send(msgpack.encode(listening))
+
+    @property
+    def post(self) -> Post:
+        """Readable when somebody has come, or at its end."""
+        return self._post
+
+    def open(self) -> str:
+        """Wait until it listens; the address. Raises OSError with the reason why it cannot."""
+        until = monotonic() + _START_S
+        while not self._post.is_closed and (left := until - monotonic()) > 0:
+            select.select([self._post], [], [], left)
+            came = self._post.receive()
+            match _decode(came[0]) if came else None:
+                case Ready(port):
+                    return self._listening.address(port)
+                case Failed(reason):
+                    raise OSError(reason)
+        raise OSError("the porter did not start")
+
+    def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
+        """Who has come since the last call."""
+        came = []
+        while (one := self._post.receive()) is not None:
+            body, descriptors = one
+            arrived = _decode(body)
+            if isinstance(arrived, Arrived) and descriptors:
+                caller = Caller(arrived.user, Role(arrived.role), arrived.address, from_near(arrived.address))
+                new = Introduction(Channel(arrived.channel), arrived.client, arrived.epoch, caller)
+                came.append((new, socket.socket(fileno=descriptors[0])))
+        return came
+
+    def ending(self) -> str:
+        """How it ended; empty while it lives."""
+        if not self._post.is_closed:
+            return ""
+        code = self._process.poll()
+        if code is None:
+            return "its connection broke"
+        return f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
+
+    def close(self) -> None:
+        """End it."""
+        self._post.close()
+        try:
+            self._process.wait(2.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+class _House:
+    """The porter's own side."""
+
+    def __init__(self, listening: Listening, post: Post) -> None:
+        self._listening = listening
+        self._post = post
+        is_private = bool(listening.certificate)
+        self._doorkeeper = Doorkeeper(Users(listening.users), listening.names, is_private)
+        self._context: ssl.SSLContext | None = context(listening.certificate, listening.key) if is_private else None
+        self._tasks: dict[int, asyncio.Task[None]] = {}
+        self._relays: set[asyncio.Task[None]] = set()
+        self._inside = 0
+
+    async def serve(self, listener: socket.socket) -> None:
+        """Take connections until the program is gone."""
+        loop = asyncio.get_running_loop()
+        gone = asyncio.Event()
+        loop.add_reader(self._post.fileno(), self._look, gone)
+        accepting = asyncio.create_task(self._accept(listener))
+        await gone.wait()
+        accepting.cancel()
+        listener.close()
+        if self._relays:  # their ends in the program are closed: what it said last is still on its way
+            await asyncio.wait(self._relays, timeout=_LAST_S)
+        os._exit(0)
+
+    def _look(self, gone: asyncio.Event) -> None:
+        self._post.receive()  # the program says nothing more: only its end can be heard
+        if self._post.is_closed:
+            gone.set()
+
+    async def _accept(self, listener: socket.socket) -> None:
+        loop = asyncio.get_running_loop()
+        while True:
+            try:
+                connected, peer = await loop.sock_accept(listener)
+            except OSError:  # too many open files: those in the door leave within seconds
+                await asyncio.sleep(0.1)
+                continue
+            number, evicted = self._doorkeeper.enter(peer[0])
+            if evicted is not None and evicted in self._tasks:
+                self._tasks[evicted].cancel()
+            task = asyncio.create_task(self._receive(number, connected, peer[0]))
+            self._tasks[number] = task
+            self._relays.add(task)
+            task.add_done_callback(partial(self._gone, number))
+
+    def _gone(self, number: int, task: "asyncio.Task[None]") -> None:
+        self._relays.discard(task)
+        self._tasks.pop(number, None)
+        self._doorkeeper.leave(number)
+
+    async def _receive(self, number: int, connected: socket.socket, address: str) -> None:
+        """One connection from its first byte to its last."""
+        relay = None
+        try:
+            async with asyncio.timeout(GREETING_S):
+                relay = await self._relay(connected, address)
+                answer, hello, payloads = await relay.greet(self._doorkeeper)
+            self._doorkeeper.leave(number)
+            self._tasks.pop(number, None)
+            await self._inwards(relay, answer, hello, payloads, address)
+        except (Unwelcome, OSError, TimeoutError, asyncio.CancelledError):
+            pass
+        finally:
+            if relay is None:
+                connected.close()
+            else:
+                await relay.end()
+
+    async def _relay(self, connected: socket.socket, address: str) -> Relay:
+        connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        loop = asyncio.get_running_loop()
+        reader = asyncio.StreamReader(limit=64 * 1024)
+        protocol = asyncio.StreamReaderProtocol(reader)
+        limit = GREETING_S if self._context is not None else None
+        transport, _ = await loop.connect_accepted_socket(
+            lambda: protocol, connected, ssl=self._context, ssl_handshake_timeout=limit
+        )
+        return Relay(reader, asyncio.StreamWriter(transport, protocol, reader, loop), address)
+
+    async def _inwards(self, relay: Relay, answer: Yes, hello: Hello, payloads: list[bytes], address: str) -> None:
+        if self._inside >= _RELAYS:
+            return
+        self._inside += 1
+        ours, theirs = socket.socketpair()
+        try:
+            user = answer.user
+            arrived = Arrived(answer.channel.value, hello.client, hello.epoch, user.name, int(user.role), address)
+            self._post.send(msgpack.encode(arrived), (theirs.fileno(),))
+            while self._post.is_waiting:  # only what was really sent may be closed here
+                await asyncio.sleep(0.01)
+                self._post.flush()
+            theirs.close()
+            await relay.carry(payloads, ours)
+        finally:
+            ours.close()
+            theirs.close()
+            self._inside -= 1
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """A listening socket; raises OSError."""
+    family, kind, number, _, where = socket.getaddrinfo(host, port, type=socket.SOCK_STREAM, flags=socket.AI_PASSIVE)[0]
+    listener = socket.socket(family, kind, number)
+    listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    listener.bind(where)
+    listener.listen(512)
+    listener.setblocking(False)
+    return listener
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--fd", type=int, required=True)
+    parser.add_argument("--parent", type=int, required=True)
+    given = parser.parse_args(words)
+    die_with_parent(given.parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    os.nice(5)
+    post = Post(socket.socket(fileno=given.fd))
+    select.select([post], [], [])
+    came = post.receive()
+    if came is None:
+        return
+    listening = msgpack.decode(came[0], type=Listening)
+    try:
+        listener = listen(listening.host, listening.port)
+        house = _House(listening, post)
+    except OSError as wrong:
+        reason = f"cannot listen on {listening.host} port {listening.port}: {wrong.strerror or wrong}"
+        post.send(msgpack.encode(Failed(reason)))
+        return
+    post.send(msgpack.encode(Ready(listener.getsockname()[1])))
+    with contextlib.suppress(KeyboardInterrupt):
+        asyncio.run(house.serve(listener))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

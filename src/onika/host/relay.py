@@ -1,0 +1,145 @@
+"""A relay: one connection from outside; its HTTP and WebSocket end here, whole frames go on to the program."""
+
+import asyncio
+import contextlib
+import socket
+from collections.abc import Callable
+from time import monotonic_ns
+
+from websockets.http11 import Request
+from websockets.protocol import State
+from websockets.server import ServerProtocol
+
+from onika.host.doorkeeper import Doorkeeper, No, Yes
+from onika.link.messages import SILENT, Messages
+from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
+from onika.wire.packet import Bye, Hello, decode, encode
+
+TAKING_S = 10.0
+"""How long somebody may take nothing of what is sent to him."""
+_CHUNK = 64 * 1024
+
+HandOver = Callable[[Yes, Hello, str, socket.socket], None]
+"""Gives the program its end of a connection, with who it is and the address he comes from."""
+
+
+class Unwelcome(Exception):
+    """There will be no link on this connection; he has been told, as far as he can be."""
+
+
+class Relay:
+    """One connection, given as the streams of its outside."""
+
+    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str) -> None:
+        self._reader = reader
+        self._writer = writer
+        self._address = address
+        self._protocol = ServerProtocol(max_size=FRAME_LIMIT, logger=SILENT)
+        self._messages = Messages()
+
+    async def greet(self, doorkeeper: Doorkeeper) -> tuple[Yes, Hello, list[bytes]]:
+        """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome."""
+        answer = self._answer(await self._request(), doorkeeper)
+        payloads: list[bytes] = []
+        while not payloads:
+            payloads = await self._receive()
+        try:
+            hello = decode(payloads[0])
+        except ValueError:
+            hello = Bye("garbage", "")
+        if not isinstance(hello, Hello):
+            self._protocol.send_binary(encode(Bye("garbage", "an environment begins with hello")))
+            await self._send()
+            raise Unwelcome("no hello")
+        return answer, hello, payloads
+
+    async def carry(self, payloads: list[bytes], inside: socket.socket) -> None:
+        """Copy whole frames both ways until one side ends it; each waits for the other, never for more than that."""
+        reader, writer = await asyncio.open_unix_connection(sock=inside, limit=_CHUNK)
+        inward = asyncio.create_task(self._inward(payloads, writer))
+        outward = asyncio.create_task(self._outward(reader))
+        try:
+            await asyncio.wait((inward, outward), return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in (inward, outward):
+                task.cancel()
+            await asyncio.gather(inward, outward, return_exceptions=True)
+            writer.close()
+
+    async def end(self, reason: str = "") -> None:
+        """Close, politely where the other side still listens."""
+        with contextlib.suppress(OSError, TimeoutError):
+            if self._protocol.state is State.OPEN:
+                self._protocol.send_close(1000, reason)
+                await self._send()
+        self._writer.close()
+
+    async def _request(self) -> Request:
+        while True:
+            for event in await self._events():
+                if isinstance(event, Request):
+                    return event
+            if self._protocol.handshake_exc is not None:
+                await self._send()
+                raise Unwelcome("no HTTP")
+
+    def _answer(self, request: Request, doorkeeper: Doorkeeper) -> Yes:
+        response = self._protocol.accept(request)  # 400, 405, 426: no WebSocket at all
+        answer: Yes | No | None = None
+        if response.status_code == 101:
+            answer = doorkeeper.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
+            if isinstance(answer, No):
+                response = self._protocol.reject(answer.status, answer.reason + "\n")
+        self._protocol.send_response(response)
+        for data in self._protocol.data_to_send():
+            self._writer.write(data)
+        if not isinstance(answer, Yes):
+            raise Unwelcome(f"status {response.status_code}")
+        return answer
+
+    async def _inward(self, payloads: list[bytes], writer: asyncio.StreamWriter) -> None:
+        while True:
+            for payload in payloads:
+                writer.write(frame(payload))
+            await writer.drain()
+            payloads = await self._receive()
+
+    async def _outward(self, reader: asyncio.StreamReader) -> None:
+        frames = FrameReader()
+        while data := await reader.read(_CHUNK):
+            for payload in frames.feed(data):
+                self._protocol.send_binary(payload)
+            await self._send()
+
+    async def _receive(self) -> list[bytes]:
+        """The payloads that came next; raises Unwelcome at the end."""
+        while True:
+            try:
+                payloads = self._messages.feed(await self._events())
+            except ValueError as wrong:
+                self._protocol.fail(1003, str(wrong))
+                payloads = []
+            await self._send()
+            if payloads:
+                return payloads
+            if self._protocol.state is not State.OPEN:
+                raise Unwelcome("closed")
+
+    async def _events(self) -> list:  # type: ignore[type-arg]
+        data = await self._reader.read(_CHUNK)
+        if data:
+            self._protocol.receive_data(data)
+        else:
+            self._protocol.receive_eof()
+        events = self._protocol.events_received()
+        if not data and not events and self._protocol.state is State.CONNECTING:
+            raise Unwelcome("gone")
+        return events
+
+    async def _send(self) -> None:
+        """Send what waits; raises TimeoutError for somebody who takes nothing."""
+        for data in self._protocol.data_to_send():
+            if data:
+                self._writer.write(data)
+        async with asyncio.timeout(TAKING_S):
+            await self._writer.drain()

@@ -1,0 +1,145 @@
+"""The stage: every subsystem of a runtime, held by hand or by an application; news finds its way here."""
+
+from collections.abc import Callable, Collection
+from typing import Protocol
+
+from onika.host.live import LiveSubsystem
+from onika.host.performance import Performance
+from onika.host.roll import Roll
+from onika.host.units import Units
+from onika.ring.segment import Segment
+from onika.runtime import news
+from onika.runtime.table import SIZE, Table
+from onika.wire import event
+
+Tell = Callable[[event.Event, str, str], None]
+"""An event, the subsystem whose listeners hear it (empty: everybody), a session that hears it in any case."""
+
+
+class Tables(Units, Protocol):
+    """Units that can be shown memory, and told the time."""
+
+    @property
+    def now(self) -> int:
+        """The runtime's time in ns since its start."""
+        ...
+
+    def share(self, name: str, segment: Segment) -> None:
+        """Let the RTPUs see a table."""
+        ...
+
+    def unshare(self, name: str) -> None:
+        """The table is not used any more."""
+        ...
+
+
+class Stage:
+    """Who lives where. It is the driver's listener."""
+
+    def __init__(self, units: Tables, tell: Tell, rtpus: Collection[str]) -> None:
+        self.live: dict[str, LiveSubsystem] = {}
+        self.tables: dict[str, Table] = {}
+        self.performances: list[Performance] = []
+        self.lost_units: dict[str, str] = {}
+        self.roll = Roll(units, self._alive)
+        self.until = 0
+        """Up to when the clock goes on in virtual time though no application runs."""
+        self._units = units
+        self._tell = tell
+        self._rtpus = tuple(rtpus)
+        self._reached: list[tuple[int, Callable[[], None]]] = []
+
+    # Who lives where
+
+    def table(self, name: str) -> Table:
+        """A new zeroed table for a subsystem, in place of any old one (law 4)."""
+        if name in self.tables:
+            self.tables[name].segment.close()
+        table = self.tables[name] = Table(Segment.create(f"table-{name}", SIZE))
+        self._units.share(f"table:{name}", table.segment)
+        return table
+
+    def by_hand(self, name: str) -> LiveSubsystem:
+        """The subsystem of this name as it is held by hand; it is made with its first task."""
+        if name not in self.live:
+
+            def tell(one: event.Event) -> None:
+                self._tell(one, name, self.live[name].holder if name in self.live else "")
+
+            self.live[name] = LiveSubsystem(name, self.table(name), self._units, tell, lambda: self._units.now)
+        return self.live[name]
+
+    def drop(self, name: str) -> None:
+        """An empty subsystem is no more."""
+        del self.live[name]
+        self._units.unshare(f"table:{name}")
+        self.tables.pop(name).segment.close()
+
+    def performance_in(self, subsystem: str) -> Performance | None:
+        """The application that runs in a subsystem."""
+        return next((one for one in self.performances if subsystem in one.names), None)
+
+    def perform(self, performance: Performance) -> None:
+        """An application begins."""
+        self.performances.append(performance)
+        performance.runner.start(self._units.now)
+
+    def when(self, at: int, then: Callable[[], None]) -> None:
+        """In virtual time: let the clock go on to this time, then do this."""
+        self.until = max(self.until, at)
+        self._reached.append((at, then))
+
+    # As the driver's listener
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the virtual clock goes on: not while a task of an application asks, or nothing wants it to."""
+        running = [one.runner for one in self.performances if not one.runner.is_over]
+        if any(runner.is_asking for runner in running):
+            return False
+        return bool(running) or self._units.now < self.until
+
+    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+        """Tell whose task it is."""
+        if isinstance(heard, news.Statuses | news.Loads):
+            self.roll.hear(heard)
+            for one in self.performances:
+                one.hear(rtpu, heard, now)
+            return
+        if isinstance(heard, news.Got) or (isinstance(heard, news.Refused) and heard.command == "get or set"):
+            self.roll.answered(heard)
+            return
+        performance = self.performance_in(heard.subsystem)
+        if performance is not None:
+            performance.hear(rtpu, heard, now)
+        elif heard.subsystem in self.live:
+            self.live[heard.subsystem].hear(rtpu, heard, now)
+
+    def lost(self, rtpu: str, reason: str, now: int) -> None:
+        """A process is gone, and with a unit its tasks."""
+        if rtpu:
+            self.lost_units[rtpu] = reason
+        self._tell(event.Lost(rtpu or "device server", reason, round(now * 1e-9, 9)), "", "")
+        for performance in self.performances:
+            performance.runner.lost(rtpu, reason, now)
+        for live in self.live.values():
+            live.lost(rtpu, reason, now)
+        self.roll.lost()
+
+    def wake_at(self) -> int | None:
+        """The next time somebody has something to do."""
+        times = [wake for one in self.performances if (wake := one.runner.wake_at()) is not None]
+        times += [at for at, _ in self._reached]
+        return min(times, default=None)
+
+    def tick(self, now: int) -> None:
+        """Let time pass."""
+        for performance in self.performances:
+            performance.runner.tick(now)
+        reached = [then for at, then in self._reached if at <= now]
+        self._reached = [(at, then) for at, then in self._reached if at > now]
+        for then in reached:
+            then()
+
+    def _alive(self) -> list[str]:
+        return [name for name in self._rtpus if name not in self.lost_units]

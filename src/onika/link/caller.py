@@ -1,0 +1,36 @@
+"""Who talks to a runtime and what he may do there."""
+
+from dataclasses import dataclass
+from enum import IntEnum
+
+
+class Role(IntEnum):
+    """Each may do what those before it may."""
+
+    VIEWER = 1
+    """Looks, and stops."""
+    OPERATOR = 2
+    """Runs what the runtime knows."""
+    PROGRAMMER = 3
+    """Brings code."""
+    OWNER = 4
+    """Ends the runtime."""
+
+    @property
+    def word(self) -> str:
+        """As it is written in a file of users."""
+        return self.name.lower()
+
+
+@dataclass(frozen=True, slots=True)
+class Caller:
+    """A user, his role and the address he calls from; near: from this machine."""
+
+    user: str
+    role: Role
+    address: str
+    is_near: bool
+
+
+PARENT = Caller("owner", Role.OWNER, "parent", True)
+"""The program that launched the runtime."""

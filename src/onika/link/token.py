@@ -1,0 +1,56 @@
+"""The token of this machine: 256 random bits in a file that only its user can read, made once."""
+
+import contextlib
+import hashlib
+import os
+import secrets
+from collections.abc import Mapping
+from pathlib import Path
+
+
+def new_token() -> str:
+    """A new one, as 43 letters."""
+    return secrets.token_urlsafe(32)
+
+
+def digest(token: str) -> str:
+    """What is kept of a token instead of it: its SHA-256 in hexadecimal."""
+    return hashlib.sha256(token.encode()).hexdigest()
+
+
+def token_path(environment: Mapping[str, str] = os.environ) -> Path:
+    """Where it lies: in the state directory of the XDG."""
+    state = environment.get("XDG_STATE_HOME", "")
+    home = Path(state) if state.startswith("/") else Path(environment.get("HOME", "/")) / ".local" / "state"
+    return home / "onika" / "token"
+
+
+def read_token(path: Path) -> str:
+    """The token in a file; raises OSError, or ValueError where none stands there."""
+    text = path.read_text(encoding="ascii", errors="replace").strip()
+    if not text or not text.isprintable() or " " in text:
+        raise ValueError(f"expected one token in {path}, found none")
+    return text
+
+
+def own_token(path: Path) -> str:
+    """The token in that file, made there if there is none; raises OSError, or ValueError for a file others can read."""
+    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+    if not path.exists():
+        _make(path)
+    if path.stat().st_mode & 0o077:
+        raise ValueError(f"expected {path} to be readable by its user only; chmod 600 it or remove it")
+    return read_token(path)
+
+
+def _make(path: Path) -> None:
+    """Whole or not at all: of two programs that start at once, the first one's token stands."""
+    draft = path.with_name(f".{path.name}.{secrets.token_hex(4)}")
+    descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    try:
+        with os.fdopen(descriptor, "w", encoding="ascii") as file:
+            file.write(new_token() + "\n")
+        with contextlib.suppress(FileExistsError):
+            os.link(draft, path)
+    finally:
+        draft.unlink()

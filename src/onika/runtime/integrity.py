@@ -1,0 +1,86 @@
+"""The check of a table's memory: what a bad module overwrote, and which tasks could have done it (requirement A12).
+
+Each entry has a guard before it, seals on its values and a count of strange publications (`ring.slots`). A task reaches
+shared memory by its rings alone; what else writes there has gone astray, and memory does not tell who wrote it. So a
+finding names whoever could have: its declared writers, tasks bound to what lies beside it, then all that share the
+table. Not found: a value above 512 bytes that is written over between two publications, and a forged seal.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from onika.runtime.table import Table
+from onika.runtime.wiring import WiredTask
+
+_LOOKED_AT_BEHIND = 4096
+"""Bytes behind the last entry: an overrun of more would have met something else."""
+
+
+@dataclass(frozen=True, slots=True)
+class Accessor:
+    """A task with access to the table: where it runs, and the variables it is bound to."""
+
+    task: str
+    rtpu: str
+    writes: frozenset[str]
+    reads: frozenset[str]
+
+
+@dataclass(frozen=True, slots=True)
+class Finding:
+    """What is wrong with a variable's memory; `likely` and `others` say who could have written it and why."""
+
+    variable: str
+    wrong: tuple[str, ...]
+    likely: tuple[str, ...]
+    others: tuple[str, ...]
+
+    def __str__(self) -> str:
+        likely = f" It could have been {', '.join(self.likely)}." if self.likely else ""
+        others = f" Less likely: {', '.join(self.others)}." if self.others else ""
+        return f"{self.variable}: {'; '.join(self.wrong)}.{likely}{others}"
+
+
+def accessor(wired: WiredTask, rtpu: str) -> Accessor:
+    """A task of a subsystem as the check sees it."""
+    writes = frozenset((*wired.outconst, *wired.outvar))
+    return Accessor(wired.name, rtpu, writes, frozenset((*wired.inconst, *wired.invar)))
+
+
+def check(table: Table, tasks: Iterable[Accessor]) -> list[Finding]:
+    """Everything that is wrong in a table, in the order of memory; while tasks write it, too."""
+    everyone = sorted(tasks, key=lambda one: (one.rtpu, one.task))
+    entries = sorted(table.entries.values(), key=lambda one: one.offset)
+    found = []
+    for place, entry in enumerate(entries):
+        wrong = table.ring(entry.name).faults()
+        beside = [one.name for one in entries[max(place - 1, 0) : place + 2] if one is not entry]
+        if wrong:
+            found.append(_finding(entry.name, wrong, beside, everyone))
+    behind = table.segment.view[table.end : table.end + _LOOKED_AT_BEHIND]
+    if any(behind) and entries:
+        wrong = [f"memory behind {entries[-1].name}, which belongs to no variable, is written"]
+        found.append(_finding("free memory", wrong, [entries[-1].name], everyone))
+    return found
+
+
+def _finding(variable: str, wrong: list[str], beside: list[str], tasks: list[Accessor]) -> Finding:
+    likely, others = [], []
+    for one in tasks:
+        why = _why(one, variable, beside)
+        who = f"task {one.task} on {one.rtpu}"
+        if why:
+            likely.append(f"{who} ({why})")
+        else:
+            others.append(who)
+    return Finding(variable, tuple(wrong), tuple(likely), tuple(others))
+
+
+def _why(task: Accessor, variable: str, beside: list[str]) -> str:
+    """Why a task comes into question before others; empty if it only shares the table."""
+    if variable in task.writes:
+        return "writes it"
+    neighbours = [name for name in beside if name in task.writes or name in task.reads]
+    if neighbours:
+        return f"is bound to {', '.join(neighbours)} beside it"
+    return "reads it" if variable in task.reads else ""

@@ -1,0 +1,110 @@
+"""What lives on one processing unit: its tasks, their places on the agenda, the descriptors they wait for, its news."""
+
+import select
+from collections.abc import MutableMapping
+
+from onika.ring.slots import Ring
+from onika.runtime import news
+from onika.runtime.agenda import Agenda, Slot
+from onika.runtime.binding import Views
+from onika.runtime.running_task import RunningTask
+
+Address = tuple[str, str]
+"""Subsystem and task."""
+
+
+class Unit:
+    """Shared by all that changes the lives of its tasks; none of this runs a module's code but `fileno`."""
+
+    def __init__(self, rtpu: str, views: Views) -> None:
+        self.rtpu = rtpu
+        self.views = views
+        self.tasks: dict[Address, RunningTask] = {}
+        self.agenda = Agenda()
+        self.slots: MutableMapping[Slot, RunningTask] = {}
+        self.events: dict[int, Address] = {}
+        self.news: list[news.News] = []
+        self.is_stopped = False
+        self._rings: dict[str, dict[str, Ring]] = {}
+        self._last_tid = 0
+
+    @property
+    def is_busy(self) -> bool:
+        """Whether anything is ON, and so must not miss a cycle."""
+        return any(task.is_on for task in self.tasks.values())
+
+    def tell(self, one: news.News) -> None:
+        """Say something to the runner."""
+        self.news.append(one)
+
+    def refuse(self, address: Address, command: str, reason: str) -> None:
+        """Say that a command was not carried out."""
+        self.news.append(news.Refused(*address, command, reason))
+
+    def take_news(self) -> list[news.News]:
+        """What was said since the last call."""
+        taken, self.news = self.news, []
+        return taken
+
+    # Tasks
+
+    def admit(self, task: RunningTask) -> None:
+        """A new task lives here."""
+        self._last_tid += 1
+        task.tid = self._last_tid
+        self.tasks[task.address] = task
+        self.slots[task.slot] = task
+        self.know_rings(task)
+
+    def exchange(self, old: RunningTask, new: RunningTask) -> None:
+        """The new task stands where the old one stood: number, place on the agenda, rate, figures of misses."""
+        new.tid = old.tid
+        new.slot = old.slot
+        self.tasks[old.address] = new
+        self.slots[old.slot] = new
+        self.agenda.rekey(new.slot, new.key)
+        self.know_rings(new)
+
+    def dismiss(self, address: Address) -> RunningTask | None:
+        """The task lives here no more; None if it never did."""
+        task = self.tasks.pop(address, None)
+        if task is not None:
+            del self.slots[task.slot]
+        return task
+
+    # ON and no more
+
+    def enter(self, task: RunningTask, now: int) -> None:
+        """The task cycles from now on."""
+        task.counters.begin(now)
+        if task.spawn.task_type != "synchronous":
+            self.agenda.enter(task.slot, now)
+
+    def leave(self, task: RunningTask, now: int) -> None:
+        """The task cycles no more; harmless where it did not."""
+        task.counters.end(now)
+        self.agenda.leave(task.slot)
+        self.forget_event(task)
+
+    def await_event(self, task: RunningTask) -> None:
+        """Wait for the descriptor that a synchronous module names; raises what the module or `select` says of it."""
+        descriptor = task.module.fileno()
+        select.select([descriptor], [], [], 0)  # says at once what is no descriptor
+        self.events[descriptor] = task.address
+
+    def forget_event(self, task: RunningTask) -> None:
+        """Wait for the task's descriptor no more."""
+        self.events = {fd: address for fd, address in self.events.items() if address != task.address}
+
+    # Variables
+
+    def know_rings(self, task: RunningTask) -> None:
+        """Know the variables of a task by their names."""
+        self._rings.setdefault(task.spawn.subsystem, {}).update(task.binding.rings)
+
+    def forget(self, subsystem: str, names: tuple[str, ...]) -> None:
+        """These variables steer nothing any more (law 3)."""
+        rings = self._rings.get(subsystem, {})
+        for name in names:
+            if name in rings:
+                rings[name].forget()

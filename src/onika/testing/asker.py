@@ -1,0 +1,134 @@
+"""Whoever asks a runtime program, without a link: requests in, replies and events out, in virtual time."""
+
+from collections import deque
+
+from onika.host.gate import Call
+from onika.host.program import Program
+from onika.host.virtual import VirtualDriver
+from onika.link.caller import Role
+from onika.testing.rail import YardLoading
+from onika.testing.worlds import MassWorld
+from onika.wire import event, live, reading, request
+
+SECOND = 1_000_000_000
+
+
+class OpenGate:
+    """A gate for any number of sessions, each of which hears everything it attends."""
+
+    def __init__(self) -> None:
+        self.waiting: deque[Call] = deque()
+        self.replies: dict[int, request.Response] = {}
+        self.told: list[event.Event] = []
+        self.heard: list[tuple[str, str, event.Event]] = []
+        self.attends: dict[str, tuple[str, ...]] = {}
+        self.shown: list[tuple[str, str, reading.Reading]] = []
+        self.gone: list[str] = []
+
+    def requests(self) -> list[Call]:
+        """What was asked."""
+        calls = list(self.waiting)
+        self.waiting.clear()
+        return calls
+
+    def reply(self, ticket: int, response: request.Response) -> None:
+        """Each request is answered once."""
+        if ticket in self.replies:
+            raise KeyError(f"request {ticket} is answered already")
+        request.decode_response(request.encode(response))  # it has to travel
+        self.replies[ticket] = response
+
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+        """Say an event."""
+        event.decode(event.encode(one))
+        self.told.append(one)
+        self.heard.append((subsystem, session, one))
+
+    def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
+        """What a session hears."""
+        self.attends[session] = subsystems
+
+    def show(self, session: str, key: str, body: bytes) -> None:
+        """A reading."""
+        self.shown.append((session, key, reading.decode(body)))
+
+    def lost(self) -> list[str]:
+        """The sessions that are gone."""
+        gone, self.gone = self.gone, []
+        return gone
+
+
+class Asker:
+    """Asks the program and lets it work."""
+
+    def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
+        self.gate = OpenGate()
+        self.driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
+        self.program = Program(self.gate, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
+        self._count = 0
+
+    def send(self, asked: request.Request, session: str = "me") -> int:
+        """Ask, and look for the answer later; its ticket."""
+        self._count += 1
+        self.gate.waiting.append(Call(self._count, session, Role.OWNER, asked))
+        self.program.serve()
+        return self._count
+
+    def ask(self, asked: request.Request, session: str = "me") -> request.Response:
+        """Ask and let the program work until it answers."""
+        ticket = self.send(asked, session)
+        for _ in range(10_000):
+            if ticket in self.gate.replies:
+                return self.gate.replies[ticket]
+            self.program.advance(SECOND)
+        raise TimeoutError(f"no answer to {asked}")
+
+    def change(self, subsystem: str = "s0", session: str = "me", **what: object) -> str:
+        """Change a subsystem and wait for the outcome; why it came to nothing, or nothing."""
+        answer = self.ask(live.Change(subsystem, **what), session)  # type: ignore[arg-type]
+        return self.outcome(answer)
+
+    def outcome(self, answer: request.Response) -> str:
+        """What became of an accepted request; of any other its reason."""
+        if isinstance(answer, request.Refused):
+            return answer.reason
+        if isinstance(answer, request.Prepared):
+            return "; ".join(f"{one.expected}, found {one.found}" for one in answer.faults)
+        if not isinstance(answer, live.Accepted):
+            raise TypeError(f"expected Accepted, found {answer}")
+        self.program.advance(SECOND)
+        ends = [one for one in self.gate.told if isinstance(one, event.Edited) and one.number == answer.number]
+        if len(ends) != 1:
+            raise RuntimeError(f"expected one outcome of {answer.number}, found {ends}")
+        return ends[0].cause
+
+    def states(self, subsystem: str = "s0") -> dict[str, str]:
+        """The tasks of a subsystem and their states."""
+        standing = self.ask(live.Survey())
+        if not isinstance(standing, live.Standing):
+            raise TypeError(str(standing))
+        found = [one for one in standing.subsystems if one.name == subsystem]
+        return {task.task.name: task.state for one in found for task in one.tasks}
+
+    def values(self, *names: str, subsystem: str = "s0") -> dict[str, object]:
+        """Variables as they stand."""
+        answer = self.ask(live.Read(subsystem, names))
+        if not isinstance(answer, live.Values):
+            raise TypeError(str(answer))
+        return answer.values
+
+    def of(self, kind: type) -> list[event.Event]:
+        """What was told of one kind."""
+        return [one for one in self.gate.told if isinstance(one, kind)]
+
+    def to_the_end(self) -> event.Result | None:
+        """Let everything go on until nothing happens by itself."""
+        while self.program.advance(SECOND):
+            pass
+        return self.result
+
+    @property
+    def result(self) -> event.Result | None:
+        """The last thing told, if it is a result."""
+        last = self.gate.told[-1] if self.gate.told else None
+        return last if isinstance(last, event.Result) else None

@@ -1,0 +1,274 @@
+"""What is asked of subsystems by hand, task by task, without an application (A04 to A06, A11 to A14, A16, law 22)."""
+
+from typing import Any
+
+from msgspec import Struct
+
+from onika.wire.plan import Code, PlannedTask
+
+
+class Turn(Struct, frozen=True):
+    """A task to turn ON, and its argument line."""
+
+    task: str
+    arguments: str = ""
+
+
+class Change(Struct, frozen=True, tag=True):
+    """One live edit of a subsystem, carried out whole or not at all; replied by Accepted, the outcome is an event.
+
+    A task that is both in `kill` and in `spawn` is exchanged. The subsystem comes into being with its first task.
+    """
+
+    subsystem: str
+    kill: tuple[str, ...] = ()
+    spawn: tuple[PlannedTask, ...] = ()
+    code: tuple[Code, ...] = ()
+    off: tuple[str, ...] = ()
+    on: tuple[Turn, ...] = ()
+    rates: tuple[tuple[str, float], ...] = ()
+    """Tasks and their new rates in hertz."""
+
+
+class Clear(Struct, frozen=True, tag=True):
+    """Bring a task out of ERROR; replied by Accepted, the outcome is an event."""
+
+    subsystem: str
+    task: str
+
+
+class Reinit(Struct, frozen=True, tag=True):
+    """Initialise a task anew, with other LOCAL lines where they are given, and after it all that need its constants.
+
+    Where shapes change with them this is the transaction of law 12; replied by Accepted, the outcome is an event.
+    """
+
+    subsystem: str
+    task: str
+    local: tuple[tuple[str, tuple[str, ...]], ...] | None = None
+
+
+class Swap(Struct, frozen=True, tag=True):
+    """Exchange the code of a living task; replied by Accepted or by Prepared with faults, the outcome is an event."""
+
+    subsystem: str
+    task: str
+    code: Code
+
+
+class Get(Struct, frozen=True, tag=True):
+    """Ask a module for something by name; replied by Value."""
+
+    subsystem: str
+    task: str
+    name: str
+
+
+class Set(Struct, frozen=True, tag=True):
+    """Tell a module a new value of something by name; replied by Value."""
+
+    subsystem: str
+    task: str
+    name: str
+    value: str
+
+
+class Status(Struct, frozen=True, tag=True):
+    """Ask for the figures of every task; counters begin anew with it (A11, A17). Replied by Figures."""
+
+
+class Survey(Struct, frozen=True, tag=True):
+    """Ask what there is; replied by Standing."""
+
+
+class Read(Struct, frozen=True, tag=True):
+    """Ask for variables by name, all where no name is given; replied by Values."""
+
+    subsystem: str
+    names: tuple[str, ...] = ()
+
+
+class Check(Struct, frozen=True, tag=True):
+    """Check the memory of a subsystem's variables (A12); replied by Findings."""
+
+    subsystem: str
+
+
+class Close(Struct, frozen=True, tag=True):
+    """End a subsystem with all its tasks; replied by Accepted, the outcome is an event."""
+
+    subsystem: str
+
+
+class Take(Struct, frozen=True, tag=True):
+    """Become the holder of a subsystem: the one who may change it (law 27); replied by Done or Refused."""
+
+    subsystem: str
+
+
+class Release(Struct, frozen=True, tag=True):
+    """Let another become the holder."""
+
+    subsystem: str
+
+
+class Attend(Struct, frozen=True, tag=True):
+    """What this session hears from now on, in place of what it heard before; runs of its own it always hears."""
+
+    subsystems: tuple[str, ...] = ()
+    """Their events; `*` means all."""
+    readings: tuple[str, ...] = ()
+    """Variables as `SUBSYSTEM/NAME` or `SUBSYSTEM/*`, shown under these keys on the stream."""
+    worlds: tuple[str, ...] = ()
+    """Worlds whose poses are shown, as `world:NAME`."""
+    hz: float = 10.0
+    """How often readings are shown at most."""
+
+
+class Scene(Struct, frozen=True, tag=True):
+    """Ask for what a world consists of, to draw its poses; replied by Scenery."""
+
+    world: str
+
+
+class Reset(Struct, frozen=True, tag=True):
+    """After a Stop: allow motion again (law 27)."""
+
+
+class Advance(Struct, frozen=True, tag=True):
+    """In virtual time: let so many seconds pass; replied by Done when they have."""
+
+    seconds: float
+
+
+LiveRequest = (
+    Change
+    | Clear
+    | Reinit
+    | Swap
+    | Get
+    | Set
+    | Status
+    | Survey
+    | Read
+    | Check
+    | Close
+    | Take
+    | Release
+    | Attend
+    | Scene
+    | Reset
+    | Advance
+)
+
+
+class Accepted(Struct, frozen=True, tag=True):
+    """It is being carried out; the event Edited with this number tells the outcome."""
+
+    number: int
+
+
+class Value(Struct, frozen=True, tag=True):
+    """What a module said."""
+
+    value: Any
+
+
+class Values(Struct, frozen=True, tag=True):
+    """Variables by name; arrays as lists."""
+
+    values: dict[str, Any]
+    now_s: float
+
+
+class TaskStanding(Struct, frozen=True):
+    """A task as it stands: what it is, what it is in, what is wanted of it."""
+
+    task: PlannedTask
+    state: str
+    is_wanted_on: bool
+    rtpu: str
+    frequency: float | None
+    reason: str = ""
+    """Why it waits, what it asks for or what failed; else empty."""
+
+
+class SubsystemStanding(Struct, frozen=True):
+    """A subsystem as it stands."""
+
+    name: str
+    holder: str
+    application: str
+    """What runs in it; empty: its tasks are held by hand."""
+    tasks: tuple[TaskStanding, ...]
+
+
+class RtpuStanding(Struct, frozen=True):
+    """A processing unit: whether it lives, and the share of its time that tasks took at last."""
+
+    name: str
+    is_lost: bool
+    load: float
+
+
+class Standing(Struct, frozen=True, tag=True):
+    """Everything there is in a runtime."""
+
+    subsystems: tuple[SubsystemStanding, ...]
+    rtpus: tuple[RtpuStanding, ...]
+    worlds: tuple[str, ...]
+    is_virtual: bool
+    is_stopped: bool
+    now_s: float
+
+
+class TaskFigure(Struct, frozen=True):
+    """Figures of a task since they were last asked for (§A.5 STATINFO); times in milliseconds, utilisations 0 to 1."""
+
+    subsystem: str
+    task: str
+    rmod: str
+    rtpu: str
+    tid: int
+    type: str
+    """P, Y or A."""
+    crit: int
+    state: str
+    cycle: int
+    miss: int
+    ref_hz: float
+    mez_hz: float
+    ptime_s: float
+    total_ms: float
+    tick_ms: float
+    least_use: float
+    most_use: float
+    mean_use: float
+    least_ms: float
+    most_ms: float
+    mean_ms: float
+    warn: int
+
+
+class Figures(Struct, frozen=True, tag=True):
+    """Figures of all tasks and loads of all processing units."""
+
+    tasks: tuple[TaskFigure, ...]
+    loads: dict[str, float]
+    overloads: tuple[str, ...] = ()
+    """Sentences about units that have or will have more to do than time (X13)."""
+
+
+class Findings(Struct, frozen=True, tag=True):
+    """What a check of memory found, as sentences that name the variable and who could have written it; none: sound."""
+
+    findings: tuple[str, ...]
+
+
+class Scenery(Struct, frozen=True, tag=True):
+    """What a world consists of, once; poses follow as readings."""
+
+    scene: dict[str, Any]
+
+
+LiveResponse = Accepted | Value | Values | Standing | Figures | Findings | Scenery

@@ -1,0 +1,31 @@
+"""What is shown of a runtime at a bounded rate: the newest value under a key, dropped when late (house decision 7)."""
+
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+
+
+class Variable(Struct, frozen=True, tag=True):
+    """A state variable under the key `SUBSYSTEM/NAME`."""
+
+    now_ns: int
+    """The runtime's time when it was read."""
+    count: int
+    """How often it was written."""
+    value: Any
+
+
+class Poses(Struct, frozen=True, tag=True):
+    """The bodies of a world under the key `world:NAME`."""
+
+    at_ns: int
+    """The world's time."""
+    rows: bytes
+    """Little-endian float32: x y z (m) and quaternion w x y z for each body, in the order of the scene."""
+
+
+Reading = Variable | Poses
+
+encode = msgspec.msgpack.Encoder().encode
+decode = msgspec.msgpack.Decoder(Reading).decode

@@ -1,0 +1,69 @@
+"""One rule for all files that ship: no fault, and damage to them is reported (R-B07, R-B08)."""
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+from onika.files import appl, conf, onk, picture, rmod, syntax
+from onika.model.syntax import Syntax
+from onika.store.site import open_site, shipped, shipped_directories
+from onika.words.fault import Fault
+
+
+def shipped_files() -> list[Path]:
+    folders = [base / folder for base in shipped_directories() for folder in ("module", "conf", "dict", "appl")]
+    found = [path for folder in (*folders, shipped() / "prefs") for path in sorted(folder.glob("*"))]
+    return [path for path in found if path.suffix in (".rmod", ".conf", ".onk", ".appl", ".dta")]
+
+
+def reader(path: Path, types: Syntax) -> Callable[[str], tuple[Any, tuple[Fault, ...]]]:
+    name = path.stem
+    if path.name.endswith(syntax.NAME):
+        return lambda text: syntax.read(text, name, path.name)
+    return {
+        ".rmod": lambda text: rmod.read(text, name, path.name),
+        ".conf": lambda text: conf.read(text, name, path.name),
+        ".onk": lambda text: onk.read(text, name, path.name, types),
+        ".appl": lambda text: appl.read(text, name, path.name, types),
+        ".dta": lambda text: picture.read(text, name, path.name),
+    }[path.suffix]
+
+
+def writer(path: Path) -> Callable[[Any], str]:
+    if path.name.endswith(syntax.NAME):
+        return syntax.write
+    formats = {".rmod": rmod, ".conf": conf, ".onk": onk, ".appl": appl, ".dta": picture}
+    return formats[path.suffix].write  # type: ignore[attr-defined]
+
+
+def every_shipped_file() -> Iterator[tuple[Path, str, Callable[[str], tuple[Any, tuple[Fault, ...]]]]]:
+    types, faults = open_site([], {}, None).syntax()
+    assert types is not None and faults == ()
+    for path in shipped_files():
+        yield path, path.read_text("utf-8"), reader(path, types)
+
+
+def test_every_shipped_file_is_without_fault_and_keeps_its_meaning() -> None:
+    for path, text, read in every_shipped_file():  # R-B08
+        record, faults = read(text)
+        assert faults == (), path
+        again, faults = read(writer(path)(record))
+        assert faults == ()
+        assert writer(path)(again) == writer(path)(record), path
+        if path.suffix == ".rmod":
+            assert writer(path)(record) == text
+        else:
+            assert again == record
+
+
+def test_every_shipped_file_cut_or_garbled_at_a_line_is_reported_or_means_the_same() -> None:
+    for path, text, read in every_shipped_file():  # R-B07
+        lines = text.splitlines(keepends=True)
+        record, _ = read(text)
+        end = next((at for at, line in enumerate(lines) if line.strip() == "EOF"), len(lines) - 1)
+        step = max(1, len(lines) // 40)  # a picture's rows are all alike
+        for at in range(0, end + 1, step):
+            assert read("".join(lines[:at]))[1], f"{path} cut before line {at + 1}"
+            garbled, faults = read("".join([*lines[:at], "?? garbled ??\n", *lines[at + 1 :]]))
+            is_comment = not lines[at].strip() or lines[at].lstrip().startswith("#")
+            assert faults or (is_comment and garbled == record), f"{path}:{at + 1} garbled"

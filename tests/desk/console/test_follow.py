@@ -1,0 +1,85 @@
+import os
+
+import pytest
+
+from onika.wire import live, request
+
+
+@pytest.fixture
+def followed(sit, tmp_path):
+    one = sit()
+    path = tmp_path / "diff.py"
+    path.write_text("# one\n")
+    one.does("spawn diff", f"follow diff {path}")
+    return one, path
+
+
+def write(path, text, second):
+    """A file as an editor leaves it; its time is said, so that no test depends on a clock."""
+    path.write_text(text)
+    os.utime(path, ns=(second * 10**9, second * 10**9))
+
+
+def pass_a_second(one):
+    start = len(one.lines)
+    for _ in range(120):
+        one.session.hear()
+    return one.lines[start:]
+
+
+def test_a_changed_file_is_the_tasks_new_code(followed):  # R-X15, R-A14
+    one, path = followed
+    assert pass_a_second(one) == []
+    write(path, "# two\n", 1)
+    assert any("runs the new code" in line for line in pass_a_second(one))
+    assert [swap.code.source for swap in one.asked(live.Swap)] == ["# two\n"]
+    pass_a_second(one)
+    assert len(one.asked(live.Swap)) == 1
+
+
+def test_a_file_that_was_only_touched_changes_nothing(followed):
+    one, path = followed
+    write(path, "# one\n", 7)
+    assert pass_a_second(one) == []
+    assert one.asked(live.Swap) == []
+
+
+def test_code_with_faults_leaves_the_old_code_and_is_followed_on(followed):  # R-X15
+    one, path = followed
+    one.runtime.faults = (request.FaultText("diff.py", 1, "a class", "none", "it is not exchanged"),)
+    write(path, "# bad\n", 2)
+    said = pass_a_second(one)
+    assert any("diff.py:1: expected a class" in line for line in said)
+    assert any("goes on with its old code" in line for line in said)
+    one.runtime.faults = ()
+    write(path, "# good\n", 3)
+    assert any("runs the new code" in line for line in pass_a_second(one))
+
+
+def test_a_file_that_is_gone_for_a_moment_is_waited_for(followed):
+    one, path = followed
+    path.unlink()
+    assert pass_a_second(one) == []
+    write(path, "# back\n", 4)
+    pass_a_second(one)
+    assert one.asked(live.Swap)[0].code.source == "# back\n"
+
+
+def test_following_ends_with_the_task_or_when_it_is_told(followed):
+    one, path = followed
+    assert one.does("follow") == [f"main/diff follows {path}"]
+    one.does("follow off diff")
+    assert one.does("follow") == ["nothing is followed"]
+    one.does(f"follow diff {path}", "kill diff")
+    pass_a_second(one)
+    assert any("lives no more" in line for line in one.lines)
+    one.does("follow off")
+    assert one.does("follow") == ["nothing is followed"]
+
+
+def test_the_file_of_the_search_path_is_followed_unless_another_is_named(sit, tmp_path):
+    one = sit()
+    one.does("spawn diff")
+    assert one.does("follow diff")[0].endswith("generic/module/diff.py")
+    assert one.fails(f"follow diff {tmp_path}/none.py").found == f"nothing at {tmp_path}/none.py"
+    assert one.fails("follow pd").found == "'pd'"

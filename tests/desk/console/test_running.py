@@ -1,0 +1,62 @@
+import pytest
+
+from onika.wire import request
+
+
+def test_an_application_is_begun_and_its_end_told(sit):  # R-A16
+    one = sit()
+    said = one.does("run go_home")
+    assert "go_home: 1 action" in said
+    (prepare,) = one.asked(request.Prepare)
+    assert prepare.plan.application == "go_home"
+    assert one.asked(request.Begin)[0].may_ask
+    one.does("wait run")
+    assert any("run completed, 1 of 1 actions" in line for line in one.lines)
+    assert one.session.running == ""
+
+
+def test_home_is_the_application_go_home(sit):  # R-A16
+    one = sit()
+    one.does("home")
+    assert one.session.running in ("go_home", "")
+    assert one.asked(request.Prepare)[0].plan.application == "go_home"
+
+
+def test_a_second_application_has_to_wait(sit):
+    one = sit()
+    one.console.carry_out("run go_home")
+    assert (one.fails("run assemble").expected, one.fails("home").found) == ("no application that runs", "go_home")
+
+
+def test_what_is_wrong_with_an_application_is_told_before_anything_moves(sit):
+    one = sit()
+    assert one.fails("run go_hone").found == "neither"
+    one.runtime.faults = (request.FaultText("go_home.appl", 7, "a posture", "none", "nothing moves"),)
+    assert one.fails("run go_home").place.line == 7
+    one.runtime.faults = ()
+    one.runtime.refusals["Begin"] = "another holds it"
+    assert one.fails("run go_home").found == "another holds it"
+    assert one.session.running == ""
+
+
+def test_a_run_is_aborted(sit):
+    one = sit()
+    one.console.carry_out("run go_home")
+    one.does("abort it is late")
+    assert one.asked(request.Abort) == [request.Abort("it is late")]
+    assert any("run aborted, 0 of 1 actions: it is late" in line for line in one.lines)
+    assert one.fails("abort").expected == "an application that this console runs"
+    assert "aborted: it is late" in one.fails("wait run").found
+
+
+@pytest.mark.parametrize(("line", "name"), [("calibrate", "calibrate"), ("calibrate C", "calibrate_C")])
+def test_calibration_is_an_application_of_the_laboratory(sit, tmp_path, line, name):  # R-A16
+    one = sit()
+    fault = one.fails(line)
+    assert f"an application {name} on the search path" in fault.expected
+    assert "measure absolute angles" in fault.instead
+    (tmp_path / "appl").mkdir()
+    shipped = one.session.site.application_file("go_home")
+    (tmp_path / "appl" / f"{name}.appl").write_text(shipped.read_text())
+    one.does(line)
+    assert one.asked(request.Prepare)[0].plan.application == name

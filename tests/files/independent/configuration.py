@@ -1,0 +1,39 @@
+"""A.2, the task configuration file, read naively."""
+
+from typing import Any
+
+from .script import Script, name, number, numbers, one_word, real, svar, yes
+
+COUNTS = ("CONNS", "NUMINCONST", "NUMOUTCONST", "NUMINVAR", "NUMOUTVAR", "NUMDOUBLEIN")
+
+
+def read(text: str) -> dict[str, Any]:
+    script = Script(text)
+    tasks, loci = [], []
+    while script.next == "RMODFILE":
+        task = (
+            name(script.take("RMODFILE")),
+            _corner(script),
+            yes(script.maybe("INLEFT", "yes")),
+            real(script.maybe("FREQ", "0")),
+            one_word(script.maybe("RTPU", "unknown")),
+        )
+        if task[3] < 0:
+            raise ValueError("FREQ")
+        tasks.append(task)
+    while script.next == "LOCUS":
+        where = svar(script.take("LOCUS")), _corner(script)
+        counts = [number(script.maybe(count, "0")) for count in COUNTS]
+        if min(counts) < 0:
+            raise ValueError("counts")
+        loci.append((*where, counts, yes(script.maybe("SHOW", "yes"))))
+    script.end()
+    for heads in ([task[0] for task in tasks], [locus[0] for locus in loci]):
+        if len(set(heads)) < len(heads):
+            raise ValueError("twice")
+    return {"tasks": tasks, "loci": loci}
+
+
+def _corner(script: Script) -> tuple[int, int]:
+    x, y = numbers(script.take("COORDS"))
+    return x, y

@@ -1,0 +1,110 @@
+"""A.3, the upper-level icon file, and the lines of an icon that A.4 shares with it, read naively."""
+
+from typing import Any
+
+from .script import Script, blanks, number, real
+
+Types = dict[str, list[tuple[str, int]]]
+"""Every type by its name in small letters: the type and number of its data items."""
+
+
+def read(text: str, types: Types) -> dict[str, Any]:
+    script = Script(text)
+    found = lines(script, types)
+    script.end()
+    if found["ONIKON"] in ("application start", "application end"):
+        raise ValueError("no icon of a dictionary")
+    return found
+
+
+def lines(script: Script, types: Types) -> dict[str, Any]:
+    kind = blanks(script.take("ONIKON")).lower()
+    items = types[kind] if kind in types else _unknown(kind)
+    description = blanks(script.maybe("DESC", ""))
+    values: list[Any] = []
+    for data, count in items:
+        values.append([_value(data, word) for word in _elements(script.take("UI"), data, count)])
+        if len(values[-1]) != count:
+            raise ValueError("elements")
+    if not items and script.take("UI") != "none":
+        raise ValueError("none")
+    return {"ONIKON": kind, "DESC": description, "UI": values, "PICT": picture(script)}
+
+
+def picture(script: Script) -> list[str]:
+    rows = []
+    for _ in range(32):
+        rows.append(row(script.take("PICT"), len(rows)))
+    return rows
+
+
+def row(text: str, at: int) -> str:
+    """32 digits; a 9 is black (decision 38), and so is the border (requirement B11)."""
+    if len(text) != 32 or any(c not in "0123456789" for c in text):
+        raise ValueError(text)
+    return "8" * 32 if at in (0, 31) else "8" + text[1:31].replace("9", "8") + "8"
+
+
+def _unknown(kind: str) -> list[tuple[str, int]]:
+    raise ValueError(kind)
+
+
+def _elements(text: str, data: str, count: int) -> list[str]:
+    """Words, those with blanks in double quotes; a single line is the rest of the line (decision 40)."""
+    if data == "line" and count == 1:
+        try:
+            quoted = _quoted(text) if text[:1] == '"' else []
+        except ValueError:
+            quoted = []
+        return quoted if len(quoted) == 1 else [text] if text else []
+    return _quoted(text)
+
+
+def _quoted(text: str) -> list[str]:
+    found: list[str] = []
+    at = 0
+    while at < len(text):
+        if text[at].isspace():
+            at += 1
+        elif text[at] == '"':
+            word, at = "", at + 1
+            while True:
+                if at >= len(text):
+                    raise ValueError("quote")
+                if text[at] == '"':
+                    break
+                if text[at] == "\\":
+                    at += 1
+                    if at >= len(text):
+                        raise ValueError("quote")
+                word, at = word + text[at], at + 1
+            at += 1
+            if at < len(text) and not text[at].isspace():
+                raise ValueError("quote within a word")
+            found.append(word)
+        else:
+            word = ""
+            while at < len(text) and not text[at].isspace():
+                if text[at] == '"':
+                    raise ValueError("quote within a word")
+                word, at = word + text[at], at + 1
+            found.append(word)
+    return found
+
+
+def _value(data: str, word: str) -> Any:
+    if data in ("string", "line"):
+        return word
+    if data == "char":
+        if len(word) != 1 or ord(word) > 255:
+            raise ValueError(word)
+        return word
+    if data in ("float", "double"):
+        return real(word)
+    low, high = {"byte": (0, 255), "short": (-(2**15), 2**15 - 1), "int": (-(2**31), 2**31 - 1)}.get(
+        data, (-(2**63), 2**63 - 1)
+    )
+    value = number(word)
+    if not low <= value <= high:
+        raise ValueError(word)
+    return value

@@ -1,0 +1,127 @@
+"""What a text says by Appendix A, and the same said of our models: plain values that can be compared."""
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from onika.model.application import Application, Icon
+from onika.model.configuration import Configuration
+from onika.model.onikon import Onikon
+from onika.model.picture import Picture
+from onika.model.preferences import Preferences
+from onika.model.syntax import Syntax
+from onika.model.task import Task, TaskType
+
+from . import application, configuration, icon, installation, parameters
+
+Plain = Any
+
+
+def types_of(syntax: Syntax) -> icon.Types:
+    return {kind.name.lower(): [(item.type.value, item.count) for item in kind.items] for kind in syntax.types}
+
+
+def naive_readers(syntax: Syntax) -> dict[str, Callable[[str], Plain]]:
+    """By the name of the format."""
+    types = types_of(syntax)
+    return {
+        "task": parameters.read,
+        "configuration": configuration.read,
+        "onikon": lambda text: icon.read(text, types),
+        "application": lambda text: application.read(text, types),
+        "syntax": installation.syntax,
+        "preferences": lambda text: {**plain_preferences(Preferences()), **installation.preferences(text)},
+        "buttons": installation.buttons,
+        "picture": installation.picture,
+    }
+
+
+def plain(model: Any) -> Plain:
+    """Our model as the naive readers say it."""
+    match model:
+        case (Task() as task, bool(gives_period)):
+            return _task(task, gives_period)
+        case Configuration():
+            return _configuration(model)
+        case Onikon():
+            return _onikon(model)
+        case Application():
+            kind = "parallel" if model.is_parallel else "conditional"
+            flows = [[_icon(step) if isinstance(step, Icon) else "hole" for step in flow.steps] for flow in model.flows]
+            return {"APPLTYPE": kind, "flows": flows}
+        case Syntax():
+            return _syntax(model)
+        case Preferences():
+            return plain_preferences(model)
+        case Picture():
+            return list(model.rows)
+        case None:
+            return None
+        case _:
+            return [(button.name, button.command, button.spawns_terminal) for button in model]
+
+
+def _task(task: Task, gives_period: bool) -> dict[str, Any]:
+    found: dict[str, Any] = {"MODULE": task.module, "DESC": task.description, "SVARALIAS": dict(task.aliases)}
+    ports = (task.inconst, task.outconst, task.invar, task.outvar)
+    found |= {keyword: list(names) for keyword, names in zip(parameters.PORTS, ports, strict=True)}
+    found["TASKTYPE"] = task.type.value
+    if task.type is not TaskType.APERIODIC:
+        assert task.frequency
+        found["RATE"] = (
+            ("PERIOD", pytest.approx(1 / task.frequency, rel=1e-12)) if gives_period else ("FREQ", task.frequency)
+        )
+    if task.object_type is not None:
+        found["OBJECT"] = task.object_type
+    found["LOCAL"] = [(line.key, list(line.words)) for line in task.local]
+    return found
+
+
+def _configuration(found: Configuration) -> dict[str, Any]:
+    tasks = [(one.task, (one.x, one.y), one.in_left, one.frequency, one.rtpu) for one in found.placed]
+    loci = [
+        (at.svar, (at.x, at.y), [at.conns, at.inconst, at.outconst, at.invar, at.outvar, at.double_in], at.show)
+        for at in found.loci
+    ]
+    return {"tasks": tasks, "loci": loci}
+
+
+def _onikon(found: Onikon) -> dict[str, Any]:
+    values = [list(item) for item in found.values]
+    return {
+        "ONIKON": found.type.lower(),
+        "DESC": found.description,
+        "UI": values,
+        "PICT": list(found.picture.rows),
+    }
+
+
+def _icon(found: Icon) -> dict[str, Any]:
+    marks = {"ROUTINE": found.onikon.name, "MARKER": found.marker, "SYNCHTAG": found.synch_tag}
+    return {**marks, "WHILETAG": found.while_tag, "WHILETEST": found.while_test, **_onikon(found.onikon)}
+
+
+def _syntax(found: Syntax) -> dict[str, Any]:
+    types = [
+        (kind.name, kind.left_edge, kind.right_edge, [(item.name, item.type.value, item.count) for item in kind.items])
+        for kind in found.types
+    ]
+    edges = [(edge.number, list(edge.rgb), [move for pair in edge.vertices for move in pair]) for edge in found.edges]
+    return {"types": types, "edges": edges}
+
+
+def plain_preferences(of: Preferences) -> dict[str, Any]:
+    lengths = (of.line_length, of.min_size, of.min_pin_separation, of.step_size, of.pin_length)
+    lengths += (of.connection_separation, of.locus_size, of.hit_tolerance)
+    shown = (of.show_inconst, of.show_outconst, of.show_invar, of.show_outvar)
+    windows = [[at.x, at.y, at.height, at.width] for at in (of.library, of.canvas, of.dictionary, of.workspace)]
+    spots = [[at.x, at.y] for at in (of.status, of.variables, of.main, of.buttons)]
+    return {
+        **dict(zip(installation.LENGTHS, lengths, strict=True)),
+        **dict(zip(installation.SHOWN, shown, strict=True)),
+        **dict(zip(installation.WINDOWS, windows, strict=True)),
+        **dict(zip(installation.SPOTS, spots, strict=True)),
+        "RATE": "period" if of.shows_period else "frequency",
+        "STATINFO": list(of.status_columns),
+    }

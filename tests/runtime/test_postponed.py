@@ -1,0 +1,195 @@
+"""Spawns and exchanges that wait for a gap."""
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.model.lifecycle import State
+from onika.runtime import command, news
+from onika.runtime.postponed import PATIENCE_NS
+from onika.testing.rig import HOME, Rig
+from onika.testing.source import COUNTER, module
+
+MS = 1_000_000
+
+
+@pytest.fixture
+def rig():
+    """A unit on which a task of 100 Hz is ON: gaps of 10 ms."""
+    return Rig().spawn("busy", COUNTER, aliases={"N": "BUSY"}).switch(on=["busy"]).run(0)
+
+
+def late(rig, source=COUNTER, task="one", cost=3 * MS, init=0, **given):
+    return rig.spawn_of(task, source, cost_ns=cost, init_ns=init, **given)
+
+
+def work(rig, now):
+    """One step at a time; what it led to."""
+    rig.now = now
+    heard = rig.executive.work(now)
+    rig.news += [(now, one) for one in heard]
+    return [type(one).__name__ for one in heard]
+
+
+def state(rig, task="one"):
+    return rig.task(task).state if (HOME, task) in rig.executive.tasks else None
+
+
+def test_where_nothing_is_on_a_spawn_is_carried_out_at_once():  # law 21
+    rig = Rig()
+    rig.do(late(rig))
+    assert (state(rig), rig.executive.has_work) == (State.OFF, False)
+
+
+def test_without_a_cost_a_spawn_is_carried_out_at_once(rig):  # law 21
+    rig.do(late(rig, cost=0))
+    assert state(rig) is State.OFF
+
+
+def test_beside_a_task_that_is_on_it_waits_for_room(rig):  # law 21
+    rig.do(late(rig))
+    assert (state(rig), rig.executive.has_work) == (None, True)
+    assert work(rig, 8 * MS) == []
+    assert work(rig, 7 * MS) == ["Initialised"]
+    assert (state(rig), rig.executive.has_work) == (State.OFF, False)
+
+
+def test_loading_and_init_are_pieces_of_their_own(rig):  # law 21
+    rig.do(late(rig, cost=12 * MS, init=5 * MS))
+    assert work(rig, 4 * MS) == []
+    assert work(rig, 3 * MS) == []
+    assert state(rig) is None
+    assert work(rig, 6 * MS) == []
+    assert work(rig, 5 * MS) == ["Initialised"]
+
+
+def test_without_a_gap_it_is_refused_with_the_numbers(rig):  # law 21
+    rig.do(late(rig, cost=31 * MS // 10))
+    for now in (92 * MS // 10, 9500_000):
+        assert work(rig, now) == []
+    rig.run(PATIENCE_NS + 9 * MS)
+    assert work(rig, PATIENCE_NS + 95 * MS // 10) == ["Refused"]
+    assert rig.heard(news.Refused)[-1] == news.Refused(
+        HOME, "one", "spawn", "needs 3.1 ms; the largest gap here is 0.8 ms"
+    )
+    assert not rig.executive.has_work
+
+
+def test_the_first_piece_for_which_there_is_room_is_done(rig):  # law 21
+    rig.do(late(rig, task="big", cost=9 * MS)).do(late(rig, task="small", cost=MS))
+    work(rig, 5 * MS)
+    assert (state(rig, "big"), state(rig, "small")) == (None, State.OFF)
+
+
+def test_what_goes_off_makes_room(rig):  # law 21
+    rig.do(late(rig, cost=900 * MS)).switch(off=["busy"])
+    assert work(rig, 5 * MS) == ["Initialised"]
+
+
+def test_a_module_that_does_not_load_is_refused_when_its_time_comes(rig):  # R-B07
+    rig.do(late(rig, source="class :")).do(command.Reinit(HOME, "one"))
+    assert work(rig, MS) == ["Refused", "Refused"]
+    assert [one.command for one in rig.heard(news.Refused)] == ["spawn", "reinit"]
+
+
+# What comes meanwhile
+
+
+def test_commands_for_a_task_that_is_still_to_come_wait_behind_it_in_order(rig):  # law 2
+    source = module("    def get(self, name):\n        return name\n    def set(self, name, value):\n        pass")
+    rig.do(late(rig, source))
+    rig.do(command.Reinit(HOME, "one")).switch(on=["one"]).do(command.Get(HOME, "one", "x"))
+    rig.do(command.Rank(HOME, (("one", 5), ("busy", 2)))).switch(off=["one"])
+    assert rig.task("busy").spawn.rank == 2
+    assert work(rig, MS) == ["Initialised", "Reinitialised", "Changed", "Got", "Changed"]
+    assert (state(rig), rig.task("one").spawn.rank) == (State.OFF, 5)
+
+
+def test_the_rest_of_a_switch_does_not_wait(rig):  # law 21
+    rig.do(late(rig)).switch(off=["busy"], on=["one"], rates=[("one", 50.0)])
+    assert rig.task("busy").state is State.OFF
+    assert work(rig, MS) == ["Initialised", "Changed"]
+    assert (state(rig), rig.task("one").period_ns) == (State.ON, 20 * MS)
+
+
+def test_a_kill_takes_a_spawn_back(rig):  # law 21
+    rig.do(late(rig)).switch(on=["one"]).do(command.Kill(HOME, "one"))
+    assert rig.news[-1][1] == news.Changed(HOME, "one", "KILLED", 0)
+    assert (rig.executive.has_work, work(rig, MS)) == (False, [])
+
+
+def test_a_second_spawn_of_one_name_is_refused(rig):  # R-A06
+    rig.do(late(rig)).do(late(rig))
+    assert rig.heard(news.Refused)[-1].reason == "a task of this name is on its way already"
+    assert work(rig, MS) == ["Initialised"]
+
+
+def test_after_a_kill_the_same_name_may_come_again(rig):  # law 21
+    rig.do(late(rig)).do(command.Kill(HOME, "one")).do(late(rig))
+    assert work(rig, MS) == ["Initialised"]
+
+
+def test_a_stop_drops_what_waits(rig):  # law 27
+    rig.do(late(rig)).do(command.Stop("panic"))
+    assert rig.heard(news.Refused)[-1].reason == "this unit was stopped"
+    assert work(rig, MS) == []
+
+
+# Exchanges
+
+
+def test_an_exchange_waits_too_and_the_old_module_works_on(rig):  # R-X15, law 21
+    takes = COUNTER.replace("+= 1", "+= 100") + "\n    def take(self, old):\n        pass"
+    rig.do(command.Swap(late(rig, takes, "busy", cost=8 * MS, init=2 * MS, aliases={"N": "BUSY"})))
+    assert rig.run(10 * MS)["BUSY"] == 2
+    assert work(rig, 13 * MS) == []
+    assert rig.run(20 * MS)["BUSY"] == 3
+    assert work(rig, 27 * MS) == ["Swapped"]
+    assert rig.run(30 * MS)["BUSY"] == 103
+    assert rig.task("busy").slot.missed == 0
+
+
+def test_the_old_module_is_turned_off_at_once_while_an_exchange_waits(rig):  # law 21
+    rig.do(command.Swap(late(rig, COUNTER, "busy", aliases={"N": "BUSY"}))).switch(off=["busy"])
+    assert rig.task("busy").state is State.OFF
+    assert work(rig, MS) == ["Swapped"]
+    assert rig.task("busy").state is State.OFF
+
+
+def test_a_kill_takes_an_exchange_back(rig):  # law 21
+    rig.do(command.Swap(late(rig, COUNTER, "busy", aliases={"N": "BUSY"}))).do(command.Kill(HOME, "busy"))
+    assert rig.heard(news.Refused)[-1].command == "swap"
+    assert (rig.executive.has_work, rig.executive.tasks) == (False, {})
+
+
+def test_an_exchange_of_a_task_that_is_still_to_come_follows_it(rig):  # law 21
+    rig.do(late(rig)).do(command.Swap(late(rig, COUNTER, cost=3 * MS)))
+    assert work(rig, MS) == ["Initialised"]
+    assert rig.executive.has_work
+    assert work(rig, MS) == ["Swapped"]
+
+
+@settings(deadline=None, max_examples=60)
+@given(st.lists(st.tuples(st.integers(1, 12), st.integers(0, 11)), max_size=5), st.integers(5, 20))
+def test_no_task_that_is_on_misses_a_cycle_whatever_comes(pieces, period):  # law 21
+    """Each piece takes exactly what it was expected to take; `work` is asked at every millisecond of rest."""
+    rig = Rig().spawn("busy", COUNTER, aliases={"N": "BUSY"}, frequency=1000.0 / period).switch(on=["busy"])
+    needs = {}
+    for number, (cost, init) in enumerate(pieces):
+        init_ms = min(init, cost - 1)
+        needs[f"t{number}"] = [max(cost - init_ms, 0), init_ms] if init_ms else [cost]
+        rig.do(late(rig, task=f"t{number}", cost=cost * MS, init=init_ms * MS, aliases={"N": f"N{number}"}))
+    while rig.executive.has_work and rig.now < 3 * PATIENCE_NS:
+        rig.run(rig.now)
+        pending = [(one.address[1], one.task) for one in rig.executive._postponed._pieces]
+        heard = rig.executive.work(rig.now)
+        after = [(one.address[1], one.task) for one in rig.executive._postponed._pieces]
+        moved = [name for name, task in pending if (name, task) not in after]
+        refused = any(isinstance(one, news.Refused) for one in heard)
+        took = 0 if refused or not moved else needs[moved[0]].pop(0)
+        rig.now += max(took * MS, MS)
+    rig.run(rig.now)
+    assert rig.task("busy").slot.missed == 0
+    for name, (cost, init) in zip(needs, pieces, strict=True):
+        largest = max(cost - min(init, cost - 1), min(init, cost - 1))
+        assert ((HOME, name) in rig.executive.tasks) == (largest <= period)

@@ -1,0 +1,89 @@
+"""What lives on one processing unit."""
+
+import os
+
+import pytest
+
+from onika.runtime.running_task import RunningTask
+from onika.runtime.unit import Unit
+from onika.testing.rig import HOME, Rig
+from onika.testing.source import COUNTER, module
+
+MS = 1_000_000
+
+
+@pytest.fixture
+def unit():
+    return Unit("rt0", {})
+
+
+def task(rig, name, source=COUNTER, **given):
+    from onika.runtime.code import load
+
+    return RunningTask(rig.spawn_of(name, source, **given), load(source, f"{name}.py", name), rig.views)
+
+
+@pytest.fixture
+def rig():
+    return Rig()
+
+
+def test_a_task_gets_a_number_and_is_known_by_its_name(unit, rig):  # R-A11
+    one, two = task(rig, "one"), task(rig, "two")
+    unit.admit(one)
+    unit.admit(two)
+    assert (one.tid, two.tid) == (1, 2)
+    assert unit.tasks == {(HOME, "one"): one, (HOME, "two"): two}
+    assert unit.dismiss((HOME, "one")) is one
+    assert unit.dismiss((HOME, "one")) is None
+    assert list(unit.slots.values()) == [two]
+
+
+def test_an_exchanged_task_keeps_number_place_and_slot(unit, rig):  # law 21
+    old, new = task(rig, "one"), task(rig, "one")
+    unit.admit(old)
+    unit.enter(old, 0)
+    slot = unit.agenda.next_due(0)
+    unit.agenda.done(slot)
+    unit.exchange(old, new)
+    assert (new.tid, new.slot, unit.slots[slot], unit.tasks) == (1, slot, new, {(HOME, "one"): new})
+    assert unit.agenda.next_release() == 10 * MS
+
+
+def test_a_task_is_profiled_while_it_is_on(unit, rig):  # R-A17
+    one = task(rig, "one")
+    unit.admit(one)
+    unit.enter(one, 5)
+    unit.leave(one, 25)
+    unit.leave(one, 30)
+    assert (one.counters.profiled_ns(100), unit.agenda.next_release()) == (20, None)
+
+
+def test_a_synchronous_task_is_found_by_its_descriptor(unit, rig):  # R-A04
+    end, other = os.pipe()
+    one = task(rig, "one", module(f"    def fileno(self):\n        return {end}"), kind="synchronous")
+    unit.admit(one)
+    unit.enter(one, 0)
+    unit.await_event(one)
+    assert (unit.events, unit.agenda.next_release()) == ({end: (HOME, "one")}, None)
+    unit.leave(one, 1)
+    assert unit.events == {}
+    os.close(end)
+    os.close(other)
+    with pytest.raises(OSError, match="descriptor"):
+        unit.await_event(one)
+
+
+def test_only_variables_of_the_subsystem_are_forgotten(unit, rig):  # law 3
+    unit.admit(task(rig, "one"))
+    rig.table.ring("N").write(bytes(4))
+    unit.forget("other", ("N",))
+    assert rig.table.ring("N").mark == 0
+    unit.forget(HOME, ("N", "NOBODY"))
+    assert rig.table.ring("N").mark == 1
+
+
+def test_what_is_said_is_taken_once(unit):
+    unit.refuse(("s", "t"), "on", "because")
+    assert [one.reason for one in unit.take_news()] == ["because"]
+    assert unit.take_news() == []

@@ -1,0 +1,1 @@
+"""Benchmarks of Onika beside its peers: `python -m beside` measures, prints and writes the page."""

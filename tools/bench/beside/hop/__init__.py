@@ -1,0 +1,1 @@
+"""One hop of six doubles from one process to another that waits for it."""

@@ -1,0 +1,78 @@
+"""A hop as Onika's runtime does it: a ring of shared memory for the value, a datagram of the post to wake the other.
+
+The receiver waits in `select`, then takes datagrams until there is none, as a processing unit does with commands.
+"""
+
+import select
+import socket
+
+import numpy as np
+
+import onika
+from beside.contestant import Figures, serve
+from beside.hop.partner import either, start
+from beside.hop.vector import BYTES, SIZE, hops
+from onika.host.post import Post
+from onika.ring.segment import Segment
+from onika.ring.slots import Ring
+
+_WAKE = b"\x01"
+
+
+class End:
+    """One end: a ring to write, a ring to read, a post."""
+
+    def __init__(self, post: Post, segment: Segment, writes: int) -> None:
+        self._post = post
+        self.sent, self.got = np.zeros(SIZE), np.zeros(SIZE)
+        rings = [Ring(segment.view, number * Ring.footprint(BYTES), BYTES) for number in range(2)]
+        self._write = rings[writes].writer(self.sent.data.cast("B"))
+        self._read = rings[1 - writes].refresher(self.got.data.cast("B"))
+
+    def send(self) -> None:
+        """Publish what lies in `sent`, and wake the other end."""
+        self._write()
+        self._post.send(_WAKE)
+
+    def wait(self) -> bool:
+        """Until woken; then `got` is what the other end has sent. False when it is gone."""
+        post = self._post
+        select.select([post], [], [], 1.0)
+        while post.receive() is not None:
+            pass
+        self._read()
+        return not post.is_closed
+
+
+def contestant() -> None:
+    """Sends first."""
+    post, theirs = Post.pair()
+    segment = Segment.create("hop", 4096)
+    start("beside.hop.onika_hop", (str(theirs.fileno()), str(segment.fd)), (theirs.fileno(), segment.fd))
+    theirs.close()
+    end = End(post, segment, 0)
+
+    def there_and_back(values: list[float]) -> list[float]:
+        end.sent[:] = values
+        end.send()
+        end.wait()
+        back: list[float] = end.got.tolist()
+        return back
+
+    def measure(count: int) -> Figures:
+        return hops(there_and_back, count)
+
+    serve(onika.__version__, measure)
+
+
+def partner(words: list[str]) -> None:
+    """Sends back what it gets."""
+    post = Post(socket.socket(fileno=int(words[0])))
+    end = End(post, Segment.attach(int(words[1])), 1)
+    while end.wait():
+        end.sent[:] = end.got
+        end.send()
+
+
+if __name__ == "__main__":
+    either(contestant, partner)

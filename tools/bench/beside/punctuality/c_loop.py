@@ -1,0 +1,42 @@
+"""A loop in C that sleeps to the same grid with `clock_nanosleep` and TIMER_ABSTIME, scheduled as Onika's unit is."""
+
+import shutil
+import subprocess
+import tempfile
+from pathlib import Path
+
+from beside.contestant import Figures, serve
+from beside.punctuality.lateness import PERIOD_NS, figures, is_fifo_granted
+from onika.host.schedule import PRIORITY
+
+SOURCE = Path(__file__).with_name("loop.c")
+
+
+def compiler() -> str:
+    """The C compiler; raises FileNotFoundError where there is none."""
+    found = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
+    if found is None:
+        raise FileNotFoundError("no C compiler is installed (cc, gcc or clang)")
+    return found
+
+
+def main() -> None:
+    """The contestant."""
+    with tempfile.TemporaryDirectory() as folder:
+        program = Path(folder) / "loop"
+        made = compiler()
+        subprocess.run([made, "-O2", "-Wall", "-Wextra", "-o", program, SOURCE], check=True)
+        said = subprocess.run([made, "--version"], capture_output=True, text=True, check=True).stdout
+        priority = PRIORITY if is_fifo_granted() else 0
+
+        def measure(milliseconds: int) -> Figures:
+            words = [program, str(milliseconds), str(priority)]
+            ran = subprocess.run(words, capture_output=True, text=True, check=True)
+            late = [int(line) for line in ran.stdout.split()]
+            return figures(late, sum(one // PERIOD_NS for one in late))
+
+        serve(said.splitlines()[0], measure)
+
+
+if __name__ == "__main__":
+    main()

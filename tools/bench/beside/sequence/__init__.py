@@ -1,0 +1,1 @@
+"""A sequence of 24 actions that succeed at once."""
