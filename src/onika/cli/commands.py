@@ -4,10 +4,10 @@ import argparse
 import sys
 
 from onika import __version__
-from onika.cli import check, doctor, new, run
+from onika.cli import check, console, doctor, new, run, runtime
 from onika.link.lost import LinkLost
 
-_COMMANDS = {"run": run, "check": check, "new": new, "doctor": doctor}
+_COMMANDS = {"run": run, "runtime": runtime, "console": console, "check": check, "new": new, "doctor": doctor}
 
 
 def carry_out(words: list[str] | None) -> int:

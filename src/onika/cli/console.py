@@ -12,6 +12,7 @@ from onika.link.token import read_token
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
+    parser.set_defaults(complain=parser.error)
     parser.add_argument("url", metavar="URL", help="ws://HOST:PORT on this machine, wss://HOST:PORT on another")
     parser.add_argument(
         "--token-file", type=Path, metavar="FILE", help="the token (ONIKA_TOKEN; here that of this user)"
@@ -25,11 +26,11 @@ def describe(parser: argparse.ArgumentParser) -> None:
 def carry_out(given: argparse.Namespace) -> int:
     """Connect and sit down at it; the runtime lives on afterwards."""
     if given.no_console and given.script is None:
-        raise SystemExit("expected --script with --no-console, found none: there is nothing to do")
+        given.complain("expected --script with --no-console, found none: there is nothing to do")
     try:
         token = "" if given.token_file is None else read_token(given.token_file)
         reached = connect(given.url, token, given.ca)
     except ValueError as wrong:
-        raise SystemExit(str(wrong)) from None
+        given.complain(str(wrong))
     with reached as runtime:
         return sit_down(runtime, site_here(given.base), given.script, has_console=not given.no_console)

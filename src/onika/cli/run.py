@@ -41,9 +41,11 @@ def describe(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
     parser.add_argument(
-        "--runtime", metavar="URL", default="", help="run on the runtime at this address (wss://HOST:PORT)"
+        "--runtime", type=_address, metavar="URL", help="run on the runtime at this address, wss://HOST:PORT"
     )
-    parser.add_argument("--token-file", type=Path, metavar="FILE", help="the token for it (else ONIKA_TOKEN)")
+    parser.add_argument(
+        "--token-file", dest="token", type=_token, default="", metavar="FILE", help="a token for it (else ONIKA_TOKEN)"
+    )
     parser.add_argument("--ca", type=Path, metavar="FILE", help="certificates to trust for it beside the system's")
 
 
@@ -63,21 +65,13 @@ def carry_out(given: argparse.Namespace) -> int:
         may_ask=_is_terminal(sys.stdin) and not given.json,
         wants_picture=given.picture is not None,
         with_fifo=not given.no_fifo,
-        elsewhere=_elsewhere(given),
+        elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token, given.ca),
     )
     with watcher:
         outcome = run(settings, site_here(given.local), watcher)
     drawn = _draw(outcome, given.picture) if given.picture is not None else ""
     watcher.ended(outcome, drawn)
     return outcome.exit_code
-
-
-def _elsewhere(given: argparse.Namespace) -> Elsewhere | None:
-    """The runtime that was named; raises ValueError for what is no address or holds no token."""
-    if not given.runtime:
-        return None
-    token = read_token(given.token_file) if given.token_file is not None else ""
-    return Elsewhere(str(Address.parse(given.runtime)), token, given.ca)
 
 
 def _is_terminal(stream: TextIO | None) -> bool:
@@ -107,6 +101,20 @@ def _expectation(text: str) -> Expectation:
         return Expectation.parse(text)
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(str(wrong)) from None
+
+
+def _address(text: str) -> str:
+    try:
+        return str(Address.parse(text))
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(str(wrong)) from None
+
+
+def _token(text: str) -> str:
+    try:
+        return read_token(Path(text))
+    except (OSError, ValueError) as wrong:
+        raise argparse.ArgumentTypeError(f"expected a file with a token, found {wrong}") from None
 
 
 def _new_file(text: str) -> Path:

@@ -14,6 +14,7 @@ _LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
+    parser.set_defaults(complain=parser.error)
     parser.add_argument("--virtual", action="store_true", help="in virtual time, which passes when a line says so")
     parser.add_argument(
         "--rtpu", action="append", default=[], type=_unit, metavar="NAME",
@@ -72,7 +73,7 @@ def _listen(given: argparse.Namespace) -> tuple[str, ...]:
     if given.listen:
         return ("--listen", given.listen, *words)
     if words:
-        raise SystemExit(f"expected --listen HOST:PORT with {words[0]}, found none")
+        given.complain(f"expected --listen HOST:PORT with {words[0]}, found none")
     return ()
 
 

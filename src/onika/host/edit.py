@@ -190,7 +190,9 @@ def _switch(
     launches = [command.Launch(turn.task, turn.arguments, rate.pop(turn.task, None)) for turn in on]
     clashes = live.subsystem.clashes(off, [turn.task for turn in on])
     live.trouble |= {name: f"on: {reason}" for name, reason in clashes}
-    if clashes or not (off or on or rates):
+    unborn = {turn.task: live.reasons.get(turn.task, "") for turn in on if not live.members[turn.task].is_sent}
+    live.trouble |= {name: f"on: it {reason}" for name, reason in unborn.items()}
+    if clashes or unborn or not (off or on or rates):
         return
     live.switch(off, launches, tuple(rate.items()))
     yield (

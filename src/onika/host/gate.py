@@ -147,7 +147,8 @@ class Gate:
         self._turn += 1
         first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
         asked = [(one, each) for one in sessions[first:] + sessions[:first] for each in one.service(now)]
-        return [call for session, each in asked if (call := self._judge(session, each)) is not None]
+        calls = [self._judge(session, each) for session, each in asked if isinstance(each, Asked)]
+        return [call for call in calls if call is not None]
 
     def reply(self, ticket: int, response: request.Response) -> None:
         """Answer a request; what was told before goes first."""

@@ -75,6 +75,10 @@ class Bundle:
         """The name of this life of the session, "" before the first greeting."""
         return self._first.end.epoch
 
+    def states(self) -> dict[Channel, LinkState]:
+        """How the environment stands to the runtime on each channel."""
+        return {channel: strand.end.state for channel, strand in self._strands.items()}
+
     @property
     def carriers(self) -> list[Carrier]:
         """The present connections."""

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 from onika.link.caller import PARENT, Caller
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.happening import Asked
 from onika.link.journal import Journal
 from onika.link.port import MakeServer
 from onika.link.server import ServerEnd
@@ -95,10 +94,6 @@ class Guests:
             if session.has_left or (not session.ports and now_ns - session.heard_ns >= self._forget_ns):
                 self._forget(session)
         return gone
-
-    def service(self, session: Session, now_ns: int) -> list[Asked]:
-        """Serve one session; what it asked."""
-        return session.service(now_ns)
 
     @property
     def _life(self) -> str:

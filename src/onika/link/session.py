@@ -3,7 +3,7 @@
 from onika.link.caller import Caller
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.happening import Asked, Greeted
+from onika.link.happening import Greeted, Happening
 from onika.link.journal import Journal
 from onika.link.port import MakeServer, ServerPort
 from onika.link.replies import ReplyBook
@@ -79,17 +79,20 @@ class Session:
             self.heard_ns = now_ns
         self._ports[channel].attach(carrier, now_ns)
 
-    def service(self, now_ns: int) -> list[Asked]:
-        """Take in, let time pass, send; what was asked."""
-        asked: list[Asked] = []
+    def service(self, now_ns: int) -> list[Happening]:
+        """Take in, let time pass, send; what happened, on the asking channel first."""
+        happenings: list[Happening] = []
         for port in self._ports.values():
             for happening in port.service(now_ns):
-                if isinstance(happening, Asked):
-                    asked.append(happening)
-                elif isinstance(happening, Greeted) and port is self._asking:
+                happenings.append(happening)
+                if isinstance(happening, Greeted) and port is self._asking:
                     self.client = happening.client
                     self._has_greeted = self._is_present = True
-        return asked
+        return happenings
+
+    def states(self) -> dict[Channel, LinkState]:
+        """How the runtime stands to it on each channel."""
+        return {channel: port.state for channel, port in self._ports.items()}
 
     def is_lost(self, now_ns: int) -> bool:
         """Whether it is given up now; true once for each loss."""

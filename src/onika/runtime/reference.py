@@ -6,6 +6,7 @@ commands and the table of lifecycles; `trace` and `told` of both must be the sam
 """
 
 import math
+import struct
 from collections import deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
@@ -210,7 +211,7 @@ class Reference:
             life.release = (self.now // life.period + 1) * life.period
 
     def _on(self, task: LawTask, launch: Launch) -> None:
-        """Law 3: all inputs in, own outputs preloaded, `on`, out. Law 13: the first cycle at once."""
+        """Law 3: all inputs in, own outputs preloaded, `on`, what it changed out. Law 13: the first cycle at once."""
         life = self._lives[task.name]
         if life.state is not State.OFF:
             self._tell(task, "refused on")
@@ -230,8 +231,9 @@ class Reference:
         life.marks = {svar: self._writes.get(svar, 0) for svar in task.invar} if task.hardware else {}
         if life.moment.device is not None:
             life.moment.device.is_holding = bool(life.marks)
+        preloaded = {svar: _bits(life.moment.outputs[svar]) for svar in task.outvar}
         self._call(task, "on")
-        self._copy_out(task, task.outvar)
+        self._copy_out(task, tuple(n for n in task.outvar if _bits(life.moment.outputs[n]) != preloaded[n]))
 
     def _init(self, task: LawTask) -> None:
         """Law 3: constants in, `init`, constants out."""
@@ -318,3 +320,8 @@ class Reference:
             self._world.claim(task.device, _EPOCH)
             hand = Hand(self._published, task.device)
         return _Life(task.period, Moment(0, task.period, inputs, outputs, {}, device=hand))
+
+
+def _bits(value: float) -> bytes:
+    """A number as it lies in memory: NaN equals itself there, and 0.0 is not -0.0."""
+    return struct.pack("d", value)

@@ -73,6 +73,10 @@ class Workshop:
         )
         return self._tasks[name]
 
+    def planned(self, name: str) -> PlannedTask:
+        """The task of this name."""
+        return self._tasks[name]
+
     def code(self, name: str) -> Code:
         """The code behind a task."""
         return self._code[self._tasks[name].digest]
