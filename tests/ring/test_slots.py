@@ -174,3 +174,79 @@ def test_a_writer_that_dies_half_way_tears_nothing_and_blocks_nobody():  # R-A02
     assert one.read() == b"\xfd" * SIZE
     del fetch, one
     segment.close()
+
+
+# Integrity
+
+
+def armed(size=8):
+    memory = memoryview(bytearray(2 * Ring.footprint(size)))
+    one = Ring(memory, Ring.footprint(size), size)
+    one.arm()
+    return one, memory
+
+
+def test_an_entry_that_its_writer_writes_is_sound_however_often():  # R-A12
+    one, _ = armed()
+    source = bytearray(8)
+    writer = one.signed_writer(memoryview(source))
+    for n in range(10):
+        assert one.faults() == []
+        source[0] = n
+        writer.publish()
+    one.seal()
+    assert one.faults() == []
+
+
+def test_a_strange_publication_is_counted_when_the_writer_next_publishes():  # R-A12
+    one, _ = armed()
+    writer = one.signed_writer(memoryview(bytearray(8)))
+    writer.publish()
+    one.signed_writer(memoryview(bytearray(b"strange!"))).publish()
+    assert one.faults() == []
+    writer.publish()
+    assert one.faults() == ["it was published 1 times by somebody who is not its writer"]
+
+
+def test_a_writer_that_takes_an_entry_over_finds_nothing_strange():  # R-A12
+    one, _ = armed()
+    first, second = (one.signed_writer(memoryview(bytearray(8))) for _ in range(2))
+    first.publish()
+    second.look()
+    second.publish()
+    first.look()
+    first.publish()
+    assert one.faults() == []
+
+
+@pytest.mark.parametrize(
+    ("place", "told"),
+    [
+        (0, "guard"),
+        (7, "guard"),
+        (64, "not what its writer"),
+        (64 + 3 * 64, "not what its writer"),
+        (64 + 9, "between"),
+    ],
+)
+def test_each_part_of_an_entry_is_watched(place, told):  # R-A12
+    one, memory = armed()
+    writer = one.signed_writer(memoryview(bytearray(8)))
+    for _ in range(4):
+        writer.publish()
+    memory[Ring.footprint(8) + place] ^= 0x40
+    assert [told in text for text in one.faults()] == [True]
+
+
+def test_a_counter_that_jumps_is_found_by_the_seals():  # R-A12
+    one, _ = armed()
+    writer = one.signed_writer(memoryview(bytearray(8)))
+    for _ in range(4):
+        writer.publish()
+    one.words[0] += 4
+    assert one.faults() == ["its value is not what its writer published"]
+
+
+def test_an_entry_needs_room():
+    with pytest.raises(ValueError, match="expected 320 bytes of room at 64, found 320"):
+        Ring(memoryview(bytearray(320)), 64, 8)

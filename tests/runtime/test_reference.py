@@ -41,6 +41,7 @@ class Probe:
     nan_at: int = 0
     mends: bool = False
     fails_in: str = ""  # the first time this entry is called
+    is_idle_on: bool = False  # `on` leaves the outputs as they were preloaded
 
     @property
     def frequency(self):
@@ -63,7 +64,7 @@ def law_task(probe):
     def on(moment):
         moment.memory["k"] = 0
         first(moment, "on")
-        for name in probe.outvar:
+        for name in () if probe.is_idle_on else probe.outvar:
             moment.outputs[name] = moment.outputs[name] + 1.0 if name in moment.in_force else moment.now / MS
 
     def cycle(moment):
@@ -152,7 +153,7 @@ class Probe(Module):
     def on(self, inputs):
         self.k = 0
         self.first("on")
-        for name in {probe.outvar}:
+        for name in {() if probe.is_idle_on else probe.outvar}:
             setattr(self, name, getattr(self, name) + 1.0 if self.continues(name) else round(self.now * 1e9) / MS)
 
     @traced
@@ -292,6 +293,7 @@ def some_probes(draw, with_costs=False):
                 nan_at=draw(seldom),
                 mends=draw(st.booleans()),
                 fails_in=draw(st.sampled_from(("", "", "", "init", "on", "off"))),
+                is_idle_on=draw(st.booleans()),
             )
         )
     return probes
@@ -470,6 +472,26 @@ def test_what_was_written_before_a_hardware_task_came_on_is_not_fresh():  # law 
     assert cycles(reference, "arm", "hold") == [15, 20, 30, 40]
 
 
+def test_what_an_on_leaves_as_it_was_preloaded_is_not_fresh():  # law 4, decision 13
+    """The reference of 15 ms ago must not be followed because a task that came on has carried it along."""
+    probes = [
+        Probe("arm", device="m0", invar=("V0",)),
+        Probe("old", outvar=("V0",), rank=1),
+        Probe("slow", outvar=("V0",), rank=1, period=50 * MS, is_idle_on=True),
+    ]
+    requests = [(0, switch("old")), (15 * MS, switch("slow", "arm", off=["old"]))]
+    reference = assert_same_story(probes, requests, 40 * MS)
+    assert cycles(reference, "arm", "hold") == [15]  # `slow` cycles at once too, but after the arm
+    assert cycles(reference, "arm") == [20, 30, 40]
+
+
+def test_a_variable_that_an_on_did_not_write_is_not_in_force():  # law 3, decision 13
+    probes = [Probe("a", outvar=("V0",), is_idle_on=True), Probe("b", outvar=("V0",))]
+    reference = assert_same_story(probes, [(5 * MS, switch("a", "b"))], 5 * MS)
+    began = next(one for one in reference.trace if (one.task, one.entry) == ("b", "on"))
+    assert began.outputs["V0"] == 5.0  # not preloaded zero plus one
+
+
 def test_nan_at_a_hardware_tasks_copy_in_is_an_error_and_no_error_entry_mends_it():  # law 5
     probes = [
         Probe("arm", device="m0", invar=("V0",), mends=True),
@@ -477,7 +499,7 @@ def test_nan_at_a_hardware_tasks_copy_in_is_an_error_and_no_error_entry_mends_it
     ]
     reference = assert_same_story(probes, [(0, switch("arm", "a"))], 60 * MS)
     assert reference.states["arm"] is State.ERROR
-    assert cycles(reference, "arm") == [0, 10, 20]
+    assert cycles(reference, "arm") == [10, 20]
     assert cycles(reference, "arm", "error") == []
 
 

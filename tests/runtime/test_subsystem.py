@@ -94,10 +94,10 @@ def test_a_supplier_whose_own_shapes_depend_on_its_constant_is_known_beforehand(
         subsystem(table, arm()).spawn("puma", "", "", 0, None)
 
 
-def test_what_is_written_counts_more_than_what_was_known(table):
+def test_what_a_supplier_states_counts_more_than_what_was_written_before(table):  # law 12
     write_constant(table, "NDOF", 3)
     order = subsystem(table, arm(), {"NDOF": 6}).spawn("servo", "", "", 0, None)
-    assert "double[3]" in {port.shape for port in order.ports}
+    assert "double[6]" in {port.shape for port in order.ports}
 
 
 def test_shapes_that_disagree_in_the_table_are_refused(table):  # law 7

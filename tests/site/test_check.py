@@ -1,5 +1,6 @@
 """`onika check` and `onika new module`: what is wrong with files, and a new file that is right (B07)."""
 
+import os
 import re
 import subprocess
 import sys
@@ -132,3 +133,101 @@ def test_a_wrong_command_line_says_what_was_expected(capsys, words, expected):  
         main(list(words))
     assert ended.value.code == 2
     assert expected in capsys.readouterr().err
+
+
+def nine(text):
+    """The same with a cell of colour 9 in the second row of its first picture, and a coloured cell on the border."""
+    return text.replace("8" * 32 + "\nPICT        " + "8" * 32, "8" * 32 + "\nPICT        18898" + "8" * 27, 1)
+
+
+def test_a_colour_or_border_cell_is_a_note_and_the_run_goes_on(capsys, tmp_path):  # decision 38, R-B11, R-B07
+    laboratory = Laboratory(tmp_path)
+    path = laboratory.application("odd", [nine(job("opengripC"))])
+    code, lines, last = check(capsys, path)
+    assert code == 0
+    assert last == "1 file read, no faults"
+    assert [line.partition(" expected ")[2] for line in lines] == [
+        "colours from 0 to 8, found a 9; instead: it is read as black",
+        "a black border, found another colour on it; instead: the border is read as black",
+    ]
+    assert all(line.startswith(f"note: {path}:12: ") for line in lines)
+    assert main(["run", str(path), "--virtual"]) == 0
+    told = capsys.readouterr().out
+    assert "note: " in told
+    assert "completed" in told
+
+
+def test_a_job_of_unknown_type_acts_as_a_complete_one_with_a_note(capsys, tmp_path):  # R-D16
+    path = Laboratory(tmp_path).application("odd", [job("opengripC", "Wobbly job")])
+    code, lines, _ = check(capsys, path)
+    assert code == 0
+    assert lines[0].startswith(f"note: {path}:11: expected a type of icon that the syntax defines")
+    assert main(["run", str(path), "--virtual"]) == 0
+    assert "completed" in capsys.readouterr().out
+
+
+def test_one_thing_is_told_once_and_named_as_it_was_given(capsys, tmp_path, monkeypatch):  # R-B07
+    laboratory = Laboratory(tmp_path / "lab")
+    laboratory.module("wink", "from onika.module import Module, finish\nclass Wink(Module):\n    trigger = True\n")
+    laboratory.plain_task("wink", local="COLOUR red\n")
+    laboratory.configuration("winkC", "wink 100")
+    laboratory.application("wink", [job("winkC")])
+    monkeypatch.chdir(tmp_path)
+    for given in ("lab", str(tmp_path / "lab")):
+        code, lines, _ = check(capsys, given)
+        assert code == 0
+        (note,) = lines
+        assert note.startswith(f"note: {given}/module/wink.rmod: LOCAL COLOUR is no parameter")
+    monkeypatch.chdir(tmp_path / "lab")
+    assert check(capsys, ".")[1] == [note.replace(f"{tmp_path}/lab/", "")]
+
+
+@pytest.mark.parametrize(
+    ("name", "damage", "expected"),
+    [
+        ("conf/winkC.conf", lambda text: text.replace("COORDS", "CORDS"), "COORDS"),
+        ("module/wink.rmod", lambda text: text.replace("periodic", "sometimes"), "periodic or synchronous"),
+        ("module/wink.rmod", lambda text: text.replace("MODULE", "MODUL"), "MODULE"),
+        ("module/wink.py", lambda text: text + "class Broken(:\n", "a module"),
+        ("module/wink.py", None, "wink.py beside it"),
+    ],
+)
+def test_one_cause_gives_one_fault(capsys, tmp_path, name, damage, expected):  # R-B07, R-E01
+    laboratory = Laboratory(tmp_path)
+    laboratory.module("wink", "from onika.module import Module, finish\nclass Wink(Module):\n    trigger = True\n")
+    laboratory.plain_task("wink")
+    laboratory.configuration("winkC", "wink 100")
+    laboratory.application("wink", [job("winkC"), job("winkC")])
+    path = tmp_path / name
+    if damage:
+        path.write_text(damage(path.read_text()))
+    else:
+        path.unlink()
+    code, lines, _ = check(capsys, tmp_path)
+    assert code == 1
+    assert len(lines) == 1, lines
+    assert f"expected {expected}" in lines[0]
+
+
+def test_what_is_named_like_a_file_and_is_none_is_told_and_never_waited_for(capsys, tmp_path):  # R-B07
+    laboratory = Laboratory(tmp_path)
+    laboratory.configuration("winkC", "wink 100")
+    (tmp_path / "module" / "folder.rmod").mkdir(parents=True)
+    os.mkfifo(tmp_path / "module" / "pipe.rmod")
+    os.mkfifo(tmp_path / "module" / "pipe.py")
+    (tmp_path / "conf" / "loop.conf").symlink_to("loop.conf")
+    (tmp_path / "conf" / "gone.conf").symlink_to("nowhere")
+    (tmp_path / "conf" / "zero.conf").symlink_to("/dev/zero")
+    code, lines, _ = check(capsys, tmp_path)
+    assert code == 1
+    found = [line.removeprefix(f"{tmp_path}/").partition("; instead")[0] for line in lines]
+    assert found == [
+        "conf/gone.conf: expected a file that can be read, found No such file or directory",
+        "conf/loop.conf: expected a file that can be read, found Too many levels of symbolic links",
+        "conf/zero.conf: expected a file that can be read, found a device",
+        "module/folder.rmod: expected a file that can be read, found a directory",
+        "module/pipe.py: expected a file that can be read, found a pipe",
+        "module/pipe.rmod: expected a file that can be read, found a pipe",
+    ]
+    code, lines, _ = check(capsys, tmp_path / "module" / "pipe.rmod")
+    assert (code, len(lines)) == (1, 1)

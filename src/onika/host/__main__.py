@@ -8,6 +8,7 @@ from time import monotonic_ns
 
 from onika.host.ending import Ending
 from onika.host.gate import Gate
+from onika.host.inquiry import Inquiry
 from onika.host.listening import Wanted, judge
 from onika.host.loader import Loader
 from onika.host.outlet import open_outlets
@@ -49,6 +50,7 @@ def main(words: list[str]) -> None:
     porter = _porter(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
+    inquiry = Inquiry(loader)
     gate = Gate(Guests(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
     if given.link_fd is not None:
         gate.adopt(inherit(given.link_fd))
@@ -58,14 +60,14 @@ def main(words: list[str]) -> None:
             patience = Patience()
             virtual = VirtualDriver(rtpus, gate.tell, watch=patience.watch)
             still_garbage()
-            _virtual(Program(gate, virtual, loader, rtpus), gate, ending)
+            _virtual(Program(gate, virtual, inquiry, rtpus), gate, ending)
         else:
             wall = WallDriver(rtpus, gate.tell, with_fifo=not given.no_fifo)
             fine_timers()
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
-                _wall(Program(gate, wall, loader, rtpus), gate, wall, ending)
+                _wall(Program(gate, wall, inquiry, rtpus), gate, wall, ending)
             finally:
                 wall.close()
     finally:
@@ -100,7 +102,7 @@ def _virtual(program: Program, gate: Gate, ending: Ending) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
     while gate.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
-        select.select(gate.readers(), gate.writers(), [], 0.0 if goes_on else gate.wait_s(0.1))
+        select.select([*gate.readers(), *program.readers()], gate.writers(), [], 0.0 if goes_on else gate.wait_s(0.1))
         program.serve()
     _say_last(gate)
 
@@ -108,7 +110,7 @@ def _virtual(program: Program, gate: Gate, ending: Ending) -> None:
 def _wall(program: Program, gate: Gate, driver: WallDriver, ending: Ending) -> None:
     """Woken by the processes, by the environment, or by time."""
     while gate.is_open and not program.is_over and not ending.is_asked:
-        readers = [*gate.readers(), *(one.post for one in driver.posts())]
+        readers = [*gate.readers(), *program.readers(), *(one.post for one in driver.posts())]
         select.select(readers, gate.writers(), [], gate.wait_s(driver.wait_s()))
         driver.look_after()  # first the robot, then the listeners
         program.advance(0)

@@ -14,6 +14,14 @@ class Loading(Protocol):
         """The sheet of a module's class."""
         ...
 
+    def cost_ns(self, code: Code) -> int:
+        """How long the module takes to load; 0 where nothing is known of it."""
+        ...
+
+    def expect(self, codes: tuple[Code, ...]) -> None:
+        """These modules will be asked about."""
+        ...
+
     def constants(self, code: Code, local: tuple[tuple[str, tuple[str, ...]], ...]) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines; empty for any other."""
         ...

@@ -36,6 +36,7 @@ class Editor:
 
     def change(self, order: asked.Change) -> request.Response:
         """Check a change whole; accepted, it begins after those before it."""
+        self._loading.expect(order.code)
         living = self._living(order.subsystem)
         sheets, faults = self._sheets(order.code)
         new, wrong, notes = _wired(order.spawn, sheets)
@@ -49,6 +50,7 @@ class Editor:
             return refused(faults, notes)
         live = self._stage.by_hand(order.subsystem)
         live.code |= {code.digest: code for code in order.code}
+        live.costs |= {code.digest: self._loading.cost_ns(code) for code in order.code}
         live.known |= known
         comers = tuple((one, self._rtpu(one.task.rtpu)) for one in new)
         swapped = exchange([placed(one) for one in living], order.kill, [placed(one) for one in new])
@@ -84,6 +86,7 @@ class Editor:
         if faults:
             return refused(faults, [])
         live.code[order.code.digest] = order.code
+        live.costs[order.code.digest] = self._loading.cost_ns(order.code)
         return self._begin(live, edit.swap(live, order.task, wire(planned, sheet)))
 
     def clear(self, order: asked.Clear) -> request.Response:

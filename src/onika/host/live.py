@@ -37,6 +37,8 @@ class LiveSubsystem:
         self.table = table
         self.holder = ""
         self.code: dict[str, Code] = {}
+        self.costs: dict[str, int] = {}
+        """By code: what loading it takes, in ns."""
         self.known: dict[str, dict[str, int]] = {}
         """By task: the constants a robot module states before it lives."""
         self.wanted: dict[str, str] = {}
@@ -194,7 +196,8 @@ class LiveSubsystem:
         wired = self.members[name].wired
         code = self.code[wired.task.digest]
         self.reshaping.ports(self.subsystem, name)
-        return self.subsystem.spawn(name, code.source, code.path, 0, grant or self._grants.get(name))
+        device = grant or self._grants.get(name)
+        return self.subsystem.spawn(name, code.source, code.path, 0, device, self.costs.get(code.digest, 0))
 
     def warn(self, task: str, text: str) -> None:
         """Something worth knowing that changes nothing."""

@@ -56,9 +56,10 @@ class AskDevices(Struct, frozen=True, tag=True):
 
 
 class Sheet(Struct, frozen=True, tag=True):
-    """The answer to AskSheet."""
+    """The answer to AskSheet, and how long the module took to load where its libraries are there already."""
 
     sheet: ModuleSheet
+    cost_ns: int = 0
 
 
 class Constants(Struct, frozen=True, tag=True):
@@ -103,18 +104,18 @@ class Loader:
     def sheet(self, code: Code) -> ModuleSheet | Fault:
         """The sheet of a module's class."""
         answer = self._ask(AskSheet(code), code)
-        return answer.sheet if isinstance(answer, Sheet) else _fault(answer)
+        return answer.sheet if isinstance(answer, Sheet) else fault_of(answer)
 
     def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines."""
         answer = self._ask(AskConstants(code, local), code)
-        return answer.values if isinstance(answer, Constants) else _fault(answer)
+        return answer.values if isinstance(answer, Constants) else fault_of(answer)
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:
         """The devices of a world."""
         if world not in self._devices:
             answer = self._ask(AskDevices(world), Code("", world, world, ""))
-            self._devices[world] = answer.names if isinstance(answer, Devices) else _fault(answer)
+            self._devices[world] = answer.names if isinstance(answer, Devices) else fault_of(answer)
         return self._devices[world]
 
     def resolve(
@@ -122,7 +123,7 @@ class Loader:
     ) -> list[str | None] | Fault:
         """Why each target is out of reach, or None."""
         answer = self._ask(AskReach(code, constants, targets), code)
-        return answer.reasons if isinstance(answer, Reach) else _fault(answer)
+        return answer.reasons if isinstance(answer, Reach) else fault_of(answer)
 
     def close(self) -> None:
         """End the process."""
@@ -134,24 +135,47 @@ class Loader:
         ours, theirs = Post.pair()
         return ours, start("onika.host.loader", theirs)
 
-    def _ask(self, question: Question, code: Code) -> Answer:
+    @property
+    def post(self) -> Post:
+        """To wait for in `select`."""
+        return self._post
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the process has died of a question."""
+        return self._post.is_closed
+
+    def send(self, question: Question) -> None:
+        """Ask; the answer comes in its time."""
         self._post.send(encode(question))
-        until = monotonic_ns() + round(PATIENCE_S * 1e9)
-        while (left := until - monotonic_ns()) > 0 and not self._post.is_closed:
-            select.select([self._post], [self._post] if self._post.is_waiting else [], [], left * 1e-9)
-            self._post.flush()
-            received = self._post.receive()
-            if received is not None:
-                answer: Answer = decode_answer(received[0])
-                return answer
-        found = "the loader died of it" if self._post.is_closed else f"nothing within {PATIENCE_S:g} s"
+
+    def take(self) -> Answer | None:
+        """The answer, if it is there."""
+        self._post.flush()
+        received = self._post.receive()
+        return None if received is None else decode_answer(received[0])
+
+    def give_up(self, code: Code) -> Wrong:
+        """The process died of a question or does not answer it: start another, and say what happened."""
+        found = "the loader died of it" if self.is_lost else f"nothing within {PATIENCE_S:g} s"
         self.close()
         self._post, self._process = self._start()
         instead = f"module {code.module} is not used"
         return Wrong(FaultText(code.path, 0, "a module that can be imported and looked at", found, instead))
 
+    def _ask(self, question: Question, code: Code) -> Answer:
+        self.send(question)
+        until = monotonic_ns() + round(PATIENCE_S * 1e9)
+        while (left := until - monotonic_ns()) > 0 and not self.is_lost:
+            select.select([self._post], [self._post] if self._post.is_waiting else [], [], left * 1e-9)
+            answer = self.take()
+            if answer is not None:
+                return answer
+        return self.give_up(code)
 
-def _fault(answer: Answer) -> Fault:
+
+def fault_of(answer: Answer) -> Fault:
+    """What is wrong with a module, as a fault."""
     if not isinstance(answer, Wrong):
         raise TypeError(f"expected the answer to the question, found {answer!r}")
     text = answer.fault
@@ -163,7 +187,7 @@ def _answer(question: Question, loading: DirectLoading) -> Answer:
     match question:
         case AskSheet():
             found = loading.sheet(question.code)
-            return _wrong(found) if isinstance(found, Fault) else Sheet(found)
+            return _wrong(found) if isinstance(found, Fault) else Sheet(found, loading.cost_ns(question.code))
         case AskConstants():
             found = loading.constants(question.code, question.local)
             return _wrong(found) if isinstance(found, Fault) else Constants(found)

@@ -9,6 +9,7 @@ from onika.host.stage import Stage
 from onika.host.tally import plain
 from onika.model.lifecycle import State
 from onika.runtime import news
+from onika.runtime.integrity import Accessor, check
 from onika.runtime.subsystem import Member
 from onika.wire import live, reading, request
 
@@ -152,7 +153,8 @@ class Look:
         table = self._stage.tables.get(subsystem)
         if table is None:
             return request.Refused(f"there is no subsystem {subsystem}")
-        return live.Findings(())  # INTEGRITY
+        found = check(table, [_accessor(one) for one in self._members(subsystem).values()])
+        return live.Findings(tuple(str(one) for one in found))
 
     def _standing(self, is_stopped: bool) -> live.Standing:
         names = [*self._stage.live, *(name for one in self._stage.performances for name in one.names)]
@@ -190,6 +192,12 @@ def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: str) -
     return live.TaskStanding(
         task, member.state.value, is_wanted_on, member.rtpu, task.frequency if rate is None else rate, reason
     )
+
+
+def _accessor(member: Member) -> Accessor:
+    wired = member.wired
+    writes = frozenset((*wired.outconst, *wired.outvar))
+    return Accessor(wired.name, member.rtpu, writes, frozenset((*wired.inconst, *wired.invar)))
 
 
 def _figure(rtpu: str, one: news.TaskStatus) -> live.TaskFigure:

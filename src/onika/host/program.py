@@ -7,13 +7,20 @@ from onika.host.asking import Loading
 from onika.host.editor import Editor, refused
 from onika.host.gate import Call, Gate
 from onika.host.holders import Holders
+from onika.host.inquiry import Inquiry, NotYet
 from onika.host.listener import Listener
 from onika.host.look import Look, Seen
 from onika.host.performance import Performance
+from onika.host.post import Post
 from onika.host.preparation import Preparation, inspect, prepare
 from onika.host.stage import Stage, Tables
 from onika.runtime.subsystem import Subsystem
 from onika.wire import event, live, request
+
+_AT_ONCE = (request.Stop, request.Abort, request.Quit, live.Survey, live.Read, live.Attend)
+"""What never waits behind another request."""
+
+Answer = Callable[[request.Response], None]
 
 
 class Driver(Tables, Seen, Protocol):
@@ -62,6 +69,7 @@ class Program:
         self._loading = loading
         self._rtpus = rtpus
         self._prepared: dict[str, Preparation] = {}
+        self._kept: list[tuple[Call, Answer]] = []
         self.stage = Stage(driver, gate.tell, rtpus)
         driver.listen(self.stage)
         self._editor = Editor(self.stage, loading, rtpus)
@@ -75,8 +83,13 @@ class Program:
         """Whether an application is executed now."""
         return bool(self.stage.performances)
 
+    def readers(self) -> list[Post]:
+        """What to wait for besides the gate and the driver: the loader."""
+        return [self._loading.post] if isinstance(self._loading, Inquiry) else []
+
     def serve(self) -> None:
         """Carry out what was asked; look after sessions that are gone."""
+        self._try_again()
         for call in self._gate.requests():
             self._serve(call)
         for session in self._gate.lost():
@@ -135,11 +148,30 @@ class Program:
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case _:
-                answer(self._respond(call.session, call.asked))
+                self._try(call, answer)
+
+    def _try(self, call: Call, answer: Answer) -> None:
+        """Carry it out, or keep it until the loader has answered what it, or one before it, depends on."""
+        is_behind = any(kept.session == call.session for kept, _ in self._kept)
+        if is_behind and not isinstance(call.asked, _AT_ONCE):
+            self._kept.append((call, answer))
+            return
+        try:
+            answer(self._respond(call.session, call.asked))
+        except NotYet:
+            self._kept.append((call, answer))
+
+    def _try_again(self) -> None:
+        """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
+        if isinstance(self._loading, Inquiry) and self._loading.take():
+            kept, self._kept = self._kept, []
+            for call, answer in kept:
+                self._try(call, answer)
 
     def _respond(self, session: str, asked: request.Request) -> request.Response:
         match asked:
             case request.Prepare():
+                self._loading.expect(asked.plan.code)
                 prepared = prepare(asked.plan, asked.targets, self._loading)
                 self.take(session, prepared)
                 return refused(prepared.faults, prepared.notes)
@@ -205,7 +237,7 @@ class Program:
         self._gate.tell(event.Stopped(self.is_stopped, cause), "", session)
         return request.Done()
 
-    def _advance(self, seconds: float, answer: Callable[[request.Response], None]) -> None:
+    def _advance(self, seconds: float, answer: Answer) -> None:
         if not self._driver.is_virtual:
             answer(request.Refused("wall time passes by itself; only virtual time can be let pass"))
         elif not 0 <= seconds <= 1e6:

@@ -80,6 +80,10 @@ class Rtpu:
         return monotonic_ns() - self._zero
 
     def _rest(self) -> None:
+        """Nothing is due: what was put aside for a gap, else sleep."""
+        self._heartbeat.is_slow(True)
+        self._tell(self._executive.work(self._now()))
+        self._heartbeat.is_slow(False)
         due = self._executive.next_release()
         wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
         if wait > 0:
@@ -110,7 +114,7 @@ class Rtpu:
             if isinstance(order, Share | Unshare):
                 self._share(order, descriptors)
                 continue
-            slow = isinstance(order, command.Spawn)
+            slow = isinstance(order, command.Spawn | command.Swap | command.Reinit)
             if slow:
                 self._heartbeat.is_slow(True)
             self._tell(self._executive.handle(order, self._now()))

@@ -87,7 +87,9 @@ class Bundle:
     def wants(self, now_ns: int) -> list[Channel]:
         """The channels to open a connection for now; for each say `attach` or `failed` later."""
         is_led = self._first.end.state in _THERE
-        wanted = [c for c, strand in self._strands.items() if (is_led or strand is self._first) and strand.wants(now_ns)]
+        wanted = [
+            c for c, strand in self._strands.items() if (is_led or strand is self._first) and strand.wants(now_ns)
+        ]
         for channel in wanted:
             self._strands[channel].is_dialling = True
         return wanted
@@ -115,6 +117,11 @@ class Bundle:
         number = self._first.end.request(body, now_ns, begin_within_ns, once, urgent)
         self.push(now_ns)
         return number
+
+    @property
+    def asked(self) -> int:
+        """The number of the latest request."""
+        return self._first.end.asked
 
     def forget(self, number: int) -> None:
         """The answer to this request is not wanted any more."""

@@ -56,7 +56,7 @@ class ClientEnd:
         self._lanes = Lanes(Readings())
         self._gathering = Gathering(terms.body_limit)
         self._wishes: dict[int, _Wish] = {}
-        self._asked = 0
+        self.asked = 0
         self._accepted = 0
         self._ack_due = False
         self._hello_ns = 0
@@ -107,14 +107,14 @@ class ClientEnd:
         """
         if len(body) > self._terms.body_limit:
             raise ValueError(f"expected a request of {self._terms.body_limit} bytes at most, found {len(body)}")
-        self._asked += 1
+        self.asked += 1
         begin_by_ns = now_ns + begin_within_ns if begin_within_ns else 0
-        self._wishes[self._asked] = _Wish(body, once, urgent, begin_by_ns)
+        self._wishes[self.asked] = _Wish(body, once, urgent, begin_by_ns)
         if self._pulse.is_linked:
-            self._send(self._asked, now_ns)
+            self._send(self.asked, now_ns)
         elif once or self.state is LinkState.ENDED:
-            self._fail(Fate.UNSENT, [self._asked])
-        return self._asked
+            self._fail(Fate.UNSENT, [self.asked])
+        return self.asked
 
     def forget(self, number: int) -> None:
         """The answer to this request is not wanted any more."""

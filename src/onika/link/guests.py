@@ -100,8 +100,11 @@ class Guests:
         return f"{self._epoch}-{self._count}"
 
     def _begins_anew(self, known: Session, new: Introduction) -> bool:
-        """Whether a program that knows nothing of its session has come under the old name."""
-        return new.channel.asks and known.has_greeted and new.epoch != known.epoch
+        """Whether a program that knows nothing of its session has come under the old name.
+
+        Not if nothing was asked: then the same program may have missed the first welcome.
+        """
+        return new.channel.asks and known.has_asked and new.epoch != known.epoch
 
     def _begin(self, new: Introduction) -> Session:
         self._count += 1

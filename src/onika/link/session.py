@@ -3,7 +3,7 @@
 from onika.link.caller import Caller
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.happening import Greeted, Happening
+from onika.link.happening import Asked, Greeted, Happening
 from onika.link.journal import Journal
 from onika.link.port import MakeServer, ServerPort
 from onika.link.replies import ReplyBook
@@ -45,6 +45,7 @@ class Session:
         self._has_greeted = False
         self._is_present = False
         self.heard_ns = 0
+        self.has_asked = False
 
     @property
     def epoch(self) -> str:
@@ -57,15 +58,10 @@ class Session:
         return [port for port in self._ports.values() if port.is_open]
 
     @property
-    def has_greeted(self) -> bool:
-        """Whether it was ever there on its asking channel."""
-        return self._has_greeted
-
-    @property
     def has_left(self) -> bool:
         """Whether it said good-bye, or was cut and cannot come back."""
         gone = self._asking is not None and not self._asking.is_open and not self._can_return
-        return gone or (self.has_greeted and self._replies.find(self.client) is None)
+        return gone or (self._has_greeted and self._replies.find(self.client) is None)
 
     def fits(self, channel: Channel) -> bool:
         """Whether such a connection goes with those it has: one for all, or each of its own."""
@@ -85,7 +81,9 @@ class Session:
         for port in self._ports.values():
             for happening in port.service(now_ns):
                 happenings.append(happening)
-                if isinstance(happening, Greeted) and port is self._asking:
+                if isinstance(happening, Asked):
+                    self.has_asked = True
+                elif isinstance(happening, Greeted) and port is self._asking:
                     self.client = happening.client
                     self._has_greeted = self._is_present = True
         return happenings

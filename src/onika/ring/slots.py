@@ -97,15 +97,17 @@ class Ring:
         words = self.words
         for _ in range(ATTEMPTS):
             count = words[0]
-            slots = [(words[_SEALS + (n & 3)], bytes(self._slots[n & 3])) for n in range(max(1, count - 2), count + 1)]
+            last = range(max(1, count - 2), count + 1)
+            slots = [(n, words[_SEALS + (n & 3)], bytes(self._slots[n & 3])) for n in last]
             if words[0] == count:  # the writer was not in the oldest of them yet
-                return any(seal & _SEALED and seal != _SEALED | crc32(data) for seal, data in slots)
+                return any(seal & _SEALED and seal != _SEALED | crc32(data, n) for n, seal, data in slots)
         return False
 
     def seal(self) -> None:
         """Seal the present value, as its writer does when it rests; long ones too."""
         count = self.words[0]
-        self.words[_SEALS + (count & 3)] = _SEALED | crc32(self._slots[count & 3])
+        if count:
+            self.words[_SEALS + (count & 3)] = _SEALED | crc32(self._slots[count & 3], count)
 
     # Values
 
@@ -147,7 +149,7 @@ class Ring:
                 words[_STRANGE] += 1
             slot = count & 3
             slots[slot][:] = source
-            seals[slot] = sealed | checksum(source)
+            seals[slot] = sealed | checksum(source, count)
             words[0] = count
             expected = count + 1
 
@@ -188,7 +190,7 @@ class Ring:
         return refresh
 
 
-def _no_checksum(_source: memoryview) -> int:
+def _no_checksum(_source: memoryview, _count: int) -> int:
     return 0
 
 

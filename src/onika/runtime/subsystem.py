@@ -8,6 +8,11 @@ from onika.runtime.command import BoundPort, DeviceGrant, Spawn
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask, upstream
 
+_BIRTH_NS = 800_000
+"""What it takes to make an instance and bind its ports, generously."""
+_INIT_NS = 400_000
+"""What an ordinary `init` takes; law 21 lets nothing come in that does not fit between two cycles."""
+
 
 class Member:
     """A task of a subsystem as its runner knows it."""
@@ -55,7 +60,9 @@ class Subsystem:
         needed = [svar for svar in wired.inconst if svar not in wired.first_values or svar in self._supplied]
         return [svar for svar in needed if not self._is_written(svar)]
 
-    def spawn(self, task: str, source: str, path: str, seed: int, device: DeviceGrant | None) -> Spawn:
+    def spawn(
+        self, task: str, source: str, path: str, seed: int, device: DeviceGrant | None, load_ns: int = 0
+    ) -> Spawn:
         """The command that brings a task to life; its entries are made in the table.
 
         Raises ValueError where a variable's shape does not agree with the table, KeyError for a missing constant.
@@ -81,6 +88,8 @@ class Subsystem:
             rank=self.ranks[task],
             seed=seed,
             device=device,
+            cost_ns=load_ns + _BIRTH_NS + _INIT_NS,
+            init_ns=_INIT_NS,
         )
 
     def forgotten(self, off: Collection[str], on: Collection[str]) -> tuple[str, ...]:
@@ -115,7 +124,11 @@ class Subsystem:
 
     def dimension(self, name: str) -> int:
         """A constant that shapes depend on: as its supplier states it before it lives, else as written."""
-        return int(self._known[name]) if name in self._known else int(self.table.value(name))
+        if name in self._known:
+            return int(self._known[name])
+        if not self._is_written(name):
+            raise KeyError(name)
+        return int(self.table.value(name))
 
     def _is_written(self, svar: str) -> bool:
         return svar in self.table.entries and self.table.ring(svar).count > 0

@@ -1,7 +1,8 @@
-"""A simulated network: one environment, one runtime, seeded weather between them, virtual time, the same every time.
+"""A simulated network: environments, one runtime, seeded weather between them, virtual time, the same every time.
 
-A history is a storm (loss, duplication, reordering, cuts, one-way cuts, crashes of either program, all from one seed)
-and then a calm in which everything that was promised has to come true. A `Witness` watches.
+A history is a storm (loss, duplication, reordering, cuts of one connection or all, one-way cuts, good-byes, crashes of
+every program, all from one seed) and then a calm in which everything that was promised has to come true. A `Witness`
+watches. Each environment has one connection for everything or one for each channel, as it likes.
 """
 
 import hashlib
@@ -11,24 +12,26 @@ from dataclasses import dataclass
 from functools import partial
 from random import Random
 
+from onika.link.bundle import Bundle, MakeClient
+from onika.link.caller import Caller, Role
+from onika.link.channel import THREE, Channel
 from onika.link.client import ClientEnd
+from onika.link.guests import Guests, Introduction
 from onika.link.happening import Asked
-from onika.link.journal import Journal
-from onika.link.lost import closed
-from onika.link.replies import ReplyBook
+from onika.link.port import MakeServer
 from onika.link.server import ServerEnd
-from onika.link.state import LinkState
+from onika.link.session import Session
 from onika.link.terms import Terms
-from onika.testing.witness import Connection, Wanted, Who, Witness
-from onika.wire.packet import Hello, Packet, Welcome, decode, encode
+from onika.testing.cable import Cable, Plug
+from onika.testing.weather import Weather
+from onika.testing.witness import Wanted, Who, Witness
+from onika.wire.packet import Bye, Hello, Packet, encode
 
 _MS = 1_000_000
-_STORM_NS = 8_000 * _MS
-_CALM_NS = 5_000 * _MS
+_STORM_NS = 5_000 * _MS
+_CALM_NS = 4_000 * _MS
 _SLACK_NS = 60 * _MS
 
-MakeClient = Callable[[str, Terms], ClientEnd]
-MakeServer = Callable[[Journal, ReplyBook, Terms], ServerEnd]
 MakeEpoch = Callable[[int], str]
 
 
@@ -38,21 +41,17 @@ def name_epoch(life: int) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class Weather:
-    """What this history's network does to packets; a reliable one only delays and cuts."""
+class Programs:
+    """What the two programs are made of; a test plants its mistakes here."""
 
-    is_reliable: bool
-    loss: float
-    duplicate: float
-    reorder: float
-    delay_ns: int
+    client: MakeClient = ClientEnd
+    server: MakeServer = ServerEnd
+    bundle: type[Bundle] = Bundle
+    guests: type[Guests] = Guests
+    epoch: MakeEpoch = name_epoch
 
-    @staticmethod
-    def draw(random: Random) -> "Weather":
-        """Some weather."""
-        is_reliable = random.random() < 0.5
-        delay_ns = random.choice((1, 20, 80)) * _MS
-        return Weather(is_reliable, random.uniform(0, 0.3), random.uniform(0, 0.2), random.uniform(0, 0.3), delay_ns)
+
+HONEST = Programs()
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,36 +66,45 @@ class Report:
     digest: str
 
 
-class _Side:
-    """One program: its end of the link, its clock and the connection it has now."""
+class _Party:
+    """A program: its clock, and whether it lives."""
 
-    def __init__(self, who: Who, end: ClientEnd | ServerEnd, clock_ns: int) -> None:
-        self.who = who
-        self.end = end
+    def __init__(self, clock_ns: int) -> None:
         self.clock_ns = clock_ns
-        self.connection: Connection | None = None
-        self.heard_ns = 0
-        self.tick_ns = -1
-        self.free_ns = 0
+        self.is_up = True
+
+
+class _Environment(_Party):
+    def __init__(self, number: int, name: str, bundle: Bundle, clock_ns: int) -> None:
+        super().__init__(clock_ns)
+        self.number = number
+        self.name = name
+        self.bundle = bundle
+        self.plugs: dict[Channel, Plug] = {}
         self.blind_ns = 0
+        """Until then nothing from it arrives."""
+        self.deaf_ns = 0
+        """Until then nothing arrives at it."""
+
+
+class _House(_Party):
+    def __init__(self, guests: Guests, clock_ns: int) -> None:
+        super().__init__(clock_ns)
+        self.guests = guests
+        self.plugs: dict[tuple[Session, Channel], Plug] = {}
 
 
 class History:
-    """One history of a link, from a seed; the programs may be given with planted mistakes."""
+    """One history, from a seed."""
 
-    def __init__(
-        self,
-        seed: int,
-        client: MakeClient = ClientEnd,
-        server: MakeServer = ServerEnd,
-        epoch: MakeEpoch = name_epoch,
-    ) -> None:
+    def __init__(self, seed: int, programs: Programs = HONEST) -> None:
         self._seed = seed
         self._random = Random(seed)  # noqa: S311  a simulation wants the same numbers every time
         self._weather = Weather.draw(self._random)
+        self._programs = programs
         self._terms = Terms(
-            beat_ns=200 * _MS,
-            suspect_ns=500 * _MS,
+            beat_ns=250 * _MS,
+            suspect_ns=600 * _MS,
             lost_ns=1_500 * _MS,
             greeting_ns=1_500 * _MS,
             retry_ns=0 if self._weather.is_reliable else 250 * _MS,
@@ -104,29 +112,30 @@ class History:
             piece=64,
             body_limit=10_000,
         )
-        self._make_client, self._make_server, self._make_epoch = client, server, epoch
-        self._now_ns = 0
+        self.now_ns = 0
         self._events: list[tuple[int, int, Callable[[], None]]] = []
         self._count = 0
         self._digest = hashlib.blake2b(digest_size=16)
         self._witness = Witness()
-        self._lives = {Who.ENVIRONMENT: 0, Who.RUNTIME: 0}
+        self._ticks: dict[_Environment | Session, int] = {}
+        self._lives = 0
         self._labels = 0
+        self._names = 0
         self._is_calm = False
-        self._runtime_is_up = True
-        self._environment = self._start_environment()
-        self._runtime = self._start_runtime()
+        self._house = self._start_house()
+        self._environments = [self._start_environment(n, "") for n in range(self._random.choice((1, 1, 2, 3)))]
 
     def run(self) -> Report:
         """Live through it; stops at the first fault."""
         self._plan()
         end_ns = _STORM_NS + _CALM_NS
         while self._events and not self._witness.faults and self._events[0][0] <= end_ns:
-            self._now_ns, _, act = heapq.heappop(self._events)
+            self.now_ns, _, act = heapq.heappop(self._events)
             act()
         if not self._witness.faults:
-            states = {self._environment.end.state, self._runtime.end.state}
-            self._witness.final(self._epoch, states)
+            for one in self._environments:
+                self._witness.final(one.name, one.bundle.epoch, one.bundle.state)
+            self._witness.final_requests()
         return Report(
             self._seed,
             tuple(self._witness.faults),
@@ -136,211 +145,279 @@ class History:
             self._digest.hexdigest(),
         )
 
-    # -- the two programs
+    # -- the programs
 
-    @property
-    def _epoch(self) -> str:
-        return self._make_epoch(self._lives[Who.RUNTIME])
-
-    def _start_environment(self) -> _Side:
-        self._lives[Who.ENVIRONMENT] += 1
-        name = f"client-{self._lives[Who.ENVIRONMENT]}"
+    def _start_environment(self, number: int, name: str) -> _Environment:
+        self._names += 1
+        name = name or f"client-{self._names}"
+        channels = (Channel.ALL,) if self._random.random() < 0.4 else THREE
+        bundle = self._programs.bundle(name, self._terms, channels, self._programs.client, self._random.random)
         self._witness.environment_starts(name)
-        clock_ns = self._random.randrange(10**15)
-        return _Side(Who.ENVIRONMENT, self._make_client(name, self._terms), clock_ns)
+        one = _Environment(number, name, bundle, self._random.randrange(10**15))
+        self._after(self._uniform(0, 300), partial(self._serve, one))
+        return one
 
-    def _start_runtime(self) -> _Side:
-        self._lives[Who.RUNTIME] += 1
-        self._runtime_is_up = True
-        self._witness.runtime_starts(self._epoch)
-        end = self._make_server(Journal(self._epoch), ReplyBook(), self._terms)
-        return _Side(Who.RUNTIME, end, self._random.randrange(10**15))
+    def _start_house(self) -> _House:
+        self._lives += 1
+        guests = self._programs.guests(self._programs.epoch(self._lives), self._terms, make=self._programs.server)
+        return _House(guests, self._random.randrange(10**15))
 
     def _signal(self) -> None:
-        if not self._runtime_is_up:
+        if not self._house.is_up:
             return
-        body = f"{self._epoch} {self._random.random()}".encode()
-        self._witness.signal(self._epoch, body)
-        end = self._runtime.end
-        if isinstance(end, ServerEnd):
-            end.signal(body, self._now_ns + self._runtime.clock_ns)
-            end.reading(f"key-{self._random.randrange(3)}", b"%d" % (self._now_ns + 1), self._clock(self._runtime))
-        self._serve(self._runtime)
+        clock = self._clock(self._house)
+        for session in self._house.guests.sessions:
+            body = f"{session.epoch} {self._random.random()}".encode()
+            self._witness.signal(session.epoch, body)
+            session.signal(body, clock)
+            session.show(f"key-{self._random.randrange(3)}", b"%d" % (self.now_ns + 1), clock)
+            self._serve_session(session)
 
     def _ask(self) -> None:
+        one = self._random.choice(self._environments)
         self._labels += 1
         body = f"{self._labels} ".encode() + b"x" * self._random.choice((0, 10, 200))
         within_ns = self._random.choice((0, 100, 1_000)) * _MS
         once = self._random.random() < 0.3
-        side = self._environment
-        begin_by_ns = self._now_ns + within_ns if within_ns else 0
-        wanted = Wanted(str(self._labels), body, once, begin_by_ns, side.connection)
-        if isinstance(side.end, ClientEnd):
-            urgent = self._random.random() < 0.1
-            number = side.end.request(body, self._clock(side), within_ns, once, urgent)
-            self._witness.wants(wanted, number)
-        self._serve(side)
+        asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
+        begin_by_ns = self.now_ns + within_ns if within_ns else 0
+        wanted = Wanted(str(self._labels), one.name, body, once, begin_by_ns, asking.cable if asking else None)
+        urgent = self._random.random() < 0.1
+        # the witness has to know of it before the answer can come
+        self._witness.wants(wanted, one.bundle.asked + 1)
+        one.bundle.request(body, self._clock(one), within_ns, once, urgent)
+        self._serve(one)
 
-    def _answer(self, side: _Side, asked: Asked) -> None:
-        if side is self._runtime and isinstance(side.end, ServerEnd):
-            side.end.reply(asked.ticket, b"re: " + asked.body)
-            self._serve(side)
+    def _answer(self, house: _House, session: Session, asked: Asked) -> None:
+        if house is self._house:
+            session.reply(asked.ticket, b"re: " + asked.body, self._clock(house))
+            self._serve_session(session)
 
     def _crash_environment(self) -> None:
-        self._leave(self._environment)
-        self._environment = self._start_environment()
-        self._after(self._uniform(100, 500), self._dial)
+        one = self._random.choice(self._environments)
+        if self._random.random() < 0.3:
+            one.bundle.close("enough", self._clock(one))
+            self._witness.leaves(one.name)
+        one.is_up = False
+        for plug in list(one.plugs.values()):
+            plug.close()
+        self._witness.environment_ends(one.name)
+        name = one.name if self._random.random() < 0.3 else ""
+        if name:
+            self._witness.comes_anew(name)
+        self._environments[one.number] = self._start_environment(one.number, name)
 
-    def _crash_runtime(self) -> None:
-        if not self._runtime_is_up:
-            return
-        self._runtime_is_up = False
-        self._leave(self._runtime)
-        self._after(self._uniform(50, 1_500), self._boot)
+    def _crash_house(self) -> None:
+        if self._house.is_up:
+            self._house.is_up = False
+            for plug in list(self._house.plugs.values()):
+                plug.close()
+            self._witness.house_ends()
+            self._after(self._uniform(50, 1_500), self._boot)
 
     def _boot(self) -> None:
-        self._runtime = self._start_runtime()
+        self._house = self._start_house()
 
-    # -- serving one side: what it says, what it tells, when it wants to be ticked
+    # -- serving a program: what it says, what it tells, when it wants to be ticked
 
-    def _clock(self, side: _Side) -> int:
-        return self._now_ns + side.clock_ns
+    def _clock(self, party: _Party) -> int:
+        return self.now_ns + party.clock_ns
 
-    def _serve(self, side: _Side) -> None:
-        while packets := side.end.take_packets(self._clock(side), 1 << 16):
-            for packet in packets:
-                self._send(side, packet)
-        for happening in side.end.take_happenings():
-            self._witness.happened(side.who, happening, side.connection, self._now_ns)
+    def _serve(self, one: _Environment) -> None:
+        if not one.is_up:
+            return
+        one.bundle.service(self._clock(one))
+        asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
+        stream = one.plugs.get(Channel.STREAM) or asking
+        for happening in one.bundle.take_happenings():
+            self._witness.heard(one.name, happening, stream.cable if stream else None)
+        for channel in one.bundle.wants(self._clock(one)):
+            self._after(self._uniform(1, 30), partial(self._dial, one, channel))
+        self._wake(one, one.bundle.due_ns(self._clock(one)), partial(self._serve, one))
+
+    def _serve_session(self, session: Session, cable: Cable | None = None) -> None:
+        house = self._house
+        if not house.is_up or session not in house.guests.sessions:
+            return
+        for happening in session.service(self._clock(house)):
+            self._witness.served(session.name, session.epoch, happening, cable, self.now_ns)
             if isinstance(happening, Asked):
-                self._after(self._uniform(0, 800), partial(self._answer, side, happening))
-        if side.end.state is LinkState.APART and side.connection is not None:
-            self._leave(side)
-        self._schedule_tick(side)
+                self._after(self._uniform(0, 800), partial(self._answer, house, session, happening))
+        self._look_for_lost()
+        self._wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))
 
-    def _schedule_tick(self, side: _Side) -> None:
-        due_ns = side.end.due_ns(self._clock(side))
+    def _wake(self, whom: _Environment | Session, due_ns: int | None, act: Callable[[], None]) -> None:
+        """Serve it again when it wants that, once."""
         if due_ns is None:
             return
-        at_ns = self._now_ns + max(_MS, due_ns)
-        if side.tick_ns <= self._now_ns or at_ns < side.tick_ns:
-            side.tick_ns = at_ns
-            self._at(at_ns, partial(self._tick, side, at_ns))
+        at_ns = self.now_ns + max(_MS, due_ns)
+        planned_ns = self._ticks.get(whom, -1)
+        if planned_ns <= self.now_ns or at_ns < planned_ns:
+            self._ticks[whom] = at_ns
+            self._at(at_ns, partial(self._tick, whom, at_ns, act))
 
-    def _tick(self, side: _Side, at_ns: int) -> None:
-        if side.tick_ns != at_ns or side not in (self._environment, self._runtime):
-            return
-        side.tick_ns = -1
-        side.end.tick(self._clock(side))
-        self._serve(side)
+    def _tick(self, whom: _Environment | Session, at_ns: int, act: Callable[[], None]) -> None:
+        if self._ticks.get(whom) == at_ns:
+            del self._ticks[whom]
+            act()
+
+    def _look_for_lost(self) -> None:
+        for name in self._house.guests.lost(self._clock(self._house)):
+            self._witness.given_up(name, self.now_ns, self._terms.lost_ns)
 
     def _inspect(self) -> None:
-        for side in (self._environment, self._runtime):
-            silence_ns = self._now_ns - side.heard_ns - _SLACK_NS
-            self._witness.heard_last(side.who, side.end.state, silence_ns, self._terms.suspect_ns, self._terms.lost_ns)
+        suspect_ns, lost_ns = self._terms.suspect_ns, self._terms.lost_ns
+        for one in self._environments:
+            for channel, state in one.bundle.states().items():
+                if channel in one.plugs:
+                    silence_ns = self.now_ns - one.plugs[channel].heard_ns - _SLACK_NS
+                    self._witness.heard_last(Who.ENVIRONMENT, state, silence_ns, suspect_ns, lost_ns)
+        if not self._house.is_up:
+            return
+        for session in self._house.guests.sessions:
+            for channel, state in session.states().items():
+                plug = self._house.plugs.get((session, channel))
+                if plug is not None:
+                    silence_ns = self.now_ns - plug.heard_ns - _SLACK_NS
+                    self._witness.heard_last(Who.RUNTIME, state, silence_ns, suspect_ns, lost_ns)
+        self._look_for_lost()
+        self._witness.stands(self.now_ns - _SLACK_NS, lost_ns)
 
     # -- the network between them
 
-    def _other(self, side: _Side) -> _Side:
-        return self._runtime if side is self._environment else self._environment
+    def _dial(self, one: _Environment, channel: Channel) -> None:
+        if not one.is_up:
+            return
+        if max(one.blind_ns, one.deaf_ns) > self.now_ns or not self._house.is_up:
+            one.bundle.failed(channel, self._clock(one))
+        else:
+            plug = Cable(self, channel, one.name).environment
+            plug.heard_ns = self.now_ns
+            one.plugs[channel] = plug
+            one.bundle.attach(channel, plug, self._clock(one))
+        self._serve(one)
 
-    def _send(self, side: _Side, packet: Packet) -> None:
-        connection = side.connection
-        if connection is None:
-            return
-        self._witness.sent(side.who, connection, packet)
-        arrive = partial(self._arrive, connection, self._other(side), encode(packet))
+    def sent(self, plug: Plug, packet: Packet) -> None:
+        """A packet left an end."""
+        self._witness.sent(Who.RUNTIME if plug.is_runtime else Who.ENVIRONMENT, plug.cable, packet)
+
+    def carry(self, plug: Plug, act: Callable[[], None]) -> None:
+        """Let it arrive, as the weather wants it."""
+        one = self._environments_of(plug)
+        blind_ns = one.deaf_ns if plug.is_runtime else one.blind_ns
         if self._weather.is_reliable:
-            self._in_order(side, arrive)
+            self._in_order(plug, blind_ns, act)
             return
-        if side.blind_ns > self._now_ns or self._strikes(self._weather.loss):
+        if blind_ns > self.now_ns or self._strikes(self._weather.loss):
             return
         for _ in range(2 if self._strikes(self._weather.duplicate) else 1):
             overtaken_ns = self._delay() if self._strikes(self._weather.reorder) else 0
-            self._after(self._weather.delay_ns + overtaken_ns, arrive)
+            self._after(self._weather.delay_ns + overtaken_ns, act)
+
+    def tell_end(self, plug: Plug, act: Callable[[], None]) -> None:
+        """Behind everything that was said where the network is reliable; else perhaps."""
+        one = self._environments_of(plug)
+        blind_ns = one.deaf_ns if plug.is_runtime else one.blind_ns
+        if self._weather.is_reliable:
+            self._in_order(plug, blind_ns, act)
+        elif blind_ns <= self.now_ns and self._random.random() < 0.5:
+            self._after(self._delay(), act)
+
+    def came(self, plug: Plug, packet: Packet) -> None:
+        """A packet lies in the inbox of an end."""
+        self._digest.update(b"%d %d " % (self.now_ns, plug.is_runtime) + encode(packet))
+        if not plug.is_runtime:
+            self._serve(self._environments_of(plug))
+            return
+        session = self._session_at(plug)
+        if session is None and self._house.is_up and isinstance(packet, Hello):
+            session = self._admit(plug, packet)
+        if session is not None:
+            if plug.cable.channel.asks:
+                self._witness.called(session.name, self.now_ns)
+            self._serve_session(session, plug.cable)
+
+    def ended(self, plug: Plug) -> None:
+        """An end learns that its connection is no more."""
+        if not plug.is_runtime:
+            self._serve(self._environments_of(plug))
+        elif (session := self._session_at(plug)) is not None:
+            self._serve_session(session, plug.cable)
+
+    def _admit(self, plug: Plug, hello: Hello) -> Session | None:
+        """What the porter and the gate do."""
+        guests = self._house.guests
+        caller = Caller("somebody", Role.OWNER, "elsewhere", False)
+        cable = plug.cable
+        why = guests.admit(Introduction(cable.channel, hello.client, hello.epoch, caller), plug, self._clock(self._house))
+        if why:
+            plug.send(encode(Bye("refused", why)))
+            plug.close()
+            return None
+        session = next(one for one in guests.sessions if one.client == hello.client)
+        self._witness.session(session.name, session.epoch, hello.client)
+        self._house.plugs[session, cable.channel] = plug
+        return session
+
+    def _session_at(self, plug: Plug) -> Session | None:
+        if not self._house.is_up:
+            return None
+        return next((one for (one, _), other in self._house.plugs.items() if other is plug), None)
+
+    def _environments_of(self, plug: Plug) -> _Environment:
+        """The environment at this cable's other end; one that is no more cannot be found, and hears nothing."""
+        for one in self._environments:
+            if plug.cable.environment in one.plugs.values():
+                return one
+        return self._gone
+
+    @property
+    def _gone(self) -> _Environment:
+        nobody = _Environment(-1, "", Bundle("nobody"), 0)
+        nobody.is_up = False
+        return nobody
 
     def _strikes(self, chance: float) -> bool:
         return not self._is_calm and self._random.random() < chance
 
-    def _in_order(self, side: _Side, act: Callable[[], None]) -> None:
-        side.free_ns = max(side.free_ns, side.blind_ns, self._now_ns + self._delay())
-        self._at(side.free_ns, act)
-
-    def _arrive(self, connection: Connection, side: _Side, payload: bytes) -> None:
-        if side.connection is not connection or connection.is_broken:
-            return
-        self._digest.update(b"%d %s " % (self._now_ns, side.who.value.encode()) + payload)
-        packet = decode(payload)
-        connection.heard_hello |= isinstance(packet, Hello)
-        connection.heard_welcome |= isinstance(packet, Welcome)
-        side.heard_ns = self._now_ns
-        side.end.feed(packet, self._clock(side))
-        self._serve(side)
-
-    def _leave(self, side: _Side) -> None:
-        """This side lets its connection go; the other one learns it, or not."""
-        connection, side.connection = side.connection, None
-        if connection is not None:
-            other, hear = self._other(side), partial(self._hear_of_end, connection, self._other(side))
-            if self._weather.is_reliable:
-                self._in_order(side, hear)
-            elif side.blind_ns <= self._now_ns and other.connection is connection and self._random.random() < 0.5:
-                self._after(self._delay(), hear)
-        if side is self._environment:
-            self._after(self._uniform(50, 400), self._dial)
-
-    def _hear_of_end(self, connection: Connection, side: _Side) -> None:
-        if side.connection is connection:
-            side.end.cut(closed())
-            self._serve(side)
-
-    def _dial(self) -> None:
-        side = self._environment
-        if side.connection is not None:
-            return
-        blind_ns = max(side.blind_ns, self._runtime.blind_ns)
-        if blind_ns > self._now_ns or not self._runtime_is_up:
-            self._after(self._uniform(50, 400), self._dial)
-            return
-        connection = Connection()
-        for party in (self._runtime, side):
-            party.connection = connection
-            party.heard_ns = self._now_ns
-            party.free_ns = 0
-            party.end.open(self._clock(party))
-            self._serve(party)
+    def _in_order(self, plug: Plug, blind_ns: int, act: Callable[[], None]) -> None:
+        plug.free_ns = max(plug.free_ns, blind_ns, self.now_ns + self._delay())
+        self._at(plug.free_ns, act)
 
     def _cut(self) -> None:
-        for side in (self._environment, self._runtime):
-            if side.connection is not None:
-                # nothing more arrives; each side learns of it in its own time
-                side.connection.is_broken = True
-                self._after(self._uniform(0, 600), partial(self._hear_of_end, side.connection, side))
+        """Nothing more arrives on one connection, or on all of an environment's; each side learns it in its own time."""
+        one = self._random.choice(self._environments)
+        plugs = list(one.plugs.values())
+        for plug in plugs if self._random.random() < 0.5 else plugs[:1]:
+            plug.cable.is_broken = True
+            self._after(self._uniform(0, 600), plug.hear_end)
+            self._after(self._uniform(0, 600), plug.peer.hear_end)
 
     def _blind(self) -> None:
-        side = self._random.choice((self._environment, self._runtime))
-        side.blind_ns = self._now_ns + self._uniform(100, 3_000)
-
-    def _blind_both(self) -> None:
-        for side in (self._environment, self._runtime):
-            side.blind_ns = self._now_ns + self._uniform(100, 3_000)
+        one = self._random.choice(self._environments)
+        until_ns = self.now_ns + self._uniform(100, 3_000)
+        both = self._random.random() < 0.3
+        if both or self._random.random() < 0.5:
+            one.blind_ns = until_ns
+        if both or one.blind_ns < until_ns:
+            one.deaf_ns = until_ns
 
     def _heal(self) -> None:
         self._is_calm = True
-        for side in (self._environment, self._runtime):
-            side.blind_ns = min(side.blind_ns, self._now_ns)
+        for one in self._environments:
+            one.blind_ns = min(one.blind_ns, self.now_ns)
+            one.deaf_ns = min(one.deaf_ns, self.now_ns)
 
     # -- the plan of the storm
 
     def _plan(self) -> None:
         random = self._random
-        self._at(0, self._dial)
         for _ in range(random.randrange(40, 80)):
             self._at(random.randrange(_STORM_NS), self._signal)
         for _ in range(random.randrange(20, 50)):
             self._at(random.randrange(_STORM_NS), self._ask)
-        troubles = (self._cut, self._blind, self._blind_both, self._crash_environment, self._crash_runtime)
-        for trouble in random.choices(troubles, weights=(5, 4, 2, 1, 1), k=random.randrange(7)):
+        troubles = (self._cut, self._blind, self._crash_environment, self._crash_house)
+        for trouble in random.choices(troubles, weights=(5, 6, 2, 1), k=random.randrange(7)):
             self._at(random.randrange(_STORM_NS), trouble)
         self._at(_STORM_NS, self._heal)
         for at_ns in range(0, _STORM_NS + _CALM_NS, 250 * _MS):
@@ -351,7 +428,7 @@ class History:
         heapq.heappush(self._events, (at_ns, self._count, act))
 
     def _after(self, wait_ns: int, act: Callable[[], None]) -> None:
-        self._at(self._now_ns + wait_ns, act)
+        self._at(self.now_ns + wait_ns, act)
 
     def _uniform(self, low_ms: int, high_ms: int) -> int:
         return self._random.randrange(low_ms * _MS, high_ms * _MS)

@@ -179,6 +179,8 @@ class Values(Struct, frozen=True, tag=True):
 
     values: dict[str, Any]
     now_s: float
+    types: dict[str, str] = {}
+    """Their types with their dimensions, as in `double[6]`."""
 
 
 class TaskStanding(Struct, frozen=True):

@@ -86,8 +86,8 @@ def test_variables_are_listed_with_their_types(sit):  # R-A03
 
 def test_a_vector_is_read_in_a_line_and_a_matrix_in_rows(sit):  # R-A16
     one = with_variables(sit())
-    assert one.does("read Q_MEZ main/NDOF") == ["Q_MEZ = 0.5000    -0.2500", "main/NDOF = 2"]
-    assert one.does("read BASE") == ["BASE[0] = 1.0000     0.0000", "BASE[1] = 0.0000     1.0000"]
+    assert one.does("read Q_MEZ main/NDOF") == ["Q_MEZ = 0.5000  -0.2500", "main/NDOF = 2"]
+    assert one.does("read BASE") == ["BASE[0] = 1.0000  0.0000", "BASE[1] = 0.0000  1.0000"]
     assert one.fails("read NDOF Q_MES").found == "'Q_MES'"
     assert "no subsystem other" in one.fails("read other/Q").found
 

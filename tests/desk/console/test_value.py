@@ -21,7 +21,10 @@ def test_all_elements_stand_in_one_line_from_which_they_can_be_read(value):
 
 
 def test_numbers_are_shown_as_people_read_them():
-    assert shown("X", [0.0, 1e-7, 123456.0]) == ["X = 0.0000  1.000e-07  1.235e+05"]
+    assert shown("X", [0.0, -1e-7, 1.5]) == ["X = 0.0000  0.0000  1.5000"]
+    assert shown("X", [0.0, -1e-7]) == ["X = 0.000e+00  -1.000e-07"]
+    assert shown("X", 123456.0) == ["X = 1.235e+05"]
+    assert shown("S", ["a b", "c"]) == ["S = 'a b'    'c'"]
     assert shown("N", 7) == ["N = 7"]
     assert shown("M", [[1, 2], [3, 4]])[1].split() == ["M[1]", "=", "3", "4"]
     assert flat([[1, [2]], 3]) == [1, 2, 3]

@@ -155,7 +155,7 @@ class Session:
     def hear(self, timeout_s: float = 0.0) -> None:
         """Hear and show what the runtime tells, waiting for the first word so long; raises LinkLost at its end."""
         for one in self._runtime.events(timeout_s):
-            is_chatter = isinstance(one, event.TaskState) and self._is_applied(one.subsystem)
+            is_chatter = self._is_chatter(one)
             self._note(one)
             if not is_chatter:
                 for line, tone in told.lines(one):
@@ -218,6 +218,12 @@ class Session:
                 self.running = ""
                 self.result = one
 
+    def _is_chatter(self, one: event.Event) -> bool:
+        """Whether an application's actions tell it already: what its tasks and drives do, unless it is trouble."""
+        if isinstance(one, event.Drive):
+            return bool(self.running or self._applied) and one.state != "TRIPPED"
+        return isinstance(one, event.TaskState) and one.state != "ERROR" and self._is_applied(one.subsystem)
+
     def _is_applied(self, subsystem: str) -> bool:
-        """Whether an application moves the tasks there: its actions are told, not each task's state."""
+        """Whether an application moves the tasks there."""
         return subsystem in self._applied or (bool(self.running) and subsystem != self.subsystem)

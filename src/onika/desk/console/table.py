@@ -1,8 +1,10 @@
 """A table as lines of text: columns as wide as they have to be, numbers to the right."""
 
+import re
 from collections.abc import Iterable, Sequence
 
 _GAP = "  "
+_NUMBER = re.compile(r"[+-]?\.?\d\S*\Z")
 
 
 def lines(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
@@ -20,6 +22,6 @@ def _cell(text: str, width: int, right: bool) -> str:
 
 
 def _is_numeric(cells: Iterable[str]) -> bool:
-    """Whether every cell that says something begins as a number does."""
+    """Whether every cell that says something is one word that begins as a number does."""
     said = [cell for cell in cells if cell not in ("", "-")]
-    return bool(said) and all(cell[0].isdigit() or (cell[0] in "+-." and cell[1:2].isdigit()) for cell in said)
+    return bool(said) and all(_NUMBER.match(cell) for cell in said)

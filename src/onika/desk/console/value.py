@@ -36,14 +36,18 @@ def shown(name: str, value: Any) -> list[str]:
 
 
 def _row(value: Any) -> str:
-    if not isinstance(value, list):
-        return _short(value)
-    return "  ".join(f"{_short(one):>9}" if not isinstance(one, str) else one for one in flat(value)).strip()
+    elements = flat(value)
+    largest = max((abs(one) for one in elements if isinstance(one, float)), default=0.0)
+    is_plain = largest == 0.0 or 1e-3 <= largest < 1e5
+    texts = [_short(one, is_plain) for one in elements]
+    width = max(map(len, texts), default=0) if isinstance(value, list) and len(elements) > 1 else 0
+    return "  ".join(f"{text:>{width}}" for text in texts).strip()
 
 
-def _short(value: Any) -> str:
+def _short(value: Any, is_plain: bool) -> str:
     if isinstance(value, float):
-        return f"{value:.4f}" if value == 0 or 1e-3 <= abs(value) < 1e5 else f"{value:.3e}"
+        text = f"{value:.4f}" if is_plain else f"{value:.3e}"
+        return text.removeprefix("-") if float(text) == 0.0 else text  # the noise of a zero has no sign
     return repr(value) if isinstance(value, str) else str(value)
 
 

@@ -36,7 +36,7 @@ def main() -> None:
         began = perf_counter_ns()
         out = simulator.run(diagram, T=(steps - 0.5) * STEP_S)
         took = perf_counter_ns() - began
-        return {"us": took / 1e3 / steps / BLOCKS, "steps": steps, "position": out.clock0.X[-1][-SIZE:].tolist()}
+        return {"figure": took / 1e3 / steps / BLOCKS, "steps": steps, "position": out.clock0.X[-1][-SIZE:].tolist()}
 
     serve(version("bdsim"), measure)
 

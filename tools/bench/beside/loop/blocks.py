@@ -6,6 +6,8 @@ The joint is a unit mass, integrated by explicit Euler: the controller at step k
 import numpy as np
 from numpy.typing import NDArray
 
+from beside.contestant import Absent, Figures
+
 Vector = NDArray[np.float64]
 
 SIZE = 6
@@ -46,3 +48,12 @@ def expected(steps: int) -> Vector:
         position, rate = moved(position, rate, torque(wanted, derivative(wanted, old), position, rate))
         old = wanted
     return position
+
+
+def check(figures: Figures) -> None:
+    """Raises `Absent` where a contestant's joint is not where the plain loop puts it."""
+    steps, position = figures["steps"], figures["position"]
+    assert isinstance(steps, int | float)
+    wanted = expected(int(steps))
+    if not np.allclose(position, wanted, rtol=0.0, atol=1e-9):
+        raise Absent(f"expected the joint at {wanted.tolist()} after {steps:g} steps, found {position}")

@@ -107,7 +107,7 @@ def main() -> None:
         loop.step(steps)
         took = perf_counter_ns() - began
         done += steps
-        return {"us": took / 1e3 / steps / BLOCKS, "steps": done, "position": loop.position}
+        return {"figure": took / 1e3 / steps / BLOCKS, "steps": done, "position": loop.position}
 
     serve(onika.__version__, measure)
 

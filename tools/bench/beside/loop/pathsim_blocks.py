@@ -94,7 +94,7 @@ def main() -> None:
             simulation.timestep()
         took = perf_counter_ns() - began
         done += steps
-        return {"us": took / 1e3 / steps / BLOCKS, "steps": done, "position": joint.position.tolist()}
+        return {"figure": took / 1e3 / steps / BLOCKS, "steps": done, "position": joint.position.tolist()}
 
     simulation.time = -STEP_S  # a step evaluates at its end: the first at 0
     serve(version("pathsim"), measure)

@@ -41,7 +41,7 @@ def main() -> None:
             simulation.timestep()
         took = perf_counter_ns() - began
         done += steps
-        return {"us": took / 1e3 / steps / BLOCKS, "steps": done, "position": position.engine.state.tolist()}
+        return {"figure": took / 1e3 / steps / BLOCKS, "steps": done, "position": position.engine.state.tolist()}
 
     serve(version("pathsim"), measure)
 

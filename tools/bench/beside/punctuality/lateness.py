@@ -21,12 +21,12 @@ def is_fifo_granted() -> bool:
 
 
 def figures(late_ns: Sequence[int], missed: int) -> Figures:
-    """Median, 99 % (`us`) and greatest lateness in microseconds, and missed cycles."""
+    """Median, 99 % (`figure`) and greatest lateness in microseconds, and missed cycles."""
     if not late_ns:
         raise RuntimeError("expected cycles, found none")
     found = sorted(late_ns)
     return {
-        "us": found[int(len(found) * 0.99)] / 1e3,
+        "figure": found[int(len(found) * 0.99)] / 1e3,
         "median": found[len(found) // 2] / 1e3,
         "most": found[-1] / 1e3,
         "missed": float(missed),

@@ -90,7 +90,7 @@ def main() -> None:
     application = Application()
 
     def measure(runs: int) -> Figures:
-        return {"us": sum(application.run() for _ in range(runs)) / runs}
+        return {"figure": sum(application.run() for _ in range(runs)) / runs}
 
     serve(onika.__version__, measure)
 

@@ -55,7 +55,7 @@ class Sweep:
 def main() -> None:
     """The contestant."""
     sweep = Sweep(ACTIONS)
-    serve(onika.__version__, lambda sweeps: {"us": sweep.run(sweeps)})
+    serve(onika.__version__, lambda sweeps: {"figure": sweep.run(sweeps)})
 
 
 if __name__ == "__main__":

@@ -1,0 +1,158 @@
+"""The check of a table's memory, on memory that is really overwritten."""
+
+import ctypes
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from onika.ring.slots import LONGEST_SEALED, Ring
+from onika.runtime.integrity import Accessor, accessor, check
+from onika.runtime.wiring import wire
+from onika.testing.build import task as planned
+from onika.testing.rig import Rig
+from onika.testing.source import module
+
+MS = 1_000_000
+
+
+def writer(svar, shape="double[6]"):
+    return module(f"    {svar} = OutVar('{shape}')\n    def cycle(self):\n        self.{svar} += 1.0")
+
+
+def accessors():
+    """Who is bound to what, as their configuration says."""
+    return [
+        Accessor("left", "rt0", frozenset({"A"}), frozenset()),
+        Accessor("middle", "rt0", frozenset({"B"}), frozenset({"A"})),
+        Accessor("right", "rt1", frozenset({"C"}), frozenset()),
+        Accessor("far", "rt1", frozenset({"D"}), frozenset()),
+    ]
+
+
+@pytest.fixture
+def rig():
+    rig = Rig()
+    for rank, (task, svar) in enumerate((("left", "A"), ("middle", "B"), ("right", "C"), ("far", "D"))):
+        rig.spawn(task, writer(svar), rank=rank)
+    return rig.switch(on=["left", "middle", "right", "far"]).run(50 * MS)
+
+
+def found(rig, variable):
+    findings = {one.variable: one for one in check(rig.table, accessors())}
+    assert set(findings) == {variable}
+    return findings[variable]
+
+
+def test_a_table_that_only_its_writers_write_is_sound(rig):  # R-A12
+    assert check(rig.table, accessors()) == []
+    rig.switch(off=["middle"]).spawn("other", writer("B")).switch(on=["other"]).run(100 * MS)
+    rig.switch(off=["other"], on=["middle"]).run(150 * MS)
+    assert check(rig.table, accessors()) == []
+
+
+def address_of(rig, svar):
+    """Where an entry lies in this process."""
+    view = rig.table.segment.view
+    return ctypes.addressof(ctypes.c_char.from_buffer(view)) + rig.table.entries[svar].offset
+
+
+def test_a_module_that_writes_past_its_entry_is_named_as_a_candidate(rig):  # R-A12
+    """`left` takes the address of its own entry and writes 8 bytes too many behind its last slot."""
+    last_slot = address_of(rig, "A") + Ring.footprint(48) - 8
+    ctypes.memset(last_slot, 0x5A, 16)
+    findings = {one.variable: one for one in check(rig.table, accessors())}
+    assert findings["B"].wrong == ("its guard is overwritten",)
+    assert "task left on rt0 (is bound to A beside it)" in findings["B"].likely
+    assert "task middle on rt0 (writes it)" in findings["B"].likely
+    assert findings["B"].others == ("task far on rt1",)
+    assert findings["A"].wrong == ("the memory between its slots is overwritten",)
+
+
+def test_a_value_written_over_in_place_is_found_until_it_is_made_anew(rig):  # R-A12
+    ring = rig.table.ring("C")
+    ctypes.memset(address_of(rig, "C") + 64 + (ring.count & 3) * 64 + 8, 0x11, 4)
+    finding = found(rig, "C")
+    assert finding.wrong == ("its value is not what its writer published",)
+    assert str(finding).startswith("C: its value is not what its writer published. It could have been task ")
+    assert "task far on rt1 (is bound to D beside it)" in finding.likely
+    assert finding.others == ("task left on rt0",)
+    rig.run(100 * MS)
+    assert check(rig.table, accessors()) == []
+
+
+def test_somebody_who_publishes_a_foreign_variable_leaves_a_trace_for_good(rig):  # R-A12
+    """`far` writes D and, through a ring of its own, B: a value that looks whole."""
+    ring = Ring(rig.table.segment.view, rig.table.entries["B"].offset, 48)
+    ring.signed_writer(memoryview(np.full(6, 9.0)).cast("B")).publish()
+    rig.run(200 * MS)
+    finding = found(rig, "B")
+    assert finding.wrong == ("it was published 1 times by somebody who is not its writer",)
+    assert "task far on rt1" in finding.others
+
+
+def test_a_module_that_does_it_in_its_own_cycle_is_named(rig):  # R-A12
+    source = module(
+        "    D2 = OutVar('double')\n    def cycle(self):\n        import gc\n"
+        "        from onika.ring.slots import Ring\n"
+        "        for one in gc.get_objects():\n"
+        "            if isinstance(one, Ring) and one.size == 48 and one.count and not hasattr(self, 'did'):\n"
+        "                self.did = one.offset\n                one.write(bytes(48))"
+    )
+    rig.spawn("bad", source).switch(on=["bad"]).run(200 * MS)
+    findings = check(rig.table, [*accessors(), Accessor("bad", "rt0", frozenset({"D2"}), frozenset())])
+    assert rig.task("bad").module.did >= 0
+    assert findings
+    assert all("task bad on rt0" in str(one) for one in findings)
+
+
+def test_free_memory_that_is_written_is_found(rig):  # R-A12
+    ctypes.memset(address_of(rig, "A") + rig.table.end + 100, 1, 1)
+    finding = found(rig, "free memory")
+    assert finding.wrong == ("memory behind D, which belongs to no variable, is written",)
+    assert finding.likely == ("task far on rt1 (is bound to D beside it)",)
+
+
+def test_a_long_value_is_sealed_while_its_writer_rests():  # R-A12
+    rig = Rig().spawn("camera", writer("IMAGE", f"double[{LONGEST_SEALED}]")).switch(on=["camera"]).run(30 * MS)
+    assert check(rig.table, []) == []
+    rig.switch(off=["camera"])
+    ring = rig.table.ring("IMAGE")
+    ctypes.memset(address_of(rig, "IMAGE") + 64 + (ring.count & 3) * LONGEST_SEALED * 8 + 2000, 0x33, 1)
+    assert [one.variable for one in check(rig.table, [])] == ["IMAGE"]
+
+
+def test_a_constant_that_is_overwritten_is_found_as_long_as_it_stands():  # R-A12
+    source = module("    QMAX = OutConst('double[2]')\n    def init(self):\n        self.QMAX = (1.0, 2.0)")
+    rig = Rig().spawn("robot", source)
+    assert check(rig.table, []) == []
+    ring = rig.table.ring("QMAX")
+    ctypes.memset(address_of(rig, "QMAX") + 64 + (ring.count & 3) * 64, 0xFF, 1)
+    assert [one.variable for one in check(rig.table, [])] == ["QMAX"]
+
+
+@given(st.integers(0, 4 * (64 + 4 * 64) - 1), st.binary(min_size=1, max_size=40))
+def test_whatever_is_written_astray_is_found_or_harms_no_value(place, data):  # R-A12
+    """Bytes anywhere in a table at rest: either the check tells, or every variable still has its value."""
+    rig = Rig()
+    for task, svar in (("left", "A"), ("middle", "B"), ("right", "C"), ("far", "D")):
+        rig.spawn(task, writer(svar))
+    rig.switch(on=["left", "middle", "right", "far"]).run(50 * MS)
+    values = {svar: rig[svar].tolist() for svar in "ABCD"}
+    counts = {svar: rig.table.ring(svar).count for svar in "ABCD"}
+    rig.table.segment.view[place : place + len(data)] = data
+    findings = check(rig.table, accessors())
+    after = {svar: rig[svar].tolist() for svar in "ABCD"}
+    is_put_back = any(0 < counts[svar] - rig.table.ring(svar).count < 4 for svar in "ABCD")
+    assert findings or after == values or is_put_back
+
+
+def test_what_a_task_is_bound_to_is_read_off_its_wires():  # R-A12
+    from onika.runtime.sheet import ModuleSheet, PortSheet
+
+    ports = tuple(
+        PortSheet(kind, name, "int", "-", "") for kind, name in (("INCONST", "A"), ("INBOTH", "B"), ("OUTVAR", "C"))
+    )
+    wired = wire(planned("t"), ModuleSheet(ports, (), (), False, False, False, 0, ""))
+    assert accessor(wired, "rt1") == Accessor("t", "rt1", frozenset({"C"}), frozenset({"A", "B"}))
