@@ -4,12 +4,13 @@
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
+PEERS  := .venv-bench
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check soak bench clean
+.PHONY: help demo test check soak bench bench-peers clean
 
 help: ## say what can be made
-	@sed -n 's/^\([a-z]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
 
 demo: $(VENV)/.installed ## assemble the four boxes
 	$(BIN)/onika run assemble --expect 'LAMP == 1'
@@ -30,9 +31,13 @@ soak: $(VENV)/.installed-dev ## the long tests
 
 bench: $(VENV)/.installed-dev ## measure, and print what was measured
 	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; $(BIN)/python "$$each"; done
+	@PYTHONPATH=tools/bench $(BIN)/python -m beside --alone
+
+bench-peers: $(PEERS)/.installed ## measure beside the peers, and write docs/benchmarks.md
+	PYTHONPATH=tools/bench $(PEERS)/bin/python -m beside --write docs/benchmarks.md
 
 clean: ## remove what make made
-	rm -rf $(VENV) build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) $(PEERS) build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	find src tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(VENV)/.installed: pyproject.toml | $(BIN)/pip
@@ -42,6 +47,13 @@ $(VENV)/.installed: pyproject.toml | $(BIN)/pip
 $(VENV)/.installed-dev: pyproject.toml | $(BIN)/pip
 	$(BIN)/pip install --quiet --disable-pip-version-check --editable ".[dev]"
 	@touch $(VENV)/.installed $@
+
+# Each peer is installed by itself: one that cannot be is named in the table, and harms no other.
+$(PEERS)/.installed: pyproject.toml tools/bench/beside/peers.py | $(BIN)/pip
+	$(BIN)/python -m venv --clear $(PEERS)
+	$(PEERS)/bin/pip install --quiet --disable-pip-version-check --editable .
+	PYTHONPATH=tools/bench $(PEERS)/bin/python -m beside.peers
+	@touch $@
 
 # A venv that was left half made has no pip; it is made again.
 $(BIN)/pip:

@@ -3,6 +3,7 @@
 from onika.model.signal import Signal, finish, illegal, legal, off, shutdown, user_signal
 from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutBoth, OutConst, OutVar
 from onika.runtime.device import Device
+from onika.runtime.function import module
 from onika.runtime.module import AskAgain, Module, ModuleError
 
 __all__ = [
@@ -22,6 +23,7 @@ __all__ = [
     "finish",
     "illegal",
     "legal",
+    "module",
     "off",
     "shutdown",
     "user_signal",

@@ -66,6 +66,13 @@ def test_the_first_configuration_gives_the_unit_and_each_its_rates(laboratory): 
     assert (second.tasks, second.rates) == (("blink", "wink"), (("wink", 50.0),))  # 0 Hz: as the task itself says
 
 
+def test_the_rate_of_a_configuration_overrides_that_of_the_task(laboratory):  # decision 10
+    laboratory.plain_task("wink", hz=40)
+    _, plan = compiled(laboratory.application("twice", [job("winkC")]))
+    (wink,) = (task for task in plan.flows[0].tasks if task.name == "wink")
+    assert (wink.frequency, dict(plan.flows[0].actions[0].rates)["wink"]) == (40.0, 100.0)
+
+
 def test_a_job_and_its_target_are_one_action_with_an_argument_line(laboratory):  # R-E03
     flow = [job("winkC", "Joint job", "SYNCHTAG    meet"), joints("there", 1.0, -2.5, 3.0, 0.0, 0.0, 6.0, duration=4.0)]
     compiler, plan = compiled(laboratory.application("twice", [job("blinkC"), *flow]))

@@ -74,3 +74,35 @@ def test_without_a_syntax_nothing_can_be_read(tmp_path, laboratory):  # decision
     prepared = prepare_run(str(path), site)
     assert prepared.plan is None
     assert "OnikaUpperSetUp.dta" in prepared.faults[0].place.file
+
+
+def test_what_files_are_read_with_and_what_nobody_writes_are_notes(laboratory, site):  # decision 38, R-B11
+    laboratory.plain_task("both", reads="X", writes="Y")
+    path = laboratory.path / "module" / "both.rmod"
+    path.write_text(path.read_text().replace("INCONST", "SVARALIAS   Y = X\nINCONST").replace("DESC ", "DESC  "))
+    laboratory.module("both", "")
+    laboratory.configuration("bothC", "both 100")
+    icon = job("bothC").replace("PICT        8888", "PICT        9888", 1)
+    prepared = prepare_run(str(laboratory.application("mine", [icon])), site)
+    assert prepared.faults == ()
+    assert [(note.expected, note.is_note) for note in prepared.notes] == [
+        ("colours from 0 to 8", True),
+        ("variables that `both` reads or writes", True),  # decision 9, Equation (5)
+    ]
+
+
+@pytest.mark.parametrize("name", ["conf/wrongC.conf", "module/wrong.rmod"])
+def test_a_file_at_fault_is_told_once_and_not_missed_again(laboratory, site, name):  # R-B07
+    laboratory.module("wrong", "")
+    laboratory.plain_task("wrong")
+    laboratory.configuration("wrongC", "wrong 100")
+    path = laboratory.path / name
+    path.write_text(path.read_text().replace("EOF", ""))
+    prepared = prepare_run(str(laboratory.application("mine", [job("wrongC"), job("wrongC")])), site)
+    assert [fault.place.file for fault in prepared.faults] == [str(path)]
+
+
+def test_a_directory_that_is_not_there_is_noted(tmp_path):  # R-C20
+    site = open_site([], {"ONIKA_LOCAL": str(tmp_path / "typo")}, None)
+    for name in ("go_home", "nothing_like_it"):
+        assert [note.place.file for note in prepare_run(name, site).notes] == [str(tmp_path / "typo")]

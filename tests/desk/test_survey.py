@@ -1,3 +1,5 @@
+from pathlib import Path
+
 import pytest
 
 from onika.desk import survey as room
@@ -137,3 +139,32 @@ def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory
     survey(path, site)
     (prepare,) = [one for one in runtime.asked if isinstance(one, request.Prepare)]
     assert prepare.targets[0].values[0] == 9.0
+
+
+def test_notes_are_told_apart_and_no_place_twice(
+    laboratory, site, runtime, tmp_path, monkeypatch
+):  # R-B07, decision 38
+    laboratory.configuration("winkC", "wink 100")
+    (laboratory.path / "dict").mkdir()
+    picture = "PICT        " + "9" * 32 + "\n"
+    text = f"VERSION 1.3\nONIKON Complete job\nDESC\nUI none\n{picture * 32}EOF\n"
+    (laboratory.path / "dict" / "nine.onk").write_text(text)
+    monkeypatch.chdir(tmp_path.parent)
+    notes = []
+    files, faults = survey(Path(tmp_path.name), site, notes.append)
+    assert faults == []
+    assert [str(file) for file in files] == [f"{tmp_path.name}/conf/winkC.conf", f"{tmp_path.name}/dict/nine.onk"]
+    assert len(notes) == 32
+    assert all(note.startswith(f"{tmp_path.name}/dict/nine.onk:") for note in notes)
+
+
+def test_a_file_of_none_of_our_formats_is_a_fault(tmp_path, site, runtime):  # R-B07
+    (tmp_path / "README.md").write_text("hello\n")
+    _, (fault,) = survey(tmp_path / "README.md", site)
+    assert fault.expected == "a file of one of Onika's formats"
+
+
+def test_a_folder_named_like_a_file_is_a_fault(tmp_path, site, runtime):  # R-B07
+    (tmp_path / "module" / "x.rmod").mkdir(parents=True)
+    _, (fault,) = survey(tmp_path, site)
+    assert (fault.place.file, fault.found) == (str(tmp_path / "module" / "x.rmod"), "a directory")

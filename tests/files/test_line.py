@@ -60,6 +60,20 @@ def test_a_fault_prints_as_the_requirement_says() -> None:
     )
 
 
+def test_a_whole_text_or_a_part_of_it_is_left_out_or_nothing_at_all() -> None:
+    reading = Reading("f", "all of it is left out")  # R-B07
+    reading.note(1, "a", "b", "it is read as c")
+    reading.part(2, "a", "b", "this is left out")
+    assert not reading.broken
+    reading.fault(3, "a", "b")
+    assert reading.broken
+    assert [(fault.is_note, fault.instead) for fault in reading.faults] == [
+        (True, "it is read as c"),
+        (False, "this is left out"),
+        (False, "all of it is left out"),
+    ]
+
+
 def test_faults_come_in_the_order_of_the_lines() -> None:
     reading = Reading("f", "")
     reading.note(5, "a", "b", "c")

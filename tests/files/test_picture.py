@@ -6,7 +6,8 @@ TEXT = write(blank())
 
 
 def found(text: str) -> list[str]:
-    _, faults = read(text, "start", "OnikaStart.dta")
+    picture, faults = read(text, "start", "OnikaStart.dta")
+    assert (picture is None) == any(not fault.is_note for fault in faults)
     return [f"{fault.place.line}: {fault.expected} / {fault.found} / {fault.instead}" for fault in faults]
 
 

@@ -137,6 +137,16 @@ def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str)
     assert expected in changed(old, new)  # R-B07
 
 
+def test_a_parameter_given_twice_is_noted_and_both_lines_stay() -> None:
+    record, (note,) = read(TEXT.replace("# a comment", "GAIN 3"), "jmove", "f")  # R-B01
+    assert record
+    assert note.is_note
+    assert (note.place.line, note.expected, note.instead) == (22, "GAIN once", "the last one counts")
+    assert write(record, replace(record.task, frequency=1.0)) == TEXT.replace("# a comment", "GAIN 3").replace(
+        "FREQ        500", "FREQ        1"
+    )
+
+
 def test_the_order_of_lines_is_law() -> None:
     text = TEXT.replace("MODULE      quintic\n", "").replace("TASKTYPE", "MODULE quintic\nTASKTYPE")
     assert found(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # decision 41

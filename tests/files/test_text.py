@@ -1,6 +1,8 @@
+import os
+import socket
 from pathlib import Path
 
-from onika.files.text import decode, load
+from onika.files.text import LARGEST, decode, load
 
 
 def test_a_byte_that_is_no_utf_8_is_named_with_its_line() -> None:
@@ -20,3 +22,31 @@ def test_a_file_that_cannot_be_read_is_a_fault(tmp_path: Path) -> None:
         text, (fault,) = load(path, "here")  # R-B07
         assert text is None
         assert (fault.place.file, fault.expected) == ("here", "a file that can be read")
+
+
+def test_what_is_no_plain_file_is_a_fault_and_nothing_waits_for_it(tmp_path: Path) -> None:
+    pipe, link, loop = tmp_path / "pipe", tmp_path / "link", tmp_path / "loop"  # R-B07
+    os.mkfifo(pipe)
+    link.symlink_to("/dev/zero")
+    loop.symlink_to(loop)
+    found = [load(path, "here")[1][0].found for path in (pipe, tmp_path, link, loop)]
+    assert found == ["a pipe", "a directory", "a device", "Too many levels of symbolic links"]
+    with socket.socket(socket.AF_UNIX) as listener:
+        listener.bind(str(tmp_path / "s"))
+        assert load(tmp_path / "s", "here")[1][0].found == "a socket"
+
+
+def test_a_file_that_is_far_too_large_is_not_read(tmp_path: Path) -> None:
+    path = tmp_path / "large"  # R-B07
+    with path.open("wb") as file:
+        file.truncate(LARGEST + 1)
+    text, (fault,) = load(path, "here")
+    assert text is None
+    assert fault.found == f"{LARGEST + 1} bytes, more than {LARGEST}"
+
+
+def test_a_large_file_and_one_that_a_link_leads_to_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "large"
+    path.write_text("é" * 5_000_000)
+    (tmp_path / "link").symlink_to(path)
+    assert load(tmp_path / "link", "here") == ("é" * 5_000_000, ())

@@ -3,6 +3,10 @@
 That it runs what is due in the right order is proved beside the reference, in `test_reference.py`.
 """
 
+import shutil
+import subprocess
+
+import numpy as np
 import pytest
 
 from onika.model.lifecycle import State
@@ -264,3 +268,191 @@ def test_a_task_that_is_killed_and_spawned_again_within_a_period_lives():
         rig.switch(on=["one"]).run(rig.now).do(command.Kill(HOME, "one")).spawn("one", COUNTER)
     rig.switch(on=["one"]).run(30 * MS)
     assert rig["N"] == 4 + 4
+
+
+# Cycles that are no Python method
+
+
+CALLABLES = {
+    "partial on the class": "    cycle = functools.partial(STORE.append, None)",
+    "partial by init": "    def init(self):\n        self.cycle = functools.partial(self.work, 2)",
+    "object with __call__": "    def init(self):\n        self.cycle = Work(self)",
+    "lambda": "    def init(self):\n        self.cycle = lambda: self.work(2)",
+    "builtin": "    def init(self):\n        self.cycle = self.N_.__iter__",
+}
+
+
+@pytest.mark.parametrize("kind", CALLABLES)
+def test_a_cycle_is_anything_that_can_be_called(kind):  # R-A01
+    head = (
+        "import functools\nSTORE = []\nclass Work:\n    def __init__(self, m):\n        self.m = m\n"
+        "    def __call__(self):\n        self.m.work(2)\n"
+    )
+    body = "    N = OutVar('int')\n    N_ = ()\n    def work(self, n):\n        self.N += n\n" + CALLABLES[kind]
+    if kind == "builtin":
+        body = body.replace("self.N_.__iter__", "[].clear")
+    rig = rig_of(head + module(body)).switch(on=["one"]).run(20 * MS)
+    assert (rig.task("one").state, rig.task("one").counters.cycles) == (State.ON, 3)
+    expected = {"partial on the class": 0, "builtin": 0}.get(kind, 6)
+    assert rig["N"] == expected
+
+
+C_SOURCE = """
+void spring(const double *place, const double *gain, double *force) {
+    for (int i = 0; i < 6; i++) force[i] = -gain[0] * place[i];
+}
+int counted(int *n) { return 0 * (*n += 1); }
+int broken(void) { return 7; }
+"""
+C_MODULE = """
+import ctypes
+import functools
+from onika.module import InVar, Module, OutVar
+
+LIBRARY = ctypes.CDLL({library!r})
+
+class Spring(Module):
+    Q_MEZ = InVar("double[6]", "rad", "place")
+    GAIN = InVar("double", "N", "gain")
+    TAU = OutVar("double[6]", "N m", "torque")
+    N = OutVar("int")
+
+    def init(self):
+        LIBRARY.spring.restype = None
+        pointers = [ctypes.c_void_p(self.buffer(name).ctypes.data) for name in ("Q_MEZ", "GAIN", "TAU")]
+        count = ctypes.c_void_p(self.buffer("N").ctypes.data)
+        self.cycle = {cycle}
+"""
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory):
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("there is no C compiler (cc) here to make a C function with")
+    folder = tmp_path_factory.mktemp("c")
+    (folder / "spring.c").write_text(C_SOURCE)
+    subprocess.run([compiler, "-shared", "-fPIC", "-o", folder / "spring.so", folder / "spring.c"], check=True)
+    return str(folder / "spring.so")
+
+
+def test_a_c_function_cycles_on_the_memory_of_the_ports(library):  # R-A01
+    source = C_MODULE.format(library=library, cycle="functools.partial(LIBRARY.spring, *pointers)")
+    rig = rig_of(source)
+    rig.table.ring("Q_MEZ").write(np.arange(6.0).tobytes())
+    rig.table.ring("GAIN").write(np.array([2.0]).tobytes())
+    rig.switch(on=["one"]).run(20 * MS)
+    assert rig["TAU"].tolist() == [0.0, -2.0, -4.0, -6.0, -8.0, -10.0]
+    rig.table.ring("GAIN").write(np.array([1.0]).tobytes())
+    assert rig.run(30 * MS)["TAU"].tolist() == [0.0, -1.0, -2.0, -3.0, -4.0, -5.0]
+
+
+def test_the_zero_of_a_c_function_is_no_signal_and_another_number_is_an_error(library):  # R-A01
+    source = C_MODULE.format(library=library, cycle="functools.partial(LIBRARY.counted, count)")
+    assert rig_of(source).switch(on=["one"]).run(20 * MS)["N"] == 3
+    rig = rig_of(C_MODULE.format(library=library, cycle="LIBRARY.broken")).switch(on=["one"]).run(0)
+    assert last(rig, news.Failed).text == "TypeError: expected a signal or None from cycle, found 7"
+
+
+def test_a_function_compiled_by_numba_cycles():  # R-A01
+    pytest.importorskip("numba", reason="numba is not installed here; nothing of Onika needs it")
+    source = (
+        "import functools\nimport numba\nfrom onika.module import Module, OutVar\n"
+        "@numba.njit\ndef add(n):\n    n[0] += 1\n"
+        "class One(Module):\n    N = OutVar('int')\n    def init(self):\n"
+        "        self.cycle = functools.partial(add, self.buffer('N'))"
+    )
+    assert rig_of(source).switch(on=["one"]).run(20 * MS)["N"] == 3
+
+
+# Table 9: every signal, once, twice, and when the task is off already
+
+
+TABLE_9 = {
+    "off()": (news.Changed, State.OFF),
+    "finish(flow=1, loop=True)": (news.Finished, State.OFF),
+    "finish()": (news.Finished, State.OFF),
+    "raise_()": (news.Failed, State.ERROR),
+    "warn()": (news.Warned, State.ON),
+    "shutdown('power')": (news.Signalled, State.ON),
+    "illegal('door')": (news.Signalled, State.ON),
+    "legal()": (news.Signalled, State.ON),
+    "user_signal(17)": (news.Signalled, State.ON),
+    "user_signal(20)": (news.Signalled, State.ON),
+}
+SAYS = "    def cycle(self):\n        def raise_():\n            raise ValueError('x')\n        def warn():\n"
+SAYS += "            self.warn('mind')\n        return {said}"
+
+
+def said_rig(said, launches=1):
+    """A trigger, not passive where it finishes: both may not be."""
+    rig = rig_of(module(SAYS.format(said=said), trigger=said.startswith("finish")))
+    for run in range(launches):
+        rig.switch(on=[command.Launch("one", activation=run)])
+    return rig
+
+
+@pytest.mark.parametrize("said", TABLE_9)
+def test_the_unit_answers_each_signal_as_table_9_says(said):  # R-A07
+    kind, state = TABLE_9[said]
+    rig = said_rig(said).run(0)
+    heard = [one for _, one in rig.news if isinstance(one, kind) and getattr(one, "state", "OFF") == "OFF"]
+    assert len(heard) == 1
+    assert rig.task("one").state is state
+    if kind is news.Finished:
+        assert (heard[0].flow, heard[0].loop) == ((1, True) if "flow" in said else (0, False))
+    if said.startswith("user"):
+        assert (heard[0].kind, heard[0].number) == ("USER", int(said[12:14]))
+
+
+@pytest.mark.parametrize("said", TABLE_9)
+def test_a_signal_that_comes_twice_is_told_twice_only_where_the_task_is_still_on(said):  # R-A07
+    kind, state = TABLE_9[said]
+    rig = said_rig(said).run(10 * MS)
+    heard = [one for _, one in rig.news if isinstance(one, kind) and getattr(one, "state", "OFF") == "OFF"]
+    assert len(heard) == (2 if state is State.ON else 1)
+
+
+@pytest.mark.parametrize("said", TABLE_9)
+def test_a_signal_of_each_activation_is_told_apart(said):  # R-A07
+    kind, state = TABLE_9[said]
+    rig = said_rig(said).run(0).switch(off=["one"]).do(command.Clear(HOME, "one"))
+    rig.switch(on=[command.Launch("one", activation=9)]).run(rig.now)
+    numbers = {one.activation for _, one in rig.news if isinstance(one, kind) and hasattr(one, "activation")}
+    assert numbers == ({0, 9} if kind is not news.Warned else set())
+
+
+@pytest.mark.parametrize("said", TABLE_9)
+def test_a_signal_that_comes_late_is_no_word_of_a_task_that_is_off(said):  # R-A07, R-A08
+    """A synchronous task whose event arrives after it was turned off: nothing is called, nothing told."""
+    body = SAYS.format(said=said).replace("def cycle", "def sync") + PIPE
+    rig = rig_of(module(body, trigger=said.startswith("finish")), kind="synchronous").switch(on=["one"])
+    rig.switch(off=["one"])
+    heard = len(rig.news)
+    assert rig.executive.event((HOME, "one"), 0) == []
+    assert (len(rig.news), rig.task("one").state) == (heard, State.OFF)
+    rig.do(command.Kill(HOME, "one"))
+
+
+@pytest.mark.parametrize("said", TABLE_9)
+def test_a_signal_in_the_cycle_in_which_everything_is_stopped_is_told_first(said):  # R-A07, law 27
+    kind, _ = TABLE_9[said]
+    rig = said_rig(said)
+    rig._react = lambda one: [command.Stop("panic")] if isinstance(one, news.Cycled) else []
+    rig.run(50 * MS)
+    assert any(isinstance(one, kind) for _, one in rig.news)
+    assert rig.task("one").state in (State.OFF, State.ERROR)
+    assert rig.task("one").counters.cycles <= 1
+
+
+PIPE = """
+    def fileno(self):
+        return self._in
+    def init(self):
+        import os
+        self._in, self._out = os.pipe()
+    def kill(self):
+        import os
+        os.close(self._in)
+        os.close(self._out)
+"""

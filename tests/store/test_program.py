@@ -74,6 +74,7 @@ def test_the_faults_of_all_files_read_are_given_and_no_others(
     files = {Path(fault.place.file).name for fault in faults}
     assert files == {"pid.rmod", "grip.conf"}
     assert program.tasks == {}
+    assert program.unread == {"grip", "pid"}
 
 
 def test_an_application_that_cannot_be_read_is_none(

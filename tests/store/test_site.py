@@ -64,6 +64,12 @@ def test_later_duplicates_are_reported_with_their_directory(site: Site) -> None:
     ]
 
 
+def test_a_directory_of_the_search_path_that_is_none_is_noted(site: Site, tmp_path: Path) -> None:
+    assert site.absent() == ()  # R-C01, R-C20
+    (note,) = site.at(tmp_path / "typo").absent()
+    assert (note.place.file, note.is_note) == (str(tmp_path / "typo"), True)
+
+
 def test_what_is_nowhere_is_none_without_a_fault(site: Site) -> None:
     assert site.task("pid") == site.configuration("x") == (None, ())
     assert site.onikon("x", SHIPPED) == site.application("x", SHIPPED) == (None, ())

@@ -1,6 +1,6 @@
 """Faults and refusals as values."""
 
-from onika.words.fault import Fault, Place, Refusal
+from onika.words.fault import Fault, Place, Refusal, parted
 
 
 def test_a_fault_says_where_what_was_expected_what_was_found_and_what_is_done_instead():  # R-B07
@@ -27,3 +27,10 @@ def test_a_refusal_gives_its_reason_and_what_the_user_can_do():  # R-X01
     assert str(Refusal("cubic writes Q_REF already")) == "cubic writes Q_REF already"
     refusal = Refusal("cubic writes Q_REF already", ("replace cubic", "alias Q_REF"))
     assert str(refusal) == "cubic writes Q_REF already (you can: replace cubic; alias Q_REF)"
+
+
+def test_notes_are_parted_from_what_is_wrong_and_each_is_told_once():  # R-B07
+    wrong, note = Fault(Place("b"), "x", "y", "z"), Fault(Place("a"), "x", "y", "z", is_note=True)
+    assert parted([wrong, note, wrong, note]) == ((wrong,), (note,))
+    assert parted([]) == ((), ())
+    assert note != Fault(Place("a"), "x", "y", "z")

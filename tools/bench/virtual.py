@@ -35,7 +35,7 @@ class Silent:
     def __init__(self) -> None:
         self.result: event.Result | None = None
 
-    def tell(self, one: event.Event) -> None:
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
         """Keep it if it is the result."""
         if isinstance(one, event.Result):
             self.result = one

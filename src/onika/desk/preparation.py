@@ -34,7 +34,8 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
     if path is None:
         known = sorted({name for base in site.directories for name in base.applications})
         expected = f"an application file or the name of one ({', '.join(known) or 'none on the search path'})"
-        return _nothing(name_or_path, (Fault(Place(name_or_path), expected, "neither", "nothing is run"),))
+        fault = Fault(Place(name_or_path), expected, "neither", "nothing is run")
+        return _nothing(name_or_path, (fault, *site.absent()))
     syntax, faults = site.syntax()
     if syntax is None:
         return _nothing(name_or_path, faults)
@@ -50,8 +51,9 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
     places = _places(program, home)
     compiler = Compiler(program, syntax, place, places)
     plan = compiler.plan()
-    known = (*faults, *program.faults, *judged, *compiler.faults, *_notes(program, home, places))
-    found, notes = parted(known)
+    found, notes = parted(
+        (*faults, *program.faults, *judged, *compiler.faults, *_notes(program, home, places), *site.absent())
+    )
     return PreparedRun(program.application.name, program.application, plan, tuple(compiler.targets), found, notes)
 
 

@@ -11,6 +11,7 @@ from onika.host.gate import Gate
 from onika.host.inquiry import Inquiry
 from onika.host.listening import Wanted, judge
 from onika.host.loader import Loader
+from onika.host.memory import bound
 from onika.host.outlet import open_outlets
 from onika.host.patience import Patience
 from onika.host.porter import Porter
@@ -32,6 +33,7 @@ def main(words: list[str]) -> None:
     parser.add_argument("--link-fd", type=int)
     parser.add_argument("--parent", type=int)
     parser.add_argument("--virtual", action="store_true")
+    parser.add_argument("--scale", type=float)
     parser.add_argument("--no-fifo", action="store_true")
     parser.add_argument("--rtpu", action="append", default=[])
     parser.add_argument("--listen", default="", metavar="HOST:PORT")
@@ -58,9 +60,10 @@ def main(words: list[str]) -> None:
         if given.virtual:
             preload()
             patience = Patience()
-            virtual = VirtualDriver(rtpus, gate.tell, watch=patience.watch)
+            virtual = VirtualDriver(rtpus, gate.tell, watch=patience.watch, scale=given.scale)
+            bound()
             still_garbage()
-            _virtual(Program(gate, virtual, inquiry, rtpus), gate, ending)
+            _virtual(Program(gate, virtual, inquiry, rtpus), gate, virtual, ending)
         else:
             wall = WallDriver(rtpus, gate.tell, with_fifo=not given.no_fifo)
             fine_timers()
@@ -98,11 +101,13 @@ def _porter(given: argparse.Namespace) -> Porter | None:
     return porter
 
 
-def _virtual(program: Program, gate: Gate, ending: Ending) -> None:
+def _virtual(program: Program, gate: Gate, driver: VirtualDriver, ending: Ending) -> None:
     """As fast as it goes while something happens by itself; else wait for the environment."""
     while gate.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
-        select.select([*gate.readers(), *program.readers()], gate.writers(), [], 0.0 if goes_on else gate.wait_s(0.1))
+        select.select(
+            [*gate.readers(), *program.readers()], gate.writers(), [], 0.0 if goes_on else gate.wait_s(driver.wait_s())
+        )
         program.serve()
     _say_last(gate)
 

@@ -8,6 +8,7 @@ from msgspec import structs
 from onika.host import edit
 from onika.host.asking import Loading
 from onika.host.checks import absent_devices, conflicts, cycles, shapeless, shared_devices, task_of, wrong_rates
+from onika.host.forecast import Coming
 from onika.host.live import LiveSubsystem, Transaction, placed
 from onika.host.preparation import unknown_parameters
 from onika.host.stage import Stage
@@ -46,6 +47,8 @@ class Editor:
             faults += self._together(order.subsystem, kept, new) + _rates(order, [*kept, *new])
         known, unstated = self._known(order, new)
         faults += unstated
+        overloads, near = self._overloads(order, [*kept, *new]) if not faults else ([], [])
+        faults += overloads
         if faults:
             return refused(faults, notes)
         live = self._stage.by_hand(order.subsystem)
@@ -54,6 +57,8 @@ class Editor:
         live.known |= known
         comers = tuple((one, self._rtpu(one.task.rtpu)) for one in new)
         swapped = exchange([placed(one) for one in living], order.kill, [placed(one) for one in new])
+        for task, text in near:
+            live.warn(task, text)
         what = edit.Edit(swapped, comers, order.off, order.on, order.rates)
         return self._begin(live, edit.change(live, what))
 
@@ -167,6 +172,26 @@ class Editor:
         others = [one for name, live in self._stage.live.items() if name != subsystem for one in live.wired]
         faults += shared_devices([*others, *everyone]) + absent_devices(new, self._loading)
         return [of_change(fault) for fault in faults]
+
+    def _overloads(self, order: asked.Change, tasks: Sequence[WiredTask]) -> tuple[list[Fault], list[tuple[str, str]]]:
+        """Tasks for which a unit has no time, and those for which it hardly has (X13)."""
+        by_name = {one.name: one for one in tasks}
+        rates = dict(order.rates)
+        live = self._stage.live.get(order.subsystem)
+        units = {name: member.rtpu for name, member in live.members.items()} if live is not None else {}
+        coming = []
+        for name in dict.fromkeys((*(turn.task for turn in order.on), *rates)):
+            task = by_name[name].task
+            hz = rates.get(name) or (live.rates.get(name) if live is not None else None) or task.frequency or 0.0
+            rtpu = units.get(name) or self._rtpu(task.rtpu)
+            coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
+        off = [(order.subsystem, name) for name in (*order.off, *order.kill)]
+        found = self._stage.forecast.warnings(off, coming)
+        place = Place(f"subsystem {order.subsystem}")
+        faults = [
+            Fault(place, f"time for {one.task} on {one.rtpu}", text, _INSTEAD) for one, use, text in found if use > 1.0
+        ]
+        return faults, [(one.task, text) for one, use, text in found if use <= 1.0]
 
     def _known(self, order: asked.Change, new: Sequence[WiredTask]) -> tuple[dict[str, dict[str, int]], list[Fault]]:
         """What robot modules state of themselves before they live."""

@@ -13,6 +13,11 @@ class Listener(Protocol):
         """In virtual time: whether the clock goes on; it stands still while somebody outside is awaited (law 15)."""
         ...
 
+    @property
+    def is_asking(self) -> bool:
+        """Whether a task of an application waits for user input: then scaled time stands still too."""
+        ...
+
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Take in one piece of news."""
         ...

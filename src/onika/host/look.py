@@ -147,13 +147,14 @@ class Look:
             return request.Refused(f"no task of {asked.subsystem} reads or writes {', '.join(unknown)}")
         names = asked.names or tuple(sorted(table.entries))
         values = {name: plain(value) for name, value in table.values(names).items()}
-        return live.Values(values, self._seen.now * 1e-9)
+        types = {name: str(table.entries[name].shape) for name in names}
+        return live.Values(values, self._seen.now * 1e-9, types)
 
     def _findings(self, subsystem: str) -> request.Response:
         table = self._stage.tables.get(subsystem)
         if table is None:
             return request.Refused(f"there is no subsystem {subsystem}")
-        found = check(table, [_accessor(one) for one in self._members(subsystem).values()])
+        found = check(table, [_accessor(one) for one in self._stage.members(subsystem).values()])
         return live.Findings(tuple(str(one) for one in found))
 
     def _standing(self, is_stopped: bool) -> live.Standing:
@@ -167,7 +168,7 @@ class Look:
     def _subsystem(self, name: str) -> live.SubsystemStanding:
         performance = self._stage.performance_in(name)
         by_hand = self._stage.live.get(name)
-        members = self._members(name)
+        members = self._stage.members(name)
         if performance is not None:
             tasks = tuple(_task(one, one.state is State.ON, None, "") for one in members.values())
             return live.SubsystemStanding(name, performance.session, performance.application, tasks)
@@ -178,13 +179,6 @@ class Look:
             for task, one in members.items()
         )
         return live.SubsystemStanding(name, by_hand.holder, "", tasks)
-
-    def _members(self, subsystem: str) -> Mapping[str, Member]:
-        performance = self._stage.performance_in(subsystem)
-        if performance is not None:
-            return performance.members(subsystem)
-        by_hand = self._stage.live.get(subsystem)
-        return by_hand.members if by_hand is not None else {}
 
 
 def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: str) -> live.TaskStanding:

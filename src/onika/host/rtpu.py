@@ -13,6 +13,7 @@ from time import monotonic_ns
 from msgspec import Struct, msgpack
 
 from onika.host.heartbeat import Heartbeat
+from onika.host.memory import bound
 from onika.host.outlet import open_outlets
 from onika.host.post import Post
 from onika.host.schedule import become_real_time
@@ -154,6 +155,7 @@ def main(words: list[str]) -> None:
     preload()
     post = Post(socket.socket(fileno=given.fd))
     heartbeat = Heartbeat(Segment.attach(given.beat_fd))
+    bound()
     rtpu = Rtpu(given.name, post, heartbeat, given.zero)
     granted = become_real_time(given.fifo)
     heartbeat.beat()  # before it is said to be up: from then on silence counts

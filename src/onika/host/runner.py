@@ -131,6 +131,8 @@ class Runner:
         flow = self._flows.get(heard.subsystem)
         if flow is None or heard.task not in self._subsystems[flow].members:
             return
+        if self._switchboard.is_late(flow, heard.task, getattr(heard, "activation", 0)):
+            return  # it has been told to come on again meanwhile; what follows from that is what counts
         self._hear_task(flow, heard)
 
     def _hear_task(self, flow: int, heard: Any) -> None:

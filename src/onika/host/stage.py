@@ -1,16 +1,20 @@
 """The stage: every subsystem of a runtime, held by hand or by an application; news finds its way here."""
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Mapping
 from typing import Protocol
 
+from onika.host.forecast import Forecast
 from onika.host.live import LiveSubsystem
 from onika.host.performance import Performance
 from onika.host.roll import Roll
 from onika.host.units import Units
 from onika.ring.segment import Segment
-from onika.runtime import news
+from onika.runtime import command, news
+from onika.runtime.subsystem import Member
 from onika.runtime.table import SIZE, Table
 from onika.wire import event
+
+_LOADS_EVERY_NS = 1_000_000_000
 
 Tell = Callable[[event.Event, str, str], None]
 """An event, the subsystem whose listeners hear it (empty: everybody), a session that hears it in any case."""
@@ -22,6 +26,11 @@ class Tables(Units, Protocol):
     @property
     def now(self) -> int:
         """The runtime's time in ns since its start."""
+        ...
+
+    @property
+    def is_virtual(self) -> bool:
+        """Whether time is virtual."""
         ...
 
     def share(self, name: str, segment: Segment) -> None:
@@ -42,6 +51,8 @@ class Stage:
         self.performances: list[Performance] = []
         self.lost_units: dict[str, str] = {}
         self.roll = Roll(units, self._alive)
+        self.forecast = Forecast()
+        self._asked_loads_at = 0
         self.until = 0
         """Up to when the clock goes on in virtual time though no application runs."""
         self._units = units
@@ -94,14 +105,20 @@ class Stage:
     @property
     def is_moving(self) -> bool:
         """Whether the virtual clock goes on: not while a task of an application asks, or nothing wants it to."""
-        running = [one.runner for one in self.performances if not one.runner.is_over]
-        if any(runner.is_asking for runner in running):
-            return False
-        return bool(running) or self._units.now < self.until
+        is_running = any(not one.runner.is_over for one in self.performances)
+        return not self.is_asking and (is_running or self._units.now < self.until)
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether a task of an application waits for user input."""
+        return any(one.runner.is_asking and not one.runner.is_over for one in self.performances)
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Tell whose task it is."""
-        if isinstance(heard, news.Statuses | news.Loads):
+        if isinstance(heard, news.Loads):
+            self.forecast.hear(heard.rtpu, [(load, self._digest(load.subsystem, load.task)) for load in heard.tasks])
+            return
+        if isinstance(heard, news.Statuses):
             self.roll.hear(heard)
             for one in self.performances:
                 one.hear(rtpu, heard, now)
@@ -140,6 +157,26 @@ class Stage:
         self._reached = [(at, then) for at, then in self._reached if at > now]
         for then in reached:
             then()
+        self._ask_loads(now)
+
+    def _ask_loads(self, now: int) -> None:
+        """What everything costs, once a second; in virtual time nothing may depend on it."""
+        if not self._units.is_virtual and (self.live or self.performances) and now >= self._asked_loads_at:
+            self._asked_loads_at = now + _LOADS_EVERY_NS
+            for rtpu in self._alive():
+                self._units.send(rtpu, command.Load())
+
+    def _digest(self, subsystem: str, task: str) -> str:
+        member = self.members(subsystem).get(task)
+        return member.wired.task.digest if member is not None else ""
+
+    def members(self, subsystem: str) -> Mapping[str, Member]:
+        """The tasks of a subsystem, whoever holds it."""
+        performance = self.performance_in(subsystem)
+        if performance is not None:
+            return performance.members(subsystem)
+        by_hand = self.live.get(subsystem)
+        return by_hand.members if by_hand is not None else {}
 
     def _alive(self) -> list[str]:
         return [name for name in self._rtpus if name not in self.lost_units]

@@ -17,6 +17,8 @@ class Switchboard:
         self._units = units
         self._waiting: dict[int, deque[tuple[str, command.Switch]]] = {}
         self._awaited: dict[int, set[str]] = {}
+        self._activations: dict[tuple[int, str], int] = {}
+        self._launched = 0
 
     def put(self, order: orders.Switch, forget: tuple[str, ...]) -> None:
         """A switch of a flow; it begins at once, or when the one before it is through."""
@@ -32,6 +34,10 @@ class Switchboard:
             if not awaited:
                 self._next(flow)
 
+    def is_late(self, flow: int, task: str, activation: int) -> bool:
+        """Whether a word is about an earlier activation than the last one that was sent out."""
+        return 0 < activation < self._activations.get((flow, task), 0)
+
     def drop(self, flow: int) -> None:
         """Nothing more comes on in this flow."""
         self._waiting.pop(flow, None)
@@ -42,6 +48,8 @@ class Switchboard:
         while groups:
             rtpu, switch = groups.popleft()
             self._awaited[flow] = {launch.task for launch in switch.on}
+            for launch in switch.on:
+                self._activations[flow, launch.task] = launch.activation
             self._units.send(rtpu, switch)
             if self._awaited.get(flow):
                 return
@@ -55,7 +63,8 @@ class Switchboard:
             rates = tuple((name, hz) for name, hz in order.kept_rates if home[name] == rtpu)
             groups.append((rtpu, command.Switch(subsystem.name, off, forget, (), rates)))
         for start in order.on:
-            launch = command.Launch(start.task, start.arguments, start.frequency)
+            self._launched += 1
+            launch = command.Launch(start.task, start.arguments, start.frequency, self._launched)
             rtpu = home[start.task]
             if groups and groups[-1][0] == rtpu:
                 groups[-1] = (rtpu, _with(groups[-1][1], launch))

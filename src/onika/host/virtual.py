@@ -9,6 +9,7 @@ from time import monotonic_ns
 from msgspec import structs
 
 from onika.host.listener import Listener
+from onika.host.pace import Pace
 from onika.host.worlds import open_world, split
 from onika.ring.device import Drive, DriveEvent
 from onika.ring.segment import Segment
@@ -35,8 +36,11 @@ class VirtualDriver:
         tell: Callable[[event.Event], None],
         worlds: Callable[[str], World] = open_world,
         watch: Callable[[str], None] = lambda _task: None,
+        scale: float | None = None,
     ) -> None:
         self._now = 0
+        self._pace = None if scale is None else Pace(scale, 0, monotonic_ns())
+        self._is_stopped = False
         self._worlds = worlds
         self._tell = tell
         self._views: dict[str, memoryview] = {}
@@ -123,6 +127,8 @@ class VirtualDriver:
         self._deliver()
         if listener is None:
             return False
+        if self._pace is not None:
+            return self._keep_pace(self._pace, listener)
         while listener.is_moving:
             if not self._instant(listener):
                 return False
@@ -131,8 +137,16 @@ class VirtualDriver:
                 return True
         return False
 
+    def wait_s(self) -> float:
+        """How long the loop may sleep before `advance` has something to do."""
+        if self._pace is None or self._listener is None:
+            return 0.1
+        following = self._next(self._listener)
+        return 0.02 if following is None else min(0.02, self._pace.wait_s(following))
+
     def stop(self) -> None:
         """Everything off and every drive in hold, latched (law 27)."""
+        self._is_stopped = True
         for bus in self._buses.values():
             bus.world.stop()
         for name in sorted(self._rtpus):
@@ -141,6 +155,7 @@ class VirtualDriver:
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
+        self._is_stopped = False
         for bus in self._buses.values():
             bus.world.go_on()
         for name in sorted(self._rtpus):
@@ -165,12 +180,27 @@ class VirtualDriver:
 
     # Inner
 
+    def _keep_pace(self, pace: Pace, listener: Listener) -> bool:
+        """Everything that is due as far as the clock may go; the worlds go all the way."""
+        allowed = pace.allowed(monotonic_ns(), stands=listener.is_asking)
+        while not listener.is_asking:
+            following = self._next(listener)
+            if following is None or following > allowed:
+                break
+            self._instant(listener)
+            self._deliver()
+        if not listener.is_asking and allowed > self._now:
+            self._step_worlds(allowed)
+        return False
+
+    def _next(self, listener: Listener) -> int | None:
+        """The next instant at which something happens."""
+        wake, release = listener.wake_at(), self._executive.next_release()
+        return min((at for at in (wake, release) if at is not None), default=None)
+
     def _instant(self, listener: Listener) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
-        now = wake = listener.wake_at()
-        release = self._executive.next_release()
-        if release is not None and (now is None or release < now):
-            now = release
+        wake, now = listener.wake_at(), self._next(listener)
         if now is None:
             return False
         if now > self._now:
@@ -193,17 +223,20 @@ class VirtualDriver:
                 self._deliver()
 
     def _step(self, now: int) -> None:
-        """All worlds step to this time."""
+        """All worlds step to this time, and are looked at for the digest."""
+        self._step_worlds(now)
+        if now >= self._hash_at:
+            self._hash_at = now + _HASHED_EVERY_NS
+            for bus in self._buses.values():
+                self._hash.update(bus.world.fingerprint())
+
+    def _step_worlds(self, now: int) -> None:
         self._now = now
         for name, bus in self._buses.items():
             bus.step(now)
             events = bus.world.take_events()
             if events:
                 self._tell_drives(name, events)
-        if now >= self._hash_at:
-            self._hash_at = now + _HASHED_EVERY_NS
-            for bus in self._buses.values():
-                self._hash.update(bus.world.fingerprint())
 
     def _deliver(self) -> None:
         """Carry out commands until none is left; what they lead to is heard at the same instant."""
@@ -244,6 +277,8 @@ class VirtualDriver:
             self._views[f"bus:{world}"] = segment.view
             bus = Bus(world, self._worlds(world), segment)
             bus.step(self._now)
+            if self._is_stopped:
+                bus.world.stop()
             self._buses[world] = bus
         return self._buses[world]
 

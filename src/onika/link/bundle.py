@@ -127,9 +127,9 @@ class Bundle:
         """The answer to this request is not wanted any more."""
         self._first.end.forget(number)
 
-    def service(self, now_ns: int) -> None:
-        """Take in, let time pass, send."""
-        for strand in self._strands.values():
+    def service(self, now_ns: int, channel: Channel | None = None) -> None:
+        """Take in, let time pass, send, on this channel (None: on all)."""
+        for strand in self._strands.values() if channel is None else (self._strands[channel],):
             strand.pump.service(now_ns)
         self._gather(now_ns)
 

@@ -104,7 +104,8 @@ class Guests:
 
         Not if nothing was asked: then the same program may have missed the first welcome.
         """
-        return new.channel.asks and known.has_asked and new.epoch != known.epoch
+        is_other = known.has_asked or not known.fits(new.channel)
+        return new.channel.asks and is_other and new.epoch != known.epoch
 
     def _begin(self, new: Introduction) -> Session:
         self._count += 1

@@ -42,9 +42,9 @@ class Session:
         self._ports: dict[Channel, ServerPort] = {}
         self._asking: ServerPort | None = None
         self._replies = ReplyBook()
+        self._followers = ReplyBook()
         self._has_greeted = False
         self._is_present = False
-        self.heard_ns = 0
         self.has_asked = False
 
     @property
@@ -63,6 +63,11 @@ class Session:
         gone = self._asking is not None and not self._asking.is_open and not self._can_return
         return gone or (self._has_greeted and self._replies.find(self.client) is None)
 
+    @property
+    def heard_ns(self) -> int:
+        """When it was heard last on its asking channel."""
+        return 0 if self._asking is None else self._asking.heard_ns
+
     def fits(self, channel: Channel) -> bool:
         """Whether such a connection goes with those it has: one for all, or each of its own."""
         return not self._ports or (channel is Channel.ALL) == (Channel.ALL in self._ports)
@@ -71,14 +76,15 @@ class Session:
         """Serve this connection from now on, in place of any old one of its channel."""
         if channel not in self._ports:
             self._ports[channel] = self._open(channel)
-        if channel.asks:
-            self.heard_ns = now_ns
+        if not channel.asks:
+            # part of a session that is known: signals go on where they were, whoever said good-bye there
+            self._followers.begin(self.client)
         self._ports[channel].attach(carrier, now_ns)
 
-    def service(self, now_ns: int) -> list[Happening]:
-        """Take in, let time pass, send; what happened, on the asking channel first."""
+    def service(self, now_ns: int, channel: Channel | None = None) -> list[Happening]:
+        """Take in, let time pass, send, on this channel (None: on all); what happened."""
         happenings: list[Happening] = []
-        for port in self._ports.values():
+        for port in self._ports.values() if channel is None else (self._ports[channel],):
             for happening in port.service(now_ns):
                 happenings.append(happening)
                 if isinstance(happening, Asked):
@@ -95,7 +101,6 @@ class Session:
     def is_lost(self, now_ns: int) -> bool:
         """Whether it is given up now; true once for each loss."""
         if self._asking is not None and self._asking.state in _LINKED:
-            self.heard_ns = self._asking.heard_ns
             return False
         if not self._is_present or not (self.has_left or now_ns >= self.heard_ns + self._terms.lost_ns):
             return False
@@ -149,10 +154,7 @@ class Session:
             port = ServerPort(self._spoken_on(channel), self._replies, self._terms, channel, self._make)
             self._asking = port
             return port
-        # these two channels are part of a session that is known: they go on where they were
-        replies = ReplyBook()
-        replies.begin(self.client)
-        return ServerPort(self._spoken_on(channel), replies, self._terms, channel, self._make)
+        return ServerPort(self._spoken_on(channel), self._followers, self._terms, channel, self._make)
 
     def _spoken_on(self, channel: Channel) -> Journal:
         """Signals are said on one channel only; the others just need the epoch."""

@@ -8,7 +8,7 @@ from onika.runtime import news
 from onika.runtime.code import showable, told, where
 from onika.runtime.figures import values_of
 from onika.runtime.module import AskAgain
-from onika.runtime.running_task import LawBroken, RunningTask
+from onika.runtime.running_task import LawBroken, RunningTask, Strayed
 from onika.runtime.unit import Unit
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)
@@ -91,7 +91,7 @@ class Calls:
         self._unit.leave(task, now)
         task.step(Step.FAIL)
         path, line, trace = where(task.spawn.path, wrong)
-        text = told(wrong) + (self._source_of(task) if isinstance(wrong, LawBroken) else "")
+        text = told(wrong) + (self._source_of(task, wrong) if isinstance(wrong, LawBroken) else "")
         values = values_of(task.binding)
         self._unit.tell(news.Failed(*task.address, entry, text, path, line, trace, now, task.activation, values))
 
@@ -101,8 +101,10 @@ class Calls:
         except RAISED:
             return False
 
-    def _source_of(self, task: RunningTask) -> str:
+    def _source_of(self, task: RunningTask, wrong: LawBroken) -> str:
         """The task on this unit that first wrote what is not finite, in the order of data flow; empty if none did."""
+        if isinstance(wrong, Strayed):
+            return ""
         home = task.spawn.subsystem
         others = [one for one in self._unit.tasks.values() if one.spawn.subsystem == home and one is not task]
         for one in sorted(others, key=lambda other: other.spawn.rank):

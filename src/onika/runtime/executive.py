@@ -14,7 +14,7 @@ from onika.runtime.exchange import Exchange
 from onika.runtime.figures import load_of, status_of
 from onika.runtime.life import Life
 from onika.runtime.postponed import Postponed
-from onika.runtime.running_task import RunningTask
+from onika.runtime.running_task import RunningTask, Strayed
 from onika.runtime.unit import Address, Unit
 
 _NOTHING: Sequence[news.News] = ()
@@ -170,9 +170,10 @@ class Executive:
     def _first_cycle(self, task: RunningTask, now: int) -> None:
         if not task.goes_on:
             self._unit.tell(news.Cycled(*task.address, now, task.activation))
-        strays = task.strays()
-        if strays:
-            self._calls.fail(task, "check", NameError(strays), now)
+        try:
+            task.no_strays()
+        except Strayed as wrong:
+            self._calls.fail(task, "check", wrong, now)
 
     def _statuses(self, now: int) -> news.Statuses:
         span = max(now - self._busy_since_ns, 1)

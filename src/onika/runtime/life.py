@@ -105,7 +105,9 @@ class Life:
         self._begin(task, order.line, now)
 
     def signalled(self, task: RunningTask, returned: object, now: int) -> None:
-        """What a cycle returned: Table 9, as far as it is the unit's."""
+        """What a cycle returned: Table 9, as far as it is the unit's; the 0 of a C function is nothing."""
+        if type(returned) is int and not returned:
+            return
         try:
             signal: Signal = task.sound(returned)
         except TypeError as wrong:

@@ -2,11 +2,14 @@
 
 import random
 from types import SimpleNamespace
-from typing import Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from onika.model.signal import Signal
-from onika.runtime.declaration import Input, Local, PortDeclaration
+from onika.runtime.declaration import Input, Local, PortDeclaration, slot
 from onika.runtime.device import Device
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
 
 
 class ModuleError(Exception):
@@ -75,6 +78,15 @@ class Module:
         """
         return name in self.in_force
 
+    def buffer(self, name: str) -> "NDArray[Any]":
+        """The array behind a port, by its attribute's name; a scalar is one of a single element.
+
+        For compiled code that works on memory: the same array until the ports are bound anew, after which `reinit` is
+        called. That of an input may not be written. Raises AttributeError for what is no port.
+        """
+        array: NDArray[Any] = getattr(self, slot(name))
+        return array
+
     # Entry points
 
     def init(self) -> None:
@@ -95,7 +107,11 @@ class Module:
         """
 
     def cycle(self) -> Signal | None:
-        """One period of a periodic task, or the one run of an aperiodic one."""
+        """One period of a periodic task, or the one run of an aperiodic one.
+
+        Anything that can be called without arguments may stand here, on the class or set by `init`: a compiled
+        function, a `partial`, a C function. What it returns is a signal, None or the number 0 (nothing happened).
+        """
 
     def sync(self) -> Signal | None:
         """A synchronous task's event has arrived."""

@@ -10,8 +10,9 @@ from msgspec import structs
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.agenda import Slot
-from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of, undeclared
+from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of
 from onika.runtime.command import BoundPort, Spawn
+from onika.runtime.containment import Containment
 from onika.runtime.counters import Counters
 from onika.runtime.device import SILENCE_NS, Device
 from onika.runtime.module import Module, ModuleError
@@ -33,6 +34,14 @@ def period_of(frequency: float) -> int:
     return round(1e9 / frequency)
 
 
+CHECKED_EVERY = 63
+"""Once in 64 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
+
+
+class Strayed(LawBroken):
+    """A module has changed what it is bound to, or writes what is no port."""
+
+
 class RunningTask:
     """Carries out entry points in the order of the law; its owner decides when, and what an exception means."""
 
@@ -44,6 +53,7 @@ class RunningTask:
         self.state = State.WAITING
         self.module = instantiate(cls, spawn, views)
         self.binding = Binding(self.module, spawn, views)
+        self.containment = Containment(self.module)
         self.hardware = cls.hardware
         self.passive = cls.passive
         self.trigger = cls.trigger
@@ -128,6 +138,8 @@ class RunningTask:
             spawn = structs.replace(spawn, local=local)
         parameters = locals_of(type(self.module), dict(spawn.local))
         self.binding = Binding(self.module, spawn, self._views, self.binding)
+        known, self.containment = self.containment.known, Containment(self.module)
+        self.containment.known = known
         if local is not None:
             give_locals(self.module, parameters)
         self.spawn = spawn
@@ -186,6 +198,8 @@ class RunningTask:
         for write in self._writes:
             write()
         took, counters = perf_counter_ns() - began, self.counters
+        if not counters.cycles & CHECKED_EVERY:
+            self.no_strays()
         counters.total_ns += took  # as Counters.add, without a call: this runs thousands of times a second
         counters.cycles += 1
         if took > counters.most_ns:  # noqa: PLR1730 - a call of max would cost as much again
@@ -239,16 +253,11 @@ class RunningTask:
         """What the task asks for, once it is initialised."""
         return self._input
 
-    def strays(self) -> str:
-        """What is wrong with attributes that look like ports and are none; empty if there are none."""
-        names = undeclared(self.module)
-        return f"{', '.join(names)} is no port of this module: declare it or use another name" if names else ""
-
     def no_strays(self) -> None:
-        """Raises ModuleError where there are some."""
-        strays = self.strays()
-        if strays:
-            raise ModuleError(strays)
+        """Raises Strayed where the module is no more what was bound, or writes what is no port."""
+        faults = self.containment.faults()
+        if faults:
+            raise Strayed("; ".join(faults))
 
     # Hardware
 

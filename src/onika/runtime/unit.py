@@ -99,8 +99,10 @@ class Unit:
     # Variables
 
     def know_rings(self, task: RunningTask) -> None:
-        """Know the variables of a task by their names."""
-        self._rings.setdefault(task.spawn.subsystem, {}).update(task.binding.rings)
+        """Know the variables of a task by their names, and let it know those of its subsystem."""
+        rings = self._rings.setdefault(task.spawn.subsystem, {})
+        rings.update(task.binding.rings)
+        task.containment.known = rings
 
     def forget(self, subsystem: str, names: tuple[str, ...]) -> None:
         """These variables steer nothing any more (law 3)."""

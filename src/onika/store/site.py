@@ -164,6 +164,16 @@ class Site:
         )
         return tuple(fault for kind, names in zip(_FOLDERS, kinds, strict=True) for fault in self._twice(kind, names))
 
+    def absent(self) -> Faults:
+        """Directories of the search path that are none, as notes (requirement C20)."""
+        return tuple(
+            Fault(
+                Place(str(base.path)), "a base directory of the search path", "none", "it is passed over", is_note=True
+            )
+            for base in self.directories
+            if not base.path.is_dir()
+        )
+
     def _twice(self, folder: str, names: Callable[[BaseDirectory], tuple[str, ...]]) -> Iterator[Fault]:
         first: dict[str, BaseDirectory] = {}
         for base in self.directories:

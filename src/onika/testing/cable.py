@@ -28,7 +28,7 @@ class Air(Protocol):
         """A packet left this end."""
         ...
 
-    def came(self, plug: "Plug", packet: Packet) -> None:
+    def came(self, plug: "Plug", packet: Packet, payload: bytes) -> None:
         """A packet came to this end; it lies in its inbox."""
         ...
 
@@ -89,7 +89,7 @@ class Plug:
         self.cable.heard_welcome |= isinstance(packet, Welcome)
         self.heard_ns = self._air.now_ns
         self._inbox.append(payload)
-        self._air.came(self, packet)
+        self._air.came(self, packet, payload)
 
     def hear_end(self) -> None:
         """The connection is no more."""

@@ -28,8 +28,8 @@ from onika.testing.witness import Wanted, Who, Witness
 from onika.wire.packet import Bye, Hello, Packet, encode
 
 _MS = 1_000_000
-_STORM_NS = 5_000 * _MS
-_CALM_NS = 4_000 * _MS
+_STORM_NS = 4_000 * _MS
+_CALM_NS = 3_500 * _MS
 _SLACK_NS = 60 * _MS
 
 MakeEpoch = Callable[[int], str]
@@ -103,8 +103,8 @@ class History:
         self._weather = Weather.draw(self._random)
         self._programs = programs
         self._terms = Terms(
-            beat_ns=250 * _MS,
-            suspect_ns=600 * _MS,
+            beat_ns=300 * _MS,
+            suspect_ns=700 * _MS,
             lost_ns=1_500 * _MS,
             greeting_ns=1_500 * _MS,
             retry_ns=0 if self._weather.is_reliable else 250 * _MS,
@@ -123,7 +123,7 @@ class History:
         self._names = 0
         self._is_calm = False
         self._house = self._start_house()
-        self._environments = [self._start_environment(n, "") for n in range(self._random.choice((1, 1, 2, 3)))]
+        self._environments = [self._start_environment(n, "") for n in range(self._random.choice((1, 1, 1, 2, 2, 3)))]
 
     def run(self) -> Report:
         """Live through it; stops at the first fault."""
@@ -223,10 +223,10 @@ class History:
     def _clock(self, party: _Party) -> int:
         return self.now_ns + party.clock_ns
 
-    def _serve(self, one: _Environment) -> None:
+    def _serve(self, one: _Environment, channel: Channel | None = None) -> None:
         if not one.is_up:
             return
-        one.bundle.service(self._clock(one))
+        one.bundle.service(self._clock(one), channel)
         asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
         stream = one.plugs.get(Channel.STREAM) or asking
         for happening in one.bundle.take_happenings():
@@ -239,11 +239,10 @@ class History:
         house = self._house
         if not house.is_up or session not in house.guests.sessions:
             return
-        for happening in session.service(self._clock(house)):
+        for happening in session.service(self._clock(house), cable.channel if cable is not None else None):
             self._witness.served(session.name, session.epoch, happening, cable, self.now_ns)
             if isinstance(happening, Asked):
                 self._after(self._uniform(0, 800), partial(self._answer, house, session, happening))
-        self._look_for_lost()
         self._wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))
 
     def _wake(self, whom: _Environment | Session, due_ns: int | None, act: Callable[[], None]) -> None:
@@ -323,11 +322,11 @@ class History:
         elif blind_ns <= self.now_ns and self._random.random() < 0.5:
             self._after(self._delay(), act)
 
-    def came(self, plug: Plug, packet: Packet) -> None:
+    def came(self, plug: Plug, packet: Packet, payload: bytes) -> None:
         """A packet lies in the inbox of an end."""
-        self._digest.update(b"%d %d " % (self.now_ns, plug.is_runtime) + encode(packet))
+        self._digest.update(b"%d %d " % (self.now_ns, plug.is_runtime) + payload)
         if not plug.is_runtime:
-            self._serve(self._environments_of(plug))
+            self._serve(self._environments_of(plug), plug.cable.channel)
             return
         session = self._session_at(plug)
         if session is None and self._house.is_up and isinstance(packet, Hello):

@@ -64,6 +64,7 @@ class Witness:
         self._stories: dict[str, _Story] = {}
         self._guests: dict[str, _Guest] = {}
         self._clients: dict[str, str] = {}
+        self._anew: set[str] = set()
 
     # -- what really happens
 
@@ -77,7 +78,8 @@ class Witness:
             wanted.is_abandoned |= wanted.client == client
 
     def comes_anew(self, client: str) -> None:
-        """A new one comes under an old name."""
+        """A new one comes under an old name, in whose sessions nothing is promised to the old one any more."""
+        self._anew.add(client)
         for name, other in self._clients.items():
             if other == client and name in self._guests:
                 self._guests[name].has_left = True
@@ -159,7 +161,7 @@ class Witness:
             self.faults.append(f"session {name} was given up, but it was not there")
             return
         silence_ns = now_ns - guest.heard_ns
-        fine = guest.has_left or silence_ns >= lost_ns
+        fine = guest.has_left or self._clients[name] in self._anew or silence_ns >= lost_ns
         self._unless(fine, f"session {name} was given up {silence_ns} ns after it was heard")
         guest.is_there = False
 

@@ -31,5 +31,5 @@ def test_a_file_that_cannot_be_written_is_told_and_nothing_is_left(sit, tmp_path
 
 
 def test_a_type_that_the_runtime_says_counts_more_than_the_look_of_a_value():
-    values = Values({"X": 1.0}, 0.0)
-    assert log.rows("main", values) == ["0.000000 main X double 1.0"]
+    values = Values({"X": 1.0, "Y": 1.0}, 0.0, {"X": "float"})
+    assert log.rows("main", values) == ["0.000000 main X float 1.0", "0.000000 main Y double 1.0"]

@@ -41,11 +41,14 @@ def test_what_only_machines_want_is_not_told(one):
     assert list(lines(one)) == []
 
 
-def test_a_failure_shows_place_traceback_and_source_line():  # R-A18
+def test_a_failure_shows_place_traceback_source_line_and_values():  # R-A18
     trace = "  File pd.py, line 7, in cycle\n    return 1 / 0\n"
-    told = [line for line, _ in lines(event.Failed("main", "pd", "ZeroDivisionError", "pd.py", 7, trace, 1.0))]
+    told = [
+        line
+        for line, _ in lines(event.Failed("main", "pd", "ZeroDivisionError", "pd.py", 7, trace, 1.0, "cycle", {"K": 2}))
+    ]
     assert told[0] == "     1.00 s  ERROR main/pd: ZeroDivisionError (pd.py:7)"
-    assert [line.strip() for line in told[1:]] == ["File pd.py, line 7, in cycle", "return 1 / 0"]
+    assert [line.strip() for line in told[1:]] == ["File pd.py, line 7, in cycle", "return 1 / 0", "K = 2"]
 
 
 @pytest.mark.parametrize(

@@ -56,6 +56,14 @@ def found(
     return [f"{fault.expected}: {fault.found}" for fault in given]
 
 
+def test_what_is_there_and_at_fault_itself_is_not_missed():  # R-B07
+    application = Application("work", False, (AppFlow((CLOSE, icon("move", "Complete job"))),))
+    there = {"close": CONFIGURATIONS["close"]}
+    missed = faults(application, SYNTAX, there, {}, PLACE)
+    assert [fault.expected for fault in missed] == ["the configuration move", "the task grip"]
+    assert faults(application, SYNTAX, there, {}, PLACE, unread=frozenset({"move", "grip"})) == ()
+
+
 def test_a_whole_application_is_ready() -> None:
     assert found((MOVE, THERE, CLOSE, NOP)) == []  # R-E01
 

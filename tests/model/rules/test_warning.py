@@ -28,5 +28,6 @@ def test_all_triggers_but_the_first_are_named() -> None:
         Task("cmove", "c", object_type="Cartesian job"),
     ]
     (fault,) = further_triggers(tasks, PLACE)  # R-C29
+    assert fault.is_note
     assert fault.found == "`cmove` (Cartesian job) beside `jmove`"
     assert further_triggers(tasks[:2], PLACE) == ()

@@ -6,11 +6,12 @@ from statistics import median
 
 from beside.contestant import Absent, Contestant, Figures
 from beside.peers import why_absent
+from beside.punctuality.lateness import is_fifo_granted
 
 
 @dataclass(frozen=True, slots=True)
 class Entrant:
-    """Who takes part: its name, its module, the package it needs, and the goal: ours at most `goal` times its figure."""
+    """Who takes part: name, module, the package it needs, and the goal: ours is at most `goal` times its figure."""
 
     name: str
     module: str
@@ -30,6 +31,8 @@ class Contest:
     size: int
     quick_size: int
     check: Callable[[Figures], None] | None = None
+    needs_fifo: bool = False
+    """Whether it means nothing without SCHED_FIFO."""
     extras: tuple[tuple[str, str], ...] = ()
     """Further figures to print: name and heading."""
 
@@ -76,6 +79,8 @@ def hold(contest: Contest, rounds: int, *, is_quick: bool = False, alone: bool =
 
     Raises `Absent` where Onika itself cannot take part; of a peer that is a line of the outcome.
     """
+    if contest.needs_fifo and not is_fifo_granted():
+        raise Absent("SCHED_FIFO is not granted here")
     size = contest.quick_size if is_quick else contest.size
     scores = [Score(one) for one in (contest.ours, *(() if alone else contest.peers))]
     present: list[tuple[Score, Contestant]] = []

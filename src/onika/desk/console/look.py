@@ -160,8 +160,7 @@ def refused(session: Session, expected: str, answer: request.Response) -> Faults
 
 def types_of(values: live.Values) -> dict[str, str]:
     """The type of each variable: as the runtime says, else as its value looks."""
-    said: dict[str, str] = getattr(values, "types", {})
-    return {name: said.get(name) or type_of(found) for name, found in values.values.items()}
+    return {name: values.types.get(name) or type_of(found) for name, found in values.values.items()}
 
 
 def _one_line(name: str, found: Any) -> list[str]:

@@ -1,7 +1,6 @@
 """What a runtime tells, as lines of a console."""
 
 from collections.abc import Iterator
-from typing import Any
 
 from onika.desk.console.face import Tone
 from onika.desk.console.value import shown
@@ -66,9 +65,8 @@ def _failed(one: event.Failed) -> Iterator[Line]:
     yield f"{_at(one.at_s)}  ERROR {one.subsystem}/{one.task}: {one.text}{where}", Tone.FAULT
     for line in one.traceback.rstrip().splitlines():
         yield f"    {line}", Tone.DIM
-    values: dict[str, Any] = getattr(one, "values", {})
-    for name in sorted(values):
-        for line in shown(name, values[name]):
+    for name in sorted(one.values):
+        for line in shown(name, one.values[name]):
             yield f"    {line}", Tone.DIM
 
 

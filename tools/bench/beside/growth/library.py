@@ -4,6 +4,7 @@ import tempfile
 from pathlib import Path
 
 import library
+
 import onika
 from beside.contestant import Figures, serve
 from onika.store.base_directory import BaseDirectory

@@ -3,6 +3,7 @@
 import onika
 from beside.contestant import Figures, serve
 from beside.sequence.onika_sweep import Sweep
+from onika.host.patience import Patience
 
 CYCLES = 40_000
 
@@ -10,10 +11,11 @@ CYCLES = 40_000
 def main() -> None:
     """The contestant; a size is a number of tasks."""
     known: dict[int, Sweep] = {}
+    watch = Patience().watch
 
     def measure(tasks: int) -> Figures:
         if tasks not in known:
-            known[tasks] = Sweep(tasks)
+            known[tasks] = Sweep(tasks, watch)
         return {"figure": known[tasks].run(max(1, CYCLES // tasks)) / tasks}
 
     serve(onika.__version__, measure)

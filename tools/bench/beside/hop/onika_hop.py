@@ -36,12 +36,13 @@ class End:
 
     def wait(self) -> bool:
         """Until woken; then `got` is what the other end has sent. False when it is gone."""
-        post = self._post
-        select.select([post], [], [], 1.0)
-        while post.receive() is not None:
-            pass
+        post, is_woken = self._post, False
+        while not (is_woken or post.is_closed):
+            select.select([post], [], [])
+            while post.receive() is not None:
+                is_woken = True
         self._read()
-        return not post.is_closed
+        return is_woken
 
 
 def contestant() -> None:
@@ -51,6 +52,7 @@ def contestant() -> None:
     start("beside.hop.onika_hop", (str(theirs.fileno()), str(segment.fd)), (theirs.fileno(), segment.fd))
     theirs.close()
     end = End(post, segment, 0)
+    end.wait()  # the partner is there
 
     def there_and_back(values: list[float]) -> list[float]:
         end.sent[:] = values
@@ -69,6 +71,7 @@ def partner(words: list[str]) -> None:
     """Sends back what it gets."""
     post = Post(socket.socket(fileno=int(words[0])))
     end = End(post, Segment.attach(int(words[1])), 1)
+    end.send()
     while end.wait():
         end.sent[:] = end.got
         end.send()

@@ -2,6 +2,7 @@
 
 import socket
 import struct
+from importlib.metadata import version
 from typing import Any
 
 import zenoh
@@ -9,7 +10,6 @@ import zenoh
 from beside.contestant import Figures, serve
 from beside.hop.partner import either, start
 from beside.hop.vector import SIZE, hops
-from importlib.metadata import version
 
 _FORM = struct.Struct(f"{SIZE}d")
 _THERE, _BACK = "hop/there", "hop/back"

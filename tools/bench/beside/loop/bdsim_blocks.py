@@ -7,8 +7,8 @@ from importlib.metadata import version
 from time import perf_counter_ns
 
 import bdsim
-
 import numpy as np
+
 from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS, RATE_HZ, SIZE, STEP_S, path, torque
 

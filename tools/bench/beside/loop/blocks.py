@@ -3,6 +3,8 @@
 The joint is a unit mass, integrated by explicit Euler: the controller at step k sees the joint as step k-1 left it.
 """
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -40,6 +42,7 @@ def moved(position: Vector, rate: Vector, pushed: Vector) -> tuple[Vector, Vecto
     return position + STEP_S * rate, rate + STEP_S * pushed
 
 
+@lru_cache(maxsize=64)
 def expected(steps: int) -> Vector:
     """The joint's position after so many steps, by a plain loop."""
     old, position, rate = path(0.0), np.zeros(SIZE), np.zeros(SIZE)

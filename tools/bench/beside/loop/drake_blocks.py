@@ -8,7 +8,6 @@ from time import perf_counter_ns
 from typing import Any
 
 import numpy as np
-
 from pydrake.systems.analysis import Simulator
 from pydrake.systems.framework import DiagramBuilder, LeafSystem
 

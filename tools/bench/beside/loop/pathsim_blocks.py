@@ -7,10 +7,10 @@ samples: its leanest way for such a loop. A vector is six channels.
 from importlib.metadata import version
 from time import perf_counter_ns
 
+import numpy as np
 from pathsim import Connection, Simulation
 from pathsim.blocks import Block
 
-import numpy as np
 from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS, SIZE, STEP_S, derivative, moved, path, torque
 

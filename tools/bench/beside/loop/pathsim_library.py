@@ -6,11 +6,11 @@ Explicit Euler with a fixed step; a vector is six channels. pathsim evaluates th
 from importlib.metadata import version
 from time import perf_counter_ns
 
+import numpy as np
 from pathsim import Connection, Simulation
 from pathsim.blocks import DiscreteDerivative, Function, Integrator, Source
 from pathsim.solvers import EUF
 
-import numpy as np
 from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS, SIZE, STEP_S, path, torque
 
@@ -27,7 +27,7 @@ def main() -> None:
         Connection(source[:SIZE], differ[:SIZE], control[:SIZE]),
         Connection(differ[:SIZE], control[SIZE : 2 * SIZE]),
         Connection(position[:SIZE], control[2 * SIZE : 3 * SIZE]),
-        Connection(rate[:SIZE], control[3 * SIZE :4 * SIZE], position[:SIZE]),
+        Connection(rate[:SIZE], control[3 * SIZE : 4 * SIZE], position[:SIZE]),
         Connection(control[:SIZE], rate[:SIZE]),
     ]
     blocks = [clock, source, differ, control, position, rate]

@@ -5,6 +5,7 @@ writers, the old task off, the new task on with its argument line parsed, events
 action's beginning to the last one's end; spawning and killing tasks are left out.
 """
 
+from collections.abc import Callable
 from time import perf_counter_ns
 
 import onika
@@ -40,7 +41,7 @@ class Gate:
         self.began_ns = self.done_ns = 0
         self.result: event.Result | None = None
 
-    def tell(self, one: event.Event) -> None:
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
         """Take it in."""
         if isinstance(one, event.Began):
             self.began_ns = self.began_ns or perf_counter_ns()
@@ -60,7 +61,7 @@ class Gate:
 class Application:
     """The application, prepared; every run is the same."""
 
-    def __init__(self, actions: int = ACTIONS) -> None:
+    def __init__(self, actions: int = ACTIONS, watch: Callable[[str], None] = lambda _task: None) -> None:
         shop = Workshop()
         names = [f"step{number:02}" for number in range(actions)]
         for number, name in enumerate(names):
@@ -69,7 +70,7 @@ class Application:
         self._prepared = prepare(shop.plan([action(name) for name in names]), (), DirectLoading())
         if self._prepared.faults:
             raise ValueError(str(self._prepared.faults))
-        self._watch = Patience().watch
+        self._watch = watch
 
     def run(self) -> float:
         """Microseconds from the first action's beginning to the last one's end."""
@@ -87,7 +88,7 @@ class Application:
 
 def main() -> None:
     """The contestant."""
-    application = Application()
+    application = Application(watch=Patience().watch)
 
     def measure(runs: int) -> Figures:
         return {"figure": sum(application.run() for _ in range(runs)) / runs}

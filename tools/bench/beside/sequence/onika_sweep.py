@@ -3,10 +3,11 @@
 Every task has a vector of six copied in and one copied out; there is no logic of actions in it.
 """
 
+from collections.abc import Callable
 from time import perf_counter_ns
 
 import onika
-from beside.contestant import Figures, serve
+from beside.contestant import serve
 from beside.unit import Household
 from onika.host.patience import Patience
 from onika.runtime.executive import Executive
@@ -28,9 +29,9 @@ class Idle(Module):
 class Sweep:
     """So many idle tasks in a chain, ON at 1000 Hz."""
 
-    def __init__(self, tasks: int) -> None:
+    def __init__(self, tasks: int, watch: Callable[[str], None] | None = None) -> None:
         self.house = Household()
-        self.executive = Executive("", self.house.views, Patience().watch)
+        self.executive = Executive("", self.house.views, watch)
         names = [f"idle{number:03}" for number in range(tasks)]
         for rank, name in enumerate(names):
             aliases = {"IN": f"V{rank}", "OUT": f"V{rank + 1}"}
@@ -54,7 +55,7 @@ class Sweep:
 
 def main() -> None:
     """The contestant."""
-    sweep = Sweep(ACTIONS)
+    sweep = Sweep(ACTIONS, Patience().watch)
     serve(onika.__version__, lambda sweeps: {"figure": sweep.run(sweeps)})
 
 

@@ -1,0 +1,55 @@
+"""The forecast: whether a unit has the time for what is to come ON, from what cycles have taken so far (X13)."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from msgspec import structs
+
+from onika.runtime.load import TaskLoad, predict
+
+_ENOUGH_CYCLES = 10
+"""Fewer say nothing: the first cycles of a module are its slowest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Coming:
+    """A task that is to come ON, or to change its rate in hertz; `digest` names its code."""
+
+    rtpu: str
+    subsystem: str
+    task: str
+    digest: str
+    hz: float
+
+
+class Forecast:
+    """Knows the newest loads of all units, and what each module's cycle took wherever it ran."""
+
+    def __init__(self) -> None:
+        self._units: dict[str, dict[tuple[str, str], TaskLoad]] = {}
+        self._cycles_us: dict[str, float] = {}
+
+    def hear(self, rtpu: str, tasks: Iterable[tuple[TaskLoad, str]]) -> None:
+        """The loads of one unit's tasks, each with the digest of its code."""
+        loads = self._units[rtpu] = {}
+        for load, digest in tasks:
+            loads[load.subsystem, load.task] = load
+            if load.cycles >= _ENOUGH_CYCLES:
+                self._cycles_us[digest] = load.mean_us
+
+    def warnings(self, off: Iterable[tuple[str, str]], coming: Iterable[Coming]) -> list[tuple[Coming, float, str]]:
+        """Who would take a unit beyond its margin, to what use, and the sentence; what was never measured is free."""
+        units = {rtpu: dict(tasks) for rtpu, tasks in self._units.items()}
+        for address in off:
+            for tasks in units.values():
+                tasks.pop(address, None)
+        found = []
+        for one in coming:
+            tasks = units.setdefault(one.rtpu, {})
+            took = self._cycles_us.get(one.digest, 0.0)
+            load = TaskLoad(one.subsystem, one.task, True, one.hz, took, took)
+            prediction = predict(one.rtpu, tasks.values(), load)
+            tasks[one.subsystem, one.task] = structs.replace(load, is_on=True)
+            if prediction.warning and took:
+                found.append((one, prediction.use, prediction.warning))
+        return found

@@ -1,0 +1,59 @@
+"""What a module may not do to itself while it lives: make its ports something else than what is bound."""
+
+from collections.abc import Collection
+
+from onika.runtime.binding import undeclared
+from onika.runtime.declaration import PortDeclaration, slot
+from onika.runtime.module import Module
+
+_FLAGS = ("trigger", "passive", "hardware", "crit")
+
+
+class Containment:
+    """Remembers an instance as it was bound; `known` are the variables of its subsystem, as they come to be known."""
+
+    def __init__(self, instance: Module) -> None:
+        self._instance = instance
+        self._class = type(instance)
+        self._ports = dict(self._class.declared_ports)
+        self._flags = {flag: getattr(self._class, flag) for flag in _FLAGS}
+        self._buffers = {port: getattr(instance, slot(port)) for port in self._ports}
+        self.known: Collection[str] = ()
+
+    def faults(self) -> list[str]:
+        """Everything that is wrong by now, as sentences."""
+        return [*self._strays(), *self._class_faults(), *self._lost_buffers()]
+
+    def _strays(self) -> list[str]:
+        names = undeclared(self._instance)
+        foreign = [name for name in names if name in self.known]
+        others = [name for name in names if name not in self.known]
+        found = [f"{name} is a variable of other tasks: this module has no port for it" for name in foreign]
+        if others:
+            found.append(f"{', '.join(others)} is no port of this module: declare it or use another name")
+        return found
+
+    def _class_faults(self) -> list[str]:
+        cls = type(self._instance)
+        if cls is not self._class:
+            return [f"it has turned from a {self._class.__name__} into a {cls.__name__}"]
+        found = []
+        late = {name for name, one in vars(cls).items() if isinstance(one, PortDeclaration)}
+        changed = sorted(late | {name for name in (*self._ports, *cls.declared_ports) if self._is_changed(name)})
+        if changed:
+            found.append(
+                f"{', '.join(changed)} was declared or changed after the module was loaded: it is bound to nothing"
+            )
+        flags = [flag for flag, value in self._flags.items() if getattr(self._instance, flag) != value]
+        if flags:
+            found.append(f"{', '.join(flags)} may not change after the module was loaded")
+        return found
+
+    def _is_changed(self, port: str) -> bool:
+        now = self._class.declared_ports.get(port)
+        return now is not self._ports.get(port) or not isinstance(getattr(self._class, port, None), property)
+
+    def _lost_buffers(self) -> list[str]:
+        own = vars(self._instance)
+        lost = sorted(port for port, buffer in self._buffers.items() if own.get(slot(port)) is not buffer)
+        return [f"the memory behind {', '.join(lost)} was exchanged: write into it"] if lost else []

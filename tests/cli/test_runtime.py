@@ -1,0 +1,77 @@
+from typing import ClassVar
+
+import pytest
+
+from onika.cli import main
+from onika.cli import runtime as room
+
+
+class Launched:
+    """A runtime that is not launched; it remembers how it would have been."""
+
+    seen: ClassVar[list] = []
+
+    def __init__(self, *given):
+        self.seen.append(given)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def printed(self):
+        return "onika runtime: listening on ws://127.0.0.1:41234, token in /x/token\n"
+
+
+@pytest.fixture
+def sits(monkeypatch):
+    """How the console would have been held."""
+    seen = []
+    Launched.seen = []
+    monkeypatch.setattr(room, "Runtime", Launched)
+    monkeypatch.setattr(
+        room, "sit_down", lambda runtime, site, script, **given: seen.append((site, script, given)) or 0
+    )
+    return seen
+
+
+def test_a_runtime_is_started_for_this_console_alone_unless_said_otherwise(sits):  # R-A16
+    assert main(["runtime"]) == 0
+    assert Launched.seen == [(("rt0",), False, True, ())]
+    ((_, script, given),) = sits
+    assert (script, given) == (None, {"has_console": True, "addresses": ()})
+
+
+def test_every_option_reaches_the_runtime_or_the_console(sits, tmp_path):  # R-A06, R-A16
+    path = tmp_path / "start"
+    path.write_text("")
+    words = ["--virtual", "--rtpu", "a", "--rtpu", "b", "--no-fifo", "--script", str(path), "--no-console"]
+    assert main(["runtime", *words, "--base", str(tmp_path)]) == 0
+    assert Launched.seen == [(("a", "b"), True, False, ())]
+    ((site, script, given),) = sits
+    assert (site.directories[0].path, script, given["has_console"]) == (tmp_path, path, False)
+
+
+def test_the_network_channel_is_opened_at_the_start_and_its_address_told(sits):  # R-A16
+    assert main(["runtime", "--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--accept-code"]) == 0
+    assert Launched.seen[0][3] == ("--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--accept-code")
+    assert sits[0][2]["addresses"] == ("ws://127.0.0.1:41234",)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--no-console"], "expected --listen or --script with --no-console"),
+        (["--cert", "c"], "expected --listen HOST:PORT with --cert"),
+        (["--script", "none"], "expected a file of lines, found none at 'none'"),
+        (["--rtpu", "7"], "expected a name of letters, digits"),
+        (["--base", "none"], "expected a base directory"),
+    ],
+)
+def test_a_wrong_command_line_is_told_and_ends_with_2(sits, capsys, words, said):
+    with pytest.raises(SystemExit) as ended:
+        main(["runtime", *words])
+    assert ended.value.code == 2
+    assert said in capsys.readouterr().err
+    assert Launched.seen == []
