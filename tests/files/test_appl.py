@@ -89,6 +89,19 @@ def test_an_unknown_target_leaves_a_hole_and_an_unknown_job_stays() -> None:
     assert second.instead == "it acts as Complete job, its data is asked for while it runs"
 
 
+def test_a_target_of_unknown_type_is_written_again_as_it_was() -> None:
+    push, hit = (icon(name, "Force object", "SYNCHTAG x\n").replace("UI          1.0", "UI a  b") for name in "ph")
+    first, _ = read(application(icon("move", "Joint job"), push, hit, "ICONHOLE", "ICONHOLE"), "w", "f", SYNTAX)
+    assert first  # R-D16, R-B07
+    text = write(first)
+    assert text.count("ICONHOLE") == 1
+    assert text.count("Force object") == 2
+    assert "SYNCHTAG    x\n" in text
+    again, _ = read(text, "w", "f", SYNTAX)
+    assert again == first
+    assert write(again) == text
+
+
 def test_the_marks_of_a_target_belong_to_its_job() -> None:
     home = icon("home", "Joint object", "SYNCHTAG meet\nWHILETAG again\nWHILETEST yes\n").replace(
         "MARKER      no", "MARKER yes"

@@ -415,7 +415,7 @@ def test_a_signal_that_comes_twice_is_told_twice_only_where_the_task_is_still_on
 
 @pytest.mark.parametrize("said", TABLE_9)
 def test_a_signal_of_each_activation_is_told_apart(said):  # R-A07
-    kind, state = TABLE_9[said]
+    kind, _ = TABLE_9[said]
     rig = said_rig(said).run(0).switch(off=["one"]).do(command.Clear(HOME, "one"))
     rig.switch(on=[command.Launch("one", activation=9)]).run(rig.now)
     numbers = {one.activation for _, one in rig.news if isinstance(one, kind) and hasattr(one, "activation")}

@@ -1,6 +1,6 @@
 """The law of the cycle, told by the reference; and the executive, which must tell the same story of any tasks."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import pytest
 from hypothesis import given, settings
@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from onika.model.lifecycle import State
 from onika.module import finish, off
 from onika.runtime import command, news
-from onika.runtime.law_task import LawTask
+from onika.runtime.law_task import LawSwap, LawTask
 from onika.runtime.reference import Reference
 from onika.testing.rig import HOME, Rig
 from onika.testing.worlds import MassWorld
@@ -41,6 +41,7 @@ class Probe:
     nan_at: int = 0
     mends: bool = False
     fails_in: str = ""  # the first time this entry is called
+    takes: bool = False  # goes on where the code before it stood
     is_idle_on: bool = False  # `on` leaves the outputs as they were preloaded
 
     @property
@@ -91,7 +92,12 @@ def law_task(probe):
     def leave(moment):
         first(moment, "off")
 
+    def take(moment):
+        moment.memory.update(n=moment.former["n"], k=moment.former["k"])
+        first(moment, "take")
+
     code = {"init": init, "on": on, "cycle": cycle, "hold": move, "off": leave, "error": lambda _: probe.mends}
+    code |= {"take": take} if probe.takes else {}
     return LawTask(
         probe.name, code, probe.period, probe.is_periodic, probe.crit, probe.rank, probe.cost, bool(probe.finish_after),
         bool(probe.device), probe.device, probe.inconst, probe.outconst, probe.invar, probe.outvar,
@@ -179,6 +185,7 @@ class Probe(Module):
     @traced
     def hold(self):
         self.move()
+{TAKE if probe.takes else ""}
 
     @traced
     def off(self):
@@ -198,10 +205,56 @@ class Probe(Module):
 """
 
 
+TAKE = """
+    @traced
+    def take(self, old):
+        self.n, self.k = old.n, old.k
+        self.first("take")
+"""
+
+
+@dataclass(frozen=True)
+class Exchanged:
+    """A request: this probe in place of the one of its name."""
+
+    probe: Probe
+
+
+class TracedRig(Rig):
+    """Instances that come later write into the one trace too, where they belong."""
+
+    trace = None
+
+    def do(self, order):
+        before = len(self.trace or ())
+        super().do(order)
+        if self.trace is not None:
+            for task in self.executive.tasks.values():
+                if task.module.trace is not self.trace:
+                    self.trace[before:before] = task.module.trace
+                    task.module.trace = self.trace
+        return self
+
+    def of(self, request):
+        """A request as a command."""
+        return command.Swap(self.order_of(request.probe)) if isinstance(request, Exchanged) else request
+
+    def order_of(self, one):
+        kind = "periodic" if one.is_periodic else "aperiodic"
+        given = {"frequency": one.frequency, "kind": kind, "rank": one.rank, "device": one.device}
+        return self.spawn_of(one.name, source(one), **given)
+
+
+def to_law(request):
+    return LawSwap(law_task(request.probe)) if isinstance(request, Exchanged) else request
+
+
 def by_law(probes, requests, until, react):
     world = MassWorld()
-    reference = Reference([law_task(one) for one in probes], world, lambda task, _: react.get(task, []))
-    reference.run(until, requests)
+    reference = Reference(
+        [law_task(one) for one in probes], world, lambda task, _: list(map(to_law, react.get(task, [])))
+    )
+    reference.run(until, [(at, to_law(one)) for at, one in requests])
     return reference, world
 
 
@@ -210,16 +263,16 @@ def by_executive(probes, requests, until, react):
 
     def reply(one):
         is_signal = isinstance(one, news.Finished) or (isinstance(one, news.Changed) and one.signal)
-        return react.get(one.task, []) if is_signal else []
+        return list(map(rig.of, react.get(one.task, []))) if is_signal else []
 
-    rig = Rig(world, costs={one.name: one.cost for one in probes}, react=reply)
+    rig = TracedRig(world, costs={one.name: one.cost for one in probes}, react=reply)
     for one in probes:
-        kind = "periodic" if one.is_periodic else "aperiodic"
-        rig.spawn(one.name, source(one), frequency=one.frequency, kind=kind, rank=one.rank, device=one.device)
+        rig.do(rig.order_of(one))
         module = rig.task(one.name).module
         trace += module.trace
         module.trace = trace
-    rig.run(until, requests)
+    rig.trace = trace
+    rig.run(until, [(at, rig.of(one)) for at, one in requests])
     return rig, world, trace
 
 
@@ -234,6 +287,10 @@ def words(rig):
                 said.append((at, one.task, "OFF"))
             case news.Initialised() if any(before[1:] == (one.task, "ERROR") for before in said):
                 said.append((at, one.task, "OFF"))
+            case news.Reinitialised():
+                said.append((at, one.task, "reinit"))
+            case news.Swapped():
+                said.append((at, one.task, "swapped"))
             case news.Finished():
                 said.append((at, one.task, "signal FINISH"))
             case news.Failed():
@@ -300,8 +357,28 @@ def some_probes(draw, with_costs=False):
 
 
 @st.composite
-def some_request(draw, names):
-    kind = draw(st.sampled_from(("switch",) * 6 + ("clear", "clear", "kill")))
+def some_exchange(draw, probe):
+    """The same ports and rate; another place at one instant, other misbehaviour."""
+    small = st.integers(-20, 20).map(lambda count: count if count > 1 else 0)
+    changes = {name: draw(small) for name in ("finish_after", "off_after", "fail_at", "nan_at")}
+    changes |= {name: draw(st.booleans()) for name in ("mends", "takes", "is_idle_on")}
+    changes |= {name: draw(st.integers(0, 2)) for name in ("crit", "rank")}
+    return Exchanged(
+        replace(probe, fails_in=draw(st.sampled_from(("", "", "", "init", "on", "off", "take"))), **changes)
+    )
+
+
+@st.composite
+def some_request(draw, probes):
+    names = sorted(one.name for one in probes)
+    kind = draw(st.sampled_from(("switch",) * 6 + ("clear", "clear", "kill", "rank", "reinit", "swap", "swap")))
+    if kind == "swap":
+        return draw(some_exchange(draw(st.sampled_from(probes))))
+    if kind == "reinit":
+        return command.Reinit(HOME, draw(st.sampled_from(names)))
+    if kind == "rank":
+        ranks = st.tuples(st.sampled_from(names), st.integers(-1, 3))
+        return command.Rank(HOME, tuple(draw(st.lists(ranks, max_size=3))))
     if kind == "clear":
         return command.Clear(HOME, draw(st.sampled_from(names)))
     if kind == "kill":
@@ -326,9 +403,9 @@ def some_story(draw, with_costs=False):
     names = sorted(one.name for one in probes)
     everyone = command.Switch(HOME, (), (), tuple(command.Launch(name) for name in names))
     times = st.integers(0, 300).map(lambda ms: ms * MS) | st.integers(0, 300 * MS)
-    requests = draw(st.lists(st.tuples(times, some_request(names)), max_size=6))
+    requests = draw(st.lists(st.tuples(times, some_request(probes)), max_size=8))
     triggers = [one.name for one in probes if one.finish_after or one.off_after]
-    react = {name: [draw(some_request(names))] for name in triggers}
+    react = {name: [draw(some_request(probes))] for name in triggers}
     return probes, [(0, everyone), *sorted(requests, key=lambda one: one[0])], react
 
 

@@ -11,7 +11,8 @@ from onika.module import InBoth, InConst, Input, InVar, Local, Module, ModuleErr
 from onika.ring.segment import Segment
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.device import SILENCE_NS
-from onika.runtime.running_task import LawBroken, RunningTask, period_of
+from onika.runtime.module import LawBroken
+from onika.runtime.running_task import RunningTask, period_of
 from onika.runtime.table import Table
 from onika.testing.bench_device import SEGMENT, BenchDevice
 from onika.words.shape import Shape

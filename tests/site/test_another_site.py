@@ -27,7 +27,7 @@ def test_the_tasks_of_another_site_are_without_fault(capsys):  # R-B01
 
 def test_tasks_in_other_names_drive_our_robot(capsys):  # R-B01, R-C04, decision 8
     code, result = run(capsys, OTHER)
-    assert (code, result["state"], result["done"]) == (0, "completed", 2)
+    assert (code, result["state"], result["actions_done"]) == (0, "completed", 2)
 
 
 @pytest.mark.parametrize("alias", ["SVARALIAS   HIGHEST=QMAX\n", "SVARALIAS   N_AX    = NDOF\n"])

@@ -177,11 +177,12 @@ def test_edited_preferences_keep_the_users_comments(site: Site) -> None:
     assert isinstance(homeless.save_preferences(Preferences()), Refusal)
 
 
-def test_missing_start_and_stop_pictures_are_blank(site: Site) -> None:
+def test_the_shipped_pictures_stand_for_missing_and_faulty_ones_of_start_and_stop(site: Site) -> None:
     (site.prefs / "OnikaStart.dta").write_text(picture.write(blank()).replace("777", "111"))  # R-B05
     (start, stop), faults = site.flow_pictures()
     assert "1" in start.rows[5]
-    assert stop == blank()
+    (_, shipped_stop), none = open_site([], {}, None).flow_pictures()
+    assert (stop, none) == (shipped_stop, ())
     assert [fault.place.file for fault in faults] == [str(site.prefs / "OnikaStop.dta")]
 
 

@@ -54,3 +54,10 @@ def test_lines_that_are_no_events_are_kept_as_text():
         assert "expected an application file" in console.text()
         assert console.events == []
         assert console.code() == 2
+
+
+def test_a_line_is_waited_for_and_missed_where_the_output_ends_before():
+    with Console("--version") as console:
+        assert console.until_line("onika").startswith("onika ")
+        with pytest.raises(RuntimeError, match="expected 'never', found the end of the output"):
+            console.until_line("never")

@@ -13,10 +13,9 @@ class PlainConsole:
     """Reads standard input, which may be a file, a pipe, or a person at a terminal that can do nothing."""
 
     def __init__(self) -> None:
-        self._input = sys.stdin.fileno() if sys.stdin is not None else None
         self.is_person = sys.stdin is not None and sys.stdin.isatty()
         self._rest = b""
-        self._is_over = self._input is None
+        self._is_over = sys.stdin is None
         self._prompted = ""
 
     def __enter__(self) -> "PlainConsole":
@@ -37,10 +36,10 @@ class PlainConsole:
         if self.is_person and prompt != self._prompted:
             print(prompt, end="", flush=True)
             self._prompted = prompt
-        if b"\n" not in self._rest and not self._is_over and self._input is not None:
-            if not select.select([self._input], [], [], timeout_s)[0]:
+        if b"\n" not in self._rest and not self._is_over:
+            if not select.select([sys.stdin], [], [], timeout_s)[0]:
                 return None
-            data = os.read(self._input, 65536)
+            data = os.read(sys.stdin.fileno(), 65536)
             self._is_over = not data
             self._rest += data
         if b"\n" not in self._rest and not (self._is_over and self._rest):

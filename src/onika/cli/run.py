@@ -44,7 +44,19 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--runtime", type=_address, metavar="URL", help="run on the runtime at this address, wss://HOST:PORT"
     )
     parser.add_argument(
-        "--token-file", dest="token", type=_token, default="", metavar="FILE", help="a token for it (else ONIKA_TOKEN)"
+        "--token-file", dest="token", type=_token, metavar="FILE", help="a token for it (else ONIKA_TOKEN)"
+    )
+    parser.add_argument(
+        "--scale",
+        type=_scale,
+        metavar="X",
+        help="in virtual time, X times as fast as wall time (0.01 to 1000)",
+    )
+    parser.add_argument(
+        "--subsystem", action="append", default=[], metavar="NAME", help="a name for the next flow's subsystem (flow0)"
+    )
+    parser.add_argument(
+        "--on-loss", choices=("stop", "run"), default="stop", help="what the run does when this program is gone (stop)"
     )
     parser.add_argument("--ca", type=Path, metavar="FILE", help="certificates to trust for it beside the system's")
 
@@ -57,7 +69,7 @@ def carry_out(given: argparse.Namespace) -> int:
         watcher = Live() if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb" else Plain()
     settings = RunSettings(
         name=given.application,
-        is_virtual=given.virtual,
+        is_virtual=given.virtual or given.scale is not None,
         expectations=tuple(given.expect),
         settle_s=given.settle,
         seed=given.seed,
@@ -65,7 +77,10 @@ def carry_out(given: argparse.Namespace) -> int:
         may_ask=_is_terminal(sys.stdin) and not given.json,
         wants_picture=given.picture is not None,
         with_fifo=not given.no_fifo,
-        elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token, given.ca),
+        scale=given.scale,
+        subsystems=tuple(given.subsystem),
+        on_loss=given.on_loss,
+        elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token or "", given.ca),
     )
     with watcher:
         outcome = run(settings, site_here(given.local), watcher)
@@ -122,6 +137,16 @@ def _new_file(text: str) -> Path:
     if path.is_dir() or not path.absolute().parent.is_dir():
         raise argparse.ArgumentTypeError(f"expected a file in a directory that is there, found {text!r}")
     return path
+
+
+def _scale(text: str) -> float:
+    try:
+        scale = float(text)
+    except ValueError:
+        scale = 0.0
+    if not 0.01 <= scale <= 1000.0:
+        raise argparse.ArgumentTypeError(f"expected a number from 0.01 to 1000, found {text!r}")
+    return scale
 
 
 def _seconds(text: str) -> float:

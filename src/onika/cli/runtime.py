@@ -38,9 +38,7 @@ def carry_out(given: argparse.Namespace) -> int:
     """Start it and sit down at it."""
     listen = _listen(given)
     if given.no_console and given.script is None and not listen:
-        raise SystemExit(
-            "expected --listen or --script with --no-console, found neither: nobody could reach the runtime"
-        )
+        given.complain("expected --listen or --script with --no-console, found neither: nobody could reach the runtime")
     rtpus = tuple(dict.fromkeys(given.rtpu)) or ("rt0",)
     site = site_here(given.base)
     with Runtime(rtpus, given.virtual, not given.no_fifo, listen) as runtime:

@@ -83,10 +83,13 @@ class Terminal:
             if not data:
                 raise EOFError
             self._typed += self._keys.read(data)
+        has_keys = bool(self._typed)
         while self._typed:
             line = self._press(self._typed.popleft())
             if line is not None:
                 return line
+        if has_keys:
+            self._show()
         return None
 
     def drop(self) -> None:
@@ -105,7 +108,6 @@ class Terminal:
         if line is None:
             for row in _rows(self._editor.offered, get_terminal_size().columns):
                 self.say(row, Tone.DIM)
-            self._show()
             return None
         sys.stdout.write(_CLEAR + self._prompt + safe(line) + "\n")  # as it was typed stays above
         self._is_shown = False

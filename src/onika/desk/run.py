@@ -4,6 +4,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Protocol
 
+from msgspec import structs
+
 from onika.desk.compile import rtpus_of
 from onika.desk.expectation import Expectation
 from onika.desk.interruption import Interruption
@@ -44,6 +46,12 @@ class RunSettings:
     wants_picture: bool = False
     with_fifo: bool = True
     elsewhere: Elsewhere | None = None
+    scale: float | None = None
+    """In virtual time: how many times as fast as wall time it passes; None: as fast as it goes."""
+    subsystems: tuple[str, ...] = ()
+    """Names for the flows' subsystems in place of flow0, flow1 …"""
+    on_loss: str = "stop"
+    """What becomes of the run when this program is gone: `stop`, or `run` on."""
     """The runtime to run on; else one is launched here."""
 
 
@@ -97,22 +105,36 @@ def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
     outcome = Outcome(prepared.name, list(prepared.faults), [str(note) for note in prepared.notes])
     if prepared.plan is None:
         return outcome
+    plan = _within(prepared.plan, settings.subsystems, outcome)
     try:
-        with _runtime(settings, prepared.plan) as runtime:
-            _prepare(prepared, prepared.plan, runtime, outcome)
-            outcome.faults += _unheard_of(settings.expectations, prepared.plan)
+        with _runtime(settings, plan) as runtime:
+            _prepare(prepared, plan, runtime, outcome)
+            outcome.faults += _unheard_of(settings.expectations, plan)
             if not outcome.faults:
                 watcher.begins(prepared, runtime.pid)
-                _carry_out(settings, prepared.plan, runtime, watcher, outcome)
+                _carry_out(settings, plan, runtime, watcher, outcome)
     except (LinkLost, TimeoutError) as lost:
-        outcome.result = _aborted(str(lost), prepared.plan)
+        outcome.result = _aborted(str(lost), plan)
     return outcome
+
+
+def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
+    """The plan in subsystems of these names; none: of its own."""
+    if not names:
+        return plan
+    if len(set(names)) != len(plan.flows):
+        expected = f"{len(plan.flows)} different names, one for each flow"
+        outcome.faults.append(Fault(Place("--subsystem"), expected, " ".join(names), "nothing is run"))
+        return plan
+    flows = (structs.replace(flow, subsystem=name) for flow, name in zip(plan.flows, names, strict=True))
+    return structs.replace(plan, flows=tuple(flows))
 
 
 def _runtime(settings: RunSettings, plan: Plan) -> Runtime | Reached:
     if settings.elsewhere is not None:
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
-    return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo)
+    options = () if settings.scale is None else ("--scale", f"{settings.scale:g}")
+    return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
 
 
 def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: Outcome) -> None:
@@ -120,6 +142,8 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: 
     if isinstance(answer, request.Prepared):
         outcome.faults += [fault for fault in map(_fault, answer.faults) if fault not in outcome.faults]
         outcome.notes += answer.notes
+    elif isinstance(answer, request.Refused):
+        outcome.faults.append(Fault(Place("the runtime"), "a plan that it takes", answer.reason, "nothing is run"))
 
 
 def _carry_out(settings: RunSettings, plan: Plan, runtime: Conversation, watcher: Watcher, outcome: Outcome) -> None:
@@ -133,7 +157,7 @@ def _carry_out(settings: RunSettings, plan: Plan, runtime: Conversation, watcher
 
 def _follow(settings: RunSettings, plan: Plan, runtime: Conversation, watcher: Watcher) -> event.Result:
     watch = tuple(dict.fromkeys(one.address for one in settings.expectations))
-    begin = request.Begin(watch, settings.settle_s, settings.seed, settings.answers, settings.may_ask)
+    begin = request.Begin(watch, settings.settle_s, settings.seed, settings.answers, settings.may_ask, settings.on_loss)
     done = 0
     try:
         answer = runtime.ask(begin)

@@ -37,7 +37,8 @@ class _Read:
 def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, tuple[Fault, ...]]:
     """The application `name` (no ending) of a text; left out with any fault.
 
-    Only noted: a target of unknown type leaves a hole, a job of unknown type acts as a complete one (requirement D16).
+    A target of unknown type leaves a hole that keeps its lines, a job of unknown type acts as a complete one
+    (requirement D16).
     Start and end icons are left out (decision 46), adjacent holes are one (decision 33), the marks of a target go to
     its job (decision 24).
     """
@@ -60,9 +61,13 @@ def write(application: Application, former: str = "") -> str:
     parts = [row("VERSION", VERSION), "\n", row("APPLTYPE", "parallel" if application.is_parallel else "conditional")]
     for flow in application.flows:
         parts += ["\n", row("FLOW")]
-        parts += ["\n" + (_show_icon(step) if isinstance(step, Icon) else row("ICONHOLE")) for step in flow.steps]
+        parts += ["\n" + (_show_icon(step) if isinstance(step, Icon) else _show_hole(step)) for step in flow.steps]
         parts += ["\n", row("ENDFLOW")]
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
+
+
+def _show_hole(hole: Hole) -> str:
+    return hole.kept or row("ICONHOLE")
 
 
 def _show_icon(icon: Icon) -> str:
@@ -115,7 +120,7 @@ def _icon(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Step | Non
         reading.fault(test.number, "WHILETAG before WHILETEST", "none")
     icon = read_icon(name, found, syntax, reading)
     if icon is None:
-        return Hole(block[0].number)
+        return Hole(block[0].number, "".join(row(at.keyword, at.rest) for at in block))
     kind = syntax.find(icon.type)
     if kind and (kind.is_start or kind.is_end):
         return None

@@ -30,7 +30,7 @@ def write(picture: Picture) -> str:
 def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: Reading) -> Picture:
     """The picture of numbered rows; faults go to `reading`, a missing row to line `last`; then it is blank.
 
-    A 9 is read as black (decision 38) and the border is made black (requirement B11), both with a note.
+    A 9 is read as black (decision 38) and the border is made black (requirement B11), each with one note.
     """
     if len(rows) != SIZE:
         reading.fault(rows[SIZE][0] if len(rows) > SIZE else last, f"{SIZE} rows of a picture", f"{len(rows)}")
@@ -39,16 +39,11 @@ def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: Reading) -> P
         reading.fault(number, f"{SIZE} digits from 0 to 8", show(text))
     if wrong or len(rows) != SIZE:
         return blank()
-    for number, text in rows:
-        if "9" in text:
-            reading.note(number, "colours from 0 to 8", "a 9", "it is read as black")
     picture = framed([text.replace("9", BLACK) for _, text in rows])
-    _note_border(rows, picture, reading)
+    nines = [number for number, text in rows if "9" in text]
+    coloured = [at for (at, text), row in zip(rows, picture.rows, strict=True) if text.replace("9", BLACK) != row]
+    if nines:
+        reading.note(nines[0], "colours from 0 to 8", "a 9", "it is read as black")
+    if coloured:
+        reading.note(coloured[0], "a black border", "another colour on it", "the border is read as black")
     return picture
-
-
-def _note_border(rows: Sequence[tuple[int, str]], picture: Picture, reading: Reading) -> None:
-    for (number, text), row in zip(rows, picture.rows, strict=True):
-        if text.replace("9", BLACK) != row:
-            reading.note(number, "a black border", "another colour on it", "the border is read as black")
-            return

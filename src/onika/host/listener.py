@@ -14,8 +14,8 @@ class Listener(Protocol):
         ...
 
     @property
-    def is_asking(self) -> bool:
-        """Whether a task of an application waits for user input: then scaled time stands still too."""
+    def is_still(self) -> bool:
+        """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
         ...
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:

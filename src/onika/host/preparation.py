@@ -1,10 +1,8 @@
 """What can be found wrong with a plan before anything moves, from its modules: all at once (E01, laws 24 to 26)."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any
-
-from msgspec import structs
 
 from onika.host.asking import Loading
 from onika.host.checks import (
@@ -37,11 +35,6 @@ class Preparation:
     """By flow: what robot modules say of themselves before they live, by variable."""
     faults: list[Fault] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-
-    def within(self, names: Sequence[str]) -> "Preparation":
-        """The same in subsystems of these names, one for each flow."""
-        flows = tuple(structs.replace(flow, subsystem=name) for flow, name in zip(self.plan.flows, names, strict=True))
-        return replace(self, plan=structs.replace(self.plan, flows=flows))
 
 
 def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Preparation:

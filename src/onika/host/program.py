@@ -118,12 +118,7 @@ class Program:
         prepared = self._prepared.get(session)
         if prepared is None:
             return request.Refused("no plan is prepared, or it has faults")
-        names = asked.subsystems or tuple(flow.subsystem for flow in prepared.plan.flows)
-        if len(set(names)) != len(prepared.plan.flows):
-            of = len(prepared.plan.flows)
-            return request.Refused(f"expected {of} different names of subsystems, found {', '.join(names)}")
-        prepared = prepared.within(names)
-        refusal = self._holders.occupied(session, names)
+        refusal = self._holders.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
         if refusal or self.is_stopped:
             return request.Refused(refusal or "the runtime is stopped; reset it first")
         subsystems = {}

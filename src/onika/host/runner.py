@@ -95,6 +95,11 @@ class Runner:
         return bool(self._asking)
 
     @property
+    def is_still(self) -> bool:
+        """Whether scaled time stands still."""
+        return not self.is_moving
+
+    @property
     def is_moving(self) -> bool:
         """Whether the clock goes on: it stands while a task waits for user input."""
         return not (self.is_over or self._asking)

@@ -113,6 +113,12 @@ class Stage:
         """Whether a task of an application waits for user input."""
         return any(one.runner.is_asking and not one.runner.is_over for one in self.performances)
 
+    @property
+    def is_still(self) -> bool:
+        """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
+        lives = any(live.members for live in self.live.values()) or self._units.now < self.until
+        return self.is_asking or not (lives or any(not one.runner.is_over for one in self.performances))
+
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Tell whose task it is."""
         if isinstance(heard, news.Loads):

@@ -182,14 +182,14 @@ class VirtualDriver:
 
     def _keep_pace(self, pace: Pace, listener: Listener) -> bool:
         """Everything that is due as far as the clock may go; the worlds go all the way."""
-        allowed = pace.allowed(monotonic_ns(), stands=listener.is_asking)
-        while not listener.is_asking:
+        allowed = pace.allowed(monotonic_ns(), stands=listener.is_still)
+        while not listener.is_still:
             following = self._next(listener)
             if following is None or following > allowed:
                 break
             self._instant(listener)
             self._deliver()
-        if not listener.is_asking and allowed > self._now:
+        if not listener.is_still and allowed > self._now:
             self._step_worlds(allowed)
         return False
 

@@ -16,6 +16,8 @@ class Channel(Enum):
     SIGNAL = "signal"
     STREAM = "stream"
 
+    __hash__ = object.__hash__  # by identity, which is quick; these are keys everywhere
+
     def carries(self, packet: Packet) -> bool:
         """Whether the packet has its place here, whoever says it."""
         return self is Channel.ALL or isinstance(packet, (*_EVERYWHERE, *_OWN[self]))

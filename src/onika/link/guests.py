@@ -37,12 +37,14 @@ class Guests:
         keep: int = _KEEP,
         forget_ns: int = _FORGET_NS,
         make: MakeServer = ServerEnd,
+        session: type[Session] = Session,
     ) -> None:
         self._epoch = epoch
         self._terms = terms
         self._keep = keep
         self._forget_ns = forget_ns
         self._make = make
+        self._session = session
         self._count = 0
         self._sessions: dict[str, Session] = {}
         self._by_client: dict[str, Session] = {}
@@ -61,7 +63,7 @@ class Guests:
         """The session of the program that launched this one, which ends with its connection."""
         self._count += 1
         name = f"{PARENT.user}#{self._count}"
-        session = Session(name, "", PARENT, Journal(self._life), terms, False, self._make)
+        session = self._session(name, "", PARENT, Journal(self._life), terms, False, self._make)
         self._sessions[name] = session
         session.attach(Channel.ALL, carrier, now_ns)
         return session
@@ -111,7 +113,7 @@ class Guests:
         self._count += 1
         name = f"{new.caller.user}#{self._count}"
         journal = Journal(self._life, keep_bytes=_SIGNALS)
-        session = Session(name, new.client, new.caller, journal, self._terms, True, self._make)
+        session = self._session(name, new.client, new.caller, journal, self._terms, True, self._make)
         self._sessions[name] = self._by_client[new.client] = session
         return session
 

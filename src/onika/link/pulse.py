@@ -6,6 +6,7 @@ from onika.link.state import LinkEvent, LinkState, follow
 from onika.link.terms import Terms
 from onika.wire.packet import Beat
 
+_NEVER = 2**63
 _ALIVE = (LinkState.LINKED, LinkState.SUSPECT)
 
 
@@ -72,13 +73,15 @@ class Pulse:
 
         may_retry   whether something is under way that could have to be said again
         """
-        terms = self._terms
-        if self.state not in (*_ALIVE, LinkState.GREETING):
+        terms, state = self._terms, self.state
+        if state is LinkState.APART or state is LinkState.ENDED:
             return None
-        is_greeting = self.state is LinkState.GREETING
-        first_ns = terms.suspect_ns if self.state is LinkState.LINKED else 0
+        is_greeting = state is LinkState.GREETING
+        first_ns = terms.suspect_ns if state is LinkState.LINKED else 0
         silence_ns = first_ns or (terms.greeting_ns if is_greeting else terms.lost_ns)
-        times = [self.heard_ns + silence_ns] if silence_ns else []
-        times += [self._beat_ns] if terms.beat_ns and not is_greeting else []
-        times += [now_ns + terms.retry_ns] if terms.retry_ns and (may_retry or is_greeting) else []
-        return max(0, min(times) - now_ns) if times else None
+        at_ns = self.heard_ns + silence_ns if silence_ns else _NEVER
+        if terms.beat_ns and not is_greeting:
+            at_ns = min(at_ns, self._beat_ns)
+        if terms.retry_ns and (may_retry or is_greeting):
+            at_ns = min(at_ns, now_ns + terms.retry_ns)
+        return None if at_ns == _NEVER else max(0, at_ns - now_ns)

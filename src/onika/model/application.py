@@ -27,6 +27,8 @@ class Hole:
 
     line: int = field(default=0, compare=False)
     """As that of an icon."""
+    kept: str = ""
+    """The lines of the target of unknown type that stands there, which are written again as they are."""
 
 
 Step = Icon | Hole

@@ -6,9 +6,10 @@ from onika.model.lifecycle import Step
 from onika.model.signal import Signal
 from onika.runtime import news
 from onika.runtime.code import showable, told, where
+from onika.runtime.containment import Strayed
 from onika.runtime.figures import values_of
-from onika.runtime.module import AskAgain
-from onika.runtime.running_task import LawBroken, RunningTask, Strayed
+from onika.runtime.module import AskAgain, LawBroken
+from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Unit
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)

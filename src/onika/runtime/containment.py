@@ -4,9 +4,13 @@ from collections.abc import Collection
 
 from onika.runtime.binding import undeclared
 from onika.runtime.declaration import PortDeclaration, slot
-from onika.runtime.module import Module
+from onika.runtime.module import LawBroken, Module
 
 _FLAGS = ("trigger", "passive", "hardware", "crit")
+
+
+class Strayed(LawBroken):
+    """A module has changed what it is bound to, or writes what is no port."""
 
 
 class Containment:
@@ -19,6 +23,12 @@ class Containment:
         self._flags = {flag: getattr(self._class, flag) for flag in _FLAGS}
         self._buffers = {port: getattr(instance, slot(port)) for port in self._ports}
         self.known: Collection[str] = ()
+
+    def check(self) -> None:
+        """Raises Strayed with everything that is wrong."""
+        faults = self.faults()
+        if faults:
+            raise Strayed("; ".join(faults))
 
     def faults(self) -> list[str]:
         """Everything that is wrong by now, as sentences."""

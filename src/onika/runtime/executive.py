@@ -10,11 +10,12 @@ from onika.model.signal import Signal
 from onika.runtime import command, news
 from onika.runtime.binding import Views
 from onika.runtime.calls import RAISED, Calls
+from onika.runtime.containment import Strayed
 from onika.runtime.exchange import Exchange
 from onika.runtime.figures import load_of, status_of
 from onika.runtime.life import Life
 from onika.runtime.postponed import Postponed
-from onika.runtime.running_task import RunningTask, Strayed
+from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Address, Unit
 
 _NOTHING: Sequence[news.News] = ()

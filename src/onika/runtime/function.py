@@ -122,7 +122,9 @@ def _parts(law: _Law) -> _Parts:
         if name == "self" or name in _CLOCKS:
             sources.append(("self" if name == "self" else "attribute", name))
         elif isinstance(stands_for, (*_READS, Local)):
-            declared[name] = _with_default(stands_for, parameter.default) if has_default else stands_for
+            declared[name] = stands_for
+            if isinstance(stands_for, Local) and has_default:
+                declared[name] = _with_default(stands_for, parameter.default)
             sources.append(("attribute", name))
         elif isinstance(stands_for, Input):
             declared[name] = stands_for

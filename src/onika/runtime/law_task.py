@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from onika.model.signal import Signal
@@ -50,6 +50,8 @@ class Moment:
     memory: Values
     in_force: frozenset[str] = frozenset()
     device: Hand | None = None
+    former: Values = field(default_factory=dict)
+    """During `take`: the memory of the code that worked until now."""
 
 
 Entry = Callable[[Moment], Signal | bool | None]
@@ -87,3 +89,10 @@ class Traced:
     entry: str
     inputs: Values
     outputs: Values
+
+
+@dataclass(frozen=True, slots=True)
+class LawSwap:
+    """Law 21: this task's code in place of that of the task of its name."""
+
+    task: LawTask

@@ -6,46 +6,21 @@ commands and the table of lifecycles; `trace` and `told` of both must be the sam
 """
 
 import math
-import struct
 from collections import deque
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
 
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.bus import World
-from onika.runtime.command import Clear, Kill, Launch, Switch
-from onika.runtime.law_task import Hand, LawTask, Moment, Traced, Values
+from onika.runtime.command import Clear, Kill, Launch, Rank, Reinit, Switch
+from onika.runtime.law_lives import EPOCH, LawBroken, LawLives
+from onika.runtime.law_task import LawSwap, LawTask
 
-Request = Switch | Clear | Kill
-_EPOCH = 1
-
-
-class _LawBroken(Exception):
-    """Law 5: no `error` entry may mend this."""
+Request = Switch | Clear | Kill | Rank | Reinit | LawSwap
 
 
-@dataclass(slots=True)
-class _Life:
-    """What changes about a task."""
-
-    period: int
-    moment: Moment
-    state: State = State.WAITING
-    is_initialised: bool = False
-    release: int | None = None
-    missed: int = 0
-    marks: dict[str, int] = field(default_factory=dict)
-
-    @property
-    def deadline(self) -> int:
-        """Law 2: the next release, on a grid of whole periods since the start (law 13)."""
-        return ((self.release or 0) // self.period + 1) * self.period
-
-
-class Reference:
+class Reference(LawLives):
     """Interprets tasks by the law; `world` steps in its own grid, `react` is what a runner answers to a signal."""
 
     def __init__(
@@ -54,19 +29,10 @@ class Reference:
         world: World | None = None,
         react: Callable[[str, Signal], list[Request]] = lambda _task, _signal: [],
     ) -> None:
-        self.now = 0
-        self.table: Values = {}
-        self.trace: list[Traced] = []
-        self.told: list[tuple[int, str, str]] = []
-        self._tasks = {task.name: task for task in tasks}
-        self._writes: dict[str, int] = {}
-        self._forgotten: dict[str, int] = {}
-        self._world = world
+        super().__init__(tasks, world)
         self._stepped_to = 0
-        self._published: dict[str, tuple[float, ...]] = {}
         self._react = react
         self._requests: deque[tuple[int, Request]] = deque()
-        self._lives = {task.name: self._born(task) for task in self._tasks.values()}
         if world is not None:
             self._step_world(world)
         for task in self._tasks.values():
@@ -124,7 +90,7 @@ class Reference:
         for task in self._tasks.values():
             hand = self._lives[task.name].moment.device
             if hand is not None and hand.order is not None:
-                world.command(task.device, _EPOCH, *hand.order)
+                world.command(task.device, EPOCH, *hand.order)
                 hand.order = None
         world.step(self.now)
         self._stepped_to = self.now
@@ -157,7 +123,7 @@ class Reference:
             self._call(task, "hold")
             signal = None
         elif task.hardware and not all(math.isfinite(inputs[svar]) for svar in task.invar):  # law 5
-            raise _LawBroken("NaN or infinity")
+            raise LawBroken("NaN or infinity")
         else:
             signal = self._call(task, "cycle")
         self._copy_out(task, task.outvar)
@@ -179,9 +145,17 @@ class Reference:
         if isinstance(request, Switch):
             self._switch(request)
             return
+        if isinstance(request, Rank):
+            self._rank(request)
+            return
+        if isinstance(request, LawSwap):
+            self._swap(request.task)
+            return
         task, life = self._tasks[request.task], self._lives[request.task]
         if isinstance(request, Kill):
             self._kill(task, life)
+        elif isinstance(request, Reinit):
+            self._reinit(task, life)
         elif life.state is not State.ERROR:
             self._tell(task, "refused clear")
         elif self._try(task, "clear", lambda: self._clear(task, life)):
@@ -221,107 +195,3 @@ class Reference:
         if self._try(task, "on", lambda: self._begin(task)):
             life.state, life.release = after(life.state, Step.ON), self.now
             self._tell(task, "ON")
-
-    def _begin(self, task: LawTask) -> None:
-        life = self._lives[task.name]
-        self._copy_in(task, task.inconst + task.invar)
-        life.moment.outputs.update({svar: self.table.get(svar, 0.0) for svar in task.outvar})
-        names = {*task.inconst, *task.outconst, *task.invar, *task.outvar}
-        life.moment.in_force = frozenset(n for n in names if self._writes.get(n, 0) > self._forgotten.get(n, 0))
-        life.marks = {svar: self._writes.get(svar, 0) for svar in task.invar} if task.hardware else {}
-        if life.moment.device is not None:
-            life.moment.device.is_holding = bool(life.marks)
-        preloaded = {svar: _bits(life.moment.outputs[svar]) for svar in task.outvar}
-        self._call(task, "on")
-        self._copy_out(task, tuple(n for n in task.outvar if _bits(life.moment.outputs[n]) != preloaded[n]))
-
-    def _init(self, task: LawTask) -> None:
-        """Law 3: constants in, `init`, constants out."""
-        self._copy_in(task, task.inconst)
-        self._call(task, "init")
-        self._copy_out(task, task.outconst)
-        self._lives[task.name].is_initialised = True
-
-    def _clear(self, task: LawTask, life: _Life) -> None:
-        self._call(task, "clear")
-        if not life.is_initialised:
-            self._init(task)
-
-    def _kill(self, task: LawTask, life: _Life) -> None:
-        if life.state is not State.KILLED:
-            if life.state is State.ON:
-                self._leave(task, Step.OFF)
-            self._try(task, "kill", lambda: self._call(task, "kill"))
-            self._hold(life)
-            life.state = after(life.state, Step.KILL)
-        self._tell(task, "KILLED")
-
-    def _leave(self, task: LawTask, step: Step) -> bool:
-        """Law 3: `off` publishes nothing; a device is left in hold."""
-        life = self._lives[task.name]
-        life.release = None
-        if not self._try(task, "off", lambda: self._call(task, "off")):
-            return False
-        self._hold(life)
-        life.state = after(life.state, step)
-        return True
-
-    # Code
-
-    def _try(self, task: LawTask, entry: str, call: Callable[[], Any]) -> bool:
-        """What code raises in a cycle goes to its `error` first, but for law 5; else it is ERROR; hold either way."""
-        life = self._lives[task.name]
-        try:
-            call()
-        except Exception as wrong:
-            self._hold(life)
-            if entry == "cycle" and not isinstance(wrong, _LawBroken) and self._mends(task):
-                return True
-            life.release, life.state = None, after(life.state, Step.FAIL)
-            self._tell(task, "ERROR")
-            return False
-        return True
-
-    def _mends(self, task: LawTask) -> bool:
-        try:
-            return bool(self._call(task, "error"))
-        except Exception:
-            return False
-
-    def _call(self, task: LawTask, entry: str) -> Any:
-        moment = self._lives[task.name].moment
-        moment.now = self.now
-        try:
-            return task.code[entry](moment) if entry in task.code else None
-        finally:
-            self.trace.append(Traced(self.now, task.name, entry, dict(moment.inputs), dict(moment.outputs)))
-
-    def _hold(self, life: _Life) -> None:
-        if life.moment.device is not None:
-            life.moment.device.hold()
-
-    def _copy_in(self, task: LawTask, names: tuple[str, ...]) -> None:
-        self._lives[task.name].moment.inputs.update({svar: self.table.get(svar, 0.0) for svar in names})
-
-    def _copy_out(self, task: LawTask, names: tuple[str, ...]) -> None:
-        """Law 4: each variable counts its writes."""
-        for svar in names:
-            self.table[svar] = self._lives[task.name].moment.outputs[svar]
-            self._writes[svar] = self._writes.get(svar, 0) + 1
-
-    def _tell(self, task: LawTask, word: str) -> None:
-        self.told.append((self.now, task.name, word))
-
-    def _born(self, task: LawTask) -> _Life:
-        inputs = dict.fromkeys(task.inconst + task.invar, 0.0)
-        outputs = dict.fromkeys(task.outconst + task.outvar, 0.0)
-        hand = None
-        if task.device and self._world is not None:
-            self._world.claim(task.device, _EPOCH)
-            hand = Hand(self._published, task.device)
-        return _Life(task.period, Moment(0, task.period, inputs, outputs, {}, device=hand))
-
-
-def _bits(value: float) -> bytes:
-    """A number as it lies in memory: NaN equals itself there, and 0.0 is not -0.0."""
-    return struct.pack("d", value)

@@ -15,16 +15,12 @@ from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.containment import Containment
 from onika.runtime.counters import Counters
 from onika.runtime.device import SILENCE_NS, Device
-from onika.runtime.module import Module, ModuleError
+from onika.runtime.module import LawBroken, Module, ModuleError
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
 
 SLOWEST_GRID_NS = 1_000_000_000
 """The grid of deadlines of a task without a rate."""
-
-
-class LawBroken(ModuleError):
-    """What the law, not the module, finds wrong in a cycle of a hardware task: no `error` entry may mend it (law 5)."""
 
 
 def period_of(frequency: float) -> int:
@@ -36,10 +32,6 @@ def period_of(frequency: float) -> int:
 
 CHECKED_EVERY = 63
 """Once in 64 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
-
-
-class Strayed(LawBroken):
-    """A module has changed what it is bound to, or writes what is no port."""
 
 
 class RunningTask:
@@ -255,9 +247,7 @@ class RunningTask:
 
     def no_strays(self) -> None:
         """Raises Strayed where the module is no more what was bound, or writes what is no port."""
-        faults = self.containment.faults()
-        if faults:
-            raise Strayed("; ".join(faults))
+        self.containment.check()
 
     # Hardware
 

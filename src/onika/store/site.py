@@ -99,18 +99,10 @@ class Site:
         return read or (), faults
 
     def flow_pictures(self) -> tuple[tuple[Picture, Picture], Faults]:
-        """The pictures of the start and stop icons; blank where they are missing or at fault (§A.8)."""
-        found = []
-        faults: Faults = ()
-        for name in ("OnikaStart.dta", "OnikaStop.dta"):
-            path = self.prefs / name
-            content, new = text.load(path, str(path))
-            read = None
-            if content is not None:
-                read, new = picture.read(content, name, str(path))
-            found.append(read or blank())
-            faults += new
-        return (found[0], found[1]), faults
+        """The pictures of the start and stop icons; the shipped ones where they are missing or at fault (§A.8)."""
+        start, of_start = self._flow_picture("OnikaStart.dta")
+        stop, of_stop = self._flow_picture("OnikaStop.dta")
+        return (start, stop), of_start + of_stop
 
     # -- finding
 
@@ -189,6 +181,15 @@ class Site:
         if not TASK_NAME.match(name):
             return None
         return next((base for base in self.directories if file(base, name).is_file()), None)
+
+    def _flow_picture(self, name: str) -> tuple[Picture, Faults]:
+        found: Faults = ()
+        for path in dict.fromkeys((self.prefs / name, shipped() / "prefs" / name)):
+            opened, faults = open_file(path, name, picture.read)
+            found += faults
+            if opened:
+                return opened.value, found
+        return blank(), found
 
     def _own_path(self, name: str) -> Path | None:
         return None if self.home is None else self.home / name

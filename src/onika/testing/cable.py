@@ -107,6 +107,7 @@ class Cable:
         self.is_broken = False
         self.heard_hello = False
         self.heard_welcome = False
+        self.is_welcomed = False
         self.shown = 0
         self.environment = Plug(self, air, False)
         self.runtime = Plug(self, air, True)

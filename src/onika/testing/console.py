@@ -72,6 +72,13 @@ class Console:
                 return event
         raise RuntimeError(f"expected {wanted}, found the end of the output:\n" + "\n".join(self.lines[-20:]))
 
+    def until_line(self, text: str) -> str:
+        """Read on to the first line that holds this text; raises RuntimeError where the output ends before."""
+        for line in self._read():
+            if text in line:
+                return line
+        raise RuntimeError(f"expected {text!r}, found the end of the output:\n" + "\n".join(self.lines[-20:]))
+
     def result(self) -> Event:
         """Read to the end: the last event."""
         for _ in self._read():

@@ -29,7 +29,7 @@ from onika.wire.packet import Bye, Hello, Packet, encode
 
 _MS = 1_000_000
 _STORM_NS = 4_000 * _MS
-_CALM_NS = 3_500 * _MS
+_CALM_NS = 4_000 * _MS
 _SLACK_NS = 60 * _MS
 
 MakeEpoch = Callable[[int], str]
@@ -103,9 +103,9 @@ class History:
         self._weather = Weather.draw(self._random)
         self._programs = programs
         self._terms = Terms(
-            beat_ns=300 * _MS,
-            suspect_ns=700 * _MS,
-            lost_ns=1_500 * _MS,
+            beat_ns=400 * _MS,
+            suspect_ns=900 * _MS,
+            lost_ns=1_600 * _MS,
             greeting_ns=1_500 * _MS,
             retry_ns=0 if self._weather.is_reliable else 250 * _MS,
             window=8,

@@ -8,7 +8,7 @@ from onika.link.happening import Asked, EpochChanged, Failed, Fate, Greeted, Hap
 from onika.link.lost import Cause
 from onika.link.state import LinkState
 from onika.testing.cable import Cable
-from onika.wire.packet import Bye, Hello, Packet
+from onika.wire.packet import Bye, Hello, Packet, Welcome
 
 
 class Who(Enum):
@@ -118,7 +118,8 @@ class Witness:
         if isinstance(packet, Bye):
             return
         if who is Who.RUNTIME:
-            self._unless(cable.heard_hello, f"the runtime said {packet!r} before the hello")
+            cable.is_welcomed |= isinstance(packet, Welcome) and cable.heard_hello
+            self._unless(cable.is_welcomed, f"the runtime said {packet!r} before the greeting")
         elif not isinstance(packet, Hello):
             self._unless(cable.heard_welcome, f"the environment said {packet!r} before the welcome")
 

@@ -52,8 +52,6 @@ class Begin(Struct, frozen=True, tag=True):
     """For tasks that ask: the task, the name of an input, its values."""
     may_ask: bool = False
     """Whether somebody is there to answer; else a question without an answer aborts."""
-    subsystems: tuple[str, ...] = ()
-    """Names for the flows' subsystems in place of those of the plan, so that applications can run side by side."""
     on_loss: str = "stop"
     """What becomes of the run when the session that began it is lost: `stop`, or `run` on."""
 

@@ -88,6 +88,13 @@ def test_a_vector_is_read_in_a_line_and_a_matrix_in_rows(sit):  # R-A16
     one = with_variables(sit())
     assert one.does("read Q_MEZ main/NDOF") == ["Q_MEZ = 0.5000  -0.2500", "main/NDOF = 2"]
     assert one.does("read BASE") == ["BASE[0] = 1.0000  0.0000", "BASE[1] = 0.0000  1.0000"]
+    assert one.does("read Q_MEZ[1] BASE[1,1] BASE[0]") == [
+        "Q_MEZ[1] = -0.2500",
+        "BASE[1,1] = 1.0000",
+        "BASE[0] = 1.0000  0.0000",
+    ]
+    for line in ("read Q_MEZ[2]", "read NDOF[0]", "read BASE[0,0,0]"):
+        assert one.fails(line).expected == "an element, counted from 0"
     assert one.fails("read NDOF Q_MES").found == "'Q_MES'"
     assert "no subsystem other" in one.fails("read other/Q").found
 

@@ -1,5 +1,6 @@
 """Lines that look and change nothing: status, tasks, library, rtpus, subsystems, vars, read, check (A06, A11, A12)."""
 
+import re
 from fnmatch import fnmatchcase
 from typing import Any
 
@@ -14,6 +15,7 @@ from onika.wire import live, request
 from onika.words.name import TASK_NAME
 
 Words = tuple[str, ...]
+_ELEMENT = re.compile(r"([^\[\]]+)\[(\d+(?:,\d+)*)\]\Z")
 
 
 def status(session: Session, words: Words) -> Faults:
@@ -128,7 +130,11 @@ def read(session: Session, words: Words) -> Faults:
 
 
 def value(session: Session, subsystem: str, name: str) -> tuple[Any, Faults]:
-    """The value of a variable now; a fault where there is none of this name."""
+    """The value of a variable now, or of an element as in `Q_MEZ[2]`; a fault where there is none."""
+    found = _ELEMENT.match(name)
+    if found:
+        whole, faults = value(session, subsystem, found[1])
+        return (None, faults) if faults else _element(session, name, whole, found[2])
     answer = session.ask(live.Read(subsystem, (name,)))
     if not isinstance(answer, live.Values):
         return None, refused(session, f"the variable {name} of {subsystem}", answer)
@@ -161,6 +167,14 @@ def refused(session: Session, expected: str, answer: request.Response) -> Faults
 def types_of(values: live.Values) -> dict[str, str]:
     """The type of each variable: as the runtime says, else as its value looks."""
     return {name: values.types.get(name) or type_of(found) for name, found in values.values.items()}
+
+
+def _element(session: Session, name: str, found: Any, index: str) -> tuple[Any, Faults]:
+    for place in map(int, index.split(",")):
+        if not isinstance(found, list) or place >= len(found):
+            return None, session.no("an element, counted from 0", repr(name))
+        found = found[place]
+    return found, ()
 
 
 def _one_line(name: str, found: Any) -> list[str]:

@@ -1,0 +1,203 @@
+"""A runtime operated by hand: by scripts in virtual and wall time, by a pipe, at a terminal, from a second console."""
+
+import os
+import pty
+import re
+import select
+import signal
+import subprocess
+import time
+
+import pytest
+
+from onika.testing.console import ONIKA, Console
+
+pytestmark = pytest.mark.site
+
+BY_HAND = """
+spawn all of jmoveC           # tasks from the shipped laboratories
+tasks
+on puma
+on diff
+on gravcomp
+on pd
+on torque_sum
+on jtraj 0.0 -1.2 1.2 0.0 0.0 0.0 1.0
+wait jtraj off within 20
+read Q_MEZ
+wait Q_REF[1] >= -1.2001 within 1
+log readings
+status
+check
+rate diff 250
+swap diff
+off
+kill all
+tasks
+quit
+echo never
+"""
+
+
+def script(tmp_path, text):
+    path = tmp_path / "script"
+    path.write_text(text)
+    return str(path)
+
+
+def batch(tmp_path, text, *words):
+    """The exit code and everything that was said."""
+    with Console("runtime", "--no-fifo", "--script", script(tmp_path, text), *words) as console:
+        said = console.text()
+        return console.code(), said
+
+
+@pytest.mark.parametrize("kind", [["--virtual"], []], ids=["virtual", "wall"])
+def test_tasks_of_the_puma_are_spawned_moved_read_and_killed_by_a_script(tmp_path, monkeypatch, kind):  # R-A16
+    monkeypatch.chdir(tmp_path)
+    code, said = batch(tmp_path, BY_HAND, "--no-console", *kind)
+    assert code == 0, said
+    angles = re.search(r"^Q_MEZ = (.*)$", said, re.MULTILINE)[1].split()
+    assert [float(angle) for angle in angles] == pytest.approx([0, -1.2, 1.2, 0, 0, 0], abs=0.02)
+    assert re.search(r"^puma +puma +rt0 +ON +[1-9]\d* ", said, re.MULTILINE)
+    assert "main: the memory of variables is sound" in said
+    assert re.search(r"^[0-9.]+ main Q_MEZ double\[6\] ", (tmp_path / "readings").read_text(), re.MULTILINE)
+    assert "no task lives here" in said
+    assert "never" not in said.replace("echo never", "")
+
+
+def test_a_script_ends_at_its_first_bad_line_with_its_place(tmp_path):  # R-A16
+    code, said = batch(tmp_path, "spawn puma\non pumma\nspawn diff\n", "--virtual")
+    assert code == 1
+    assert f"{tmp_path}/script:2: expected a living task of main (puma), found 'pumma'" in said
+    assert "diff" not in said
+
+
+def test_after_a_script_lines_are_taken_from_a_pipe_and_applications_run(tmp_path):  # R-A16
+    path = script(tmp_path, "home\n")
+    ran = subprocess.run(
+        [*ONIKA, "runtime", "--virtual", "--script", path],
+        input="config jmoveC\nanswer jtraj @aside\nwait jtraj off\nread Q_MEZ\n",
+        capture_output=True,
+        text=True,
+        timeout=60,
+        check=False,
+    )
+    assert ran.returncode == 0, ran.stdout + ran.stderr
+    assert "run completed, 1 of 1 actions" in ran.stdout
+    assert "main/jtraj asks for endpoint double[6] in rad" in ran.stdout
+    assert "Q_MEZ = " in ran.stdout
+    assert "\x1b" not in ran.stdout
+
+
+def test_a_module_that_fails_shows_where_and_its_new_file_mends_it(tmp_path):  # R-A18, R-X15
+    lab = tmp_path / "lab" / "module"
+    lab.mkdir(parents=True)
+    (lab / "wave.py").write_text(WAVE.format("1 / 0"))
+    (lab / "better.py").write_text(WAVE.format("0.5"))
+    (lab / "wave.rmod").write_text(WAVE_TASK)
+    lines = (
+        "spawn wave",
+        "on wave",
+        "wait wave error",
+        "clear wave",
+        f"swap wave {lab}/better.py",
+        "on wave",
+        "advance 0.1",
+        "read WAVE",
+    )
+    text = "".join(f"{line}\n" for line in lines)
+    code, said = batch(tmp_path, text, "--virtual", "--no-console", "--base", str(lab.parent))
+    assert code == 0, said
+    assert re.search(r"ERROR main/wave: cycle: ZeroDivisionError.*wave\.py:\d+\)", said)
+    assert "self.WAVE = 1 / 0" in said
+    assert "WAVE = 0.5000" in said
+
+
+def test_a_second_console_takes_part_in_the_same_runtime(tmp_path, monkeypatch):  # R-A16, R-A15
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    with Console("runtime", "--virtual", "--no-console", "--listen", "127.0.0.1:0") as first:
+        address = first.until_line("others reach it at ").split()[-1]
+        path = script(tmp_path, "spawn puma\non puma\ntasks\nsubsystems\n")
+        with Console("console", address, "--script", path, "--no-console") as second:
+            said = second.text()
+            assert second.code() == 0, said
+        assert re.search(r"^main/puma +ON ", said, re.MULTILINE)
+        first.until_line("main/puma ON")
+        os.kill(first.pid, signal.SIGINT)
+        assert first.code() == 0
+
+
+class Screen:
+    """`onika runtime` at a terminal of its own."""
+
+    def __init__(self, *words):
+        self.pid, self._terminal = pty.fork()
+        if self.pid == 0:
+            os.execv(ONIKA[0], [*ONIKA, "runtime", *words])
+        self.shown = ""
+
+    def until(self, text):
+        start = len(self.shown)
+        until = time.monotonic() + 60
+        while text not in self.shown[start:] and time.monotonic() < until:
+            if select.select([self._terminal], [], [], 0.1)[0]:
+                try:
+                    self.shown += os.read(self._terminal, 65536).decode()
+                except OSError:
+                    break
+        assert text in self.shown[start:], self.shown
+
+    def type(self, text):
+        os.write(self._terminal, text.encode())
+
+    def close(self):
+        os.kill(self.pid, signal.SIGKILL)
+        os.close(self._terminal)
+        return os.waitstatus_to_exitcode(os.waitpid(self.pid, 0)[1])
+
+
+def test_at_a_terminal_a_question_is_answered_at_the_prompt_and_ctrl_c_stops(tmp_path, monkeypatch):  # decision 11
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    screen = Screen("--no-fifo")
+    try:
+        screen.until("main> ")
+        screen.type("config jmo\t")
+        screen.until("jmove")
+        screen.type("C\r")
+        screen.until("jtraj? ")
+        screen.type("0 -1 1 0 0 0 600\r")
+        screen.until("main/jtraj ON")
+        screen.type("\x03")
+        screen.until("main (stopped)> ")
+        screen.type("\x04")
+        screen.until("\r")
+    finally:
+        screen.close()
+    assert "drive boxes:arm_left HELD" in screen.shown
+
+
+WAVE = """
+from onika.module import Module, OutVar
+
+
+class Wave(Module):
+    WAVE = OutVar("double", "-", "goes up and down")
+
+    def cycle(self):
+        self.WAVE = {}
+"""
+
+WAVE_TASK = """
+MODULE      wave
+DESC        goes up and down
+INCONST     none
+OUTCONST    none
+INVAR       none
+OUTVAR      WAVE
+TASKTYPE    periodic
+FREQ        100
+
+EOF
+"""
