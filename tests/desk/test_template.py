@@ -50,3 +50,10 @@ def test_whatever_the_name_nothing_is_written_outside_the_base_directory(tmp_pat
     else:
         assert all(base in path.resolve().parents for path in paths)
         assert list(base.parent.iterdir()) == [base]
+
+
+def test_a_place_that_cannot_be_written_is_told(tmp_path):  # R-B07
+    (tmp_path / "module").mkdir()
+    (tmp_path / "module" / "gain.py").symlink_to("gain.py")
+    with pytest.raises(ValueError, match="cannot be saved"):
+        create_module("gain", tmp_path)

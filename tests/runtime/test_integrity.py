@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from onika.ring.slots import LONGEST_SEALED, Ring
+from onika.runtime import command
 from onika.runtime.integrity import Accessor, accessor, check
 from onika.runtime.wiring import wire
 from onika.testing.build import task as planned
@@ -93,18 +94,23 @@ def test_somebody_who_publishes_a_foreign_variable_leaves_a_trace_for_good(rig):
 
 
 def test_a_module_that_does_it_in_its_own_cycle_is_named(rig):  # R-A12
+    """It reaches the table through the frame that called it, and publishes B as if it were its own."""
     source = module(
-        "    D2 = OutVar('double')\n    def cycle(self):\n        import gc\n"
-        "        from onika.ring.slots import Ring\n"
-        "        for one in gc.get_objects():\n"
-        "            if isinstance(one, Ring) and one.size == 48 and one.count and not hasattr(self, 'did'):\n"
-        "                self.did = one.offset\n                one.write(bytes(48))"
+        "    D2 = OutVar('double')\n    AT = Local('int')\n    def cycle(self):\n"
+        "        table = sys._getframe(1).f_locals['self']._views['table:rig']\n"
+        "        Ring(table, self.AT, 48).write(bytes(48))"
     )
-    rig.spawn("bad", source).switch(on=["bad"]).run(200 * MS)
+    source = "from onika.ring.slots import Ring\n" + source
+    rig.spawn("bad", source, local=[("AT", (str(rig.table.entries["B"].offset),))], rank=9)
+    rig.switch(on=[command.Launch("bad")]).run(60 * MS)
+    rig.switch(off=["bad"])
     findings = check(rig.table, [*accessors(), Accessor("bad", "rt0", frozenset({"D2"}), frozenset())])
-    assert rig.task("bad").module.did >= 0
-    assert findings
-    assert all("task bad on rt0" in str(one) for one in findings)
+    assert [one.variable for one in findings] == ["B"]
+    assert "its value is not what its writer published" in findings[0].wrong
+    assert "task bad on rt0" in findings[0].others
+    rig.run(200 * MS)
+    found_later = check(rig.table, [])
+    assert found_later[0].wrong == ("it was published 2 times by somebody who is not its writer",)
 
 
 def test_free_memory_that_is_written_is_found(rig):  # R-A12

@@ -29,22 +29,7 @@ _REST_NS = 300_000_000
 
 def main(words: list[str]) -> None:
     """The process."""
-    parser = argparse.ArgumentParser()
-    parser.add_argument("--link-fd", type=int)
-    parser.add_argument("--parent", type=int)
-    parser.add_argument("--virtual", action="store_true")
-    parser.add_argument("--scale", type=float)
-    parser.add_argument("--no-fifo", action="store_true")
-    parser.add_argument("--rtpu", action="append", default=[])
-    parser.add_argument("--listen", default="", metavar="HOST:PORT")
-    parser.add_argument("--cert", default="")
-    parser.add_argument("--key", default="")
-    parser.add_argument("--users", default="")
-    parser.add_argument("--name", action="append", default=[])
-    parser.add_argument("--accept-code", action="store_true")
-    given = parser.parse_args(words)
-    if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
-        parser.error("expected --link-fd N --parent PID, or --listen HOST:PORT, or both")
+    given = _given(words)
     if given.parent is not None:
         die_with_parent(given.parent)
     ending = Ending(is_launched=given.parent is not None)
@@ -79,6 +64,26 @@ def main(words: list[str]) -> None:
             porter.close()
 
 
+def _given(words: list[str]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--link-fd", type=int)
+    parser.add_argument("--parent", type=int)
+    parser.add_argument("--virtual", action="store_true")
+    parser.add_argument("--scale", type=float)
+    parser.add_argument("--no-fifo", action="store_true")
+    parser.add_argument("--rtpu", action="append", default=[])
+    parser.add_argument("--listen", default="", metavar="HOST:PORT")
+    parser.add_argument("--cert", default="")
+    parser.add_argument("--key", default="")
+    parser.add_argument("--users", default="")
+    parser.add_argument("--name", action="append", default=[])
+    parser.add_argument("--accept-code", action="store_true")
+    given = parser.parse_args(words)
+    if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
+        parser.error("expected --link-fd N --parent PID, or --listen HOST:PORT, or both")
+    return given
+
+
 def _porter(given: argparse.Namespace) -> Porter | None:
     """Listen, if that was asked for; end with everything that is missing for it."""
     if not given.listen:
@@ -105,9 +110,8 @@ def _virtual(program: Program, gate: Gate, driver: VirtualDriver, ending: Ending
     """As fast as it goes while something happens by itself; else wait for the environment."""
     while gate.is_open and not program.is_over and not ending.is_asked:
         goes_on = program.advance(_SLICE_NS)
-        select.select(
-            [*gate.readers(), *program.readers()], gate.writers(), [], 0.0 if goes_on else gate.wait_s(driver.wait_s())
-        )
+        wait_s = 0.0 if goes_on else gate.wait_s(program.wait_s(driver.wait_s()))
+        select.select([*gate.readers(), *program.readers()], gate.writers(), [], wait_s)
         program.serve()
     _say_last(gate)
 
@@ -116,7 +120,7 @@ def _wall(program: Program, gate: Gate, driver: WallDriver, ending: Ending) -> N
     """Woken by the processes, by the environment, or by time."""
     while gate.is_open and not program.is_over and not ending.is_asked:
         readers = [*gate.readers(), *program.readers(), *(one.post for one in driver.posts())]
-        select.select(readers, gate.writers(), [], gate.wait_s(driver.wait_s()))
+        select.select(readers, gate.writers(), [], gate.wait_s(program.wait_s(driver.wait_s())))
         driver.look_after()  # first the robot, then the listeners
         program.advance(0)
         program.serve()

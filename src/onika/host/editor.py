@@ -29,10 +29,9 @@ _INSTEAD = "nothing is changed"
 class Editor:
     """One runtime's subsystems as they are held by hand."""
 
-    def __init__(self, stage: Stage, loading: Loading, rtpus: Sequence[str]) -> None:
+    def __init__(self, stage: Stage, loading: Loading) -> None:
         self._stage = stage
         self._loading = loading
-        self._rtpus = tuple(rtpus)
         self._count = 0
 
     def change(self, order: asked.Change) -> request.Response:
@@ -42,6 +41,11 @@ class Editor:
         sheets, faults = self._sheets(order.code)
         new, wrong, notes = _wired(order.spawn, sheets)
         faults += wrong + _names(order, living)
+        faults += [
+            Fault(Place(task.place), f"a unit for {task.name} that lives", gone, _INSTEAD)
+            for task in order.spawn
+            if (gone := self._stage.gone(task.rtpu))
+        ]
         kept = [one for one in living if one.name not in order.kill]
         if not faults:
             faults += self._together(order.subsystem, kept, new) + _rates(order, [*kept, *new])
@@ -55,7 +59,7 @@ class Editor:
         live.code |= {code.digest: code for code in order.code}
         live.costs |= {code.digest: self._loading.cost_ns(code) for code in order.code}
         live.known |= known
-        comers = tuple((one, self._rtpu(one.task.rtpu)) for one in new)
+        comers = tuple((one, self._stage.unit(one.task.rtpu)) for one in new)
         swapped = exchange([placed(one) for one in living], order.kill, [placed(one) for one in new])
         for task, text in near:
             live.warn(task, text)
@@ -150,11 +154,6 @@ class Editor:
             return None, request.Refused(f"there is no task {task} in subsystem {subsystem}")
         return live, request.Refused("")
 
-    def _rtpu(self, wanted: str) -> str:
-        """The unit a task runs on: the named one, else the first that lives (decision 12)."""
-        alive = [name for name in self._rtpus if name not in self._stage.lost_units]
-        return wanted if wanted in self._rtpus else (alive or list(self._rtpus))[0]
-
     def _sheets(self, codes: Sequence[Code]) -> tuple[dict[str, ModuleSheet], list[Fault]]:
         sheets, faults = {}, []
         for code in codes:
@@ -183,7 +182,7 @@ class Editor:
         for name in dict.fromkeys((*(turn.task for turn in order.on), *rates)):
             task = by_name[name].task
             hz = rates.get(name) or (live.rates.get(name) if live is not None else None) or task.frequency or 0.0
-            rtpu = units.get(name) or self._rtpu(task.rtpu)
+            rtpu = units.get(name) or self._stage.unit(task.rtpu)
             coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
         off = [(order.subsystem, name) for name in (*order.off, *order.kill)]
         found = self._stage.forecast.warnings(off, coming)

@@ -97,17 +97,17 @@ class Look:
         """A session is gone."""
         self._watches.pop(session, None)
 
-    def show(self, now: int) -> None:
+    def show(self, wall_ns: int) -> None:
         """Show every session what it watches, if it is time: the newest values, and only what has changed."""
         for session, watch in self._watches.items():
-            if now >= watch.next_ns:
-                watch.next_ns = now + watch.period_ns
-                self._show(session, watch, now)
+            if wall_ns >= watch.next_ns:
+                watch.next_ns = wall_ns + watch.period_ns
+                self._show(session, watch, self._seen.now)
 
-    def due_ns(self, now: int) -> int | None:
+    def due_ns(self, wall_ns: int) -> int | None:
         """How long until `show` has something to do."""
         times = [watch.next_ns for watch in self._watches.values() if watch.readings or watch.worlds]
-        return max(0, min(times) - now) if times else None
+        return max(0, min(times) - wall_ns) if times else None
 
     def _show(self, session: str, watch: _Watch, now: int) -> None:
         for pattern in watch.readings:

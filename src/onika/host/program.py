@@ -1,6 +1,7 @@
 """The runtime program: takes what sessions ask to where it is answered, and lets what runs go on."""
 
 from collections.abc import Callable
+from time import monotonic_ns
 from typing import Protocol
 
 from onika.host.asking import Loading
@@ -67,12 +68,11 @@ class Program:
         self._gate = gate
         self._driver = driver
         self._loading = loading
-        self._rtpus = rtpus
         self._prepared: dict[str, Preparation] = {}
         self._kept: list[tuple[Call, Answer]] = []
         self.stage = Stage(driver, gate.tell, rtpus)
         driver.listen(self.stage)
-        self._editor = Editor(self.stage, loading, rtpus)
+        self._editor = Editor(self.stage, loading)
         self._holders = Holders(self.stage, gate.tell)
         self._look = Look(self.stage, driver, gate, rtpus)
         self.is_stopped = False
@@ -86,6 +86,11 @@ class Program:
     def readers(self) -> list[Post]:
         """What to wait for besides the gate and the driver: the loader."""
         return [self._loading.post] if isinstance(self._loading, Inquiry) else []
+
+    def wait_s(self, most_s: float) -> float:
+        """How long to wait at most, where nothing else is to be done for so long."""
+        due_ns = self._look.due_ns(monotonic_ns())
+        return most_s if due_ns is None else min(most_s, due_ns * 1e-9)
 
     def serve(self) -> None:
         """Carry out what was asked; look after sessions that are gone."""
@@ -104,7 +109,7 @@ class Program:
             if performance.is_through(self._driver.is_at_rest):
                 self.stage.performances.remove(performance)
                 performance.end(self._driver.digest)
-        self._look.show(self._driver.now)
+        self._look.show(monotonic_ns())
         return goes_on
 
     def take(self, session: str, prepared: Preparation) -> None:
@@ -121,9 +126,12 @@ class Program:
         refusal = self._holders.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
         if refusal or self.is_stopped:
             return request.Refused(refusal or "the runtime is stopped; reset it first")
+        gone = [one for flow in prepared.plan.flows for task in flow.tasks if (one := self.stage.gone(task.rtpu))]
+        if gone:
+            return request.Refused(f"{gone[0]}; start the runtime anew")
         subsystems = {}
         for number, flow in enumerate(prepared.plan.flows):
-            rtpus = {task.name: self._rtpu(task.rtpu) for task in flow.tasks}
+            rtpus = {task.name: self.stage.unit(task.rtpu) for task in flow.tasks}
             known = prepared.constants[number]
             table = self.stage.table(flow.subsystem)
             subsystems[number] = Subsystem(flow.subsystem, table, prepared.flows[number], rtpus, known)
@@ -244,8 +252,3 @@ class Program:
             answer(request.Refused(f"expected 0 to 1000000 seconds, found {seconds:g}"))
         else:
             self.stage.when(self._driver.now + round(seconds * 1e9), lambda: answer(request.Done()))
-
-    def _rtpu(self, wanted: str) -> str:
-        """The unit a task runs on: the named one, else the first that lives (decision 12)."""
-        alive = [name for name in self._rtpus if name not in self.stage.lost_units]
-        return wanted if wanted in self._rtpus else (alive or list(self._rtpus))[0]

@@ -86,6 +86,16 @@ class Stage:
         self._units.unshare(f"table:{name}")
         self.tables.pop(name).segment.close()
 
+    def unit(self, wanted: str) -> str:
+        """The unit a task runs on: the named one, else the first that lives (decision 12)."""
+        if wanted in self._rtpus:
+            return wanted
+        return next(iter(self._alive()), self._rtpus[0])
+
+    def gone(self, wanted: str) -> str:
+        """Why no task can run on the unit it would be on; empty: it can."""
+        return self.lost_units.get(self.unit(wanted), "")
+
     def performance_in(self, subsystem: str) -> Performance | None:
         """The application that runs in a subsystem."""
         return next((one for one in self.performances if subsystem in one.names), None)

@@ -18,10 +18,10 @@ _GUARD = 0x4B_61_72_61_6B_61_73_21
 """Stands before the counters of an armed entry, mixed with its place: what runs over from below meets it first."""
 _SEALS, _STRANGE = 2, 6
 """Places among the words: of the slots' seals, and of the number of times that somebody else had published."""
-_SEALED = 1 << 32
-"""Beside a checksum: tells a seal from a slot that has none."""
+_COUNTED = 0xFFFF_FFFF
+"""A seal is a checksum and, above it, these bits of the count it belongs to; one of another count seals nothing."""
 LONGEST_SEALED = 512
-"""A longer value is not sealed at each publication: that would cost more than to copy it."""
+"""A longer value is sealed at rest only: a checksum would cost more than to copy it."""
 ATTEMPTS = 64
 """How often a slot is looked at that is written meanwhile; then it is left alone."""
 
@@ -100,14 +100,14 @@ class Ring:
             last = range(max(1, count - 2), count + 1)
             slots = [(n, words[_SEALS + (n & 3)], bytes(self._slots[n & 3])) for n in last]
             if words[0] == count:  # the writer was not in the oldest of them yet
-                return any(seal & _SEALED and seal != _SEALED | crc32(data, n) for n, seal, data in slots)
+                return any(seal >> 32 == n & _COUNTED and seal != _seal(data, n) for n, seal, data in slots)
         return False
 
     def seal(self) -> None:
         """Seal the present value, as its writer does when it rests; long ones too."""
         count = self.words[0]
         if count:
-            self.words[_SEALS + (count & 3)] = _SEALED | crc32(self._slots[count & 3], count)
+            self.words[_SEALS + (count & 3)] = _seal(self._slots[count & 3], count)
 
     # Values
 
@@ -134,13 +134,14 @@ class Ring:
         return publish
 
     def signed_writer(self, source: memoryview) -> Signed:
-        """As `writer`, for the one whose entry it is: publications of others are noticed, short values sealed."""
+        """As `writer`, for the one whose entry it is: publications of others are noticed.
+
+        One in four short values is sealed; to seal each would cost a task more than the check is worth.
+        """
         words, slots = self.words, self._slots
         _check(source, self.size)
         expected = words[0] + 1
-        checksum = crc32 if self.size <= LONGEST_SEALED else _no_checksum
-        sealed = _SEALED if self.size <= LONGEST_SEALED else 0
-        seals = words[_SEALS : _SEALS + _SLOTS]
+        is_short = self.size <= LONGEST_SEALED
 
         def publish() -> None:
             nonlocal expected
@@ -149,7 +150,8 @@ class Ring:
                 words[_STRANGE] += 1
             slot = count & 3
             slots[slot][:] = source
-            seals[slot] = sealed | checksum(source, count)
+            if not slot and is_short:
+                words[_SEALS] = _seal(source, count)
             words[0] = count
             expected = count + 1
 
@@ -190,8 +192,8 @@ class Ring:
         return refresh
 
 
-def _no_checksum(_source: memoryview, _count: int) -> int:
-    return 0
+def _seal(data: memoryview | bytes, count: int) -> int:
+    return (count & _COUNTED) << 32 | crc32(data, count)
 
 
 def _stride(size: int) -> int:

@@ -31,17 +31,21 @@ def words(value: Any) -> str:
 def shown(name: str, value: Any) -> list[str]:
     """The lines that show a variable to people: one for a scalar or a vector, one for each row of a matrix."""
     if not isinstance(value, list) or not value or not isinstance(value[0], list):
-        return [f"{name} = {_row(value)}"]
-    return [f"{name}[{index}] = {_row(row)}" for index, row in enumerate(value)]
+        return [f"{name} = {'  '.join(_texts(value)).strip()}"]
+    texts = _texts(value)
+    width = len(texts) // len(value)
+    rows = ("  ".join(texts[start : start + width]) for start in range(0, len(texts), width))
+    return [f"{name}[{index}] = {row}" for index, row in enumerate(rows)]
 
 
-def _row(value: Any) -> str:
+def _texts(value: Any) -> list[str]:
+    """The elements, all of one form and width, so that they can be compared with the eye."""
     elements = flat(value)
     largest = max((abs(one) for one in elements if isinstance(one, float)), default=0.0)
     is_plain = largest == 0.0 or 1e-3 <= largest < 1e5
     texts = [_short(one, is_plain) for one in elements]
-    width = max(map(len, texts), default=0) if isinstance(value, list) and len(elements) > 1 else 0
-    return "  ".join(f"{text:>{width}}" for text in texts).strip()
+    width = max(map(len, texts), default=0)
+    return [f"{text:>{width}}" for text in texts]
 
 
 def _short(value: Any, is_plain: bool) -> str:
