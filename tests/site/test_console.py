@@ -178,6 +178,35 @@ def test_at_a_terminal_a_question_is_answered_at_the_prompt_and_ctrl_c_stops(tmp
     assert "drive boxes:arm_left HELD" in screen.shown
 
 
+def test_a_saved_file_is_new_code_while_the_others_keep_cycling(tmp_path, monkeypatch):  # R-X15, R-A14
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    module = tmp_path / "module"
+    module.mkdir()
+    (module / "wave.py").write_text(WAVE.format("0.25"))
+    (module / "wave.rmod").write_text(WAVE_TASK)
+    (module / "other.py").write_text(WAVE.format("1.0").replace("WAVE", "OTHER"))
+    (module / "other.rmod").write_text(WAVE_TASK.replace("WAVE", "OTHER").replace("wave", "other"))
+    screen = Screen("--no-fifo", "--base", str(tmp_path))
+    try:
+        screen.until("main> ")
+        screen.type("spawn wave other\ron all\rfollow wave\r")
+        screen.until("follows")
+        screen.type("read WAVE\r")
+        screen.until("WAVE = 0.2500")
+        (module / "wave.py").write_text(WAVE.format("0.75"))
+        screen.until("runs the new code")
+        screen.type("wait WAVE == 0.75\rread WAVE\r")
+        screen.until("WAVE = 0.7500")
+        screen.type("status\r")
+        screen.until("load:")
+    finally:
+        screen.close()
+    assert screen.shown.count("main/other ON") == screen.shown.count("main/other OFF") == 1
+    assert re.search(r"other +other +rt0 +ON +[1-9]", screen.shown)
+    assert "ERROR" not in screen.shown
+
+
 WAVE = """
 from onika.module import Module, OutVar
 

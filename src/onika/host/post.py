@@ -1,11 +1,15 @@
 """The post between the runtime's processes: datagrams with file descriptors; sending never waits (law 30)."""
 
+import array
 import errno
 import socket
 from collections import deque
+from collections.abc import Iterable
 
 _LARGEST = 1 << 20
 _BUFFER = 1 << 22
+_ROOM = socket.CMSG_LEN(4 * array.array("i").itemsize)
+"""Of the control part: four descriptors."""
 
 
 class Post:
@@ -15,6 +19,8 @@ class Post:
         self._socket = end
         self._outbox: deque[tuple[bytes, tuple[int, ...]]] = deque()
         self.is_closed = False
+        self._buffer = bytearray(_LARGEST)  # one for all: to make it anew would cost more than to receive
+        self._view = memoryview(self._buffer)
         end.setblocking(False)
         for option in (socket.SO_SNDBUF, socket.SO_RCVBUF):
             end.setsockopt(socket.SOL_SOCKET, option, _BUFFER)
@@ -36,6 +42,12 @@ class Post:
 
     def send(self, body: bytes, descriptors: tuple[int, ...] = ()) -> None:
         """Send one datagram, now or as soon as there is room; nothing happens once the other end is gone."""
+        if not (self._outbox or descriptors or self.is_closed):
+            try:
+                self._socket.send(body)
+                return
+            except OSError:
+                pass  # `flush` finds out why
         self._outbox.append((body, descriptors))
         self.flush()
 
@@ -44,7 +56,10 @@ class Post:
         while self._outbox and not self.is_closed:
             body, descriptors = self._outbox[0]
             try:
-                socket.send_fds(self._socket, [body], descriptors)
+                if descriptors:
+                    socket.send_fds(self._socket, [body], descriptors)
+                else:
+                    self._socket.send(body)
             except BlockingIOError:
                 return
             except OSError as wrong:
@@ -58,18 +73,27 @@ class Post:
     def receive(self) -> tuple[bytes, list[int]] | None:
         """The next datagram and its descriptors, or None; `is_closed` when the other end is gone."""
         try:
-            body, descriptors, _, _ = socket.recv_fds(self._socket, _LARGEST, 4)
+            size, words, _, _ = self._socket.recvmsg_into((self._buffer,), _ROOM)
         except BlockingIOError:
             return None
         except OSError:
             self.is_closed = True
             return None
-        if not body:
+        if not size:
             self.is_closed = True
             return None
-        return body, descriptors
+        return bytes(self._view[:size]), _descriptors(words)
 
     def close(self) -> None:
         """Let go."""
         self.is_closed = True
         self._socket.close()
+
+
+def _descriptors(words: Iterable[tuple[int, int, bytes]]) -> list[int]:
+    """The file descriptors of a control part."""
+    found = array.array("i")
+    for level, kind, data in words:
+        if level == socket.SOL_SOCKET and kind == socket.SCM_RIGHTS:
+            found.frombytes(data[: len(data) - len(data) % found.itemsize])
+    return list(found)

@@ -70,7 +70,8 @@ class Rtpu:
             self._heartbeat.beat()
             heard = self._executive.run_next(self._now())
             if heard is None:
-                self._rest()
+                if not self._rest():
+                    continue  # nothing was said meanwhile: to look would only make the next cycle later
             else:
                 self._tell(heard)
                 self._take_events(0.0)
@@ -80,8 +81,8 @@ class Rtpu:
     def _now(self) -> int:
         return monotonic_ns() - self._zero
 
-    def _rest(self) -> None:
-        """Nothing is due: what was put aside for a gap, else sleep."""
+    def _rest(self) -> bool:
+        """Nothing is due: what was put aside for a gap, then sleep; whether there may be commands."""
         self._heartbeat.is_slow(True)
         self._tell(self._executive.work(self._now()))
         self._heartbeat.is_slow(False)
@@ -89,18 +90,23 @@ class Rtpu:
         wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
         if wait > 0:
             writable = [self._post] if self._post.is_waiting else []
-            self._take_events(wait, [self._post], writable)
+            return self._take_events(wait, [self._post], writable)
+        return True
 
-    def _take_events(self, wait_s: float, readers: Sequence[Post] = (), writable: Sequence[Post] = ()) -> None:
-        """Wait for commands and for the events of synchronous tasks, and run the tasks whose event has come."""
+    def _take_events(self, wait_s: float, readers: Sequence[Post] = (), writable: Sequence[Post] = ()) -> bool:
+        """Wait for commands and for the events of synchronous tasks, and run the tasks whose event has come.
+
+        Says whether something came by post, or waits to be sent and can be.
+        """
         events = self._executive.events()
         if not (events or readers):
-            return
+            return True
         waiting: list[Post | int] = [*readers, *events]
-        ready, _, _ = select.select(waiting, writable, [], wait_s)
+        ready, free, _ = select.select(waiting, writable, [], wait_s)
         for one in ready:
             if isinstance(one, int):
                 self._tell(self._executive.event(events[one], self._now()))
+        return bool(free) or self._post in ready
 
     def _tell(self, heard: Sequence[news.News]) -> None:
         if heard:

@@ -32,7 +32,9 @@ class Supervised:
         """Why this process has to be given up; empty if it is well."""
         code = self.process.poll()
         if code is not None:
-            return f"{self.name} was killed by signal {-code}" if code < 0 else f"{self.name} ended with code {code}"
+            how = f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
+            task = self.heartbeat.task
+            return f"{self.name} {how}" + (f" in a call of task {task}" if task else "")
         if not self.is_up:
             return ""
         silent = now_ns - self.heartbeat.last_ns
