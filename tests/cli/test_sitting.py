@@ -1,5 +1,6 @@
 import os
 import pty
+import signal
 
 import pytest
 
@@ -68,3 +69,12 @@ def test_a_terminal_that_can_move_its_cursor_gets_a_line_to_edit(monkeypatch, tm
         assert sit_down(LiveRuntime(), SITE, None) == 0
     os.close(far)
     assert seen == [kind]
+
+
+def test_a_console_that_is_told_to_end_leaves_everything_in_order(monkeypatch):
+    usual = signal.getsignal(signal.SIGTERM)
+    monkeypatch.setattr(room, "serve", lambda console: os.kill(os.getpid(), signal.SIGTERM))
+    with pytest.raises(SystemExit) as ended:
+        sit_down(LiveRuntime(), SITE, None, has_console=False)
+    assert ended.value.code == 143
+    assert signal.getsignal(signal.SIGTERM) is usual

@@ -151,9 +151,9 @@ def test_no_number_that_is_none_is_read_from_an_application(capsys, laboratory, 
     assert holds(faults, "none.appl:", "finite number", number)
 
 
-def test_a_job_of_a_type_that_no_syntax_defines_is_not_run(capsys, laboratory):  # R-B04, R-D16
-    path = laboratory.application("odd", [job("opengripC", "Wobbly job")])
-    assert holds(refused(capsys, path), "odd.appl:", "syntax defines", "Wobbly job")
+def test_a_target_of_a_type_that_no_syntax_defines_is_not_run(capsys, laboratory):  # R-B04, R-D16
+    path = laboratory.application("odd", [job("jmoveC", "Joint job"), target("there", "Wobbly object", "1")])
+    assert holds(refused(capsys, path), "odd.appl:", "syntax defines", "Wobbly object")
 
 
 def test_a_truncated_application_is_not_run(capsys, laboratory):  # R-B07

@@ -25,8 +25,11 @@ def watching():
     witness.session("me#1", "e1", "me")
     witness.called("me#1", 0)
     witness.signal("e1", b"before")
-    witness.served("me#1", "e1", Greeted("me", False), cable(), 0)
-    witness.heard("me", EpochChanged("e1"), None)
+    line = cable()
+    line.heard_hello = True
+    witness.served("me#1", Greeted("me", False), line, 0)
+    witness.sent(RT, line, Welcome(1, "e1", 1, False, 0))
+    witness.heard("me", EpochChanged("e1"), line)
     witness.signal("e1", b"two")
     witness.signal("e1", b"three")
     return witness
@@ -40,7 +43,7 @@ def wanted(witness, where=None, once=False, begin_by_ns=0):
 
 def tell(witness, news, where, now_ns=0):
     if isinstance(news, Asked):
-        witness.served("me#1", "e1", news, where, now_ns)
+        witness.served("me#1", news, where, now_ns)
     else:
         witness.heard("me", news, where)
 
@@ -74,7 +77,7 @@ def test_a_witness_finds_nothing_wrong_with_an_honest_story():
         ([Signalled(2, b"two"), Signalled(2, b"two")], "3 was next"),
         ([Signalled(2, b"other")], "not what was said"),
         ([EpochChanged("e1")], "needless new beginning"),
-        ([EpochChanged("e2")], "greeted in 'e1'"),
+        ([EpochChanged("e2")], "greeted in ''"),
         ([Replied(1, b"re: 1 body")], "never carried out"),
         ([Asked(1, "me", b"1 body"), Asked(2, "me", b"1 body")], "carried out 2 times"),
         ([Asked(1, "you", b"1 body")], "came as one of you"),

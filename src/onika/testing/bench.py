@@ -86,14 +86,7 @@ class Bench:
 
     def init(self) -> Self:
         """Load the module and initialise it."""
-        device = None if self._device is None else self._device.grant()
-        kind = "periodic" if self._frequency else "aperiodic"
-        return self._handle(
-            command.Spawn(
-                _HOME, _TASK, self.path.stem, str(self.path), self._source, kind, self._frequency, self._local,
-                self._ports, 0, self._seed, device,
-            )
-        )  # fmt: skip
+        return self._handle(self._spawn_of(self.path, self._ports))
 
     def on(self, line: str = "") -> Self:
         """Turn it on with this argument line; without a fitting one it asks (`asked`)."""
@@ -131,6 +124,13 @@ class Bench:
     def kill(self) -> Self:
         """End it."""
         return self._handle(command.Kill(_HOME, _TASK))
+
+    def swap(self, file: str | Path) -> Self:
+        """Exchange its module for that of another file while it lives; `why` tells a refusal."""
+        path = Path(file)
+        cls = _class_of(path.read_text(encoding="utf-8"), path)
+        spawn = self._spawn_of(path, self._lay_ports(cls, {}))
+        return self._handle(command.Swap(spawn))
 
     def get(self, name: str) -> Any:
         """What the module's `get` answers; raises RuntimeError with its refusal."""
@@ -188,6 +188,14 @@ class Bench:
         return ""
 
     # Inner
+
+    def _spawn_of(self, path: Path, ports: tuple[command.BoundPort, ...]) -> command.Spawn:
+        device = None if self._device is None else self._device.grant()
+        kind = "periodic" if self._frequency else "aperiodic"
+        source = self._source if path == self.path else path.read_text(encoding="utf-8")
+        return command.Spawn(
+            _HOME, _TASK, path.stem, str(path), source, kind, self._frequency, self._local, ports, 0, self._seed, device,
+        )  # fmt: skip
 
     def _lay_table(self, constants: Mapping[str, Any]) -> tuple[command.BoundPort, ...]:
         """Entries for all ports, their shapes resolved by `constants` and by what a robot module says of itself."""

@@ -108,6 +108,8 @@ class Cable:
         self.heard_hello = False
         self.heard_welcome = False
         self.is_welcomed = False
+        self.beginning: tuple[str, int] | None = None
+        """The epoch that was begun on it, and how many signals had been said by then."""
         self.shown = 0
         self.environment = Plug(self, air, False)
         self.runtime = Plug(self, air, True)

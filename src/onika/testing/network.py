@@ -230,7 +230,7 @@ class History:
         asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
         stream = one.plugs.get(Channel.STREAM) or asking
         for happening in one.bundle.take_happenings():
-            self._witness.heard(one.name, happening, stream.cable if stream else None)
+            self._witness.heard(one.name, happening, asking and asking.cable, stream and stream.cable)
         for channel in one.bundle.wants(self._clock(one)):
             self._after(self._uniform(1, 30), partial(self._dial, one, channel))
         self._wake(one, one.bundle.due_ns(self._clock(one)), partial(self._serve, one))
@@ -240,7 +240,7 @@ class History:
         if not house.is_up or session not in house.guests.sessions:
             return
         for happening in session.service(self._clock(house), cable.channel if cable is not None else None):
-            self._witness.served(session.name, session.epoch, happening, cable, self.now_ns)
+            self._witness.served(session.name, happening, cable, self.now_ns)
             if isinstance(happening, Asked):
                 self._after(self._uniform(0, 800), partial(self._answer, house, session, happening))
         self._wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))

@@ -58,7 +58,6 @@ class Witness:
         self.begun = 0
         self.accepted = 0
         self._signals: dict[str, list[bytes]] = {}
-        self._base: dict[str, tuple[str, int]] = {}
         self._wanted: dict[str, Wanted] = {}
         self._numbers: dict[tuple[str, int], Wanted] = {}
         self._stories: dict[str, _Story] = {}
@@ -118,21 +117,25 @@ class Witness:
         if isinstance(packet, Bye):
             return
         if who is Who.RUNTIME:
-            cable.is_welcomed |= isinstance(packet, Welcome) and cable.heard_hello
+            if isinstance(packet, Welcome) and cable.heard_hello:
+                cable.is_welcomed = True
+                said = len(self._signals[packet.epoch]) if cable.channel is Channel.ALL else 0
+                cable.beginning = cable.beginning or (packet.epoch, said)
             self._unless(cable.is_welcomed, f"the runtime said {packet!r} before the greeting")
         elif not isinstance(packet, Hello):
             self._unless(cable.heard_welcome, f"the environment said {packet!r} before the welcome")
 
     # -- what the programs are told
 
-    def heard(self, client: str, happening: Happening, stream: Cable | None) -> None:
-        """An environment is told something by its link."""
+    def heard(self, client: str, happening: Happening, asking: Cable | None, stream: Cable | None = None) -> None:
+        """An environment is told something by its link, whose channels have these connections."""
+        stream = stream or asking
         match happening:
             case Turned(_, why) if why is not None:
                 fine = why.cause in (Cause.CLOSED, Cause.SILENT)
                 self._unless(fine, f"an honest environment ended the connection: {why}")
             case EpochChanged(epoch):
-                self._epoch_changed(client, epoch)
+                self._epoch_changed(client, epoch, asking)
             case Signalled():
                 self._signalled(self._stories[client], happening)
             case Replied(number) | Failed(number):
@@ -141,17 +144,14 @@ class Witness:
                 self._unless(int(body) > stream.shown, f"reading {body!r} shown after {stream.shown}")
                 stream.shown = int(body)
 
-    def served(self, name: str, epoch: str, happening: Happening, cable: Cable | None, now_ns: int) -> None:
+    def served(self, name: str, happening: Happening, cable: Cable | None, now_ns: int) -> None:
         """The runtime is told something by a session's link."""
         match happening:
             case Turned(_, why) if why is not None:
                 fine = why.cause in (Cause.CLOSED, Cause.SILENT, Cause.HERE)
                 self._unless(fine, f"an honest runtime ended the connection: {why}")
-            case Greeted(client, resumed) if cable is not None and cable.channel.asks:
+            case Greeted() if cable is not None and cable.channel.asks:
                 self._guests.setdefault(name, _Guest(now_ns)).is_there = True
-                if not resumed:
-                    said = len(self._signals[epoch]) if cable.channel is Channel.ALL else 0
-                    self._base[client] = (epoch, said)
             case Asked():
                 self._asked(happening, cable, now_ns)
 
@@ -199,10 +199,10 @@ class Witness:
                 if isinstance(outcome, Failed) and outcome.fate in (Fate.UNSENT, Fate.LATE):
                     self._unless(not wanted.begun, f"request {wanted.label} was carried out, but: {outcome.fate.value}")
 
-    def _epoch_changed(self, client: str, epoch: str) -> None:
+    def _epoch_changed(self, client: str, epoch: str, asking: Cable | None) -> None:
         story = self._stories[client]
         self._unless(epoch != story.epoch, f"needless new beginning in epoch {epoch!r}")
-        known, base = self._base.get(client, ("", 0))
+        known, base = (asking and asking.beginning) or ("", 0)
         self._unless(known == epoch, f"new beginning in epoch {epoch!r}, greeted in {known!r}")
         story.epoch, story.next = epoch, base + 1
 

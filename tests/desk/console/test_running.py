@@ -1,6 +1,7 @@
 import pytest
+from msgspec.structs import replace
 
-from onika.wire import request
+from onika.wire import event, request
 
 
 def test_an_application_is_begun_and_its_end_told(sit):  # R-A16
@@ -47,6 +48,19 @@ def test_a_run_is_aborted(sit):
     assert any("run aborted, 0 of 1 actions: it is late" in line for line in one.lines)
     assert one.fails("abort").expected == "an application that this console runs"
     assert "aborted: it is late" in one.fails("wait run").found
+
+
+def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
+    one = sit()
+    one.console.carry_out("run go_home")
+    figures = event.TaskFigures("other", "puma", "rt0", 500.0, 1, 0, 1.0, 1.0)
+    one.runtime.running = ""  # it goes on and on
+    one.runtime.tell(event.Result(True, "", 9, 9, 1.0, 1.0, {}, (figures,), ""))
+    one.session.hear()
+    assert (one.session.running, one.session.result) == ("go_home", None)
+    one.runtime.tell(event.Result(True, "", 9, 9, 1.0, 1.0, {}, (replace(figures, subsystem="flow0"),), ""))
+    one.session.hear()
+    assert one.session.running == ""
 
 
 @pytest.mark.parametrize(("line", "name"), [("calibrate", "calibrate"), ("calibrate C", "calibrate_C")])

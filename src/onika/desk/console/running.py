@@ -26,6 +26,7 @@ def run(session: Session, words: Words) -> Faults:
     if faults:
         return faults
     session.running, session.result = prepared.name, None
+    session.running_in = frozenset(flow.subsystem for flow in prepared.plan.flows)
     total = sum(len(flow.actions) for flow in prepared.plan.flows)
     session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
     return ended(session) if session.in_script else ()

@@ -65,6 +65,8 @@ class Session:
         self.questions: dict[tuple[str, str], event.Asked] = {}
         self.running = ""
         """The application that this console runs."""
+        self.running_in: frozenset[str] = frozenset()
+        """Its subsystems."""
         self.is_stopped = False
         self.result: event.Result | None = None
         """How the last run ended."""
@@ -214,9 +216,14 @@ class Session:
                 self.questions.pop((one.subsystem, one.task), None)
             case event.Stopped():
                 self.is_stopped = one.is_stopped
-            case event.Result():
+            case event.Result() if self._is_own(one):
                 self.running = ""
                 self.result = one
+
+    def _is_own(self, one: event.Result) -> bool:
+        """Whether it is the end of what this console runs: several applications may run side by side."""
+        subsystems = {task.subsystem for task in one.tasks}
+        return bool(self.running) and (not subsystems or bool(subsystems & self.running_in))
 
     def _is_chatter(self, one: event.Event) -> bool:
         """Whether an application's actions tell it already: what its tasks and drives do, unless it is trouble."""
