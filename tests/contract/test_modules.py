@@ -18,8 +18,10 @@ from onika.words.fault import Place
 from onika.workcell.boxes import BoxesWorld
 
 LABS = Path(__file__).parents[2] / "src" / "onika" / "labs"
-TASKS = sorted(LABS.glob("*/module/*.rmod"))
-MODULES = sorted(LABS.glob("*/module/*.py"))
+HERE = Path(__file__).parent
+"""Beside the shipped ones, a module that is made of a function."""
+TASKS = [*sorted(LABS.glob("*/module/*.rmod")), *HERE.glob("*/module/*.rmod")]
+MODULES = [*sorted(LABS.glob("*/module/*.py")), *HERE.glob("*/module/*.py")]
 ALLOWED = sys.stdlib_module_names | {"numpy"}
 KNOWN = {
     "NDOF": puma560.NDOF,

@@ -24,8 +24,9 @@ class FakeRuntime:
     snapshots = request.Worlds({"boxes": b"drawn"})
     made = None
 
-    def __init__(self, rtpus, is_virtual, with_fifo):
+    def __init__(self, rtpus, is_virtual, with_fifo, options=()):
         self.given = (rtpus, is_virtual, with_fifo)
+        self.options = options
         self.asked = []
         self.pid = 4711
         self.left = list(self.script)
@@ -203,3 +204,24 @@ def test_an_outcome_says_how_it_ended():  # R-E14
     held = Expectation.parse("LAMP == 1")
     assert Outcome("x", result=GOOD, expectations=[(held, 1, True)]).exit_code == 0
     assert Outcome("x", result=GOOD, expectations=[(held, 0, False)]).exit_code == 1
+
+
+def test_scaled_time_and_other_subsystems_are_the_runtimes_business(runtime):  # R-A06, R-X08
+    runtime.script = (GOOD,)
+    outcome, _ = go(is_virtual=True, scale=10.0, subsystems=("left",))
+    assert outcome.exit_code == 0
+    assert runtime.made.options == ("--scale", "10")
+    assert runtime.made.asked[0].plan.flows[0].subsystem == "left"
+
+
+def test_too_many_names_of_subsystems_are_refused_before_anything_runs(runtime):
+    outcome, _ = go(subsystems=("left", "right"))
+    assert outcome.exit_code == 2
+    assert "1 different names" in outcome.faults[0].expected
+
+
+def test_a_runtime_that_will_not_take_the_plan_refuses_the_run(runtime):  # law 23
+    runtime.refuses = "code from another machine is not accepted"
+    outcome, _ = go()
+    assert outcome.exit_code == 2
+    assert outcome.faults[0].found == "code from another machine is not accepted"

@@ -56,7 +56,7 @@ def test_its_sheet_says_what_the_signature_says():  # R-X15
         ("OUTVAR", "TAU", "double[NDOF]"),
     ]
     assert [(one.name, one.default) for one in sheet.locals] == [("K", 2.0)]
-    assert cls.__name__ == "SpringAndDamper"
+    assert cls.__name__ == "spring_and_damper"
 
 
 def test_its_docstring_has_the_tables_of_a_modules_docstring():  # R-X15

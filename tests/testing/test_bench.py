@@ -178,3 +178,15 @@ def test_texts_and_characters_lie_in_the_table_as_modules_see_them(tmp_path):
     assert bench.cycle()["COPY"] == "Grüße!"
     with pytest.raises(ValueError, match="at most 255 bytes"):
         bench["TEXT"] = "x" * 256
+
+
+def test_a_module_is_exchanged_for_that_of_another_file(tmp_path):  # R-X15
+    old, new = tmp_path / "old.py", tmp_path / "new.py"
+    source = "from onika.module import *\nclass One(Module):\n    N = OutVar('int')\n    def cycle(self):\n        self.N += 1"
+    old.write_text(source)
+    new.write_text(source.replace("+= 1", "+= 10") + "\n    def take(self, old):\n        pass")
+    bench = Bench(old).init().on().cycle(2).swap(new).cycle(2)
+    assert bench["N"] == 22
+    new.write_text(source + "\n    def init(self):\n        raise ValueError('no')")
+    assert bench.swap(new).why.startswith("init: ValueError: no")
+    assert bench.cycle()["N"] == 32

@@ -50,7 +50,7 @@ def converse(console: Console, desk: Desk, script: Path | None) -> int:
 
 def run_batch(console: Console, desk: Face, script: Path) -> int:
     """Carry out a script and nothing else; the exit code."""
-    faults = _guarded(console.session, lambda: console.run_script(script))
+    faults = _guarded(console.session, lambda: console.run_script(script) or console.finish())
     _show(desk, faults, typed=False)
     return 1 if faults else 0
 
@@ -74,7 +74,7 @@ def _talk(console: Console, desk: Desk, interruption: Interruption, numbers: Ite
         try:
             line = desk.line(_prompt(console.session), _LOOK_S)
         except EOFError:
-            break
+            return _end(console, desk)
         if line is None:
             continue
         place = None if desk.is_person else Place("stdin", next(numbers))
@@ -83,6 +83,13 @@ def _talk(console: Console, desk: Desk, interruption: Interruption, numbers: Ite
         if faults and not desk.is_person:
             return 1
     return 0
+
+
+def _end(console: Console, desk: Desk) -> int:
+    """After the last line; who is no person waits for the outcome of a run."""
+    faults = () if desk.is_person else _guarded(console.session, console.finish)
+    _show(desk, faults, typed=False)
+    return 1 if faults else 0
 
 
 def _carry_out(console: Console, line: str, place: Place | None) -> Faults:

@@ -1,5 +1,6 @@
 """The gate: the runtime's end of all links; requests in, replies, events and readings out (house decision 7)."""
 
+import select
 import socket
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -128,6 +129,7 @@ class Gate:
 
     def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
         """From now on the session hears these subsystems, in place of what it heard before; `*`: all."""
+        self.flush()  # what was told before was told to those who attended then
         found = self._guests.find(session)
         if found is not None:
             found.attends = frozenset(subsystems)
@@ -146,7 +148,8 @@ class Gate:
         sessions = self._guests.sessions
         self._turn += 1
         first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
-        asked = [(one, each) for one in sessions[first:] + sessions[:first] for each in one.service(now)]
+        stirring = self._stirring(sessions[first:] + sessions[:first], now)
+        asked = [(one, each) for one in stirring for each in one.service(now)]
         calls = [self._judge(session, each) for session, each in asked if isinstance(each, Asked)]
         return [call for call in calls if call is not None]
 
@@ -165,6 +168,15 @@ class Gate:
     def lost(self) -> list[str]:
         """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""
         return self._guests.lost(self._clock())
+
+    def _stirring(self, sessions: list[Session], now: int) -> list[Session]:
+        """Those with something to take in or to do; the system is asked once for all, so that idle ones cost little."""
+        poller = select.poll()
+        for port in self._ports():
+            if port.fileno() >= 0:
+                poller.register(port.fileno(), select.POLLIN | (select.POLLOUT if port.want_write() else 0))
+        ready = {-1, *(descriptor for descriptor, _ in poller.poll(0))}
+        return [one for one in sessions if one.due_ns(now) == 0 or any(port.fileno() in ready for port in one.ports)]
 
     def _welcome(self) -> None:
         """Take in who has come, and notice when nobody can come any more."""

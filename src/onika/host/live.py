@@ -11,6 +11,7 @@ from typing import Any
 from onika.engine import orders
 from onika.host.reshape import Reshaping
 from onika.host.switchboard import Switchboard
+from onika.host.telling import told
 from onika.host.units import Units
 from onika.model.lifecycle import State
 from onika.model.rules.order import Ports
@@ -32,7 +33,16 @@ Tell = Callable[[event.Event], None]
 class LiveSubsystem:
     """The tasks that share one table while no application runs in it."""
 
-    def __init__(self, name: str, table: Table, units: Units, tell: Tell, clock: Callable[[], int]) -> None:
+    def __init__(
+        self,
+        name: str,
+        table: Table,
+        units: Units,
+        tell: Tell,
+        clock: Callable[[], int],
+        lost: Mapping[str, str] | None = None,
+        end: Callable[[], None] = lambda: None,
+    ) -> None:
         self.name = name
         self.table = table
         self.holder = ""
@@ -49,9 +59,19 @@ class LiveSubsystem:
         """What went wrong with a task since the present transaction began."""
         self.done: set[str] = set()
         """Who was initialised anew, bound anew or exchanged since the last command for it."""
+        self.came: set[str] = set()
+        """Who has come ON, or asked, since it was told to; a job may be done again before another has begun."""
+        self.went: set[str] = set()
+        """Who has been neither ON nor ASKING for a moment since it was told to go OFF."""
+        self.stale: set[str] = set()
+        """Who was in ERROR when constants that it reads have changed: it is initialised when it is cleared."""
         self.rates: dict[str, float] = {}
         self.subsystem = Subsystem(name, table, (), {})
         self.reshaping = Reshaping(table)
+        self.is_closing = False
+        """Whether the subsystem is to be no more as soon as nothing is left of it."""
+        self._lost = lost if lost is not None else {}
+        self._end = end
         self._units = units
         self._tell = tell
         self._clock = clock
@@ -59,7 +79,6 @@ class LiveSubsystem:
         self._grants: dict[str, command.DeviceGrant | None] = {}
         self._transactions: deque[tuple[int, Transaction]] = deque()
         self._waits: Wait | None = None
-        self._now = 0
 
     # What there is
 
@@ -77,6 +96,11 @@ class LiveSubsystem:
     def is_busy(self) -> bool:
         """Whether a transaction is under way."""
         return self._waits is not None
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there is nothing here and nothing to come."""
+        return not (self.members or self._transactions)
 
     def placed(self) -> list[Placed]:
         """The tasks as the rule of reconfiguration sees them."""
@@ -119,7 +143,20 @@ class LiveSubsystem:
                 self._waits = None
                 self._transactions.popleft()
                 self.reshaping.end()
+                self._bury()
                 self._tell(event.Edited(self.name, number, end.value or "", self.seconds()))
+        if self.is_closing and self.is_empty:
+            self._end()
+
+    def _bury(self) -> None:
+        """Between two transactions: forget whom a lost unit took along, and code that nobody runs."""
+        gone = [name for name, member in self.members.items() if member.is_sent and member.state is State.KILLED]
+        if gone:
+            self.remove(gone)
+        if not self._transactions:
+            used = {wired.task.digest for wired in self.wired}
+            self.code = {digest: code for digest, code in self.code.items() if digest in used}
+            self.costs = {digest: cost for digest, cost in self.costs.items() if digest in used}
 
     def seconds(self, now: int | None = None) -> float:
         """The runtime's time in seconds."""
@@ -146,7 +183,7 @@ class LiveSubsystem:
     def _rank(self, before: Mapping[str, int]) -> None:
         changed: dict[str, list[tuple[str, int]]] = {}
         for name, rank in self.subsystem.ranks.items():
-            if self.members[name].is_sent and before.get(name) != rank:
+            if self.members[name].is_sent and before.get(name) != rank and self.members[name].rtpu not in self._lost:
                 changed.setdefault(self.members[name].rtpu, []).append((name, rank))
         for rtpu, ranks in changed.items():
             self._units.send(rtpu, command.Rank(self.name, tuple(ranks)))
@@ -158,10 +195,9 @@ class LiveSubsystem:
     def remove(self, tasks: Collection[str]) -> None:
         """These are gone: devices and memory are given back."""
         for name in tasks:
-            member = self.members[name]
-            if member.wired.device is not None and member.wired.sheet.hardware and member.is_sent:
-                self._units.release(member.wired.device)
-            for memory in (self.wanted, self.reasons, self.rates, self.known, self._grants):
+            self._release(name)
+            self.stale.discard(name)
+            for memory in (self.wanted, self.reasons, self.rates, self.known):
                 memory.pop(name, None)
         self.rewire([(one.wired, one.rtpu) for name, one in self.members.items() if name not in tasks])
         used = {port.svar for one in self.wired for port in one.ports}
@@ -179,25 +215,38 @@ class LiveSubsystem:
 
     def _spawn(self, name: str, member: Member) -> None:
         device = member.wired.device
-        grant = None
         try:
-            grant = self._units.grant(member.rtpu, device) if device is not None else None
-            self._units.send(member.rtpu, self.spawn_order(name, grant))
+            if member.rtpu in self._lost:
+                raise ValueError(self._lost[member.rtpu])
+            self._grants[name] = self._units.grant(member.rtpu, device) if device is not None else None
+            self._units.send(member.rtpu, self.spawn_order(name))
         except (KeyError, ValueError) as wrong:
-            if grant is not None and grant.command_offset is not None:
-                self._units.release(device or "")
-            self.trouble[name] = self.reasons[name] = f"spawn: {wrong}"
+            self._unborn(name, f"spawn: {plainly(wrong)}")
             return
-        self._grants[name] = grant
         member.is_sent = True
 
-    def spawn_order(self, name: str, grant: command.DeviceGrant | None = None) -> command.Spawn:
-        """The command that brings a task to life, or exchanges the code of one that lives."""
+    def _unborn(self, name: str, reason: str) -> None:
+        """A task did not come to life; it may be tried again."""
+        self._release(name)
+        self.members[name].is_sent = False
+        self.trouble[name] = self.reasons[name] = reason
+
+    def _release(self, name: str) -> None:
+        """Give back the device that the task was granted for itself alone."""
+        grant, device = self._grants.pop(name, None), self.members[name].wired.device
+        if grant is not None and grant.command_offset is not None and device is not None:
+            self._units.release(device)
+
+    def spawn_order(self, name: str) -> command.Spawn:
+        """The command that brings a task to life, or exchanges the code of one that lives.
+
+        Raises KeyError where a constant is missing, ValueError for shapes that cannot be.
+        """
         wired = self.members[name].wired
         code = self.code[wired.task.digest]
         self.reshaping.ports(self.subsystem, name)
-        device = grant or self._grants.get(name)
-        return self.subsystem.spawn(name, code.source, code.path, 0, device, self.costs.get(code.digest, 0))
+        cost_ns = self.costs.get(code.digest, 0)
+        return self.subsystem.spawn(name, code.source, code.path, 0, self._grants.get(name), cost_ns)
 
     def warn(self, task: str, text: str) -> None:
         """Something worth knowing that changes nothing."""
@@ -221,11 +270,13 @@ class LiveSubsystem:
         del rtpu
         if isinstance(heard, news.Statuses | news.Loads) or heard.task not in self.members:
             return
-        self._now = now
+        if self.members[heard.task].rtpu in self._lost:
+            return  # the last words of a unit that is gone: its tasks are dead already
         self._hear(heard, heard.task, self.seconds(getattr(heard, "now_ns", now)))
         self._go_on()
 
     def _hear(self, heard: Any, task: str, at: float) -> None:
+        word = told(heard, at)
         match heard:
             case news.Initialised():
                 self._turn(task, State.OFF, at)
@@ -233,36 +284,43 @@ class LiveSubsystem:
             case news.Reinitialised() | news.Rebound() | news.Swapped():
                 self.done.add(task)
             case news.Changed():
+                if heard.signal:
+                    self.wanted.pop(task, None)
                 self._turn(task, State(heard.state), at)
             case news.Finished():
-                self._tell(event.Signalled(self.name, task, "FINISH", heard.flow, "", at))
+                self._tell_if(word)
+                self.wanted.pop(task, None)
                 self._turn(task, State.OFF, at)
             case news.Failed():
                 self.reasons[task] = self.trouble[task] = f"{heard.entry}: {heard.text}"
-                where = (heard.path, heard.line, heard.traceback, at, heard.entry, heard.values)
-                self._tell(event.Failed(self.name, task, self.reasons[task], *where))
+                self._tell_if(word)
                 self._turn(task, State.ERROR, at)
             case news.Asked():
                 self.reasons[task] = f"asks for {', '.join(item.name for item in heard.items)}"
-                items = tuple(
-                    event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items
-                )
                 self._turn(task, State.ASKING, at)
-                self._tell(event.Asked(self.name, task, heard.reason, items, at))
-            case news.Warned():
-                self._tell(event.Warned(self.name, task, heard.text, at))
-            case news.Signalled():
-                self._tell(event.Signalled(self.name, task, heard.kind, heard.number, heard.text, at))
+                self._tell_if(word)
             case news.Refused():
-                self.trouble[task] = f"{heard.command}: {heard.reason}"
-                self._switchboard.settled(0, task)
-                if not self.is_busy:
-                    self._tell(event.Warned(self.name, task, f"refused, {self.trouble[task]}", at))
+                self._refused(heard, task, at)
+            case _:
+                self._tell_if(word)
+
+    def _tell_if(self, word: event.Event | None) -> None:
+        if word is not None:
+            self._tell(word)
+
+    def _refused(self, heard: news.Refused, task: str, at: float) -> None:
+        self.trouble[task] = f"{heard.command}: {heard.reason}"
+        if heard.command == "spawn":
+            self._unborn(task, self.trouble[task])
+        self._switchboard.settled(0, task)
+        if not self.is_busy:
+            self._tell(event.Warned(self.name, task, f"refused, {self.trouble[task]}", at))
 
     def _turn(self, task: str, state: State, at: float) -> None:
         self.members[task].state = state
         if state in (State.ON, State.OFF, State.KILLED):
             self.reasons[task] = ""
+        (self.came if state in (State.ON, State.ASKING) else self.went).add(task)
         self._tell(event.TaskState(self.name, task, state.value, at))
         if state in (State.ON, State.ASKING, State.ERROR):
             self._switchboard.settled(0, task)
@@ -276,7 +334,7 @@ class LiveSubsystem:
             self._switchboard.settled(0, name)
         self._go_on()
         if not self.is_busy:
-            self.remove([name for name in gone if name in self.members])
+            self._bury()
 
 
 def placed(wired: WiredTask) -> Placed:
@@ -285,3 +343,8 @@ def placed(wired: WiredTask) -> Placed:
     inconst = tuple(dict.fromkeys((*wired.inconst, *dimensions)))
     ports = Ports(wired.name, inconst, wired.outconst, wired.invar, wired.outvar)
     return Placed(ports, wired.task.module, wired.device if wired.sheet.hardware else None)
+
+
+def plainly(wrong: KeyError | ValueError) -> str:
+    """What stands in the way of a shape, in words."""
+    return f"the constant {wrong.args[0]} has no value" if isinstance(wrong, KeyError) else str(wrong)

@@ -23,7 +23,7 @@ def refusal(caller: Caller, asked: request.Request, accepts_code: bool) -> str:
     """
     least = _least(asked)
     if caller.role < least:
-        return f"expected a {least.word} for {type(asked).__name__}, found {caller.user}, who is {caller.role.word}"
+        return f"expected {_article(least)} {least.word} for {type(asked).__name__}, found {caller.user}, who is {caller.role.word}"
     if brings_code(asked) and not caller.is_near and not accepts_code:
         return f"code from another machine ({caller.address}) is not accepted; start the runtime with --accept-code"
     return ""
@@ -47,3 +47,7 @@ def _least(asked: request.Request) -> Role:
     if brings_code(asked):
         return Role.PROGRAMMER
     return Role.OWNER if isinstance(asked, request.Quit) else Role.OPERATOR
+
+
+def _article(role: Role) -> str:
+    return "an" if role in (Role.OPERATOR, Role.OWNER) else "a"

@@ -195,6 +195,9 @@ class ServerEnd:
 
     def _request(self, account: Account, request: Request, now_ns: int) -> None:
         account.settle(request.done_below)
+        if len(account.under_way) + len(account.answers) >= self._terms.unsettled and account.is_new(request.number):
+            self._garbage(f"more than {self._terms.unsettled} requests that are not settled")
+            return
         if request.number in account.answers:
             self._repeat(account, request.number)
         if not account.is_new(request.number):

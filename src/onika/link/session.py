@@ -46,6 +46,7 @@ class Session:
         self._has_greeted = False
         self._is_present = False
         self.has_asked = False
+        self._has_shown = False
 
     @property
     def epoch(self) -> str:
@@ -84,6 +85,7 @@ class Session:
     def service(self, now_ns: int, channel: Channel | None = None) -> list[Happening]:
         """Take in, let time pass, send, on this channel (None: on all); what happened."""
         happenings: list[Happening] = []
+        self._has_shown = False
         for port in self._ports.values() if channel is None else (self._ports[channel],):
             for happening in port.service(now_ns):
                 happenings.append(happening)
@@ -113,7 +115,7 @@ class Session:
 
     def due_ns(self, now_ns: int) -> int | None:
         """How long until `service` or `is_lost` has something to do; None: not before something else happens."""
-        if any(port.has_more for port in self._ports.values()):
+        if self._has_shown or any(port.has_more for port in self._ports.values()):
             return 0
         times = [due for port in self._ports.values() if (due := port.due_ns(now_ns)) is not None]
         if self._is_present and self._asking is not None and self._asking.state not in _LINKED:
@@ -136,8 +138,9 @@ class Session:
     def show(self, key: str, body: bytes, now_ns: int) -> None:
         """Show the newest value under a key, if there is somebody to see it."""
         port = self._ports.get(Channel.STREAM) or self._ports.get(Channel.ALL)
-        if port is not None:
+        if port is not None and port.is_open:
             port.reading(key, body, now_ns)
+            self._has_shown = True
 
     def close(self, reason: str, now_ns: int) -> None:
         """Say good-bye on every channel; serve on while there are `ports`."""

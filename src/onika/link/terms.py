@@ -24,6 +24,8 @@ class Terms:
     """Bytes of the longest body of a request or reply."""
     single: int = 512 * 1024
     """Bytes of the longest signal or reading, which are never split."""
+    unsettled: int = 1024
+    """Requests of one client under way or answered, but not settled by it."""
     reading_age_ns: int = 500 * _MS
     """A reading that could not be sent for so long is dropped."""
 

@@ -41,7 +41,7 @@ def module(
         flags = {"trigger": trigger, "passive": passive, "crit": crit}
         body: dict[str, Any] = {**parts.declared, **flags, "_parts": parts, "law": staticmethod(law)}
         body |= {"__module__": law.__module__, "__doc__": _doc(law, parts, hz, flags)}
-        return type(_camel(law.__name__), (_FunctionModule,), body)
+        return type(law.__name__, (_FunctionModule,), body)
 
     return make
 
@@ -167,10 +167,6 @@ def _carried(old: Any, fresh: Any) -> Any:
             if hasattr(old, field.name):
                 setattr(fresh, field.name, getattr(old, field.name))
     return fresh
-
-
-def _camel(name: str) -> str:
-    return "".join(part.capitalize() for part in name.split("_")) or "Function"
 
 
 def _doc(law: _Law, parts: _Parts, hz: tuple[float, float], flags: Mapping[str, Any]) -> str:

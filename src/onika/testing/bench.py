@@ -66,7 +66,8 @@ class Bench:
         if device is not None:
             views[SEGMENT] = device.view
         self._executive = Executive(_HOME, views)
-        self._ports = self._lay_table(constants or {})
+        self._constants = {**self.cls.constants(locals_of(self.cls, dict(self._local))), **(constants or {})}
+        self._ports = self._lay_ports(self.cls)
 
     # Variables
 
@@ -86,7 +87,7 @@ class Bench:
 
     def init(self) -> Self:
         """Load the module and initialise it."""
-        return self._handle(self._spawn_of(self.path, self._ports))
+        return self._handle(self._spawn_of(self.path, self._source, self._ports))
 
     def on(self, line: str = "") -> Self:
         """Turn it on with this argument line; without a fitting one it asks (`asked`)."""
@@ -128,8 +129,8 @@ class Bench:
     def swap(self, file: str | Path) -> Self:
         """Exchange its module for that of another file while it lives; `why` tells a refusal."""
         path = Path(file)
-        cls = _class_of(path.read_text(encoding="utf-8"), path)
-        spawn = self._spawn_of(path, self._lay_ports(cls, {}))
+        source = path.read_text(encoding="utf-8")
+        spawn = self._spawn_of(path, source, self._lay_ports(_class_of(source, path)))
         return self._handle(command.Swap(spawn))
 
     def get(self, name: str) -> Any:
@@ -189,19 +190,17 @@ class Bench:
 
     # Inner
 
-    def _spawn_of(self, path: Path, ports: tuple[command.BoundPort, ...]) -> command.Spawn:
+    def _spawn_of(self, path: Path, source: str, ports: tuple[command.BoundPort, ...]) -> command.Spawn:
         device = None if self._device is None else self._device.grant()
         kind = "periodic" if self._frequency else "aperiodic"
-        source = self._source if path == self.path else path.read_text(encoding="utf-8")
         return command.Spawn(
-            _HOME, _TASK, path.stem, str(path), source, kind, self._frequency, self._local, ports, 0, self._seed, device,
+            _HOME, _TASK, path.stem, str(path), source, kind, self._frequency, self._local,
+            ports, 0, self._seed, device,
         )  # fmt: skip
 
-    def _lay_table(self, constants: Mapping[str, Any]) -> tuple[command.BoundPort, ...]:
+    def _lay_ports(self, cls: type[Module]) -> tuple[command.BoundPort, ...]:
         """Entries for all ports, their shapes resolved by `constants` and by what a robot module says of itself."""
-        declared = [one.port(attribute) for attribute, one in self.cls.declared_ports.items()]
-        own = self.cls.constants(locals_of(self.cls, dict(self._local)))
-        known = {**own, **constants}
+        declared, known = [one.port(attribute) for attribute, one in cls.declared_ports.items()], self._constants
         ports = []
         for port in declared:
             entry = self.table.entry(port.name, port.shape.resolve(known))

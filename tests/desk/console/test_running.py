@@ -50,6 +50,35 @@ def test_a_run_is_aborted(sit):
     assert "aborted: it is late" in one.fails("wait run").found
 
 
+def test_a_question_of_an_application_goes_to_the_next_line_of_a_script(sit, monkeypatch):  # R-A10
+    one = sit()
+    one.session.in_script = True
+    monkeypatch.setattr(one.runtime, "_command", asking_once(one.runtime))
+    one.does("run go_home")
+    assert one.session.running == "go_home"
+    assert one.fails("wait run").found == "flow0/jtraj"
+    (fault,) = one.console.finish()
+    assert fault.found == "flow0/jtraj"
+    one.does("answer flow0/jtraj 1", "wait run")
+    assert one.session.running == ""
+
+
+def asking_once(runtime):
+    """An application that asks as soon as it has begun, and is over when it is answered."""
+    former = runtime._command
+
+    def command(asked):
+        if isinstance(asked, request.Begin):
+            runtime.tell(event.Asked("flow0", "jtraj", "", (), 0.0))
+            return request.Done()
+        if isinstance(asked, request.Reply):
+            runtime.tell(event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), ""))
+            return request.Done()
+        return former(asked)
+
+    return command
+
+
 def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
     one = sit()
     one.console.carry_out("run go_home")

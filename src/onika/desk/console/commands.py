@@ -131,7 +131,8 @@ WHOLE = (
     Command(
         "run",
         "run APPLICATION",
-        "run an application\nIn a script the next line waits for its end.",
+        "run an application\nIn a script the next line waits for its end, or for a question, which it may answer."
+        "\nThen `wait run` waits for the end.",
         running.run,
         ("application",),
         1,

@@ -8,6 +8,7 @@ from onika.desk.console.command import Command, find
 from onika.desk.console.completion import Completion
 from onika.desk.console.face import Tone
 from onika.desk.console.follow import Follow
+from onika.desk.console.passing import ended
 from onika.desk.console.session import TYPED, Faults, Session
 from onika.desk.console.watch import Watch
 from onika.wire import request
@@ -64,6 +65,10 @@ class Console:
         finally:
             self._depth -= 1
             self.session.in_script = former
+
+    def finish(self) -> Faults:
+        """After the last line: the end of a run that goes on, whose outcome counts."""
+        return ended(self.session) if self.session.running and not self.is_over else ()
 
     def _run(self, lines: list[tuple[Place, str]]) -> Faults:
         for place, line in lines:

@@ -8,6 +8,7 @@ from onika.desk.console.face import Tone
 from onika.desk.console.life import missing
 from onika.desk.console.session import Faults, Session
 from onika.desk.console.tuning import code_file, exchange
+from onika.words.fault import Place
 
 Words = tuple[str, ...]
 _PERIOD_S = 1.0
@@ -66,7 +67,11 @@ class Follow:
                 self._exchange(session, subsystem, name, file)
 
     def _exchange(self, session: Session, subsystem: str, name: str, file: _File) -> None:
-        faults = exchange(session, subsystem, name, file.path)
+        former, session.place = session.place, Place(str(file.path))
+        try:
+            faults = exchange(session, subsystem, name, file.path)
+        finally:
+            session.place = former
         for fault in faults:
             session.say(str(fault), Tone.FAULT)
         if faults:

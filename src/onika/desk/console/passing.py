@@ -56,13 +56,20 @@ def ended(session: Session, within_s: float | None = None) -> Faults:
     """Wait for the end of the run; a fault where it is not completed."""
     if not session.running and session.result is None:
         return session.no("a run to wait for", "none")
-    name = session.running
-    limit = float("inf") if within_s is None else within_s
-    faults = session.until(lambda: not session.running, f"the end of {name}", limit)
+    faults = until_asked(session, within_s)
+    if faults or session.running:
+        return faults or _asked(session)
     result = session.result
-    if faults or result is None or result.completed:
-        return faults
+    if result is None or result.completed:
+        return ()
     return session.no("the run completed", f"it was aborted: {result.cause}", "the robot holds")
+
+
+def until_asked(session: Session, within_s: float | None = None) -> Faults:
+    """Wait until the run is over or one of the tasks asks; a fault where neither is so within the seconds."""
+    limit = float("inf") if within_s is None else within_s
+    name = session.running
+    return session.until(lambda: not session.running or bool(session.questions), f"the end of {name}", limit)
 
 
 def _state(session: Session, address: str, state: str, limit: float) -> Faults:
@@ -98,21 +105,24 @@ def _until(
 ) -> Faults:
     """Let time pass, the runtime's own, until something is so."""
     virtual = session.standing().is_virtual
-    until_s, passed = session.clock() + limit, 0.0
+    until_s = _now(session, virtual) + limit
     while not reached():
         if session.is_interrupted():
             return session.interrupt()
-        if (passed if virtual else session.clock()) >= (limit if virtual else until_s):
+        if _now(session, virtual) >= until_s - 1e-9:
             return session.no(f"{expected} within {limit:g} s", found(), "the line is given up")
-        if virtual and not session.running:
-            faults = _advance(session, _STEP_S)
-            if faults:
-                return faults
-            passed += _STEP_S
-        else:
+        if not virtual:
             session.hear(_STEP_S)
-            passed += _STEP_S
+            continue
+        faults = _advance(session, _STEP_S)
+        if faults:
+            return faults
     return ()
+
+
+def _now(session: Session, virtual: bool) -> float:
+    """The time that counts, in s: the runtime's own where it can be stopped and hurried."""
+    return session.look_again().now_s if virtual else session.clock()
 
 
 def _sleep(session: Session, seconds: float) -> Faults:
@@ -131,10 +141,14 @@ def _advance(session: Session, seconds: float) -> Faults:
         if session.is_interrupted():
             return session.interrupt()
         if session.questions:
-            asking = ", ".join("/".join(one) for one in session.questions)
-            return session.no("no task that asks, for until it is answered the clock stands", asking)
+            return _asked(session)
         answer = session.ask(live.Advance(seconds / count))
         session.hear()
         if isinstance(answer, request.Refused):
             return session.no("the clock to go on", answer.reason)
     return ()
+
+
+def _asked(session: Session) -> Faults:
+    asking = ", ".join("/".join(one) for one in session.questions)
+    return session.no("no task that asks, for nothing goes on until it is answered", asking)

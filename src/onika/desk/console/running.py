@@ -2,7 +2,7 @@
 
 from onika.desk.console.face import Tone
 from onika.desk.console.library import Library
-from onika.desk.console.passing import ended
+from onika.desk.console.passing import ended, until_asked
 from onika.desk.console.session import Faults, Session
 from onika.desk.preparation import prepare_run
 from onika.wire import request
@@ -13,7 +13,7 @@ CALIBRATE = "calibrate"
 
 
 def run(session: Session, words: Words) -> Faults:
-    """Begin an application; in a script, wait for its end too."""
+    """Begin an application; in a script, go on to its end, or to a question, which the next line may answer."""
     if session.running:
         return session.no("no application that runs", session.running)
     prepared = prepare_run(words[0], session.site)
@@ -29,7 +29,10 @@ def run(session: Session, words: Words) -> Faults:
     session.running_in = frozenset(flow.subsystem for flow in prepared.plan.flows)
     total = sum(len(flow.actions) for flow in prepared.plan.flows)
     session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
-    return ended(session) if session.in_script else ()
+    if not session.in_script:
+        return ()
+    faults = until_asked(session)
+    return faults if faults or session.running else ended(session)
 
 
 def abort(session: Session, words: Words) -> Faults:
