@@ -4,6 +4,7 @@ import pytest
 
 from onika.cli import main
 from onika.cli import runtime as room
+from onika.link.lost import Cause, LinkLost
 
 
 class Launched:
@@ -57,6 +58,24 @@ def test_the_network_channel_is_opened_at_the_start_and_its_address_told(sits): 
     assert main(["runtime", "--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--accept-code"]) == 0
     assert Launched.seen[0][3] == ("--listen", "127.0.0.1:0", "--users", "u", "--name", "arm", "--accept-code")
     assert sits[0][2]["addresses"] == ("ws://127.0.0.1:41234",)
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [(["--listen", "0.0.0.0:1"], 2, "--users: expected a file"), ([], 1, "the runtime is gone: it ended")],
+)
+def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words, code, said):
+    class Stillborn(Launched):
+        def __enter__(self):
+            raise LinkLost(Cause.CLOSED, "the runtime is gone: it ended")
+
+        def printed(self):
+            return "--users: expected a file\n"
+
+    monkeypatch.setattr(room, "Runtime", Stillborn)
+    assert main(["runtime", *words]) == code
+    assert capsys.readouterr().err.strip() == said
+    assert sits == []
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,7 @@ class FakeRuntime:
 
     script = ()
     faults = ()
+    refuses = ""
     begins = request.Done()
     snapshots = request.Worlds({"boxes": b"drawn"})
     made = None
@@ -42,7 +43,7 @@ class FakeRuntime:
         self.asked.append(asked)
         match asked:
             case request.Prepare():
-                return request.Prepared(self.faults, ("a note",))
+                return request.Refused(self.refuses) if self.refuses else request.Prepared(self.faults, ("a note",))
             case request.Begin():
                 return self.begins
             case request.Snapshot():

@@ -6,6 +6,7 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
+from onika.runtime.figures import status_of
 from onika.testing.rig import HOME, Rig
 from onika.testing.source import COUNTER, cycle, module
 from onika.testing.worlds import MassWorld
@@ -80,8 +81,10 @@ def test_first_values_do_not_fall_back_while_the_task_is_on():  # law 3
         "    def cycle(self):\n        self.E += 1\n    def take(self, old):\n        pass"
     )
     rig = running(source)
+    written = rig.table.ring("E").count
     rig.do(swap_of(rig, source.replace("= 1\n", "= 5\n", 1)))
     assert (rig["C"], rig["E"]) == (5, 4)
+    assert rig.table.ring("E").count == written
     assert rig.run(35 * MS)["E"] == 5
 
 
@@ -97,6 +100,7 @@ def test_the_rate_stays_as_it_was_changed():  # R-A04
     rig = running().switch(rates=[("one", 200.0)])
     rig.do(swap_of(rig, TAKES))
     assert (rig.task("one").period_ns, rig.task("one").module.dt) == (5 * MS, 0.005)
+    assert status_of(rig.task("one"), rig.now + 100 * MS).profiled_s == pytest.approx(0.1)
     before = rig.task("one").counters.cycles
     rig.run(rig.now + 50 * MS)
     assert rig.task("one").counters.cycles - before == 10
@@ -117,6 +121,8 @@ def test_ports_may_come_and_go():  # law 21
     )
     rig.do(swap_of(rig, more)).run(35 * MS)
     assert rig["Y"] == 1
+    rig.switch(forget=["Y"])
+    assert rig.table.ring("Y").mark == rig.table.ring("Y").count == 1
 
 
 BAD = [

@@ -21,7 +21,7 @@ class One(Module):
 
     def cycle(self):
         self.N += 1
-        if self.N == 4:
+        if self.N == 5:
             self.Q = (1.5, float("inf"))
             self.NAME, self.FLAG = "cube", "x"
             raise ValueError("planted")
@@ -93,9 +93,12 @@ def test_a_load_resets_nothing_and_outlives_a_status(rig):  # R-X13
     assert load_of(rig.task("one")) == before
     assert (before.is_on, before.hz, before.cycles) == (True, 100.0, 3)
     assert 0.0 < before.mean_us <= before.most_us
+    rig.run(35 * MS).do(command.Report())
+    latest = load_of(rig.task("one"))
+    assert latest.cycles == 4
     rig.do(command.Report())
-    assert load_of(rig.task("one")) == before
-    assert rig.do(command.Load()).heard(news.Loads) == [news.Loads("unit", (before, load_of(rig.task("two"))))]
+    assert load_of(rig.task("one")) == latest
+    assert rig.do(command.Load()).heard(news.Loads) == [news.Loads("unit", (latest, load_of(rig.task("two"))))]
     assert load_of(rig.task("two")).use == 0.0
 
 
@@ -104,9 +107,9 @@ def test_a_failure_tells_the_values_of_that_cycle(rig):  # R-A18
     rig.switch(on=["one"]).run(100 * MS)
     values = rig.heard(news.Failed)[0].values
     assert rig.task("one").state is State.ERROR
-    assert (values["N^"], values["Q"], values["NAME"], values["FLAG"]) == (4, [1.5, float("inf")], "cube", "x")
+    assert (values["N^"], values["Q"], values["NAME"], values["FLAG"]) == (5, [1.5, float("inf")], "cube", "x")
     assert values["IMAGE"] == [*range(64), "… 400 in all"]
-    assert rig["N^"] == 3  # what failed was not published
+    assert rig["N^"] == 4  # what failed was not published
     assert news.decode(news.encode(rig.heard(news.Failed)[0])).values == values
 
 

@@ -75,6 +75,24 @@ def test_without_a_gap_it_is_refused_with_the_numbers(rig):  # law 21
     assert not rig.executive.has_work
 
 
+def test_each_piece_has_its_own_patience(rig):  # law 21
+    rig.do(late(rig, cost=6 * MS, init=3 * MS)).run(1500 * MS)
+    assert work(rig, 1501 * MS) == []  # loaded
+    for now in range(1509, 3400, 10):
+        rig.run(now * MS)
+        assert work(rig, now * MS) == []
+    assert rig.executive.has_work
+    assert work(rig, 3401 * MS) == ["Initialised"]
+
+
+def test_a_rate_that_changes_between_the_pieces_of_an_exchange_stays(rig):  # R-A04, law 21
+    rig.do(command.Swap(late(rig, COUNTER, "busy", cost=6 * MS, init=3 * MS, aliases={"N": "BUSY"})))
+    work(rig, MS)
+    rig.switch(rates=[("busy", 50.0)])
+    assert work(rig, 2 * MS) == ["Swapped"]
+    assert (rig.task("busy").period_ns, rig.task("busy").module.dt) == (20 * MS, 0.02)
+
+
 def test_the_first_piece_for_which_there_is_room_is_done(rig):  # law 21
     rig.do(late(rig, task="big", cost=9 * MS)).do(late(rig, task="small", cost=MS))
     work(rig, 5 * MS)

@@ -7,6 +7,7 @@ import select
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import pytest
 
@@ -126,6 +127,23 @@ def test_a_second_console_takes_part_in_the_same_runtime(tmp_path, monkeypatch):
         first.until_line("main/puma ON")
         os.kill(first.pid, signal.SIGINT)
         assert first.code() == 0
+
+
+def test_a_runtime_that_dies_is_told_and_ends_its_console():  # R-E10
+    with subprocess.Popen(
+        [*ONIKA, "runtime", "--no-fifo"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT
+    ) as console:
+        console.stdin.write(b"config jmoveC @home\n")
+        console.stdin.flush()
+        while b"main/jtraj ON" not in console.stdout.readline():
+            pass
+        children = Path(f"/proc/{console.pid}/task/{console.pid}/children").read_text().split()
+        (runtime,) = [pid for pid in children if b"onika.host" in Path(f"/proc/{pid}/cmdline").read_bytes()]
+        os.kill(int(runtime), signal.SIGKILL)
+        said = console.stdout.read().decode()  # its end, with the input still open
+        assert console.wait(30) == 1
+    assert "the runtime is gone" in said
+    assert "killed by signal 9" in said
 
 
 class Screen:

@@ -182,7 +182,8 @@ def test_texts_and_characters_lie_in_the_table_as_modules_see_them(tmp_path):
 
 def test_a_module_is_exchanged_for_that_of_another_file(tmp_path):  # R-X15
     old, new = tmp_path / "old.py", tmp_path / "new.py"
-    source = "from onika.module import *\nclass One(Module):\n    N = OutVar('int')\n    def cycle(self):\n        self.N += 1"
+    source = "from onika.module import *\nclass One(Module):\n    N = OutVar('int')\n"
+    source += "    def cycle(self):\n        self.N += 1"
     old.write_text(source)
     new.write_text(source.replace("+= 1", "+= 10") + "\n    def take(self, old):\n        pass")
     bench = Bench(old).init().on().cycle(2).swap(new).cycle(2)

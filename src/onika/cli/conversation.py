@@ -87,6 +87,7 @@ def _talk(console: Console, desk: Desk, interruption: Interruption, numbers: Ite
 
 def _end(console: Console, desk: Desk) -> int:
     """After the last line; who is no person waits for the outcome of a run."""
+    console.session.hear()
     faults = () if desk.is_person else _guarded(console.session, console.finish)
     _show(desk, faults, typed=False)
     return 1 if faults else 0

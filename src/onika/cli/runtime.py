@@ -2,11 +2,14 @@
 
 import argparse
 import re
+import sys
+from contextlib import ExitStack
 from pathlib import Path
 
 from onika.cli.place import directory, site_here
 from onika.cli.sitting import sit_down
 from onika.desk.runtime import Runtime
+from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
 
 _LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
@@ -41,7 +44,14 @@ def carry_out(given: argparse.Namespace) -> int:
         given.complain("expected --listen or --script with --no-console, found neither: nobody could reach the runtime")
     rtpus = tuple(dict.fromkeys(given.rtpu)) or ("rt0",)
     site = site_here(given.base)
-    with Runtime(rtpus, given.virtual, not given.no_fifo, listen) as runtime:
+    launched = Runtime(rtpus, given.virtual, not given.no_fifo, listen)
+    with ExitStack() as stack:
+        try:
+            runtime = stack.enter_context(launched)
+        except LinkLost as lost:
+            # who asked to listen is told by the runtime itself what is missing for that
+            print(launched.printed().strip() if listen else lost, file=sys.stderr)
+            return 2 if listen else 1
         addresses = tuple(_LISTENING.findall(runtime.printed())) if listen else ()
         return sit_down(runtime, site, given.script, has_console=not given.no_console, addresses=addresses)
 

@@ -5,11 +5,11 @@ from typing import Any
 
 from msgspec import structs
 
-from onika.host import edit
+from onika.host import edit, objection
 from onika.host.asking import Loading
-from onika.host.checks import absent_devices, conflicts, cycles, shapeless, shared_devices, task_of, wrong_rates
+from onika.host.checks import absent_devices, conflicts, cycles, shapeless, shared_devices, task_of
 from onika.host.forecast import Coming
-from onika.host.live import LiveSubsystem, Transaction, placed
+from onika.host.live import LiveSubsystem, Transaction
 from onika.host.preparation import unknown_parameters
 from onika.host.stage import Stage
 from onika.model.lifecycle import State
@@ -19,11 +19,10 @@ from onika.runtime.sheet import ModuleSheet, differences
 from onika.runtime.wiring import WiredTask, disagreements, wire
 from onika.wire import live as asked
 from onika.wire import request
-from onika.wire.plan import Code, PlannedTask
+from onika.wire.plan import Code
 from onika.words.fault import Fault, Place
 
 Answer = Callable[[request.Response], None]
-_INSTEAD = "nothing is changed"
 
 
 class Editor:
@@ -37,49 +36,60 @@ class Editor:
     def change(self, order: asked.Change) -> request.Response:
         """Check a change whole; accepted, it begins after those before it."""
         self._loading.expect(order.code)
-        living = self._living(order.subsystem)
         sheets, faults = self._sheets(order.code)
-        new, wrong, notes = _wired(order.spawn, sheets)
-        faults += wrong + _names(order, living)
-        faults += [
-            Fault(Place(task.place), f"a unit for {task.name} that lives", gone, _INSTEAD)
-            for task in order.spawn
-            if (gone := self._stage.gone(task.rtpu))
-        ]
-        kept = [one for one in living if one.name not in order.kill]
-        if not faults:
-            faults += self._together(order.subsystem, kept, new) + _rates(order, [*kept, *new])
+        new, wrong, notes = objection.wired(order.spawn, sheets)
+        faults += wrong + [objection.of_change(fault) for fault in absent_devices(new, self._loading)]
         known, unstated = self._known(order, new)
         faults += unstated
-        overloads, near = self._overloads(order, [*kept, *new]) if not faults else ([], [])
-        faults += overloads
+        live = self._stage.live.get(order.subsystem)
+        is_next = live is None or not live.is_busy  # else it finds what those before it leave
+        if is_next:
+            faults += self._faults(order, new, bool(faults))
         if faults:
             return refused(faults, notes)
         live = self._stage.by_hand(order.subsystem)
-        live.code |= {code.digest: code for code in order.code}
-        live.costs |= {code.digest: self._loading.cost_ns(code) for code in order.code}
-        live.known |= known
-        comers = tuple((one, self._stage.unit(one.task.rtpu)) for one in new)
-        swapped = exchange([placed(one) for one in living], order.kill, [placed(one) for one in new])
-        for task, text in near:
+        for code in order.code:
+            live.cradle.know(code, self._loading.cost_ns(code))
+        return self._begin(live, self._carry_out(live, order, new, known, is_next))
+
+    def _carry_out(
+        self,
+        live: LiveSubsystem,
+        order: asked.Change,
+        new: list[WiredTask],
+        known: dict[str, dict[str, int]],
+        is_checked: bool,
+    ) -> Transaction:
+        """A change when its turn has come; one that had to wait is checked then."""
+        faults = [] if is_checked else self._faults(order, new, False)
+        if faults:
+            return "; ".join(f"expected {one.expected}, found {one.found}" for one in faults)
+        kept = [one for one in live.wired if one.name not in order.kill]
+        for task, text in self._overloads(order, [*kept, *new])[1]:
             live.warn(task, text)
-        what = edit.Edit(swapped, comers, order.off, order.on, order.rates)
-        return self._begin(live, edit.change(live, what))
+        comers = tuple((one, self._stage.unit(one.task.rtpu)) for one in new)
+        swapped = exchange([one.placed for one in live.wired], order.kill, [one.placed for one in new])
+        return (yield from edit.change(live, edit.Edit(swapped, comers, order.off, order.on, order.rates, known)))
 
     def reinit(self, order: asked.Reinit) -> request.Response:
         """Initialise a task anew, with other LOCAL lines where they are given."""
         live, refusal = self._task(order.subsystem, order.task)
         if live is None:
             return refusal
-        wired = None
+        before, wired, stated = live.members[order.task].wired, None, None
         if order.local is not None:
-            before = live.members[order.task].wired
-            wired = WiredTask(structs.replace(before.task, local=order.local), before.sheet, before.ports)
-            stated = self._loading.constants(live.code[wired.task.digest], order.local)
-            if isinstance(stated, Fault):
-                return refused([stated], [])
-            live.known[order.task] = _aliased(wired, stated)
-        return self._begin(live, edit.reinit(live, order.task, wired))
+            planned = structs.replace(before.task, local=order.local)
+            wired = WiredTask(planned, before.sheet, before.ports)
+            faults = differences(task_of(planned), before.sheet, Place(planned.place)) + objection.moved(before, wired)
+            if faults:
+                return refused(
+                    [objection.of_change(fault) for fault in faults], unknown_parameters(planned, before.sheet)
+                )
+            found = self._loading.constants(live.cradle.code[planned.digest], order.local)
+            if isinstance(found, Fault):
+                return refused([objection.of_change(found)], [])
+            stated = _aliased(wired, found)
+        return self._begin(live, _still(live, before, edit.reinitialise(live, order.task, wired, stated)))
 
     def swap(self, order: asked.Swap) -> request.Response:
         """Exchange the code of a living task: its ports stay what they are."""
@@ -89,14 +99,15 @@ class Editor:
         before = live.members[order.task].wired
         sheet = self._loading.sheet(order.code)
         if isinstance(sheet, Fault):
-            return refused([sheet], [])
+            return refused([objection.of_change(sheet)], [])
         planned = structs.replace(before.task, digest=order.code.digest, module=order.code.module)
         faults = differences(task_of(planned), sheet, Place(planned.place))
+        wired = wire(planned, sheet) if not faults else before
+        faults += objection.grown(before, wired) + conflicts([wired if one is before else one for one in live.wired])
         if faults:
-            return refused(faults, [])
-        live.code[order.code.digest] = order.code
-        live.costs[order.code.digest] = self._loading.cost_ns(order.code)
-        return self._begin(live, edit.swap(live, order.task, wire(planned, sheet)))
+            return refused([objection.of_change(fault) for fault in faults], unknown_parameters(planned, sheet))
+        live.cradle.know(order.code, self._loading.cost_ns(order.code))
+        return self._begin(live, _still(live, before, edit.swap(live, order.task, wired)))
 
     def clear(self, order: asked.Clear) -> request.Response:
         """Bring a task out of ERROR."""
@@ -105,7 +116,8 @@ class Editor:
             return refusal
         if live.state(order.task) is not State.ERROR:
             return request.Refused(f"{order.task} is {live.state(order.task).value}, not ERROR")
-        return self._begin(live, edit.clear(live, order.task))
+        wired = live.members[order.task].wired
+        return self._begin(live, _still(live, wired, edit.clearing(live, order.task)))
 
     def close(self, order: asked.Close) -> request.Response:
         """Kill every task of a subsystem."""
@@ -121,6 +133,7 @@ class Editor:
             return refusal
         if live.state(order.task) is not State.ASKING:
             return request.Refused(f"{order.task} asks for nothing")
+        live.wanted[order.task] = order.line
         live.send(order.task, command.Answer(order.subsystem, order.task, order.line))
         return request.Done()
 
@@ -164,13 +177,25 @@ class Editor:
                 sheets[code.digest] = sheet
         return sheets, faults
 
-    def _together(self, subsystem: str, kept: list[WiredTask], new: list[WiredTask]) -> list[Fault]:
+    def _faults(self, order: asked.Change, new: list[WiredTask], is_wrong: bool) -> list[Fault]:
+        """All that is wrong with a change as things stand; where more is wrong already, only what is plain."""
+        living = self._living(order.subsystem)
+        faults = objection.names(order, living)
+        faults += [
+            Fault(Place(one.task.place), f"a unit for {one.name} that lives", gone, objection.INSTEAD)
+            for one in new
+            if (gone := self._stage.gone(one.task.rtpu))
+        ]
+        everyone = [*(one for one in living if one.name not in order.kill), *new]
+        if not (faults or is_wrong):
+            faults += self._together(order.subsystem, everyone) + objection.rates(order, everyone)
+        return faults or ([] if is_wrong else self._overloads(order, everyone)[0])
+
+    def _together(self, subsystem: str, everyone: list[WiredTask]) -> list[Fault]:
         """What is wrong with these tasks living together, and with devices that others hold."""
-        everyone = [*kept, *new]
         faults = disagreements(everyone) + conflicts(everyone) + cycles(everyone)
         others = [one for name, live in self._stage.live.items() if name != subsystem for one in live.wired]
-        faults += shared_devices([*others, *everyone]) + absent_devices(new, self._loading)
-        return [of_change(fault) for fault in faults]
+        return [objection.of_change(fault) for fault in faults + shared_devices([*others, *everyone])]
 
     def _overloads(self, order: asked.Change, tasks: Sequence[WiredTask]) -> tuple[list[Fault], list[tuple[str, str]]]:
         """Tasks for which a unit has no time, and those for which it hardly has (X13)."""
@@ -188,7 +213,9 @@ class Editor:
         found = self._stage.forecast.warnings(off, coming)
         place = Place(f"subsystem {order.subsystem}")
         faults = [
-            Fault(place, f"time for {one.task} on {one.rtpu}", text, _INSTEAD) for one, use, text in found if use > 1.0
+            Fault(place, f"time for {one.task} on {one.rtpu}", text, objection.INSTEAD)
+            for one, use, text in found
+            if use > 1.0
         ]
         return faults, [(one.task, text) for one, use, text in found if use <= 1.0]
 
@@ -204,7 +231,7 @@ class Editor:
             else:
                 known[one.name] = _aliased(one, stated)
         together = {name: value for values in known.values() for name, value in values.items()}
-        return known, faults + [of_change(fault) for fault in shapeless(new, together)]
+        return known, faults + [objection.of_change(fault) for fault in shapeless(new, together)]
 
 
 def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
@@ -216,52 +243,14 @@ def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
     return request.Prepared(tuple(texts), tuple(notes))
 
 
-def of_change(fault: Fault) -> Fault:
-    """A fault of an application's rules, said of a change."""
-    return Fault(fault.place, fault.expected, fault.found, _INSTEAD)
-
-
 def _aliased(wired: WiredTask, stated: dict[str, Any]) -> dict[str, Any]:
     aliases = dict(wired.task.aliases)
     return {aliases.get(name, name): value for name, value in stated.items()}
 
 
-def _wired(
-    tasks: Sequence[PlannedTask], sheets: dict[str, ModuleSheet]
-) -> tuple[list[WiredTask], list[Fault], list[str]]:
-    wired, faults, notes = [], [], []
-    for task in tasks:
-        sheet = sheets.get(task.digest)
-        if sheet is None:
-            continue  # its module's fault is told already
-        wrong = differences(task_of(task), sheet, Place(task.place))
-        faults += wrong
-        notes += unknown_parameters(task, sheet)
-        if not wrong:
-            wired.append(wire(task, sheet))
-    return wired, faults, notes
-
-
-def _names(order: asked.Change, living: Sequence[WiredTask]) -> list[Fault]:
-    """Tasks that are named and are not there, or are there already."""
-    there = {one.name for one in living}
-    born = [one.name for one in order.spawn]
-    after = (there - set(order.kill)) | set(born)
-    place = Place(f"subsystem {order.subsystem}")
-    missing = [(name, there) for name in order.kill] + [(name, there) for name in order.off]
-    missing += [(turn.task, after) for turn in order.on] + [(name, after) for name, _ in order.rates]
-    faults = [
-        Fault(place, f"one of {', '.join(sorted(known)) or 'no task'}", name, _INSTEAD)
-        for name, known in missing
-        if name not in known
-    ]
-    twice = [name for name in dict.fromkeys(born) if born.count(name) > 1 or name in there - set(order.kill)]
-    return faults + [Fault(place, "each task once in a subsystem", f"{name} twice", _INSTEAD) for name in twice]
-
-
-def _rates(order: asked.Change, tasks: Sequence[WiredTask]) -> list[Fault]:
-    """Rates that no task can have."""
-    place = Place(f"subsystem {order.subsystem}")
-    given = [(place, " now", name, hz) for name, hz in order.rates]
-    given += [(Place(one.place), "", one.name, one.frequency) for one in order.spawn if one.frequency is not None]
-    return wrong_rates(given, {one.name for one in tasks if one.sheet.hardware}, _INSTEAD)
+def _still(live: LiveSubsystem, wired: WiredTask, transaction: Transaction) -> Transaction:
+    """A transaction about a task as it was checked, if it still is when its turn comes."""
+    member = live.members.get(wired.name)
+    if member is None or member.wired is not wired:
+        return f"{wired.name}: it was changed or ended meanwhile"
+    return (yield from transaction)

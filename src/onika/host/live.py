@@ -9,19 +9,18 @@ from collections.abc import Callable, Collection, Generator, Mapping
 from typing import Any
 
 from onika.engine import orders
+from onika.host.cradle import Cradle
 from onika.host.reshape import Reshaping
 from onika.host.switchboard import Switchboard
 from onika.host.telling import told
 from onika.host.units import Units
 from onika.model.lifecycle import State
-from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import Placed
 from onika.runtime import command, news
 from onika.runtime.subsystem import Member, Subsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
-from onika.wire.plan import Code
 
 Wait = Callable[[], bool]
 Transaction = Generator[Wait, None, str]
@@ -46,9 +45,6 @@ class LiveSubsystem:
         self.name = name
         self.table = table
         self.holder = ""
-        self.code: dict[str, Code] = {}
-        self.costs: dict[str, int] = {}
-        """By code: what loading it takes, in ns."""
         self.known: dict[str, dict[str, int]] = {}
         """By task: the constants a robot module states before it lives."""
         self.wanted: dict[str, str] = {}
@@ -72,11 +68,11 @@ class LiveSubsystem:
         """Whether the subsystem is to be no more as soon as nothing is left of it."""
         self._lost = lost if lost is not None else {}
         self._end = end
+        self.cradle = Cradle(units, self.reshaping, self._lost)
         self._units = units
         self._tell = tell
         self._clock = clock
         self._switchboard = Switchboard({0: self.subsystem}, units)
-        self._grants: dict[str, command.DeviceGrant | None] = {}
         self._transactions: deque[tuple[int, Transaction]] = deque()
         self._waits: Wait | None = None
 
@@ -104,7 +100,7 @@ class LiveSubsystem:
 
     def placed(self) -> list[Placed]:
         """The tasks as the rule of reconfiguration sees them."""
-        return [placed(one) for one in self.wired]
+        return [one.placed for one in self.wired]
 
     def state(self, task: str) -> State:
         """A task's state; KILLED where there is none."""
@@ -116,7 +112,7 @@ class LiveSubsystem:
         wired = self.members[task].wired
         suppliers = {svar: one for one in self.members.values() for svar in one.wired.outconst}
         lacking = []
-        for svar in wired.inconst:
+        for svar in wired.placed.ports.inconst:
             supplier = suppliers.get(svar)
             if supplier is None:
                 lacking += [svar] if svar not in wired.first_values else []
@@ -154,9 +150,7 @@ class LiveSubsystem:
         if gone:
             self.remove(gone)
         if not self._transactions:
-            used = {wired.task.digest for wired in self.wired}
-            self.code = {digest: code for digest, code in self.code.items() if digest in used}
-            self.costs = {digest: cost for digest, cost in self.costs.items() if digest in used}
+            self.cradle.forget(self.wired)
 
     def seconds(self, now: int | None = None) -> float:
         """The runtime's time in seconds."""
@@ -195,12 +189,12 @@ class LiveSubsystem:
     def remove(self, tasks: Collection[str]) -> None:
         """These are gone: devices and memory are given back."""
         for name in tasks:
-            self._release(name)
+            self.cradle.release(name, self.members[name])
             self.stale.discard(name)
             for memory in (self.wanted, self.reasons, self.rates, self.known):
                 memory.pop(name, None)
         self.rewire([(one.wired, one.rtpu) for name, one in self.members.items() if name not in tasks])
-        used = {port.svar for one in self.wired for port in one.ports}
+        used = {name for one in self.wired for port in one.ports for name in (port.svar, *port.shape.names)}
         for svar in [svar for svar in self.table.entries if svar not in used]:
             self.table.free(self.table.drop(svar))
 
@@ -214,39 +208,10 @@ class LiveSubsystem:
                     self._spawn(name, member)
 
     def _spawn(self, name: str, member: Member) -> None:
-        device = member.wired.device
-        try:
-            if member.rtpu in self._lost:
-                raise ValueError(self._lost[member.rtpu])
-            self._grants[name] = self._units.grant(member.rtpu, device) if device is not None else None
-            self._units.send(member.rtpu, self.spawn_order(name))
-        except (KeyError, ValueError) as wrong:
-            self._unborn(name, f"spawn: {plainly(wrong)}")
-            return
-        member.is_sent = True
-
-    def _unborn(self, name: str, reason: str) -> None:
-        """A task did not come to life; it may be tried again."""
-        self._release(name)
-        self.members[name].is_sent = False
-        self.trouble[name] = self.reasons[name] = reason
-
-    def _release(self, name: str) -> None:
-        """Give back the device that the task was granted for itself alone."""
-        grant, device = self._grants.pop(name, None), self.members[name].wired.device
-        if grant is not None and grant.command_offset is not None and device is not None:
-            self._units.release(device)
-
-    def spawn_order(self, name: str) -> command.Spawn:
-        """The command that brings a task to life, or exchanges the code of one that lives.
-
-        Raises KeyError where a constant is missing, ValueError for shapes that cannot be.
-        """
-        wired = self.members[name].wired
-        code = self.code[wired.task.digest]
-        self.reshaping.ports(self.subsystem, name)
-        cost_ns = self.costs.get(code.digest, 0)
-        return self.subsystem.spawn(name, code.source, code.path, 0, self._grants.get(name), cost_ns)
+        wrong = self.cradle.bear(self.subsystem, name)
+        member.is_sent = not wrong
+        if wrong:
+            self.trouble[name] = self.reasons[name] = wrong
 
     def warn(self, task: str, text: str) -> None:
         """Something worth knowing that changes nothing."""
@@ -276,7 +241,9 @@ class LiveSubsystem:
         self._go_on()
 
     def _hear(self, heard: Any, task: str, at: float) -> None:
-        word = told(heard, at)
+        words = told(heard, at)
+        if not isinstance(heard, news.Asked):
+            self._tell_all(words)
         match heard:
             case news.Initialised():
                 self._turn(task, State.OFF, at)
@@ -288,30 +255,27 @@ class LiveSubsystem:
                     self.wanted.pop(task, None)
                 self._turn(task, State(heard.state), at)
             case news.Finished():
-                self._tell_if(word)
                 self.wanted.pop(task, None)
                 self._turn(task, State.OFF, at)
             case news.Failed():
                 self.reasons[task] = self.trouble[task] = f"{heard.entry}: {heard.text}"
-                self._tell_if(word)
                 self._turn(task, State.ERROR, at)
             case news.Asked():
                 self.reasons[task] = f"asks for {', '.join(item.name for item in heard.items)}"
                 self._turn(task, State.ASKING, at)
-                self._tell_if(word)
+                self._tell_all(words)
             case news.Refused():
                 self._refused(heard, task, at)
-            case _:
-                self._tell_if(word)
 
-    def _tell_if(self, word: event.Event | None) -> None:
-        if word is not None:
+    def _tell_all(self, words: tuple[event.Event, ...]) -> None:
+        for word in words:
             self._tell(word)
 
     def _refused(self, heard: news.Refused, task: str, at: float) -> None:
         self.trouble[task] = f"{heard.command}: {heard.reason}"
-        if heard.command == "spawn":
-            self._unborn(task, self.trouble[task])
+        if heard.command == "spawn":  # it may be tried again
+            self.cradle.release(task, self.members[task])
+            self.members[task].is_sent, self.reasons[task] = False, self.trouble[task]
         self._switchboard.settled(0, task)
         if not self.is_busy:
             self._tell(event.Warned(self.name, task, f"refused, {self.trouble[task]}", at))
@@ -335,16 +299,3 @@ class LiveSubsystem:
         self._go_on()
         if not self.is_busy:
             self._bury()
-
-
-def placed(wired: WiredTask) -> Placed:
-    """A task as the rule of reconfiguration sees it; what its shapes depend on counts as a constant it reads."""
-    dimensions = (name for port in wired.ports for name in port.shape.names if name not in wired.outconst)
-    inconst = tuple(dict.fromkeys((*wired.inconst, *dimensions)))
-    ports = Ports(wired.name, inconst, wired.outconst, wired.invar, wired.outvar)
-    return Placed(ports, wired.task.module, wired.device if wired.sheet.hardware else None)
-
-
-def plainly(wrong: KeyError | ValueError) -> str:
-    """What stands in the way of a shape, in words."""
-    return f"the constant {wrong.args[0]} has no value" if isinstance(wrong, KeyError) else str(wrong)

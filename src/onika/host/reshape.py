@@ -34,6 +34,14 @@ class Reshaping:
             self._table.free(entry)
         self._stale.clear()
 
+    def undo(self) -> None:
+        """As it was: nobody who lives on has been bound anew, so the old entries count again, with their values."""
+        for entry in reversed(self._stale):
+            if entry.name in self._table.entries:
+                self._table.free(self._table.drop(entry.name))
+            self._table.put_back(entry)
+        self._stale.clear()
+
     def _entry(self, svar: str, shape: Shape) -> Entry:
         known = self._table.entries.get(svar)
         if known is not None and known.shape != shape:

@@ -77,12 +77,22 @@ class Stage:
             def tell(one: event.Event) -> None:
                 self._tell(one, name, self.live[name].holder if name in self.live else "")
 
-            self.live[name] = LiveSubsystem(name, self.table(name), self._units, tell, lambda: self._units.now)
+            self.live[name] = LiveSubsystem(
+                name,
+                self.table(name),
+                self._units,
+                tell,
+                lambda: self._units.now,
+                self.lost_units,
+                lambda: self.drop(name),
+            )
         return self.live[name]
 
     def drop(self, name: str) -> None:
-        """An empty subsystem is no more."""
-        del self.live[name]
+        """An empty subsystem is no more, and nobody holds it."""
+        holder = self.live.pop(name).holder
+        if holder:
+            self._tell(event.Held(name, ""), name, holder)
         self._units.unshare(f"table:{name}")
         self.tables.pop(name).segment.close()
 
@@ -155,7 +165,7 @@ class Stage:
         self._tell(event.Lost(rtpu or "device server", reason, round(now * 1e-9, 9)), "", "")
         for performance in self.performances:
             performance.runner.lost(rtpu, reason, now)
-        for live in self.live.values():
+        for live in list(self.live.values()):
             live.lost(rtpu, reason, now)
         self.roll.lost()
 

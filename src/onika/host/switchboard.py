@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from onika.engine import orders
 from onika.host.units import Units
+from onika.model.lifecycle import State
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 
@@ -47,7 +48,8 @@ class Switchboard:
         groups = self._waiting.get(flow)
         while groups:
             rtpu, switch = groups.popleft()
-            self._awaited[flow] = {launch.task for launch in switch.on}
+            members = self._subsystems[flow].members
+            self._awaited[flow] = {one.task for one in switch.on if members[one.task].state is not State.KILLED}
             for launch in switch.on:
                 self._activations[flow, launch.task] = launch.activation
             self._units.send(rtpu, switch)

@@ -4,19 +4,19 @@ from onika.runtime import news
 from onika.wire import event
 
 
-def told(heard: news.News, at: float) -> event.Event | None:
-    """The event beside the change of state that a piece of news may be; None: that change, or nothing, is to tell."""
+def told(heard: news.News, at: float) -> tuple[event.Event, ...]:
+    """What is told of a piece of news besides the change of state that it may be."""
     match heard:
         case news.Finished():
-            return event.Signalled(heard.subsystem, heard.task, "FINISH", heard.flow, "", at)
+            return (event.Signalled(heard.subsystem, heard.task, "FINISH", heard.flow, "", at),)
         case news.Signalled():
-            return event.Signalled(heard.subsystem, heard.task, heard.kind, heard.number, heard.text, at)
+            return (event.Signalled(heard.subsystem, heard.task, heard.kind, heard.number, heard.text, at),)
         case news.Failed():
             where = (heard.path, heard.line, heard.traceback, at, heard.entry, heard.values)
-            return event.Failed(heard.subsystem, heard.task, f"{heard.entry}: {heard.text}", *where)
+            return (event.Failed(heard.subsystem, heard.task, f"{heard.entry}: {heard.text}", *where),)
         case news.Asked():
             items = tuple(event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items)
-            return event.Asked(heard.subsystem, heard.task, heard.reason, items, at)
+            return (event.Asked(heard.subsystem, heard.task, heard.reason, items, at),)
         case news.Warned():
-            return event.Warned(heard.subsystem, heard.task, heard.text, at)
-    return None
+            return (event.Warned(heard.subsystem, heard.task, heard.text, at),)
+    return ()

@@ -39,7 +39,7 @@ class Exchange:
         if old is None or reason:
             self._unit.refuse((spawn.subsystem, spawn.task), _SWAP, reason)
             return None
-        return self._life.make(structs.replace(spawn, frequency=old.spawn.frequency), _SWAP)
+        return self._life.make(spawn, _SWAP)
 
     def complete(self, new: RunningTask, now: int) -> None:
         """Initialise the new task and put it in the place of the old one, as that stands by now."""
@@ -48,6 +48,7 @@ class Exchange:
         if old is None or reason:
             self._unit.refuse(new.address, _SWAP, reason)
             return
+        new.spawn = structs.replace(new.spawn, frequency=old.spawn.frequency)
         new.period_ns, new.module.dt = old.period_ns, old.module.dt
         new.line, new.activation = old.line, old.activation
         reason = self._calls.trial(new, "init", now, lambda: new.prepare(new.module.init))

@@ -90,7 +90,7 @@ class Postponed:
         """Do one step of one piece, the first for which there is room until the next release; give up old ones."""
         release = self._unit.agenda.next_release()
         for piece in list(self._pieces):
-            gap = None if release is None or not self._unit.is_busy else release - now
+            gap = None if release is None else release - now
             if gap is None or gap >= piece.need_ns:
                 self._advance(piece, now)
                 return

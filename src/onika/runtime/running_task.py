@@ -51,7 +51,7 @@ class RunningTask:
         self.trigger = cls.trigger
         self.period_ns = SLOWEST_GRID_NS if spawn.frequency is None else period_of(spawn.frequency)
         self.slot = Slot(self.key, self.period_ns)
-        self.counters = self.last_profile = Counters()
+        self.counters, self.last_profile = Counters(), Counters()
         self.is_first = False
         self.goes_on = False
         self.is_initialised = False
@@ -148,8 +148,6 @@ class RunningTask:
         """Another rate in hertz from the next cycle on; the new period. Raises ValueError where there is none."""
         self.period_ns = period_of(frequency)
         self.module.dt = 1.0 / frequency
-        if self.spawn.frequency is not None:
-            self.spawn = structs.replace(self.spawn, frequency=frequency)
         return self.period_ns
 
     def on(self, now: int, inputs: SimpleNamespace) -> None:

@@ -110,17 +110,18 @@ class Subsystem:
     def clashes(self, off: Collection[str], on: Collection[str]) -> list[tuple[str, str]]:
         """Who would come on as a second writer of a variable, and why that is refused (law 9)."""
         writers = {
-            svar: name
+            svar: (name, f"is {member.state.value}")
             for name, member in self.members.items()
-            if member.state is State.ON and name not in off and name not in on
+            if member.state in (State.ON, State.ASKING) and name not in off and name not in on
             for svar in member.wired.outvar
         }
-        return [
-            (name, f"{svar} is written by task {writers[svar]}, which is ON")
-            for name in on
-            for svar in self.members[name].wired.outvar
-            if svar in writers
-        ]
+        clashes = []
+        for name in dict.fromkeys(on):
+            for svar in self.members[name].wired.outvar:
+                other, state = writers.setdefault(svar, (name, "comes on too"))
+                if other != name:
+                    clashes.append((name, f"{svar} is written by task {other}, which {state}"))
+        return clashes
 
     def dimension(self, name: str) -> int:
         """A constant that shapes depend on: as its supplier states it before it lives, else as written."""

@@ -53,6 +53,11 @@ class Table:
         del self._rings[name]
         return self.entries.pop(name)
 
+    def put_back(self, entry: Entry) -> None:
+        """Know a dropped variable again, whose memory was not freed."""
+        self.entries[entry.name] = entry
+        self._rings[entry.name] = Ring(self.segment.view, entry.offset, entry.shape.size)
+
     def free(self, entry: Entry) -> None:
         """Give the memory of a dropped entry back, zeroed; nobody is bound to it any more."""
         need = Ring.footprint(entry.shape.size)

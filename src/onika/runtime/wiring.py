@@ -6,6 +6,7 @@ from functools import cached_property
 
 from onika.model.port import PortKind
 from onika.model.rules.order import Ports
+from onika.model.rules.reconfiguration import Placed
 from onika.runtime.sheet import ModuleSheet
 from onika.wire.plan import PlannedTask
 from onika.words.fault import Fault, Place
@@ -69,6 +70,14 @@ class WiredTask:
     def meeting(self) -> Ports:
         """Its variables alone, for the rules of order."""
         return Ports(self.name, self.inconst, self.outconst, self.invar, self.outvar)
+
+    @property
+    def placed(self) -> Placed:
+        """As reconfiguration sees it; what its shapes depend on counts as a constant that it reads."""
+        dimensions = (name for port in self.ports for name in port.shape.names if name not in self.outconst)
+        inconst = tuple(dict.fromkeys((*self.inconst, *dimensions)))
+        ports = Ports(self.name, inconst, self.outconst, self.invar, self.outvar)
+        return Placed(ports, self.task.module, self.device if self.sheet.hardware else None)
 
     @property
     def device(self) -> str | None:

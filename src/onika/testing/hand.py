@@ -11,6 +11,56 @@ from onika.wire import event, live
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.request import Response
 
+SOURCE = """
+from onika.module import Local, Module, OutConst, OutVar
+
+class Source(Module):
+    N = OutConst("int", "-", "how many")
+    LEVEL = OutVar("double", "m", "a level")
+    SIZE = Local("int", "-", "how many", default=2)
+
+    def init(self):
+        self.N = self.SIZE
+
+    def cycle(self):
+        self.LEVEL = self.LEVEL + 1.0
+"""
+USER = """
+from onika.module import InConst, InVar, Module, ModuleError, OutVar
+
+class User(Module):
+    N = InConst("int", "-", "how many")
+    LEVEL = InVar("double", "m", "a level")
+    ROW = OutVar("double[N]", "m", "the level, N times")
+
+    def init(self):
+        if self.N > 4:
+            raise ModuleError(f"{self.N} is too many")
+
+    def cycle(self):
+        self.ROW = [self.LEVEL] * self.N
+"""
+READER = """
+from onika.module import InConst, InVar, Module, OutVar
+
+class Reader(Module):
+    N = InConst("int", "-", "how many")
+    ROW = InVar("double[N]", "m", "the level, N times")
+    SUM = OutVar("double", "m", "all of it")
+
+    def cycle(self):
+        self.SUM = float(sum(self.ROW))
+"""
+COUNTER = """
+from onika.module import Module, OutVar
+
+class Counter(Module):
+    COUNT = OutVar("double", "-", "cycles since it came on")
+
+    def cycle(self):
+        self.COUNT = self.COUNT + 1.0
+"""
+
 
 class FrailDriver(VirtualDriver):
     """Can lose processing units: their tasks are gone, they hear and say nothing more.
@@ -23,13 +73,13 @@ class FrailDriver(VirtualDriver):
         self.gone: set[str] = set()
         self.heard: list[news.News] = []
         self.fatal: tuple[int, str] | None = None
-        self._stage: Program | None = None
+        self._watched: Program | None = None
         self.commands: list[tuple[str, command.Command]] = []
 
     def watch(self, program: Program) -> None:
         """Stand between the units and this program."""
-        self._stage = program
-        self.listen(self)  # type: ignore[arg-type] - it is a listener, method by method
+        self._watched = program
+        self.listen(self)
 
     def send(self, rtpu: str, order: command.Command) -> None:
         """Give an RTPU a command, if it is there."""
@@ -43,15 +93,15 @@ class FrailDriver(VirtualDriver):
         for (subsystem, task), home in list(self._homes.items()):
             if home == rtpu:
                 super().send(rtpu, command.Kill(subsystem, task))
-        self._program.stage.lost(rtpu, f"processing unit {rtpu} was lost", self.now)
+        self.lost(rtpu, f"processing unit {rtpu} was lost", self.now)
 
     # As the listener
 
     @property
     def _program(self) -> Program:
-        if self._stage is None:
+        if self._watched is None:
             raise TypeError("expected a program that is watched, found none")
-        return self._stage
+        return self._watched
 
     @property
     def is_moving(self) -> bool:
@@ -74,6 +124,10 @@ class FrailDriver(VirtualDriver):
             self.fatal = (left - 1, unit) if left > 1 else None
             if self.fatal is None:
                 self.lose(unit)
+
+    def lost(self, rtpu: str, reason: str, now: int) -> None:
+        """Pass it on."""
+        self._program.stage.lost(rtpu, reason, now)
 
     def wake_at(self) -> int | None:
         """As the stage says."""
@@ -183,3 +237,12 @@ class Hand:
     def cycles(self, task: str) -> int:
         """How often a task cycled since the last time somebody asked."""
         return self.figures()[task].cycle
+
+
+def hand_with_tasks(rtpus: tuple[str, ...] = ("rt0",), **places: str) -> Hand:
+    """A hand with `source`, `user` and `reader`, which hang on its N, and a `counter` at 50 Hz; units by task."""
+    hand = Hand(rtpus)
+    for name, source in (("source", SOURCE), ("user", USER), ("reader", READER)):
+        hand.task(name, source, rtpu=places.get(name, "unknown"))
+    hand.task("counter", COUNTER, frequency=50.0, rtpu=places.get("counter", "unknown"))
+    return hand

@@ -29,7 +29,9 @@ from onika.wire.packet import Bye, Hello, Packet, encode
 
 _MS = 1_000_000
 _STORM_NS = 4_000 * _MS
-_CALM_NS = 4_000 * _MS
+_CALM_NS = 6_000 * _MS
+_ENOUGH = 3
+"""Looks, a quarter of a second apart, that have to find everything made good before a history ends."""
 _SLACK_NS = 60 * _MS
 
 MakeEpoch = Callable[[int], str]
@@ -122,6 +124,8 @@ class History:
         self._labels = 0
         self._names = 0
         self._is_calm = False
+        self._settled = 0
+        self._is_over = False
         self._house = self._start_house()
         self._environments = [self._start_environment(n, "") for n in range(self._random.choice((1, 1, 1, 2, 2, 3)))]
 
@@ -129,13 +133,11 @@ class History:
         """Live through it; stops at the first fault."""
         self._plan()
         end_ns = _STORM_NS + _CALM_NS
-        while self._events and not self._witness.faults and self._events[0][0] <= end_ns:
+        while self._events and not (self._is_over or self._witness.faults) and self._events[0][0] <= end_ns:
             self.now_ns, _, act = heapq.heappop(self._events)
             act()
         if not self._witness.faults:
-            for one in self._environments:
-                self._witness.final(one.name, one.bundle.epoch, one.bundle.state)
-            self._witness.final_requests()
+            self._final()
         return Report(
             self._seed,
             tuple(self._witness.faults),
@@ -144,6 +146,18 @@ class History:
             self._count,
             self._digest.hexdigest(),
         )
+
+    def _final(self) -> None:
+        for one in self._environments:
+            self._witness.final(one.name, one.bundle.epoch, one.bundle.state)
+        self._witness.final_requests()
+
+    def _is_settled(self) -> bool:
+        """Whether all has come true already."""
+        found, self._witness.faults = self._witness.faults, []
+        self._final()
+        is_settled, self._witness.faults = not self._witness.faults, found
+        return is_settled
 
     # -- the programs
 
@@ -279,6 +293,8 @@ class History:
                 if plug is not None:
                     silence_ns = self.now_ns - plug.heard_ns - _SLACK_NS
                     self._witness.heard_last(Who.RUNTIME, state, silence_ns, suspect_ns, lost_ns)
+        self._settled = self._settled + 1 if self._is_calm and self._is_settled() else 0
+        self._is_over = self._settled == _ENOUGH
         self._look_for_lost()
         self._witness.stands(self.now_ns - _SLACK_NS, lost_ns)
 

@@ -45,7 +45,7 @@ class Exchange:
     spawn: tuple[str, ...]
     """In the order of constants."""
     reinit: tuple[str, ...]
-    """Of `keep`: consumers of exchanged constants, in the order of constants (requirement A13)."""
+    """Of `keep`: consumers of constants that come from another task now, in the order of constants (A13)."""
 
 
 def difference(on_now: Iterable[str], wanted: Sequence[str]) -> Change:
@@ -63,8 +63,7 @@ def exchange(living: Sequence[Placed], kill: Collection[str], new: Sequence[Plac
     """What happens to each task when `kill` goes and `new` comes; a name that is in both is exchanged."""
     keep = [one for one in living if one.name not in kill]
     gone = [one for one in living if one.name in kill]
-    supplied = {svar for one in new for svar in one.ports.outconst}
-    exchanged = supplied & {svar for one in gone for svar in one.ports.outconst}
+    supplied = {svar for one in new for svar in one.ports.outconst}  # if they live at all, from one that is gone now
     born = {one.name for one in new}
     order, _ = constant_order([one.ports for one in (*keep, *new)])
     return Exchange(
@@ -72,7 +71,7 @@ def exchange(living: Sequence[Placed], kill: Collection[str], new: Sequence[Plac
         kill=tuple(one.name for one in gone),
         kill_first=tuple(one.name for one in gone if any(one.excludes(other) for other in new)),
         spawn=tuple(name for name in order if name in born),
-        reinit=dependents([one.ports for one in keep], exchanged),
+        reinit=dependents([one.ports for one in keep], supplied),
     )
 
 

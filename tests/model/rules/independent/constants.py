@@ -1,0 +1,71 @@
+"""The order of constants and the reconfiguration of a living subsystem, read a second time by search.
+
+Written from §5.3.4, A13, laws 3 and 10 and decisions 6 and 14; it shares no code with the rules.
+"""
+
+from collections.abc import Collection, Sequence
+
+from onika.model.task import Task
+
+from .tasks import device, reads_at_init, writes_at_init
+
+
+def suppliers(task: Task, among: Sequence[Task]) -> set[str]:
+    """Who has to be initialised before this task."""
+    return {one.name for one in among if one.name != task.name and writes_at_init(one) & reads_at_init(task)}
+
+
+def waits_for(tasks: Sequence[Task]) -> dict[str, set[str]]:
+    """Everybody for whom a task waits, at once or in the end."""
+    waits = {task.name: suppliers(task, tasks) for task in tasks}
+    for _ in tasks:
+        waits = {name: found.union(*(waits[each] for each in found)) for name, found in waits.items()}
+    return waits
+
+
+def rings(tasks: Sequence[Task]) -> set[frozenset[str]]:
+    """The sets of tasks of which each waits for all the others of its set."""
+    waits = waits_for(tasks)
+    return {
+        frozenset(other for other in waits if other == name or (other in waits[name] and name in waits[other]))
+        for name in waits
+        if name in waits[name]
+    }
+
+
+def is_in_order(order: Sequence[str], tasks: Sequence[Task]) -> bool:
+    """Each task once, each after those for whom it waits, save those that wait for it too."""
+    waits = waits_for(tasks)
+    place = {name: at for at, name in enumerate(order)}
+    return sorted(order) == sorted(waits) and all(
+        place[before] < place[name] for name in waits for before in waits[name] if name not in waits[before]
+    )
+
+
+def kept(living: Sequence[Task], kill: Collection[str]) -> set[str]:
+    return {task.name for task in living if task.name not in kill}
+
+
+def killed_first(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
+    """Of those that go: who shares name, module or hardware with one that comes (decision 14; A06 for the name)."""
+    return {
+        old.name
+        for old in living
+        if old.name in kill
+        and any(old.name == each.name or old.module == each.module or device(old) & device(each) for each in new)
+    }
+
+
+def reinitialised(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
+    """Who stays and reads a constant that changes hands: its writer goes and a new one comes, or is itself initialised anew."""
+    staying = [task for task in living if task.name not in kill]
+    gone = set().union(*(writes_at_init(task) for task in living if task.name in kill))
+    come = set().union(*(writes_at_init(task) for task in new))
+    changed = gone & come
+    found: set[str] = set()
+    for _ in staying:
+        for task in staying:
+            if reads_at_init(task) & changed:
+                found.add(task.name)
+                changed = changed | writes_at_init(task)
+    return found

@@ -1,0 +1,113 @@
+"""Equations (2), (3), (5) and (6), the matrix of pins and the union of a flow, read a second time as tables and sets.
+
+Written from §4.2.2, §5.3.3 and decisions 1, 5, 6, 7 and 9 of the specification alone; it shares no code with the rules.
+"""
+
+from collections.abc import Iterable
+from itertools import combinations
+
+from onika.model.task import Task
+
+Pins = set[tuple[str, str]]
+"""(kind, state variable) of every pin, a tandem being one pin of the kind INBOTH or OUTBOTH."""
+
+CONNECTS = {
+    ("INCONST", "OUTCONST"): True,
+    ("INCONST", "OUTBOTH"): True,
+    ("INCONST", "OUTVAR"): False,
+    ("INVAR", "OUTCONST"): True,
+    ("INVAR", "OUTBOTH"): True,
+    ("INVAR", "OUTVAR"): True,
+    ("INBOTH", "OUTCONST"): True,
+    ("INBOTH", "OUTBOTH"): True,
+    ("INBOTH", "OUTVAR"): True,
+}
+"""Which input may stand at which output (decision 6)."""
+
+
+def pins(task: Task) -> Pins:
+    found = set()
+    for const, var, way in ((task.inconst, task.invar, "IN"), (task.outconst, task.outvar, "OUT")):
+        for coded in [*const, *var]:
+            in_both = coded in const and coded in var
+            kind = way + ("BOTH" if in_both else "CONST" if coded in const else "VAR")
+            alias = [new for old, new in task.aliases if old == coded]
+            found.add((kind, alias[0] if alias else coded))
+    return found
+
+
+def named(task: Task, *kinds: str) -> set[str]:
+    return {svar for kind, svar in pins(task) if kind in kinds}
+
+
+def reads(task: Task) -> set[str]:
+    return named(task, "INCONST", "INVAR", "INBOTH")
+
+
+def writes(task: Task) -> set[str]:
+    return named(task, "OUTCONST", "OUTVAR", "OUTBOTH")
+
+
+def reads_at_init(task: Task) -> set[str]:
+    return named(task, "INCONST", "INBOTH")
+
+
+def writes_at_init(task: Task) -> set[str]:
+    return named(task, "OUTCONST", "OUTBOTH")
+
+
+def may_meet(one: str, other: str) -> bool:
+    """The matrix of pins: may these two kinds share a variable?"""
+    if one.startswith("IN") and other.startswith("IN"):
+        return True
+    if one.startswith("OUT") and other.startswith("OUT"):
+        return False
+    return CONNECTS[(one, other) if one.startswith("IN") else (other, one)]
+
+
+def clash(one: Task, other: Task) -> bool:
+    """Equation (3) as decision 5 reads it, either way round."""
+    return bool(named(one, "OUTVAR") & named(other, "INCONST") or named(other, "OUTVAR") & named(one, "INCONST"))
+
+
+def greyed(library: Iterable[Task], placed: Iterable[Task]) -> set[str]:
+    """Equation (2), and the module of §4.2.2."""
+    placed = list(placed)
+    return {
+        t.name
+        for t in library
+        if any(writes(t) & writes(s) or s.name == t.name or s.module == t.module or clash(s, t) for s in placed)
+    }
+
+
+def self_fed(task: Task) -> set[str]:
+    """Equation (5)."""
+    return reads(task) & writes(task)
+
+
+def hanging(tasks: Iterable[Task]) -> set[str]:
+    """Equation (6)."""
+    tasks = list(tasks)
+    every = {svar for task in tasks for svar in reads(task) | writes(task)}
+    return {p for p in every if any(p in reads(t) for t in tasks) and not any(p in writes(s) for s in tasks)}
+
+
+def device(task: Task) -> set[tuple[str, ...]]:
+    """The hardware that a task declares as its own (law 16)."""
+    return {line.words for line in task.local if line.key == "DEVICE"}
+
+
+def union_is_free(tasks: Iterable[Task]) -> bool:
+    """Decision 1, and what law 9 adds to it: no constant is supplied twice, none is read of what is written each cycle."""
+    return not any(
+        one.module == other.module
+        or device(one) & device(other)
+        or writes_at_init(one) & writes_at_init(other)
+        or clash(one, other)
+        for one, other in combinations(list(tasks), 2)
+    )
+
+
+def configuration_is_free(tasks: Iterable[Task]) -> bool:
+    """Whether nobody in a configuration would be greyed out beside the others."""
+    return not any(greyed([one], [other]) for one, other in combinations(list(tasks), 2))
