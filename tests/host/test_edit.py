@@ -1,28 +1,9 @@
 import pytest
 
-from onika.testing.hand import COUNTER, SOURCE, USER, Hand, hand_with_tasks
-from onika.testing.rail import rail
+from onika.testing.hand import BROKEN, COUNTER, SOURCE, SULKY, USER, Hand, hand_with_tasks
+from onika.testing.rail import MASS, rail
 from onika.wire import event, live
 from onika.wire.request import Reply
-
-BROKEN = """
-from onika.module import Module, ModuleError, OutVar
-
-class Broken(Module):
-    LEVEL = OutVar("double", "m", "a level")
-
-    def init(self):
-        raise ModuleError("no sensor")
-"""
-SULKY = """
-from onika.module import Module, ModuleError, OutVar
-
-class Sulky(Module):
-    LEVEL = OutVar("double", "m", "a level")
-
-    def on(self, inputs):
-        raise ModuleError("not today")
-"""
 
 
 @pytest.fixture
@@ -173,3 +154,105 @@ def test_units_share_the_work_and_constants_cross_them():  # R-A06
     assert hand.change(spawn=["user", "source"], on=["source", "user"]) == ""
     hand.let_pass(1.0)
     assert hand.asker.values("ROW")["ROW"] == [101.0, 101.0]
+
+
+@pytest.mark.parametrize("fault", ["init", "on"])
+def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, decision 14
+    hand.shop = rail()
+    hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
+    hand.let_pass(0.2)
+    wrong = {
+        "init": MASS.replace("self.SIDES = 2", "raise ModuleError('no sensor')"),
+        "on": MASS.replace("self.X = self.device.read()", "raise ModuleError('no sensor')", 1),
+    }[fault]
+    hand.task("mass", wrong, frequency=500.0, local={"DEVICE": "yard:m0"})
+    assert "no sensor" in hand.change(spawn=["mass"], on=["mass"], kill=["mass"])
+    assert hand.states == {"mass": "ON", "servo": "ON"}
+    hand.let_pass(6.0)
+    assert hand.states == {"mass": "ON", "servo": "OFF"}
+    assert hand.values("X")["X"][0] == pytest.approx(5.0, abs=0.5)
+
+
+def test_hardware_is_exchanged_for_other_hardware_on_its_device(hand):  # R-A13, decision 14
+    hand.shop = rail()
+    hand.task("other", MASS, frequency=500.0, local={"DEVICE": "yard:m0"}, module="other")
+    hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
+    assert hand.change(spawn=["other"], on=["other"], kill=["mass"]) == ""
+    hand.let_pass(6.0)
+    assert hand.values("X")["X"][0] == pytest.approx(5.0, abs=0.5)
+    assert hand.change(kill=["other"]) == ""
+    assert hand.change(spawn=["mass"], on=["mass"]) == ""
+
+
+def test_a_task_is_exchanged_for_one_of_its_name(hand):  # R-A13
+    hand.shop = rail()
+    hand.change(spawn=["mass"], on=["mass"])
+    hand.task("mass", MASS, frequency=250.0, local={"DEVICE": "yard:m1"})
+    assert hand.change(spawn=["mass"], on=["mass"], kill=["mass"]) == ""
+    assert dict(hand.standing()["mass"].task.local) == {"DEVICE": ("yard:m1",)}
+    assert hand.change(spawn=["servo"]) == ""
+
+
+def test_a_consumer_that_refuses_an_exchanged_constant_goes_on_with_the_old_one(hand):  # R-X10
+    hand.task("other", SOURCE, module="other", local={"SIZE": "9"})
+    hand.change(spawn=["source", "user", "reader"], on=["source", "user", "reader"])
+    assert "9 is too many" in hand.change(spawn=["other"], on=["other"], kill=["source"])
+    assert hand.states == dict.fromkeys(("source", "user", "reader"), "ON")
+    hand.let_pass(1.0)
+    assert hand.values("N", "ROW")["N"] == 2
+    assert hand.values("SUM")["SUM"] == 2 * hand.values("ROW")["ROW"][0] > 100.0
+
+
+def test_constants_of_a_newcomer_that_goes_again_are_as_if_it_had_never_been(hand):  # R-X10
+    hand.task("other", SOURCE, module="other", local={"SIZE": "3"})
+    hand.task("broken", BROKEN.replace("LEVEL", "ELSE"))
+    hand.change(spawn=["source", "user", "counter"], on=["source", "user", "counter"])
+    hand.let_pass(1.0)
+    hand.figures()
+    before = hand.values("N", "ROW")
+    hand.asker.gate.told.clear()
+    assert "no sensor" in hand.change(spawn=["other", "broken"], on=["other"], kill=["source"])
+    assert hand.values("N", "ROW") == before
+    assert {one.task for one in hand.asker.of(event.TaskState)} <= {"other", "broken"}
+    assert hand.asker.ask(live.Check("s0")) == live.Findings(())
+    hand.let_pass(1.0)
+    assert {name: one.cycle for name, one in hand.figures().items()} == {"source": 100, "user": 100, "counter": 50}
+    assert hand.change(off=["user"]) == hand.change(on=["user"]) == ""
+
+
+def test_rates_go_back_with_the_rest(hand):  # R-X10, R-A04
+    hand.task("sulky", SULKY)
+    hand.change(spawn=["counter"], on=["counter"], rates=(("counter", 25.0),))
+    assert "not today" in hand.change(spawn=["sulky"], on=["sulky"], rates=(("counter", 10.0),))
+    assert hand.standing()["counter"].frequency == 25.0
+    hand.cycles("counter")
+    hand.let_pass(2.0)
+    assert hand.cycles("counter") in (50, 51)
+
+
+def test_who_waited_waits_again_when_the_supplier_goes_with_a_failed_change(hand):  # R-X10, law 10
+    hand.task("broken", BROKEN.replace("LEVEL", "ELSE"))
+    hand.change(spawn=["user"])
+    assert "no sensor" in hand.change(spawn=["source", "broken"])
+    assert hand.states == {"user": "WAITING"}
+    assert hand.standing()["user"].reason == "waits for N"
+    assert hand.change(spawn=["source"], on=["source", "user"]) == ""
+
+
+def test_a_failed_change_keeps_order_lines_and_wishes(hand):  # R-X10
+    hand.shop = rail()
+    hand.task("broken", BROKEN)
+    hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
+    before = hand.standing()
+    assert "no sensor" in hand.change(spawn=["broken", "mass"], kill=["mass"], on=["mass"])
+    assert hand.standing() == before
+    assert list(hand.standing()) == list(before)
+
+
+def test_a_line_that_was_answered_is_not_asked_for_again(hand):  # R-A10
+    hand.shop = rail()
+    hand.task("sulky", SULKY)
+    hand.change(spawn=["mass", "servo"], on=["mass", "servo"])
+    hand.asker.ask(Reply("s0", "servo", "5.0"))
+    assert hand.reinit("mass") == ""
+    assert hand.states == {"mass": "ON", "servo": "ON"}

@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from onika.runtime.code import line_in, load, told, where
+from onika.runtime.code import compiled, line_in, load, told, where
 from onika.runtime.module import Module
 from onika.words.fault import Fault, Place
 
@@ -128,3 +128,11 @@ def test_an_error_from_elsewhere_has_no_line():
         int("x")
     except ValueError as wrong:
         assert where("m.py", wrong)[:2] == ("m.py", 0)
+
+
+def test_what_is_compiled_already_is_executed_as_it_is():  # law 21
+    code = compiled(GOOD, "lab/m.py", "m")
+    assert load("never looked at", "lab/m.py", "m", code).__name__ == "Still"
+    wrong = compiled("class :", "lab/m.py", "m")
+    assert isinstance(wrong, Fault)
+    assert load("class :", "lab/m.py", "m", wrong) is wrong

@@ -5,6 +5,8 @@ from types import SimpleNamespace
 import pytest
 
 from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
+from onika.testing.rig import Rig
+from onika.testing.source import module
 
 
 class Plain(Module):
@@ -88,3 +90,13 @@ def test_a_module_is_general_and_no_hardware_unless_it_says_so():  # R-A08, law 
 def test_a_robot_says_nothing_of_itself_and_reaches_everything_unless_it_knows_better():  # law 26
     assert Module.constants(SimpleNamespace()) == {}
     assert Module.resolve({}, [("joint object", [1.0]), ("force object", [2.0])]) == [None, None]
+
+
+def test_compiled_code_gets_the_memory_of_a_port():  # R-A01
+    rig = Rig().spawn("one", module("    X = InVar('double')\n    Y = OutVar('int[2]')"))
+    one = rig.task("one").module
+    one.buffer("Y")[:] = (3, 4)
+    assert one.Y.tolist() == [3, 4]
+    assert (one.buffer("X").shape, one.buffer("X").flags.writeable) == ((1,), False)
+    with pytest.raises(AttributeError, match=r"expected a port \(X, Y\), found Z"):
+        one.buffer("Z")

@@ -156,6 +156,18 @@ def test_a_writer_that_goes_off_in_the_same_switch_is_in_nobodys_way(table):  # 
     assert one.clashes([], ["invkin"]) == []
 
 
+def test_a_writer_that_asks_is_in_the_way_too(table):  # law 9
+    one = turned_on(subsystem(table, arm()), *CMOVE)
+    one.members["invkin"].state = State.ASKING
+    assert one.clashes([], ["jtraj"]) == [("jtraj", "Q_REF is written by task invkin, which is ASKING")]
+
+
+def test_two_writers_that_come_on_together_are_in_each_others_way(table):  # law 9
+    one = subsystem(table, arm())
+    assert one.clashes([], ["jtraj", "invkin"]) == [("invkin", "Q_REF is written by task jtraj, which comes on too")]
+    assert one.clashes([], ["jtraj", "jtraj"]) == []
+
+
 def test_what_is_forgotten_is_no_longer_in_force_in_the_table(table):  # law 3
     write_constant(table, "N", 1)
     one = subsystem(table, [wired("a", N=OutConst("int"))])

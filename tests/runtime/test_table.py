@@ -84,3 +84,56 @@ def test_only_variables_that_are_there_have_values(table):
     assert table.values(["X", "Y"]) == {"X": 0.0}
     with pytest.raises(KeyError):
         table.value("Y")
+
+
+def test_a_dropped_variable_is_unknown_and_its_memory_stays(table):  # law 12
+    table.entry("X", shape("double"))
+    ring = table.ring("X")
+    ring.write(np.array([2.5]).tobytes())
+    table.drop("X")
+    assert "X" not in table.entries
+    with pytest.raises(KeyError):
+        table.ring("X")
+    assert value_of(ring.read(), shape("double")) == 2.5
+
+
+def test_freed_memory_is_used_again_zeroed_and_armed(table):  # law 4, law 12, R-A12
+    entry = table.entry("X", shape("double[3]"))
+    table.ring("X").write(np.ones(3).tobytes())
+    table.free(table.drop("X"))
+    end = table.end
+    again = table.entry("Y", shape("double[2]"))
+    assert (again.offset, table.end) == (entry.offset, end)
+    assert table.value("Y").tolist() == [0.0, 0.0]
+    assert table.ring("Y").faults() == []
+    assert table.is_zeroed
+
+
+def test_freed_memory_is_not_used_for_what_has_no_room_in_it(table):  # law 12
+    table.entry("X", shape("double"))
+    table.free(table.drop("X"))
+    end = table.end
+    assert table.entry("PICTURE", shape("byte[256]")).offset == end
+
+
+def test_a_dropped_variable_is_put_back_with_its_value(table):  # R-X10
+    entry = table.entry("X", shape("double"))
+    table.ring("X").write(np.array([2.5]).tobytes())
+    table.drop("X")
+    table.free(table.drop(table.entry("X", shape("double[9]")).name))
+    table.put_back(entry)
+    assert table.entries["X"] == entry
+    assert table.value("X") == 2.5
+
+
+def test_a_name_can_have_another_shape_once_the_old_one_is_dropped(table):  # law 12
+    table.entry("X", shape("double"))
+    table.drop("X")
+    assert table.entry("X", shape("double[2]")).shape == shape("double[2]")
+
+
+def test_no_memory_is_lost_whatever_comes_and_goes(table):  # law 12
+    for number in range(3000):
+        table.entry("X", shape(f"double[{1 + number % 40}]"))
+        table.free(table.drop("X"))
+    assert table.end < table.segment.size // 4

@@ -88,3 +88,9 @@ def test_upstream_is_everything_from_which_a_variable_is_made():  # law 3
 def test_upstream_of_a_loop_comes_to_an_end():
     tasks = [wired("a", X=InVar("int"), Y=OutVar("int")), wired("b", Y=InVar("int"), X=OutVar("int"))]
     assert upstream(tasks, ["X"]) == {"X", "Y"}
+
+
+def test_what_shapes_a_task_counts_as_a_constant_that_it_reads_when_tasks_are_exchanged():  # R-A13, law 12
+    one = wired("one", [("NDOF", "NDOF_LEFT")], N=OutConst("int"), Q=InVar("double[NDOF,N]"), GAIN=InBoth("double"))
+    assert one.placed.ports.inconst == ("GAIN", "NDOF_LEFT")
+    assert (one.placed.name, one.placed.module, one.placed.device) == ("one", one.task.module, None)

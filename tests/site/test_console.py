@@ -31,8 +31,8 @@ log readings
 status
 check
 rate diff 250
-swap diff
 off
+swap diff
 kill all
 tasks
 quit
@@ -210,7 +210,7 @@ def test_a_saved_file_is_new_code_while_the_others_keep_cycling(tmp_path, monkey
         screen.until("main> ")
         screen.type("spawn wave other\ron all\rfollow wave\r")
         screen.until("follows")
-        screen.type("read WAVE\r")
+        screen.type("wait WAVE == 0.25\rread WAVE\r")
         screen.until("WAVE = 0.2500")
         (module / "wave.py").write_text(WAVE.format("0.75"))
         screen.until("runs the new code")
@@ -244,7 +244,7 @@ OUTCONST    none
 INVAR       none
 OUTVAR      WAVE
 TASKTYPE    periodic
-FREQ        100
+FREQ        20
 
 EOF
 """

@@ -67,7 +67,7 @@ class Holders:
         holder, application = self._holder(asked.subsystem)
         if isinstance(asked, live.Release):
             if asked.subsystem in self._stage.live:
-                self._give(asked.subsystem, "")
+                self._leave(asked.subsystem)
             return request.Done()
         if application or (holder and holder != session):
             return request.Refused(f"subsystem {asked.subsystem} is held by {holder}")
@@ -81,10 +81,10 @@ class Holders:
         for performance in self._stage.performances:
             if performance.session == session and performance.on_loss == "stop":
                 performance.runner.abort(cause, now)
-        for name, subsystem in self._stage.live.items():
+        for name, subsystem in list(self._stage.live.items()):
             if subsystem.holder == session:
-                self._give(name, "")
                 subsystem.begin(0, edit.rest(subsystem))
+                self._leave(name)
 
     def _holder(self, subsystem: str) -> tuple[str, str]:
         """The session that holds it and the application that runs in it."""
@@ -101,6 +101,12 @@ class Holders:
         if holders and session not in holders:
             return f"only a holder ({', '.join(sorted(holders))}) leaves a stop"
         return ""
+
+    def _leave(self, subsystem: str) -> None:
+        """Nobody holds it any more; if nothing is left of it either, it is no more."""
+        self._give(subsystem, "")
+        if self._stage.live[subsystem].is_empty:
+            self._stage.drop(subsystem)
 
     def _give(self, subsystem: str, session: str) -> None:
         one = self._stage.live[subsystem]

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from math import isnan
 from typing import Protocol
 
 from onika.host.gate import Gate
@@ -133,6 +134,8 @@ class Look:
             self._gate.show(session, key, reading.encode(body))
 
     def _attend(self, session: str, asked: live.Attend) -> request.Response:
+        if isnan(asked.hz):
+            return request.Refused("expected how often to show readings in hertz, found nan")
         self._gate.attend(session, asked.subsystems)
         hz = min(max(asked.hz, _SLOWEST_HZ), _FASTEST_HZ)
         self._watches[session] = _Watch(round(1e9 / hz), asked.readings, asked.worlds)

@@ -110,7 +110,7 @@ class Porter:
             return ""
         code = self._process.poll()
         if code is None:
-            return "its connection broke"
+            return ""  # it is just ending; how, is known in a moment
         return f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
 
     def close(self) -> None:
@@ -162,6 +162,8 @@ class _House:
             except OSError:  # too many open files: those in the door leave within seconds
                 await asyncio.sleep(0.1)
                 continue
+            # one at a time: those who have said what they want are heard before others crowd in
+            await asyncio.sleep(0)
             number, evicted = self._doorkeeper.enter(peer[0])
             if evicted is not None and evicted in self._tasks:
                 self._tasks[evicted].cancel()
@@ -181,8 +183,7 @@ class _House:
         try:
             async with asyncio.timeout(GREETING_S):
                 relay = await self._relay(connected, address)
-                answer, hello, payloads = await relay.greet(self._doorkeeper)
-            self._doorkeeper.leave(number)
+                answer, hello, payloads = await relay.greet(self._doorkeeper, number)
             self._tasks.pop(number, None)
             await self._inwards(relay, answer, hello, payloads, address)
         except (Unwelcome, OSError, TimeoutError, asyncio.CancelledError):

@@ -37,9 +37,13 @@ class Relay:
         self._protocol = ServerProtocol(max_size=FRAME_LIMIT, logger=SILENT)
         self._messages = Messages()
 
-    async def greet(self, doorkeeper: Doorkeeper) -> tuple[Yes, Hello, list[bytes]]:
-        """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome."""
+    async def greet(self, doorkeeper: Doorkeeper, number: int) -> tuple[Yes, Hello, list[bytes]]:
+        """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome.
+
+        From the moment his token is known to be right, nobody else's crowding in the door puts him out again.
+        """
         answer = self._answer(await self._request(), doorkeeper)
+        doorkeeper.leave(number)
         payloads: list[bytes] = []
         while not payloads:
             payloads = await self._receive()

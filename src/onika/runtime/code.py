@@ -8,15 +8,26 @@ from onika.runtime.module import Module
 from onika.words.fault import Fault, Place
 
 
-def load(source: str, path: str, module: str) -> type[Module] | Fault:
-    """Execute a module's source and return its one subclass of Module, or the fault with its place."""
+def compiled(source: str, path: str, module: str) -> types.CodeType | Fault:
+    """A module's source compiled, which is most of the time that loading takes, or the fault with its place."""
     instead = f"module {module} is not loaded"
     try:
-        code = compile(source, path, "exec", dont_inherit=True)
+        return compile(source, path, "exec", dont_inherit=True)
     except SyntaxError as wrong:
         return Fault(Place(path, wrong.lineno or 0), "Python", f"{wrong.msg}: {(wrong.text or '').strip()}", instead)
     except ValueError as wrong:
         return Fault(Place(path), "Python", str(wrong), instead)
+
+
+def load(source: str, path: str, module: str, code: types.CodeType | Fault | None = None) -> type[Module] | Fault:
+    """Execute a module's source and return its one subclass of Module, or the fault with its place.
+
+    `code` is the source compiled, where that was done before.
+    """
+    code = code or compiled(source, path, module)
+    if isinstance(code, Fault):
+        return code
+    instead = f"module {module} is not loaded"
     namespace = types.ModuleType(f"onika_task_{module}")
     namespace.__file__ = path
     sys.modules[namespace.__name__] = namespace  # dataclasses look their own file up while they are made

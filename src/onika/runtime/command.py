@@ -44,7 +44,7 @@ class Spawn(Struct, frozen=True, tag=True):
     cost_ns: int = 0
     """What loading and `init` are expected to take; 0: carry it out at once, whatever is ON (law 21)."""
     init_ns: int = 0
-    """The part of it that `init` takes, which then is a piece of its own; 0: both are one piece."""
+    """The part of it that `init` takes; 0: nobody knows, as long as loading."""
 
 
 class Launch(Struct, frozen=True):

@@ -2,7 +2,7 @@
 
 import hashlib
 from contextlib import suppress
-from types import SimpleNamespace
+from types import CodeType, SimpleNamespace
 
 from msgspec import structs
 
@@ -13,6 +13,7 @@ from onika.runtime.life import Life
 from onika.runtime.module import Module
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Unit
+from onika.words.fault import Fault
 
 _SWAP = "swap"
 
@@ -31,7 +32,7 @@ class Exchange:
         if new is not None:
             self.complete(new, now)
 
-    def make(self, order: command.Swap) -> RunningTask | None:
+    def make(self, order: command.Swap, code: CodeType | Fault | None = None) -> RunningTask | None:
         """The new task, which does not live yet; None where that is refused."""
         spawn = order.spawn
         old = self._unit.tasks.get((spawn.subsystem, spawn.task))
@@ -39,7 +40,7 @@ class Exchange:
         if old is None or reason:
             self._unit.refuse((spawn.subsystem, spawn.task), _SWAP, reason)
             return None
-        return self._life.make(spawn, _SWAP)
+        return self._life.make(spawn, _SWAP, code)
 
     def complete(self, new: RunningTask, now: int) -> None:
         """Initialise the new task and put it in the place of the old one, as that stands by now."""

@@ -1,5 +1,7 @@
 """The lives of the tasks on one processing unit: spawned, turned on, asked, changed, turned off, killed (law 11)."""
 
+from types import CodeType
+
 from msgspec import structs
 
 from onika.model.lifecycle import State, Step, refusal
@@ -28,7 +30,9 @@ class Life:
         if task is not None:
             self.initialise(task, now)
 
-    def make(self, order: command.Spawn, entry: str = "spawn") -> RunningTask | None:
+    def make(
+        self, order: command.Spawn, entry: str = "spawn", code: CodeType | Fault | None = None
+    ) -> RunningTask | None:
         """Load a module and make a task of it, which does not live yet; None where that is refused."""
         address = (order.subsystem, order.task)
         if self._unit.is_stopped:
@@ -39,7 +43,7 @@ class Life:
             return None
         self._calls.watch(f"{order.subsystem}/{order.task}")
         try:
-            cls = load(order.source, order.path, order.module)
+            cls = load(order.source, order.path, order.module, code)
             if not isinstance(cls, Fault):
                 return RunningTask(order, cls, self._unit.views)
             self._unit.refuse(address, entry, str(cls))

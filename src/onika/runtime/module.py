@@ -88,6 +88,8 @@ class Module:
         For compiled code that works on memory: the same array until the ports are bound anew, after which `reinit` is
         called. That of an input may not be written. Raises AttributeError for what is no port.
         """
+        if name not in self.declared_ports:
+            raise AttributeError(f"expected a port ({', '.join(self.declared_ports) or 'there is none'}), found {name}")
         array: NDArray[Any] = getattr(self, slot(name))
         return array
 

@@ -1,25 +1,29 @@
 """Spawns and exchanges that wait for a gap between cycles, so that no task that is ON misses one (law 21)."""
 
 from collections.abc import Callable
+from types import CodeType
 
 from msgspec import structs
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
+from onika.runtime.code import compiled
 from onika.runtime.exchange import Exchange
 from onika.runtime.life import Life
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Address, Unit
+from onika.words.fault import Fault
 
 PATIENCE_NS = 2_000_000_000
 """After so long without a gap that is large enough there will be none."""
 
 
 class Piece:
-    """What is put aside: first the module is loaded, then it is initialised; what came for its task waits behind it."""
+    """What is put aside: the module is compiled, loaded, initialised; what came for its task waits behind it."""
 
     def __init__(self, order: command.Spawn | command.Swap, now: int) -> None:
         self.order = order
+        self.code: CodeType | Fault | None = None
         self.task: RunningTask | None = None
         self.behind: list[command.Command] = []
         self.since = now
@@ -40,13 +44,12 @@ class Piece:
         """The command's name in a refusal."""
         return "swap" if isinstance(self.order, command.Swap) else "spawn"
 
-    @property
-    def need_ns(self) -> int:
-        """What the next step is expected to take."""
-        spawn = self.spawn
-        if not spawn.init_ns:
-            return spawn.cost_ns
-        return spawn.init_ns if self.task is not None else spawn.cost_ns - spawn.init_ns
+    def need_ns(self, old: RunningTask | None) -> int:
+        """What the next step is expected to take; the `init` of the module at work tells of that of its successor."""
+        loading = self.spawn.cost_ns - self.spawn.init_ns
+        if self.task is None:
+            return loading
+        return max(self.spawn.init_ns or loading, old.init_took_ns if old else 0)
 
 
 class Postponed:
@@ -91,7 +94,7 @@ class Postponed:
         release = self._unit.agenda.next_release()
         for piece in list(self._pieces):
             gap = None if release is None else release - now
-            if gap is None or gap >= piece.need_ns:
+            if gap is None or gap >= self._need_ns(piece):
                 self._advance(piece, now)
                 return
             piece.largest_gap = max(piece.largest_gap, gap)
@@ -100,6 +103,9 @@ class Postponed:
                 return
 
     # Inner
+
+    def _need_ns(self, piece: Piece) -> int:
+        return piece.need_ns(self._unit.tasks.get(piece.address))
 
     def _coming(self, subsystem: str, task: str) -> Piece | None:
         """The spawn of this task that waits."""
@@ -166,24 +172,30 @@ class Postponed:
         self._pieces.clear()
 
     def _advance(self, piece: Piece, now: int) -> None:
+        """Compile, load, initialise: each is a step of its own."""
+        spawn = piece.spawn
+        piece.since, piece.largest_gap = now, 0
+        if piece.code is None:
+            piece.code = compiled(spawn.source, spawn.path, spawn.module)
+            return
         if piece.task is None:
             piece.task = self._make(piece)
-            piece.since, piece.largest_gap = now, 0
-            if piece.task is not None and piece.spawn.init_ns:
-                return
-        if piece.task is not None and piece.word == "swap":
+            if piece.task is None:
+                self._end(piece, now)
+            return
+        if piece.word == "swap":
             self._exchange.complete(piece.task, now)
-        elif piece.task is not None:
+        else:
             self._life.initialise(piece.task, now)
         self._end(piece, now)
 
     def _make(self, piece: Piece) -> RunningTask | None:
         if isinstance(piece.order, command.Swap):
-            return self._exchange.make(piece.order)
-        return self._life.make(piece.order)
+            return self._exchange.make(piece.order, piece.code)
+        return self._life.make(piece.order, code=piece.code)
 
     def _give_up(self, piece: Piece, now: int) -> None:
-        needs, largest = piece.need_ns / 1e6, piece.largest_gap / 1e6
+        needs, largest = self._need_ns(piece) / 1e6, piece.largest_gap / 1e6
         self._unit.refuse(piece.address, piece.word, f"needs {needs:.3g} ms; the largest gap here is {largest:.3g} ms")
         self._end(piece, now)
 

@@ -55,6 +55,7 @@ class RunningTask:
         self.is_first = False
         self.goes_on = False
         self.is_initialised = False
+        self.init_took_ns = 0
         self.warnings = self.module.warnings
         self.is_periodic = spawn.task_type == "periodic"
         self._reads = self.binding.copies("in")
@@ -109,7 +110,9 @@ class RunningTask:
                 self.module.warn(f"{svar} was never written: its first value here is zero")
         for read in self.binding.copies("init_in"):
             read()
+        began = perf_counter_ns()
         entry()
+        self.init_took_ns = perf_counter_ns() - began
         self.no_strays()
         if self._wanted:
             self._input = UserInput(sheet_of(type(self.module)).inputs, self._constants())

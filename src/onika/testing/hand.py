@@ -1,8 +1,11 @@
 """A hand that changes subsystems of a runtime in virtual time, and can lose a processing unit at any moment."""
 
+from collections import deque
+
 from onika.host.program import Program
 from onika.host.virtual import VirtualDriver
 from onika.runtime import command, news
+from onika.runtime.running_task import RunningTask
 from onika.testing.asker import Asker, OpenGate
 from onika.testing.rail import YardLoading
 from onika.testing.workshop import Workshop
@@ -60,6 +63,24 @@ class Counter(Module):
     def cycle(self):
         self.COUNT = self.COUNT + 1.0
 """
+BROKEN = """
+from onika.module import Module, ModuleError, OutVar
+
+class Broken(Module):
+    LEVEL = OutVar("double", "m", "a level")
+
+    def init(self):
+        raise ModuleError("no sensor")
+"""
+SULKY = """
+from onika.module import Module, ModuleError, OutVar
+
+class Sulky(Module):
+    LEVEL = OutVar("double", "m", "a level")
+
+    def on(self, inputs):
+        raise ModuleError("not today")
+"""
 
 
 class FrailDriver(VirtualDriver):
@@ -87,9 +108,14 @@ class FrailDriver(VirtualDriver):
             self.commands.append((rtpu, order))
             super().send(rtpu, order)
 
+    def living(self) -> dict[tuple[str, str], RunningTask]:
+        """What really lives, by subsystem and task."""
+        return self._executive.tasks
+
     def lose(self, rtpu: str) -> None:
         """From now on this unit is gone."""
         self.gone.add(rtpu)
+        self._commands = deque(one for one in self._commands if one[0] != rtpu)
         for (subsystem, task), home in list(self._homes.items()):
             if home == rtpu:
                 super().send(rtpu, command.Kill(subsystem, task))

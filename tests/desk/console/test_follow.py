@@ -56,6 +56,34 @@ def test_code_with_faults_leaves_the_old_code_and_is_followed_on(followed):  # R
     assert any("runs the new code" in line for line in pass_a_second(one))
 
 
+def test_code_that_finds_no_gap_between_cycles_is_tried_again_a_few_times(followed):  # R-X15
+    one, path = followed
+    former = one.runtime._carry_out
+    outcomes = iter(["the largest gap is too small", "the largest gap is too small", ""])
+
+    def carry_out(asked):
+        cause = next(outcomes)
+        if cause:
+            raise ValueError(cause)
+        former(asked)
+
+    one.runtime._carry_out = carry_out
+    write(path, "# two\n", 2)
+    said = [line for _ in range(4) for line in pass_a_second(one)]
+    assert sum("tried again in a second" in line for line in said) == 2
+    assert any("runs the new code" in line for line in said)
+
+
+def test_code_that_is_refused_again_and_again_is_given_up(followed):
+    one, path = followed
+    one.runtime.refusals["Swap"] = "held by ada"
+    write(path, "# two\n", 2)
+    for _ in range(10):
+        pass_a_second(one)
+    assert len(one.asked(live.Swap)) == 5
+    assert one.lines[-1] == "main/diff goes on with its old code"
+
+
 def test_a_file_that_is_gone_for_a_moment_is_waited_for(followed):
     one, path = followed
     path.unlink()

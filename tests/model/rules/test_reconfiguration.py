@@ -1,7 +1,8 @@
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from onika.model.rules.reconfiguration import Change, difference
+from onika.model.rules.order import Ports
+from onika.model.rules.reconfiguration import Change, Placed, dependents, difference, exchange
 
 names = st.lists(st.sampled_from("abcdefgh"), unique=True)
 
@@ -42,3 +43,85 @@ def test_carrying_a_change_out_gives_what_is_wanted(on_now, wanted):
     assert set(change.off).isdisjoint(change.keep)
     assert set(change.keep).isdisjoint(change.on)
     assert set(change.keep) == set(on_now) & set(wanted)
+
+
+# Exchange
+
+
+def placed(name, inconst=(), outconst=(), module="", device=None):
+    return Placed(Ports(name, tuple(inconst), tuple(outconst)), module or name, device)
+
+
+def test_only_who_excludes_a_newcomer_is_killed_first():  # decision 14
+    living = [placed("puma", device="boxes:left"), placed("move"), placed("watch")]
+    new = [placed("puma2", device="boxes:left"), placed("ramp", module="move")]
+    found = exchange(living, ["puma", "move", "watch"], new)
+    assert found.kill == ("puma", "move", "watch")
+    assert found.kill_first == ("puma", "move")
+
+
+def test_a_task_is_exchanged_for_one_of_its_name():  # R-A13
+    found = exchange([placed("move")], ["move"], [placed("move", module="other")])
+    assert (found.keep, found.kill_first, found.spawn) == ((), ("move",), ("move",))
+
+
+def test_two_without_a_device_do_not_exclude_each_other():
+    assert not placed("a").excludes(placed("b"))
+
+
+def test_consumers_of_an_exchanged_constant_learn_it_over_several_levels():  # R-A13
+    living = [placed("last", ["M"]), placed("middle", ["N"], ["M"]), placed("old", (), ["N"]), placed("else", ["K"])]
+    found = exchange(living, ["old"], [placed("new", (), ["N"])])
+    assert found.reinit == ("middle", "last")
+
+
+def test_who_lived_on_without_its_supplier_learns_the_constant_of_the_next_one():  # R-A13
+    assert exchange([placed("user", ["N"])], [], [placed("new", (), ["N"])]).reinit == ("user",)
+
+
+def test_a_constant_that_goes_makes_nobody_learn_anything():  # R-A13
+    assert exchange([placed("user", ["N"]), placed("old", (), ["N"])], ["old"], []).reinit == ()
+
+
+CONSTANTS = [f"C{number}" for number in range(5)]
+
+
+@st.composite
+def placements(draw, prefix):
+    """Tasks whose constants form no cycle: each reads what stands before what it writes."""
+    tasks = []
+    for number in range(draw(st.integers(0, 5))):
+        level = draw(st.integers(0, 4))
+        reads = draw(st.lists(st.sampled_from(CONSTANTS[:level] or ["X"]), unique=True, max_size=2))
+        writes = draw(st.sampled_from([(), (CONSTANTS[level],)]))
+        module = draw(st.sampled_from("abcdefgh"))
+        device = draw(st.sampled_from([None, None, "w:one", "w:two"]))
+        tasks.append(placed(f"{prefix}{number}", reads, writes, module, device))
+    return tasks
+
+
+@settings(max_examples=200, deadline=None)
+@given(placements("t"), placements("n"), st.data())
+def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, decision 14
+    gone = data.draw(st.sets(st.sampled_from([one.name for one in living]))) if living else set()
+    found = exchange(living, gone, new)
+    assert set(found.keep) | set(found.kill) == {one.name for one in living}
+    assert set(found.kill) == gone
+    assert set(found.reinit) <= set(found.keep)
+    assert sorted(found.spawn) == sorted(one.name for one in new)
+    first = {one.name for one in living if one.name in gone and any(one.excludes(other) for other in new)}
+    assert set(found.kill_first) == first
+    by_name = {one.name: one.ports for one in (*living, *new)}
+    for order in (found.spawn, found.reinit):
+        for place, name in enumerate(order):
+            later = {svar for other in order[place + 1 :] for svar in by_name[other].outconst}
+            assert later.isdisjoint(by_name[name].inconst)
+
+
+@settings(max_examples=200, deadline=None)
+@given(placements("t"), st.sets(st.sampled_from(CONSTANTS)))
+def test_dependents_are_all_who_read_what_changes_and_nobody_else(tasks, constants):  # R-A13
+    ports = [one.ports for one in tasks]
+    found = dependents(ports, constants)
+    changed = constants | {svar for one in ports if one.name in found for svar in one.outconst}
+    assert set(found) == {one.name for one in ports if changed & set(one.inconst)}

@@ -12,6 +12,7 @@ from onika.words.fault import Place
 
 Words = tuple[str, ...]
 _PERIOD_S = 1.0
+_TRIES = 5
 
 
 @dataclass(slots=True)
@@ -21,6 +22,8 @@ class _File:
     path: Path
     time_ns: int
     digest: str
+    tries: int = 0
+    """How often this content was refused by the runtime, without anything being wrong with it."""
 
 
 class Follow:
@@ -63,7 +66,7 @@ class Follow:
             if name not in session.tasks(subsystem):
                 del self._files[subsystem, name]
                 session.say(f"{subsystem}/{name} lives no more and is not followed any more", Tone.NOTE)
-            elif _has_changed(file):
+            elif _has_changed(file) or 0 < file.tries < _TRIES:
                 self._exchange(session, subsystem, name, file)
 
     def _exchange(self, session: Session, subsystem: str, name: str, file: _File) -> None:
@@ -72,9 +75,13 @@ class Follow:
             faults = exchange(session, subsystem, name, file.path)
         finally:
             session.place = former
+        is_refused = bool(faults) and all(fault.place == Place(str(file.path)) for fault in faults)
+        file.tries = file.tries + 1 if is_refused else 0
         for fault in faults:
             session.say(str(fault), Tone.FAULT)
-        if faults:
+        if is_refused and file.tries < _TRIES:
+            session.say(f"{subsystem}/{name} goes on with its old code; it is tried again in a second", Tone.NOTE)
+        elif faults:
             session.say(f"{subsystem}/{name} goes on with its old code", Tone.NOTE)
         else:
             session.say(f"{subsystem}/{name} runs the new code of {file.path}", Tone.GOOD)
@@ -99,4 +106,6 @@ def _has_changed(file: _File) -> bool:
         return False
     changed = new.digest != file.digest
     file.time_ns, file.digest = new.time_ns, new.digest
+    if changed:
+        file.tries = 0
     return changed

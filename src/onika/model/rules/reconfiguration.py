@@ -71,17 +71,21 @@ def exchange(living: Sequence[Placed], kill: Collection[str], new: Sequence[Plac
         kill=tuple(one.name for one in gone),
         kill_first=tuple(one.name for one in gone if any(one.excludes(other) for other in new)),
         spawn=tuple(name for name in order if name in born),
-        reinit=dependents([one.ports for one in keep], supplied),
+        reinit=dependents([one.ports for one in (*keep, *new)], supplied, born),
     )
 
 
-def dependents(tasks: Sequence[Ports], constants: Collection[str]) -> tuple[str, ...]:
-    """Who has to be initialised anew when these constants change, at first or second hand, suppliers first."""
-    stale, found = set(constants), set[str]()
+def dependents(tasks: Sequence[Ports], constants: Collection[str], born: Collection[str] = ()) -> tuple[str, ...]:
+    """Who has to be initialised anew when these constants change, at first or second hand, suppliers first.
+
+    Those just `born` know these constants, but not yet what others say when they are initialised anew.
+    """
+    changed, again, found = set(constants), set[str](), list[str]()
     order, _ = constant_order(tasks)
     by_name = {task.name: task for task in tasks}
     for name in order:
+        stale = again if name in born else again | changed
         if stale & set(by_name[name].inconst):
-            found.add(name)
-            stale |= set(by_name[name].outconst)
-    return tuple(name for name in order if name in found)
+            found.append(name)
+            again |= set(by_name[name].outconst)
+    return tuple(found)

@@ -11,8 +11,8 @@ from .tasks import device, reads_at_init, writes_at_init
 
 
 def suppliers(task: Task, among: Sequence[Task]) -> set[str]:
-    """Who has to be initialised before this task."""
-    return {one.name for one in among if one.name != task.name and writes_at_init(one) & reads_at_init(task)}
+    """Who has to be initialised before this task; one that supplies itself waits for itself."""
+    return {one.name for one in among if writes_at_init(one) & reads_at_init(task)}
 
 
 def waits_for(tasks: Sequence[Task]) -> dict[str, set[str]]:
@@ -57,15 +57,12 @@ def killed_first(living: Sequence[Task], kill: Collection[str], new: Sequence[Ta
 
 
 def reinitialised(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
-    """Who stays and reads a constant that changes hands: its writer goes and a new one comes, or is itself initialised anew."""
+    """Who has to learn a constant that changed: of those that stay, whoever reads one of a task that comes (law 10: it may
+    have been said before, by one that is gone); and of all, whoever reads one of a task that is initialised anew."""
     staying = [task for task in living if task.name not in kill]
-    gone = set().union(*(writes_at_init(task) for task in living if task.name in kill))
     come = set().union(*(writes_at_init(task) for task in new))
-    changed = gone & come
-    found: set[str] = set()
-    for _ in staying:
-        for task in staying:
-            if reads_at_init(task) & changed:
-                found.add(task.name)
-                changed = changed | writes_at_init(task)
+    found = {task.name for task in staying if reads_at_init(task) & come}
+    for _ in [*staying, *new]:
+        said_anew = set().union(*(writes_at_init(task) for task in [*staying, *new] if task.name in found))
+        found |= {task.name for task in [*staying, *new] if reads_at_init(task) & said_anew}
     return found

@@ -92,9 +92,9 @@ def hanging(tasks: Iterable[Task]) -> set[str]:
     return {p for p in every if any(p in reads(t) for t in tasks) and not any(p in writes(s) for s in tasks)}
 
 
-def device(task: Task) -> set[tuple[str, ...]]:
+def device(task: Task) -> set[str]:
     """The hardware that a task declares as its own (law 16)."""
-    return {line.words for line in task.local if line.key == "DEVICE"}
+    return {line.words[0] for line in task.local if line.key == "DEVICE"}
 
 
 def union_is_free(tasks: Iterable[Task]) -> bool:

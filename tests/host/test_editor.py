@@ -1,0 +1,125 @@
+"""What is asked of subsystems by hand gets one answer each, and what is accepted one outcome."""
+
+import pytest
+
+from onika.testing.hand import COUNTER, Hand, hand_with_tasks
+from onika.testing.rail import rail
+from onika.wire import event, live, request
+
+GIVER = """
+from onika.module import Module, ModuleError, OutVar
+
+class Giver(Module):
+    OUT = OutVar("double", "-", "what it was told")
+
+    def init(self):
+        self._value = 1.0
+
+    def get(self, name):
+        if name != "value":
+            raise ModuleError(f"expected value, found {name}")
+        return self._value
+
+    def set(self, name, value):
+        self._value = float(value)
+
+    def cycle(self):
+        self.OUT = self._value
+"""
+
+
+@pytest.fixture
+def hand():
+    one = hand_with_tasks(("rt0", "rt1"), counter="rt1")
+    one.task("giver", GIVER, rtpu="rt1")
+    return one
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        live.Clear("s0", "no"),
+        live.Reinit("s0", "no"),
+        live.Get("s0", "no", "value"),
+        live.Set("s0", "no", "value", "1"),
+        live.Close("no"),
+        request.Reply("s0", "no", "1"),
+    ],
+    ids=lambda one: type(one).__name__,
+)
+def test_what_is_not_there_is_refused_by_name(hand, asked):  # R-A05
+    hand.change(spawn=["counter"])
+    answer = hand.asker.ask(asked)
+    assert isinstance(answer, request.Refused)
+    assert "no" in answer.reason.split()
+
+
+def test_a_module_is_asked_and_told(hand):  # R-A05
+    hand.change(spawn=["giver"], on=["giver"])
+    assert hand.asker.ask(live.Get("s0", "giver", "value")) == live.Value(1.0)
+    assert hand.asker.ask(live.Set("s0", "giver", "value", "2.5")) == live.Value("2.5")
+    hand.let_pass(0.1)
+    assert hand.values("OUT") == {"OUT": 2.5}
+    assert "expected value, found other" in hand.asker.ask(live.Get("s0", "giver", "other")).reason
+    assert "could not convert" in hand.asker.ask(live.Set("s0", "giver", "value", "much")).reason
+
+
+def test_only_a_task_in_error_is_cleared(hand):  # law 11
+    hand.change(spawn=["counter"])
+    assert hand.clear("counter") == "counter is OFF, not ERROR"
+
+
+def test_a_task_that_asks_for_nothing_is_not_answered(hand):  # R-A10
+    hand.change(spawn=["counter"], on=["counter"])
+    assert hand.outcome(hand.asker.ask(request.Reply("s0", "counter", "1"))) == "counter asks for nothing"
+
+
+def test_an_answer_out_of_bounds_is_asked_for_again_with_the_reason():  # R-A10
+    hand = Hand()
+    hand.shop = rail()
+    hand.change(spawn=["mass", "servo"], on=["mass", "servo"])
+    hand.asker.ask(request.Reply("s0", "servo", "99"))
+    hand.work()
+    assert hand.states["servo"] == "ASKING"
+    assert "99" in hand.asker.of(event.Asked)[-1].reason
+    hand.asker.ask(request.Reply("s0", "servo", "1"))
+    hand.work()
+    assert hand.states["servo"] == "ON"
+
+
+def test_every_accepted_order_has_a_number_of_its_own_and_one_outcome(hand):  # law 22
+    hand.change(spawn=["source", "user", "counter"], on=["counter"])
+    asked = [
+        live.Change("s0", on=(live.Turn("source"),)),
+        live.Reinit("s0", "source"),
+        live.Swap("s0", "counter", *hand.code("counter")),
+        hand.order(("giver",), subsystem="s1"),
+        live.Close("s1"),
+        live.Change("s0", off=("counter",)),
+    ]
+    tickets = [hand.asker.send(one) for one in asked]
+    hand.work()
+    numbers = [hand.asker.gate.replies[ticket].number for ticket in tickets]
+    assert len(set(numbers)) == len(asked)
+    assert [hand.edited(number) for number in numbers] == [[""]] * len(asked)
+
+
+def test_a_task_runs_on_the_unit_it_names_else_on_the_first_that_lives(hand):  # R-A06, decision 12
+    hand.task("far", COUNTER.replace("COUNT", "FAR"), rtpu="rt9")
+    hand.change(spawn=["counter", "source", "far"])
+    assert {name: one.rtpu for name, one in hand.standing().items()} == {
+        "counter": "rt1",
+        "source": "rt0",
+        "far": "rt0",
+    }
+    hand.driver.lose("rt0")
+    hand.task("late", COUNTER.replace("COUNT", "LATE"))
+    assert hand.change(spawn=["late"]) == ""
+    assert {name: one.rtpu for name, one in hand.standing().items()} == {"counter": "rt1", "late": "rt1"}
+
+
+def test_notes_travel_with_the_faults(hand):
+    hand.task("counter", COUNTER, local={"NOBODY": "1"})
+    answer = hand.asker.ask(hand.order(("counter", "counter")))
+    assert [one.found for one in answer.faults] == ["counter twice"]
+    assert "NOBODY" in " ".join(answer.notes)

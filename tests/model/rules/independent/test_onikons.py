@@ -1,0 +1,97 @@
+"""Equation (7), holes and loops: ours and the naive reading agree on any flow in any syntax."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.model.application import Icon
+from onika.model.rules import jigsaw, loop
+from onika.model.syntax import Syntax
+from onika.words.fault import Place
+
+from . import onikons as naive
+from .drawn import PLACEABLE, TYPES, edges_of, flow, icon, line, lines, marked, syntaxes
+
+places = st.integers(-1, 5)
+
+
+def insertions_agree(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -> None:
+    after, edges = min(after, len(kinds) - 1), edges_of(syntax)
+    reasons = jigsaw.refusals(flow(kinds), after, icon(kind), syntax)
+    assert (not reasons) == naive.may_insert(kinds, after, kind, edges)
+    if not reasons:
+        found = jigsaw.insert(flow(kinds), after, icon(kind), syntax)
+        assert line(found) == naive.insert(kinds, after, kind, edges)
+
+
+def deletions_agree(syntax: Syntax, kinds: naive.Line, at: int) -> None:
+    at = min(max(at, 0), len(kinds) - 1)
+    if kinds and kinds[at] is not None:
+        assert line(jigsaw.delete(flow(kinds), at, syntax)) == naive.delete(kinds, at, edges_of(syntax))
+
+
+def loops_agree(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
+    """Of a stray target, whose mark is nobody's, readiness speaks."""
+    edges = edges_of(syntax)
+    groups = naive.actions(kinds, edges)
+    drawn = data.draw(marked(kinds))
+    owned = {at for group in groups for at in group}
+    steps = tuple(
+        replace(step, while_tag=None) if isinstance(step, Icon) and at not in owned else step
+        for at, step in enumerate(drawn.steps)
+    )
+    tags = {at: step.while_tag for at, step in enumerate(steps) if isinstance(step, Icon) and step.while_tag}
+    tests = {at: step.while_test for at, step in enumerate(steps) if isinstance(step, Icon)}
+    found = loop.faults(replace(drawn, steps=steps), syntax, "flow 0", Place("x"))
+    assert (not found) == naive.loops_are_well_formed(groups, tags, tests)
+
+
+@given(syntaxes(), lines, places, st.sampled_from((*PLACEABLE, "Odd object")))
+@settings(max_examples=500, deadline=None)
+def test_any_icon_is_inserted_or_refused_alike(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -> None:
+    insertions_agree(syntax, kinds, after, kind)  # R-D03, R-D19, R-D22
+
+
+@given(syntaxes(), lines, places)
+@settings(max_examples=300, deadline=None)
+def test_any_deletion_opens_and_closes_the_same_holes(syntax: Syntax, kinds: naive.Line, at: int) -> None:
+    deletions_agree(syntax, kinds, at)  # R-D19
+
+
+@given(syntaxes(), lines)
+@settings(max_examples=300, deadline=None)
+def test_a_flow_is_whole_for_both_or_for_neither(syntax: Syntax, kinds: naive.Line) -> None:
+    is_whole = None not in kinds and not jigsaw.misfits(flow(kinds), syntax)  # R-D03, R-E01
+    assert is_whole == naive.is_whole(kinds, edges_of(syntax))
+
+
+@given(lines, syntaxes(), st.data())
+@settings(max_examples=400, deadline=None)
+def test_any_loops_are_judged_alike(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
+    loops_agree(kinds, syntax, data)  # R-E01, decisions 23, 24
+
+
+@given(st.lists(st.sampled_from(["Complete job", "Complete NOP"]), min_size=2, max_size=6), st.data())
+@settings(max_examples=400, deadline=None)
+def test_loops_over_whole_actions_are_judged_alike(kinds: naive.Line, data: st.DataObject) -> None:
+    loops_agree(kinds, data.draw(syntaxes()), data)  # R-E01, decision 23
+
+
+@given(syntaxes())
+@settings(max_examples=20, deadline=None)
+def test_start_and_end_are_placed_by_nobody(syntax: Syntax) -> None:
+    for kind in TYPES[:2]:  # R-D04
+        assert jigsaw.refusals(flow([]), -1, icon(kind), syntax)
+
+
+@pytest.mark.slow
+@given(syntaxes(), lines, places, st.sampled_from(PLACEABLE), st.data())
+@settings(max_examples=20_000, deadline=None)
+def test_thousands_of_flows_are_judged_alike(
+    syntax: Syntax, kinds: naive.Line, at: int, kind: str, data: st.DataObject
+) -> None:
+    insertions_agree(syntax, kinds, at, kind)  # R-D03, R-D19
+    deletions_agree(syntax, kinds, at)
+    loops_agree(kinds, syntax, data)

@@ -1,0 +1,68 @@
+"""Equations (2), (3), (5), (6), the matrix of pins and the union of a flow: ours and the naive reading agree."""
+
+from itertools import product
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.model.rules import placement, union, warning
+from onika.model.task import Task
+from onika.words.fault import Place
+
+from . import tasks as naive
+from .drawn import KINDS, libraries, made
+
+PLACE = Place("x")
+ENDS = [way + kind for way in ("IN", "OUT") for kind in KINDS]
+PAIRS = list(product(ENDS, ENDS))
+
+
+def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
+    assert set(placement.greyed(library, placed)) == naive.greyed(library, placed)
+    for task in library:
+        assert {fault.found.split(",")[0] for fault in warning.self_fed(task, PLACE)} == naive.self_fed(task)
+    assert {fault.expected.split()[-1] for fault in warning.hanging(library, PLACE)} == naive.hanging(library)
+    told = [fault.expected for fault in union.conflicts(library, "flow 0", PLACE)]
+    assert not [each for each in told if not each.startswith("a task that gives")] == naive.union_is_free(library)
+
+
+@given(libraries(), libraries(4))
+@settings(max_examples=400, deadline=None)
+def test_any_library_beside_any_configuration_is_judged_alike(
+    library: tuple[Task, ...], placed: tuple[Task, ...]
+) -> None:
+    agree(library, placed)  # R-C07, R-C08, decisions 1, 5, 6
+
+
+@given(libraries(4, sparse=True), libraries(3, sparse=True))
+@settings(max_examples=400, deadline=None)
+def test_tasks_of_few_pins_are_judged_alike(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
+    agree(library, placed)  # R-C07, R-C08, decisions 1, 5, 6
+
+
+@pytest.mark.slow
+@given(st.booleans().flatmap(lambda sparse: st.tuples(libraries(8, sparse=sparse), libraries(8, sparse=sparse))))
+@settings(max_examples=20_000, deadline=None)
+def test_thousands_of_libraries_are_judged_alike(both: tuple[tuple[Task, ...], tuple[Task, ...]]) -> None:
+    agree(*both)  # R-C07, R-C08, decisions 1, 5, 6
+
+
+@pytest.mark.parametrize(("one", "other"), PAIRS)
+def test_two_pins_of_one_variable_stand_together_as_the_matrix_says(one: str, other: str) -> None:
+    first, second = pinned("first", one), pinned("second", other)  # decision 6
+    assert (placement.refusals(first, [second]) == ()) == naive.may_meet(one, other)
+
+
+@pytest.mark.parametrize(("one", "other"), PAIRS)
+def test_an_alias_counts_as_the_name(one: str, other: str) -> None:
+    first = pinned("first", one)  # R-C07
+    second = pinned("second", other, "Q", aliases=(("Q", "P"),))
+    assert (placement.refusals(first, [second]) == ()) == naive.may_meet(one, other)
+    assert placement.refusals(first, [pinned("second", other, "P", aliases=(("P", "Q"),))]) == ()
+
+
+def pinned(name: str, pin: str, svar: str = "P", aliases: tuple[tuple[str, str], ...] = ()) -> Task:
+    way, kind = ("IN", pin[2:]) if pin.startswith("IN") else ("OUT", pin[3:])
+    plain = made(name, {svar: kind} if way == "IN" else {}, {svar: kind} if way == "OUT" else {})
+    return Task(plain.name, plain.module, "", aliases, plain.inconst, plain.outconst, plain.invar, plain.outvar)
