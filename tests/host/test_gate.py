@@ -154,7 +154,7 @@ def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
 
 
 def test_it_is_open_until_the_launching_program_goes(house):  # R-E10
-    parent, guest = house.parent(), house.guest()
+    parent, _ = house.parent(), house.guest()
     parent.close(timeout_s=0)
     house.serve()
     assert not house.gate.is_open

@@ -95,7 +95,6 @@ def test_readings_are_shown_when_they_have_changed_and_it_is_time(hand):  # hous
     hand.asker.gate.shown.clear()
     show(hand, 10**15 + SECOND)
     assert shown(hand) == []
-    hand.asker.program.stage.hear
     hand.let_pass(0.1)
     hand.asker.gate.shown.clear()
     hand.let_pass(0.1)

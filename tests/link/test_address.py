@@ -20,7 +20,17 @@ def test_an_address_is_read_and_written(text, address):  # R-A15
 
 @pytest.mark.parametrize(
     "text",
-    ["", "robot", "http://robot", "ws://", "wss://robot:99999", "wss://robot:x", "wss://u@robot", "wss://robot/x", "wss://robot?x"],
+    [
+        "",
+        "robot",
+        "http://robot",
+        "ws://",
+        "wss://robot:99999",
+        "wss://robot:x",
+        "wss://u@robot",
+        "wss://robot/x",
+        "wss://robot?x",
+    ],
 )
 def test_what_is_no_address_is_told(text):
     with pytest.raises(ValueError, match="expected"):

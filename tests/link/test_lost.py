@@ -1,4 +1,5 @@
 from onika.link import lost
+from onika.link.lost import Cause, LinkLost
 
 
 def test_each_cause_says_distinctly_what_happened():  # R-F01
@@ -10,8 +11,19 @@ def test_each_cause_says_distinctly_what_happened():  # R-F01
         lost.behind("too many bytes"),
         lost.here(),
     ]
-    assert {why.cause for why in told} == set(lost.Cause)
+    opening = {Cause.REFUSED, Cause.UNREACHABLE, Cause.TIMEOUT, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN}
+    assert {why.cause for why in told} == set(Cause) - opening
     assert len({str(why) for why in told}) == len(told)
+
+
+def test_what_trying_again_does_not_mend_is_final():
+    final = {cause for cause in Cause if LinkLost(cause, "").is_final}
+    assert final == {Cause.VERSION, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN}
+
+
+def test_a_good_bye_says_its_cause():
+    assert (lost.said("closed", "enough").cause, lost.said("refused", "full").cause) == (Cause.CLOSED, Cause.REFUSED)
+    assert "full" in str(lost.said("refused", "full"))
 
 
 def test_the_words_hold_the_numbers_that_matter():

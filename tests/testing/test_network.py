@@ -16,7 +16,8 @@ from onika.link.replies import Account, ReplyBook
 from onika.link.server import ServerEnd
 from onika.link.session import Session
 from onika.link.state import LinkEvent, LinkState
-from onika.testing.network import HONEST, History, Programs
+from onika.testing.network import History
+from onika.testing.programs import HONEST, Programs
 from onika.wire.packet import Ack, Hello, Reply, Request, Signal, Welcome
 
 HISTORIES = 2000

@@ -1,9 +1,13 @@
 """The rig for several tasks."""
 
+import gc
+from pathlib import Path
+
 import pytest
 
 from onika.runtime import command, news
 from onika.testing.rig import HOME, Rig
+from onika.testing.source import COUNTER
 from onika.testing.worlds import MassWorld
 
 MS = 1_000_000
@@ -73,3 +77,15 @@ def test_names_and_shapes_are_those_the_test_says():
 
 def test_a_source_that_cannot_be_loaded_is_refused_as_on_a_unit():
     assert "expected Python" in Rig().spawn("bad", "class :").heard(news.Refused)[0].reason
+
+
+def test_a_rig_gives_its_memory_back_with_its_last_use():
+    gc.collect()
+    gc.disable()
+    try:
+        before = len(list(Path("/proc/self/fd").iterdir()))
+        for _ in range(3):
+            Rig().spawn("one", COUNTER).switch(on=["one"]).run(0)
+        assert len(list(Path("/proc/self/fd").iterdir())) == before
+    finally:
+        gc.enable()

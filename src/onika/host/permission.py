@@ -23,7 +23,8 @@ def refusal(caller: Caller, asked: request.Request, accepts_code: bool) -> str:
     """
     least = _least(asked)
     if caller.role < least:
-        return f"expected {_article(least)} {least.word} for {type(asked).__name__}, found {caller.user}, who is {caller.role.word}"
+        what = type(asked).__name__
+        return f"expected {_article(least)} {least.word} for {what}, found {caller.user}, who is {caller.role.word}"
     if brings_code(asked) and not caller.is_near and not accepts_code:
         return f"code from another machine ({caller.address}) is not accepted; start the runtime with --accept-code"
     return ""

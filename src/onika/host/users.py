@@ -62,7 +62,7 @@ def read(text: str, place: str) -> tuple[tuple[User, ...], list[Fault]]:
 
 
 def main(words: list[str]) -> int:
-    """`python -m onika.host.users NAME ROLE [FILE]`: a new token, printed once, and the line for it, added to the file."""
+    """`python -m onika.host.users NAME ROLE [FILE]`: a new token, printed once, and its line, added to the file."""
     if len(words) not in (2, 3) or not _NAME.fullmatch(words[0]) or words[1] not in _ROLES:
         sys.stderr.write(f"expected NAME {'|'.join(_ROLES)} [FILE]\n")
         return 2

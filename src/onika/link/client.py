@@ -84,8 +84,7 @@ class ClientEnd:
 
     def follow(self, epoch: str) -> None:
         """To a channel that does not ask: the session it belongs to is in this epoch; in a new one it begins anew."""
-        if epoch != self.epoch:
-            self.epoch, self._accepted = epoch, 0
+        self._accepted, self.epoch = (self._accepted if epoch == self.epoch else 0), epoch
 
     def close(self, reason: str = "closed") -> None:
         """End the link for good; the good-bye is still to be sent."""
@@ -244,9 +243,12 @@ class ClientEnd:
 
     def _bye(self, packet: Bye) -> None:
         if packet.cause == "version":
-            self._end(LinkEvent.REFUSED if self.state is LinkState.GREETING else LinkEvent.CUT, _said(packet))
+            self._end(
+                LinkEvent.REFUSED if self.state is LinkState.GREETING else LinkEvent.CUT,
+                lost.said(packet.cause, packet.reason),
+            )
         else:
-            self._end(LinkEvent.CUT, _said(packet))
+            self._end(LinkEvent.CUT, lost.said(packet.cause, packet.reason))
 
     def _unexpected(self, packet: Packet) -> None:
         if isinstance(packet, Hello | Request | Ack):
@@ -296,9 +298,3 @@ class ClientEnd:
         self._gathering.clear()
         self._ack_due = False
         self._reading = 0
-
-
-def _said(packet: Bye) -> lost.LinkLost:
-    if packet.cause == "closed":
-        return lost.closed(packet.reason)
-    return lost.LinkLost(lost.Cause(packet.cause), f"the other side ended the connection: {packet.reason}")

@@ -65,6 +65,13 @@ def garbage(detail: str) -> LinkLost:
     return LinkLost(Cause.GARBAGE, f"garbage was received: {detail}")
 
 
+def said(cause: str, reason: str) -> LinkLost:
+    """What the other side's good-bye says."""
+    if cause == "closed":
+        return closed(reason)
+    return LinkLost(Cause(cause), f"the other side ended the connection: {reason}")
+
+
 def behind(detail: str) -> LinkLost:
     """A reader was too slow."""
     return LinkLost(Cause.BEHIND, f"the reader fell too far behind: {detail}")

@@ -29,7 +29,7 @@ class Executive:
         self._calls = Calls(self._unit, watch)
         self._life = Life(self._unit, self._calls)
         self._exchange = Exchange(self._unit, self._calls, self._life)
-        self._postponed = Postponed(self._unit, self._life, self._exchange, self._follow)
+        self._postponed = Postponed(self._unit, self._life, self._exchange)
         self._busy_since_ns = 0
 
     @property
@@ -55,7 +55,7 @@ class Executive:
         Loading a module and its `init` cost more than a cycle: while anything is ON a Spawn or Swap with a cost waits
         for a gap. Its owner calls this when nothing is due; what finds no gap within 2 s is refused with the numbers.
         """
-        self._postponed.work(now)
+        self._postponed.work(now, self._follow)
         return self._unit.take_news()
 
     def next_release(self) -> int | None:

@@ -52,16 +52,17 @@ class Piece:
         return max(self.spawn.init_ns or loading, old.init_took_ns if old else 0)
 
 
-class Postponed:
-    """Pieces in the order in which they came. `carry_out` is told what waited behind one that is through."""
+CarryOut = Callable[[command.Command, int], None]
+"""Told what waited behind a piece that is through."""
 
-    def __init__(
-        self, unit: Unit, life: Life, exchange: Exchange, carry_out: Callable[[command.Command, int], None]
-    ) -> None:
+
+class Postponed:
+    """Pieces in the order in which they came."""
+
+    def __init__(self, unit: Unit, life: Life, exchange: Exchange) -> None:
         self._unit = unit
         self._life = life
         self._exchange = exchange
-        self._carry_out = carry_out
         self._pieces: list[Piece] = []
 
     def __bool__(self) -> bool:
@@ -89,17 +90,17 @@ class Postponed:
                     return None
         return order
 
-    def work(self, now: int) -> None:
+    def work(self, now: int, carry_out: CarryOut) -> None:
         """Do one step of one piece, the first for which there is room until the next release; give up old ones."""
         release = self._unit.agenda.next_release()
         for piece in list(self._pieces):
             gap = None if release is None else release - now
             if gap is None or gap >= self._need_ns(piece):
-                self._advance(piece, now)
+                self._advance(piece, now, carry_out)
                 return
             piece.largest_gap = max(piece.largest_gap, gap)
             if now - piece.since > PATIENCE_NS:
-                self._give_up(piece, now)
+                self._give_up(piece, now, carry_out)
                 return
 
     # Inner
@@ -171,7 +172,7 @@ class Postponed:
             self._unit.refuse(piece.address, piece.word, "this unit was stopped")
         self._pieces.clear()
 
-    def _advance(self, piece: Piece, now: int) -> None:
+    def _advance(self, piece: Piece, now: int, carry_out: CarryOut) -> None:
         """Compile, load, initialise: each is a step of its own."""
         spawn = piece.spawn
         piece.since, piece.largest_gap = now, 0
@@ -181,25 +182,25 @@ class Postponed:
         if piece.task is None:
             piece.task = self._make(piece)
             if piece.task is None:
-                self._end(piece, now)
+                self._end(piece, now, carry_out)
             return
         if piece.word == "swap":
             self._exchange.complete(piece.task, now)
         else:
             self._life.initialise(piece.task, now)
-        self._end(piece, now)
+        self._end(piece, now, carry_out)
 
     def _make(self, piece: Piece) -> RunningTask | None:
         if isinstance(piece.order, command.Swap):
             return self._exchange.make(piece.order, piece.code)
         return self._life.make(piece.order, code=piece.code)
 
-    def _give_up(self, piece: Piece, now: int) -> None:
+    def _give_up(self, piece: Piece, now: int, carry_out: CarryOut) -> None:
         needs, largest = self._need_ns(piece) / 1e6, piece.largest_gap / 1e6
         self._unit.refuse(piece.address, piece.word, f"needs {needs:.3g} ms; the largest gap here is {largest:.3g} ms")
-        self._end(piece, now)
+        self._end(piece, now, carry_out)
 
-    def _end(self, piece: Piece, now: int) -> None:
+    def _end(self, piece: Piece, now: int, carry_out: CarryOut) -> None:
         self._pieces.remove(piece)
         for order in piece.behind:
-            self._carry_out(order, now)
+            carry_out(order, now)

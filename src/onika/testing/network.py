@@ -6,24 +6,21 @@ watches. Each environment has one connection for everything or one for each chan
 """
 
 import hashlib
-import heapq
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
-from random import Random
 
-from onika.link.bundle import Bundle, MakeClient
+from onika.link.bundle import Bundle
 from onika.link.caller import Caller, Role
 from onika.link.channel import THREE, Channel
-from onika.link.client import ClientEnd
-from onika.link.guests import Guests, Introduction
+from onika.link.guests import Introduction
 from onika.link.happening import Asked
-from onika.link.port import MakeServer
-from onika.link.server import ServerEnd
 from onika.link.session import Session
 from onika.link.terms import Terms
 from onika.testing.cable import Cable, Plug
-from onika.testing.weather import Weather
+from onika.testing.clockwork import Clockwork
+from onika.testing.programs import HONEST, Environment, House, Party, Programs
+from onika.testing.weather import Sky, Weather
 from onika.testing.witness import Wanted, Who, Witness
 from onika.wire.packet import Bye, Hello, Packet, encode
 
@@ -33,27 +30,6 @@ _CALM_NS = 6_000 * _MS
 _ENOUGH = 3
 """Looks, a quarter of a second apart, that have to find everything made good before a history ends."""
 _SLACK_NS = 60 * _MS
-
-MakeEpoch = Callable[[int], str]
-
-
-def name_epoch(life: int) -> str:
-    """A name of its own for each life of the runtime."""
-    return f"epoch-{life}"
-
-
-@dataclass(frozen=True, slots=True)
-class Programs:
-    """What the two programs are made of; a test plants its mistakes here."""
-
-    client: MakeClient = ClientEnd
-    server: MakeServer = ServerEnd
-    bundle: type[Bundle] = Bundle
-    guests: type[Guests] = Guests
-    epoch: MakeEpoch = name_epoch
-
-
-HONEST = Programs()
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,41 +44,14 @@ class Report:
     digest: str
 
 
-class _Party:
-    """A program: its clock, and whether it lives."""
-
-    def __init__(self, clock_ns: int) -> None:
-        self.clock_ns = clock_ns
-        self.is_up = True
-
-
-class _Environment(_Party):
-    def __init__(self, number: int, name: str, bundle: Bundle, clock_ns: int) -> None:
-        super().__init__(clock_ns)
-        self.number = number
-        self.name = name
-        self.bundle = bundle
-        self.plugs: dict[Channel, Plug] = {}
-        self.blind_ns = 0
-        """Until then nothing from it arrives."""
-        self.deaf_ns = 0
-        """Until then nothing arrives at it."""
-
-
-class _House(_Party):
-    def __init__(self, guests: Guests, clock_ns: int) -> None:
-        super().__init__(clock_ns)
-        self.guests = guests
-        self.plugs: dict[tuple[Session, Channel], Plug] = {}
-
-
 class History:
     """One history, from a seed."""
 
     def __init__(self, seed: int, programs: Programs = HONEST) -> None:
         self._seed = seed
-        self._random = Random(seed)  # noqa: S311  a simulation wants the same numbers every time
-        self._weather = Weather.draw(self._random)
+        self._time = Clockwork(seed)
+        self._weather = Weather.draw(self._time.random)
+        self._sky = Sky(self._weather, self._time)
         self._programs = programs
         self._terms = Terms(
             beat_ns=400 * _MS,
@@ -114,28 +63,23 @@ class History:
             piece=64,
             body_limit=10_000,
         )
-        self.now_ns = 0
-        self._events: list[tuple[int, int, Callable[[], None]]] = []
-        self._count = 0
         self._digest = hashlib.blake2b(digest_size=16)
         self._witness = Witness()
-        self._ticks: dict[_Environment | Session, int] = {}
         self._lives = 0
         self._labels = 0
         self._names = 0
-        self._is_calm = False
         self._settled = 0
         self._is_over = False
         self._house = self._start_house()
-        self._environments = [self._start_environment(n, "") for n in range(self._random.choice((1, 1, 1, 2, 2, 3)))]
+        number = self._time.random.choice((1, 1, 1, 2, 2, 3))
+        self._environments = [self._start_environment(n, "") for n in range(number)]
 
     def run(self) -> Report:
         """Live through it; stops at the first fault."""
         self._plan()
         end_ns = _STORM_NS + _CALM_NS
-        while self._events and not (self._is_over or self._witness.faults) and self._events[0][0] <= end_ns:
-            self.now_ns, _, act = heapq.heappop(self._events)
-            act()
+        while not (self._is_over or self._witness.faults) and self._time.step(end_ns):
+            pass
         if not self._witness.faults:
             self._final()
         return Report(
@@ -143,9 +87,14 @@ class History:
             tuple(self._witness.faults),
             self._witness.accepted,
             self._witness.begun,
-            self._count,
+            self._time.count,
             self._digest.hexdigest(),
         )
+
+    @property
+    def now_ns(self) -> int:
+        """True time."""
+        return self._time.now_ns
 
     def _final(self) -> None:
         for one in self._environments:
@@ -161,62 +110,62 @@ class History:
 
     # -- the programs
 
-    def _start_environment(self, number: int, name: str) -> _Environment:
+    def _start_environment(self, number: int, name: str) -> Environment:
         self._names += 1
         name = name or f"client-{self._names}"
-        channels = (Channel.ALL,) if self._random.random() < 0.4 else THREE
-        bundle = self._programs.bundle(name, self._terms, channels, self._programs.client, self._random.random)
+        channels = (Channel.ALL,) if self._time.random.random() < 0.4 else THREE
+        bundle = self._programs.bundle(name, self._terms, channels, self._programs.client, self._time.random.random)
         self._witness.environment_starts(name)
-        one = _Environment(number, name, bundle, self._random.randrange(10**15))
-        self._after(self._uniform(0, 300), partial(self._serve, one))
+        one = Environment(number, name, bundle, self._time.random.randrange(10**15))
+        self._time.after(self._time.uniform(0, 300), partial(self._serve, one))
         return one
 
-    def _start_house(self) -> _House:
+    def _start_house(self) -> House:
         self._lives += 1
         guests = self._programs.guests(self._programs.epoch(self._lives), self._terms, make=self._programs.server)
-        return _House(guests, self._random.randrange(10**15))
+        return House(guests, self._time.random.randrange(10**15))
 
     def _signal(self) -> None:
         if not self._house.is_up:
             return
         clock = self._clock(self._house)
         for session in self._house.guests.sessions:
-            body = f"{session.epoch} {self._random.random()}".encode()
+            body = f"{session.epoch} {self._time.random.random()}".encode()
             self._witness.signal(session.epoch, body)
             session.signal(body, clock)
-            session.show(f"key-{self._random.randrange(3)}", b"%d" % (self.now_ns + 1), clock)
+            session.show(f"key-{self._time.random.randrange(3)}", b"%d" % (self.now_ns + 1), clock)
             self._serve_session(session)
 
     def _ask(self) -> None:
-        one = self._random.choice(self._environments)
+        one = self._time.random.choice(self._environments)
         self._labels += 1
-        body = f"{self._labels} ".encode() + b"x" * self._random.choice((0, 10, 200))
-        within_ns = self._random.choice((0, 100, 1_000)) * _MS
-        once = self._random.random() < 0.3
+        body = f"{self._labels} ".encode() + b"x" * self._time.random.choice((0, 10, 200))
+        within_ns = self._time.random.choice((0, 100, 1_000)) * _MS
+        once = self._time.random.random() < 0.3
         asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
         begin_by_ns = self.now_ns + within_ns if within_ns else 0
         wanted = Wanted(str(self._labels), one.name, body, once, begin_by_ns, asking.cable if asking else None)
-        urgent = self._random.random() < 0.1
+        urgent = self._time.random.random() < 0.1
         # the witness has to know of it before the answer can come
         self._witness.wants(wanted, one.bundle.asked + 1)
         one.bundle.request(body, self._clock(one), within_ns, once, urgent)
         self._serve(one)
 
-    def _answer(self, house: _House, session: Session, asked: Asked) -> None:
+    def _answer(self, house: House, session: Session, asked: Asked) -> None:
         if house is self._house:
             session.reply(asked.ticket, b"re: " + asked.body, self._clock(house))
             self._serve_session(session)
 
     def _crash_environment(self) -> None:
-        one = self._random.choice(self._environments)
-        if self._random.random() < 0.3:
+        one = self._time.random.choice(self._environments)
+        if self._time.random.random() < 0.3:
             one.bundle.close("enough", self._clock(one))
             self._witness.leaves(one.name)
         one.is_up = False
         for plug in list(one.plugs.values()):
             plug.close()
         self._witness.environment_ends(one.name)
-        name = one.name if self._random.random() < 0.3 else ""
+        name = one.name if self._time.random.random() < 0.3 else ""
         if name:
             self._witness.comes_anew(name)
         self._environments[one.number] = self._start_environment(one.number, name)
@@ -227,27 +176,27 @@ class History:
             for plug in list(self._house.plugs.values()):
                 plug.close()
             self._witness.house_ends()
-            self._after(self._uniform(50, 1_500), self._boot)
+            self._time.after(self._time.uniform(50, 1_500), self._boot)
 
     def _boot(self) -> None:
         self._house = self._start_house()
 
     # -- serving a program: what it says, what it tells, when it wants to be ticked
 
-    def _clock(self, party: _Party) -> int:
+    def _clock(self, party: Party) -> int:
         return self.now_ns + party.clock_ns
 
-    def _serve(self, one: _Environment, channel: Channel | None = None) -> None:
+    def _serve(self, one: Environment, channel: Channel | None = None) -> None:
         if not one.is_up:
             return
         one.bundle.service(self._clock(one), channel)
         asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
         stream = one.plugs.get(Channel.STREAM) or asking
         for happening in one.bundle.take_happenings():
-            self._witness.heard(one.name, happening, asking and asking.cable, stream and stream.cable)
-        for channel in one.bundle.wants(self._clock(one)):
-            self._after(self._uniform(1, 30), partial(self._dial, one, channel))
-        self._wake(one, one.bundle.due_ns(self._clock(one)), partial(self._serve, one))
+            self._witness.heard(one.name, happening, asking.cable if asking else None, stream.cable if stream else None)
+        for wanted in one.bundle.wants(self._clock(one)):
+            self._time.after(self._time.uniform(1, 30), partial(self._dial, one, wanted))
+        self._time.wake(one, one.bundle.due_ns(self._clock(one)), partial(self._serve, one))
 
     def _serve_session(self, session: Session, cable: Cable | None = None) -> None:
         house = self._house
@@ -256,23 +205,8 @@ class History:
         for happening in session.service(self._clock(house), cable.channel if cable is not None else None):
             self._witness.served(session.name, happening, cable, self.now_ns)
             if isinstance(happening, Asked):
-                self._after(self._uniform(0, 800), partial(self._answer, house, session, happening))
-        self._wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))
-
-    def _wake(self, whom: _Environment | Session, due_ns: int | None, act: Callable[[], None]) -> None:
-        """Serve it again when it wants that, once."""
-        if due_ns is None:
-            return
-        at_ns = self.now_ns + max(_MS, due_ns)
-        planned_ns = self._ticks.get(whom, -1)
-        if planned_ns <= self.now_ns or at_ns < planned_ns:
-            self._ticks[whom] = at_ns
-            self._at(at_ns, partial(self._tick, whom, at_ns, act))
-
-    def _tick(self, whom: _Environment | Session, at_ns: int, act: Callable[[], None]) -> None:
-        if self._ticks.get(whom) == at_ns:
-            del self._ticks[whom]
-            act()
+                self._time.after(self._time.uniform(0, 800), partial(self._answer, house, session, happening))
+        self._time.wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))
 
     def _look_for_lost(self) -> None:
         for name in self._house.guests.lost(self._clock(self._house)):
@@ -293,14 +227,14 @@ class History:
                 if plug is not None:
                     silence_ns = self.now_ns - plug.heard_ns - _SLACK_NS
                     self._witness.heard_last(Who.RUNTIME, state, silence_ns, suspect_ns, lost_ns)
-        self._settled = self._settled + 1 if self._is_calm and self._is_settled() else 0
+        self._settled = self._settled + 1 if self._sky.is_calm and self._is_settled() else 0
         self._is_over = self._settled == _ENOUGH
         self._look_for_lost()
         self._witness.stands(self.now_ns - _SLACK_NS, lost_ns)
 
     # -- the network between them
 
-    def _dial(self, one: _Environment, channel: Channel) -> None:
+    def _dial(self, one: Environment, channel: Channel) -> None:
         if not one.is_up:
             return
         if max(one.blind_ns, one.deaf_ns) > self.now_ns or not self._house.is_up:
@@ -318,25 +252,15 @@ class History:
 
     def carry(self, plug: Plug, act: Callable[[], None]) -> None:
         """Let it arrive, as the weather wants it."""
-        one = self._environments_of(plug)
-        blind_ns = one.deaf_ns if plug.is_runtime else one.blind_ns
-        if self._weather.is_reliable:
-            self._in_order(plug, blind_ns, act)
-            return
-        if blind_ns > self.now_ns or self._strikes(self._weather.loss):
-            return
-        for _ in range(2 if self._strikes(self._weather.duplicate) else 1):
-            overtaken_ns = self._delay() if self._strikes(self._weather.reorder) else 0
-            self._after(self._weather.delay_ns + overtaken_ns, act)
+        self._sky.carry(plug, self._blind_until(plug), act)
 
     def tell_end(self, plug: Plug, act: Callable[[], None]) -> None:
-        """Behind everything that was said where the network is reliable; else perhaps."""
+        """Let the other end learn of it, as the weather wants it."""
+        self._sky.tell_end(plug, self._blind_until(plug), act)
+
+    def _blind_until(self, plug: Plug) -> int:
         one = self._environments_of(plug)
-        blind_ns = one.deaf_ns if plug.is_runtime else one.blind_ns
-        if self._weather.is_reliable:
-            self._in_order(plug, blind_ns, act)
-        elif blind_ns <= self.now_ns and self._random.random() < 0.5:
-            self._after(self._delay(), act)
+        return one.deaf_ns if plug.is_runtime else one.blind_ns
 
     def came(self, plug: Plug, packet: Packet, payload: bytes) -> None:
         """A packet lies in the inbox of an end."""
@@ -364,7 +288,9 @@ class History:
         guests = self._house.guests
         caller = Caller("somebody", Role.OWNER, "elsewhere", False)
         cable = plug.cable
-        why = guests.admit(Introduction(cable.channel, hello.client, hello.epoch, caller), plug, self._clock(self._house))
+        why = guests.admit(
+            Introduction(cable.channel, hello.client, hello.epoch, caller), plug, self._clock(self._house)
+        )
         if why:
             plug.send(encode(Bye("refused", why)))
             plug.close()
@@ -379,7 +305,7 @@ class History:
             return None
         return next((one for (one, _), other in self._house.plugs.items() if other is plug), None)
 
-    def _environments_of(self, plug: Plug) -> _Environment:
+    def _environments_of(self, plug: Plug) -> Environment:
         """The environment at this cable's other end; one that is no more cannot be found, and hears nothing."""
         for one in self._environments:
             if plug.cable.environment in one.plugs.values():
@@ -387,38 +313,31 @@ class History:
         return self._gone
 
     @property
-    def _gone(self) -> _Environment:
-        nobody = _Environment(-1, "", Bundle("nobody"), 0)
+    def _gone(self) -> Environment:
+        nobody = Environment(-1, "", Bundle("nobody"), 0)
         nobody.is_up = False
         return nobody
 
-    def _strikes(self, chance: float) -> bool:
-        return not self._is_calm and self._random.random() < chance
-
-    def _in_order(self, plug: Plug, blind_ns: int, act: Callable[[], None]) -> None:
-        plug.free_ns = max(plug.free_ns, blind_ns, self.now_ns + self._delay())
-        self._at(plug.free_ns, act)
-
     def _cut(self) -> None:
-        """Nothing more arrives on one connection, or on all of an environment's; each side learns it in its own time."""
-        one = self._random.choice(self._environments)
+        """Nothing more arrives on one connection, or on all of an environment's; each side learns it later."""
+        one = self._time.random.choice(self._environments)
         plugs = list(one.plugs.values())
-        for plug in plugs if self._random.random() < 0.5 else plugs[:1]:
+        for plug in plugs if self._time.random.random() < 0.5 else plugs[:1]:
             plug.cable.is_broken = True
-            self._after(self._uniform(0, 600), plug.hear_end)
-            self._after(self._uniform(0, 600), plug.peer.hear_end)
+            self._time.after(self._time.uniform(0, 600), plug.hear_end)
+            self._time.after(self._time.uniform(0, 600), plug.peer.hear_end)
 
     def _blind(self) -> None:
-        one = self._random.choice(self._environments)
-        until_ns = self.now_ns + self._uniform(100, 3_000)
-        both = self._random.random() < 0.3
-        if both or self._random.random() < 0.5:
+        one = self._time.random.choice(self._environments)
+        until_ns = self.now_ns + self._time.uniform(100, 3_000)
+        both = self._time.random.random() < 0.3
+        if both or self._time.random.random() < 0.5:
             one.blind_ns = until_ns
         if both or one.blind_ns < until_ns:
             one.deaf_ns = until_ns
 
     def _heal(self) -> None:
-        self._is_calm = True
+        self._sky.is_calm = True
         for one in self._environments:
             one.blind_ns = min(one.blind_ns, self.now_ns)
             one.deaf_ns = min(one.deaf_ns, self.now_ns)
@@ -426,27 +345,14 @@ class History:
     # -- the plan of the storm
 
     def _plan(self) -> None:
-        random = self._random
+        random = self._time.random
         for _ in range(random.randrange(40, 80)):
-            self._at(random.randrange(_STORM_NS), self._signal)
+            self._time.at(random.randrange(_STORM_NS), self._signal)
         for _ in range(random.randrange(20, 50)):
-            self._at(random.randrange(_STORM_NS), self._ask)
+            self._time.at(random.randrange(_STORM_NS), self._ask)
         troubles = (self._cut, self._blind, self._crash_environment, self._crash_house)
         for trouble in random.choices(troubles, weights=(5, 6, 2, 1), k=random.randrange(7)):
-            self._at(random.randrange(_STORM_NS), trouble)
-        self._at(_STORM_NS, self._heal)
+            self._time.at(random.randrange(_STORM_NS), trouble)
+        self._time.at(_STORM_NS, self._heal)
         for at_ns in range(0, _STORM_NS + _CALM_NS, 250 * _MS):
-            self._at(at_ns, self._inspect)
-
-    def _at(self, at_ns: int, act: Callable[[], None]) -> None:
-        self._count += 1
-        heapq.heappush(self._events, (at_ns, self._count, act))
-
-    def _after(self, wait_ns: int, act: Callable[[], None]) -> None:
-        self._at(self.now_ns + wait_ns, act)
-
-    def _uniform(self, low_ms: int, high_ms: int) -> int:
-        return self._random.randrange(low_ms * _MS, high_ms * _MS)
-
-    def _delay(self) -> int:
-        return self._random.randrange(self._weather.delay_ns // 2, self._weather.delay_ns * 2)
+            self._time.at(at_ns, self._inspect)

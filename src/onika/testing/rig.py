@@ -45,8 +45,8 @@ class Rig:
         self.table = Table(segment)
         self.views = {f"table:{HOME}": segment.view}
         self._costs, self._react, self._seed = costs or {}, react, seed
-        self._watched = ""
-        self.executive = Executive("unit", self.views, self._watch)
+        self._watched = _Watched()
+        self.executive = Executive("unit", self.views, self._watched.watch)
         self.bus = None if world is None else self._open(world)
         self._grants: dict[str, command.DeviceGrant] = {}
         self._stepped_to = 0
@@ -133,20 +133,17 @@ class Rig:
             while self._requests and self._requests[0][0] <= self.now:
                 self.do(self._requests.popleft()[1])
             began = self.now
-            self._watched = ""
+            self._watched.task = ""
             heard = self.executive.run_next(began)
             if heard is None:
                 return
-            self.now += self._costs.get(self._watched, 0)
+            self.now += self._costs.get(self._watched.task, 0)
             self._hear(heard, began)
 
     def _hear(self, heard: Sequence[news.News], at: int) -> None:
         self.news += [(at, one) for one in heard]
         reactions = [order for one in heard for order in self._react(one)]
         self._requests.extendleft((self.now, one) for one in reversed(reactions))
-
-    def _watch(self, task: str) -> None:
-        self._watched = task.partition("/")[2] or self._watched
 
     def _open(self, world: World) -> Bus:
         segment = Segment.create("rig-bus", SEGMENT_SIZE)
@@ -171,3 +168,13 @@ class Rig:
             entry = self.table.entry(svar, port.shape.resolve(constants))
             ports.append(command.BoundPort(port.name, svar, str(entry.shape), entry.offset))
         return tuple(ports)
+
+
+class _Watched:
+    """Whose code ran last; apart from the rig, so that a rig ends, and gives its memory back, with its last use."""
+
+    def __init__(self) -> None:
+        self.task = ""
+
+    def watch(self, task: str) -> None:
+        self.task = task.partition("/")[2] or self.task

@@ -73,13 +73,14 @@ def _solid(flow: AppFlow, position: int) -> int:
 
 
 def _joined(left: tuple[Step, ...], right: tuple[Step, ...], syntax: Syntax) -> AppFlow:
-    """Two parts of a flow with a hole between them exactly where their icons do not fit."""
+    """Two parts of a flow with a hole between them exactly where their icons do not fit; one that was there stays."""
+    gap = Hole()
     while left and isinstance(left[-1], Hole):
-        left = left[:-1]
+        gap, left = left[-1], left[:-1]
     while right and isinstance(right[0], Hole):
-        right = right[1:]
+        gap, right = right[0] if not gap.kept else gap, right[1:]
     whole = AppFlow(left + right)
-    return whole if _fits_at(whole, len(left), syntax) else AppFlow((*left, Hole(), *right))
+    return whole if _fits_at(whole, len(left), syntax) else AppFlow((*left, gap, *right))
 
 
 def _stands_in_flow(kind: IconType) -> bool:

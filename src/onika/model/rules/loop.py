@@ -12,10 +12,11 @@ def faults(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> tuple[Fau
     """What is wrong with the loop tags of a flow; `where` names it in the text.
 
     A tag stands at exactly two different actions of the flow, exactly one of them the test; loops are apart or one
-    within the other. A mark on a target counts for its action (decision 24).
+    within the other. A mark on a target counts for its action, which bears one (decision 24, requirement D06).
     """
     marked = _marked(flow, syntax)
-    return tuple(_fault(place, *fault) for fault in (*_counts(marked, where), *_crossings(marked, where)))
+    found = (*_counts(marked, where), *_shared(marked, where), *_crossings(marked, where))
+    return tuple(_fault(place, *fault) for fault in found)
 
 
 _Marks = dict[str, list[tuple[int, bool]]]
@@ -40,17 +41,30 @@ def _tag(step: Step) -> str | None:
 
 def _counts(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
     for tag, marks in marked.items():
-        tests = sum(is_test for _, is_test in marks)
-        if len(marks) != 2:
-            yield f"the loop tag {tag} twice in {where}", f"{len(marks)} times"
-        elif marks[0][0] == marks[1][0]:
+        places = {position for position, _ in marks}
+        tests = {position for position, is_test in marks if is_test}
+        if len(places) == 1 and len(marks) == 2:
             yield f"the loop tag {tag} at two actions of {where}", "it twice at one"
-        if tests != 1:
-            yield f"exactly one test icon of the loop {tag} in {where}", f"{tests}"
+        elif len(places) != 2:
+            yield f"the loop tag {tag} twice in {where}", f"{len(places)} times"
+        if len(tests) != 1:
+            yield f"exactly one test icon of the loop {tag} in {where}", f"{len(tests)}"
+
+
+def _shared(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
+    """Actions whose job bears one tag and whose target another: an action keeps one mark only."""
+    tags: dict[int, list[str]] = {}
+    for tag, marks in marked.items():
+        for position in {position for position, _ in marks}:
+            tags.setdefault(position, []).append(tag)
+    for position, several in sorted(tags.items()):
+        if len(several) > 1:
+            yield f"one loop tag at an action of {where}", f"{' and '.join(several)} at step {position}"
 
 
 def _crossings(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
-    whole = {tag: sorted(position for position, _ in marks) for tag, marks in marked.items() if len(marks) == 2}
+    spans = {tag: sorted({position for position, _ in marks}) for tag, marks in marked.items()}
+    whole = {tag: span for tag, span in spans.items() if len(span) == 2}
     for (tag, (start, end)), (other, (start2, end2)) in combinations(whole.items(), 2):
         if start < start2 <= end < end2 or start2 < start <= end2 < end:
             yield (

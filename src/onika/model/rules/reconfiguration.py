@@ -45,7 +45,9 @@ class Exchange:
     spawn: tuple[str, ...]
     """In the order of constants."""
     reinit: tuple[str, ...]
-    """Of `keep`: consumers of constants that come from another task now, in the order of constants (A13)."""
+    """Of `keep`: consumers of constants that come from another task now; of all: consumers of these, and so on.
+
+    In the order of constants (requirement A13)."""
 
 
 def difference(on_now: Iterable[str], wanted: Sequence[str]) -> Change:

@@ -57,8 +57,11 @@ def killed_first(living: Sequence[Task], kill: Collection[str], new: Sequence[Ta
 
 
 def reinitialised(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
-    """Who has to learn a constant that changed: of those that stay, whoever reads one of a task that comes (law 10: it may
-    have been said before, by one that is gone); and of all, whoever reads one of a task that is initialised anew."""
+    """Who has to learn a constant that changed.
+
+    Of those that stay, whoever reads one of a task that comes, as it may have been said before by one that is gone
+    (law 10); and of all, whoever reads one of a task that is itself initialised anew.
+    """
     staying = [task for task in living if task.name not in kill]
     come = set().union(*(writes_at_init(task) for task in new))
     found = {task.name for task in staying if reads_at_init(task) & come}

@@ -113,7 +113,9 @@ def marked(draw: st.DrawFn, kinds: Line) -> AppFlow:
             continue
         tag = draw(st.sampled_from([None, None, "a", "b"]))
         is_test = draw(st.booleans()) if tag else False
-        steps.append(replace(icon(kind, draw(st.sampled_from(["j", "j", "k", "k", "lost"]))), while_tag=tag, while_test=is_test))
+        steps.append(
+            replace(icon(kind, draw(st.sampled_from(["j", "j", "k", "k", "lost"]))), while_tag=tag, while_test=is_test)
+        )
     return AppFlow(tuple(steps))
 
 

@@ -1,11 +1,11 @@
 """Equation (7), insertion and deletion, holes and loops, read a second time on plain lists of type names.
 
-Written from §5.5.3, §5.5.4, §5.7.1, D03, D19, D22 and decisions 23, 24, 33 and 37; it shares no code with the rules. A flow
-is the list of its icons' types with None for a hole, without the start and the end that are implied.
+Written from §5.5.3, §5.5.4, §5.7.1, D03, D19, D22 and decisions 23, 24, 33 and 37; it shares no code with the rules. A
+flow is the list of its icons' types with None for a hole, without the start and the end that are implied.
 """
 
 from collections.abc import Mapping, Sequence
-from itertools import combinations
+from itertools import combinations, pairwise
 
 Edges = Mapping[str, tuple[int, int]]
 """Left and right edge of every type, by its name in small letters."""
@@ -71,7 +71,7 @@ def delete(line: Line, at: int, edges: Edges) -> Line:
 def is_whole(line: Line, edges: Edges) -> bool:
     """No hole, and every icon fits the one before it, from the start to the end."""
     row = ["Application start", *line, "Application end"]
-    return all(a is not None and b is not None and equation_7(a, b, edges) for a, b in zip(row, row[1:], strict=False))
+    return all(a is not None and b is not None and equation_7(a, b, edges) for a, b in pairwise(row))
 
 
 def is_target(kind: str) -> bool:
@@ -93,7 +93,9 @@ def actions(line: Line, edges: Edges) -> list[tuple[int, ...]]:
         following = line[at + 1] if at + 1 < len(line) else None
         if kind is None or is_target(kind):
             at += 1
-        elif needs_target(kind, edges) and following is not None and is_target(following) and following.lower() in edges:
+        elif (
+            needs_target(kind, edges) and following is not None and is_target(following) and following.lower() in edges
+        ):
             found.append((at, at + 1))
             at += 2
         else:

@@ -17,9 +17,7 @@ def is_ready(
     application: Application, edges: Edges, configurations: Mapping[str, Configuration], known: Mapping[str, Task]
 ) -> bool:
     """No nested applications: they are not executed yet."""
-    return bool(application.flows) and all(
-        _is_ready(flow, edges, configurations, known) for flow in application.flows
-    )
+    return bool(application.flows) and all(_is_ready(flow, edges, configurations, known) for flow in application.flows)
 
 
 def _is_ready(
@@ -61,7 +59,7 @@ def _pairs_are_right(line: Line, edges: Edges) -> bool:
 
 
 def _has_its_type(kind: str, together: list[Task], edges: Edges) -> bool:
-    """The icon's type is that of the first trigger that takes a target (decision 36, C29); an unknown type is not judged."""
+    """The icon's type is that of the first trigger with a target (decision 36, C29); an unknown one is not judged."""
     if kind.lower() not in edges:
         return True
     types = [task.object_type.lower() for task in together if task.object_type]

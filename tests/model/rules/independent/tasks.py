@@ -98,7 +98,7 @@ def device(task: Task) -> set[str]:
 
 
 def union_is_free(tasks: Iterable[Task]) -> bool:
-    """Decision 1, and what law 9 adds to it: no constant is supplied twice, none is read of what is written each cycle."""
+    """Decision 1, and what law 9 adds to it: constants have one supplier, which is no pure OUTVAR."""
     return not any(
         one.module == other.module
         or device(one) & device(other)

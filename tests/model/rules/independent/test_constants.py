@@ -83,7 +83,7 @@ def test_who_came_with_the_exchange_is_initialised_once_where_nothing_changes_be
 
 @pytest.mark.slow
 @given(libraries(7, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=5), libraries(6, sparse=True))
-@settings(max_examples=20_000, deadline=None)
+@settings(max_examples=4000, deadline=None)
 def test_thousands_of_exchanges_are_judged_alike(living: Tasks, kill: set[str], new: Tasks) -> None:
     orders_agree(living)  # law 10
     exchanges_agree(living, kill, new)  # R-A13, decision 14

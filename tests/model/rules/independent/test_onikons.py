@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from onika.model.application import Icon
+from onika.model.application import AppFlow, Hole, Icon
 from onika.model.rules import jigsaw, loop
-from onika.model.syntax import Syntax
+from onika.model.syntax import IconType, Syntax
 from onika.words.fault import Place
 
 from . import onikons as naive
@@ -86,9 +86,27 @@ def test_start_and_end_are_placed_by_nobody(syntax: Syntax) -> None:
         assert jigsaw.refusals(flow([]), -1, icon(kind), syntax)
 
 
+PAIRS: list[naive.Line] = [["Joint job", "Joint object"], ["Complete job"], ["Odd job"]]
+
+
+@given(st.lists(st.sampled_from(PAIRS), min_size=1, max_size=4), st.data())
+@settings(max_examples=400, deadline=None)
+def test_loops_over_jobs_and_their_targets_are_judged_alike(groups: list[naive.Line], data: st.DataObject) -> None:
+    loops_agree([kind for group in groups for kind in group], data.draw(syntaxes()), data)  # R-D06, decision 24
+
+
+def test_a_hole_that_stays_keeps_the_unknown_target_in_it() -> None:
+    types = (("Application start", 0, 0), ("Application end", 0, 0), ("Complete job", 0, 0), ("Joint job", 0, 1))
+    syntax = Syntax(tuple(IconType(*each) for each in types), ())  # R-D16, R-D19, R-B07
+    unknown = Hole(kept="what the file says of it")
+    before = AppFlow((icon("Joint job"), unknown))
+    assert jigsaw.insert(before, -1, icon("Joint job"), syntax).steps[-1] == unknown
+    assert jigsaw.delete(AppFlow((icon("Joint job"), icon("Complete job"), unknown)), 1, syntax) == before
+
+
 @pytest.mark.slow
 @given(syntaxes(), lines, places, st.sampled_from(PLACEABLE), st.data())
-@settings(max_examples=20_000, deadline=None)
+@settings(max_examples=4000, deadline=None)
 def test_thousands_of_flows_are_judged_alike(
     syntax: Syntax, kinds: naive.Line, at: int, kind: str, data: st.DataObject
 ) -> None:

@@ -32,6 +32,6 @@ def test_any_application_can_be_run_for_both_or_for_neither(laboratory: Laborato
 
 @pytest.mark.slow
 @given(laboratories())
-@settings(max_examples=20_000, deadline=None)
+@settings(max_examples=4000, deadline=None)
 def test_thousands_of_applications_can_be_run_for_both_or_for_neither(laboratory: Laboratory) -> None:
     agree(laboratory)  # R-E01

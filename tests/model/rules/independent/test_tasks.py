@@ -24,7 +24,8 @@ def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
         assert {fault.found.split(",")[0] for fault in warning.self_fed(task, PLACE)} == naive.self_fed(task)
     assert {fault.expected.split()[-1] for fault in warning.hanging(library, PLACE)} == naive.hanging(library)
     told = [fault.expected for fault in union.conflicts(library, "flow 0", PLACE)]
-    assert not [each for each in told if not each.startswith("a task that gives")] == naive.union_is_free(library)
+    conflicts = [each for each in told if not each.startswith("a task that gives")]
+    assert (not conflicts) == naive.union_is_free(library)
 
 
 @given(libraries(), libraries(4))
@@ -43,7 +44,7 @@ def test_tasks_of_few_pins_are_judged_alike(library: tuple[Task, ...], placed: t
 
 @pytest.mark.slow
 @given(st.booleans().flatmap(lambda sparse: st.tuples(libraries(8, sparse=sparse), libraries(8, sparse=sparse))))
-@settings(max_examples=20_000, deadline=None)
+@settings(max_examples=4000, deadline=None)
 def test_thousands_of_libraries_are_judged_alike(both: tuple[tuple[Task, ...], tuple[Task, ...]]) -> None:
     agree(*both)  # R-C07, R-C08, decisions 1, 5, 6
 

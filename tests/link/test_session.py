@@ -1,0 +1,120 @@
+from onika.link.caller import PARENT
+from onika.link.carrier import memory_pair
+from onika.link.channel import THREE, Channel
+from onika.link.client import ClientEnd
+from onika.link.happening import Asked, Read, Replied, Signalled
+from onika.link.journal import Journal
+from onika.link.pump import Pump
+from onika.link.session import Session
+from onika.link.state import LinkState
+from onika.link.terms import LOCAL
+
+SECOND = 1_000_000_000
+
+
+class Both:
+    """A session and the ends of its environment, one for each channel."""
+
+    def __init__(self, channels=(Channel.ALL,), can_return=True):
+        self.now = 0
+        self.session = Session("me#1", "me", PARENT, Journal("e1"), LOCAL, can_return)
+        self.ends = {channel: ClientEnd("me", LOCAL, channel) for channel in channels}
+        self.pumps = {channel: Pump(end) for channel, end in self.ends.items()}
+        for channel in channels:
+            self.connect(channel)
+
+    def connect(self, channel):
+        here, there = memory_pair()
+        self.session.attach(channel, there, self.now)
+        if not channel.asks:
+            self.ends[channel].follow("e1")
+        self.pumps[channel].attach(here, self.now)
+        self.talk()
+
+    def talk(self):
+        asked = []
+        for _ in range(3):
+            for pump in self.pumps.values():
+                pump.service(self.now)
+            asked += [one for one in self.session.service(self.now) if isinstance(one, Asked)]
+        return asked
+
+    def heard(self, channel, kind):
+        return [one for one in self.ends[channel].take_happenings() if isinstance(one, kind)]
+
+
+def test_signals_answers_and_readings_go_their_own_ways():  # R-F01
+    both = Both(THREE)
+    assert set(both.session.states().values()) == {LinkState.LINKED}
+    both.ends[Channel.SESSION].request(b"do", both.now)
+    (asked,) = both.talk()
+    both.session.signal(b"event", both.now)
+    both.session.show("X", b"1", both.now)
+    both.session.reply(asked.ticket, b"done", both.now)
+    both.talk()
+    assert both.heard(Channel.SESSION, Replied) == [Replied(1, b"done")]
+    assert both.heard(Channel.SIGNAL, Signalled) == [Signalled(1, b"event")]
+    assert both.heard(Channel.STREAM, Read) == [Read("X", b"1")]
+
+
+def test_what_was_said_before_the_signal_channel_is_there_is_heard_on_it():  # R-F01
+    both = Both((Channel.SESSION,))
+    both.session.signal(b"early", both.now)
+    both.ends[Channel.SIGNAL] = ClientEnd("me", LOCAL, Channel.SIGNAL)
+    both.pumps[Channel.SIGNAL] = Pump(both.ends[Channel.SIGNAL])
+    both.connect(Channel.SIGNAL)
+    assert both.heard(Channel.SIGNAL, Signalled) == [Signalled(1, b"early")]
+
+
+def test_a_session_is_lost_once_after_silence_and_again_after_it_came_back():  # R-F01, R-X12
+    both = Both()
+    both.pumps[Channel.ALL].drop()
+    both.session.service(both.now)
+    assert not both.session.is_lost(both.now)
+    assert both.session.due_ns(both.now) == LOCAL.lost_ns
+    both.now += LOCAL.lost_ns
+    assert both.session.is_lost(both.now)
+    assert not both.session.is_lost(both.now)
+    both.connect(Channel.ALL)
+    assert not both.session.is_lost(both.now)
+    both.now += LOCAL.lost_ns
+    both.session.service(both.now)
+    assert both.session.is_lost(both.now)
+
+
+def test_a_session_that_comes_back_in_time_is_not_lost():  # R-F01
+    both = Both()
+    both.pumps[Channel.ALL].drop()
+    both.session.service(both.now)
+    both.now += LOCAL.lost_ns - 1
+    both.connect(Channel.ALL)
+    assert not both.session.is_lost(both.now + 1)
+
+
+def test_a_good_bye_ends_a_session_at_once_and_so_does_a_cut_where_it_cannot_come_back():  # R-E10
+    both = Both()
+    both.ends[Channel.ALL].close()
+    both.talk()
+    assert both.session.is_lost(both.now)
+    assert both.session.has_left
+    child = Both(can_return=False)
+    child.pumps[Channel.ALL].drop()
+    child.session.service(child.now)
+    assert child.session.is_lost(child.now)
+
+
+def test_connections_of_two_shapes_do_not_go_together():
+    assert not Both(THREE).session.fits(Channel.ALL)
+    assert not Both().session.fits(Channel.SIGNAL)
+    assert Both(THREE).session.fits(Channel.STREAM)
+
+
+def test_a_reading_is_a_reason_to_be_served_and_nobody_keeps_it_for_one_who_is_away():
+    both = Both()
+    both.session.show("X", b"1", both.now)
+    assert both.session.due_ns(both.now) == 0
+    both.talk()
+    both.pumps[Channel.ALL].drop()
+    both.session.service(both.now)
+    both.session.show("X", b"2", both.now)
+    assert both.session.due_ns(both.now) != 0

@@ -1,0 +1,111 @@
+"""What an application does, read a second time: a plain interpreter of lists of actions, without orders or lifecycles.
+
+Written from §5.5.4, §5.9.2, Table 9, E02, E04 and decisions 16, 17, 26 and 28 of the specification and house
+decision 4; it shares no code with the engine. An error that is not a passive task's ends the run, as long as there is no
+clear and continue (E08).
+"""
+
+from dataclasses import dataclass, field
+
+Event = tuple[object, ...]
+
+
+@dataclass(frozen=True)
+class Action:
+    tasks: tuple[str, ...]
+    triggers: tuple[str, ...]
+    tag: str | None
+
+
+@dataclass
+class Flow:
+    actions: list[Action]
+    at: int = -1
+    waits: str | None = None
+    is_done: bool = False
+    on: set[str] = field(default_factory=set)
+    said_so: set[str] = field(default_factory=set)
+    """Of those ON: who has said that it is, since it was last turned on."""
+    broken: set[str] = field(default_factory=set)
+
+    @property
+    def is_running(self) -> bool:
+        return self.at >= 0 and self.waits is None and not self.is_done
+
+    def leave(self, task: str) -> None:
+        self.on.discard(task)
+        self.said_so.discard(task)
+
+
+class Performance:
+    """Told what tasks say, it answers with what is to be seen: (what, flow, …)."""
+
+    def __init__(self, flows: list[list[Action]], passive: set[str]) -> None:
+        self.flows = [Flow(actions) for actions in flows]
+        self.passive = passive
+        self.is_over = False
+
+    def begin(self) -> list[Event]:
+        return [event for number in range(len(self.flows)) for event in self._go_on(number)]
+
+    def turned_on(self, number: int, task: str) -> list[Event]:
+        if task in self.flows[number].on:
+            self.flows[number].said_so.add(task)
+        return []
+
+    def finished(self, number: int, task: str) -> list[Event]:
+        flow = self.flows[number]
+        counts = task in flow.said_so
+        if counts:
+            flow.leave(task)
+        if not counts or not flow.is_running or task not in flow.actions[flow.at].triggers:
+            return [("ignored", number, task)]
+        return [("done", number, flow.at), *self._go_on(number)]
+
+    def switched_off(self, number: int, task: str) -> list[Event]:
+        if task in self.flows[number].said_so:
+            self.flows[number].leave(task)
+        return [("fell silent", number, task)]
+
+    def failed(self, number: int, task: str) -> list[Event]:
+        if task not in self.passive:
+            return self.ended()
+        self.flows[number].leave(task)
+        self.flows[number].broken.add(task)
+        return [("stays off", number, task)]
+
+    def ended(self) -> list[Event]:
+        self.is_over = True
+        return [("ends",)]
+
+    def _go_on(self, number: int) -> list[Event]:
+        flow = self.flows[number]
+        if flow.at + 1 == len(flow.actions):
+            flow.is_done = True
+            if all(other.is_done for other in self.flows):
+                self.is_over = True
+                return [("all done",)]
+            return [
+                ("waits", other, waiting.waits, number, "ended")
+                for other, waiting in enumerate(self.flows)
+                if waiting.waits is not None and number in self._parties(waiting.waits)
+            ]
+        flow.waits = flow.actions[flow.at + 1].tag
+        if flow.waits is None:
+            return self._start(number)
+        tag = flow.waits
+        absent = [other for other in self._parties(tag) if self.flows[other].waits != tag]
+        if absent:
+            return [("waits", number, tag, other, "ended" if self.flows[other].is_done else "") for other in absent]
+        return [event for other in self._parties(tag) for event in self._start(other)]
+
+    def _parties(self, tag: str) -> list[int]:
+        return [number for number, flow in enumerate(self.flows) if tag in [action.tag for action in flow.actions]]
+
+    def _start(self, number: int) -> list[Event]:
+        flow = self.flows[number]
+        flow.at, flow.waits = flow.at + 1, None
+        action = flow.actions[flow.at]
+        flow.on = set(action.tasks) - flow.broken
+        flow.said_so = (flow.said_so & flow.on) - set(action.triggers)
+        return [("begins", number, flow.at)]

@@ -1,0 +1,146 @@
+"""The engine tells the same story as the plain interpreter, whatever the tasks say and in whatever order."""
+
+import re
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from onika.engine.engine import Engine
+from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
+from onika.engine.orders import Began, Done, Kill, Note, Order, Settle, Switch
+from onika.testing import build
+
+from .performance import Action, Event, Performance
+
+Plan = list[list[build.Job]]
+
+PASSIVE = "view"
+FURTHER = "timer"
+"""A trigger that takes no target."""
+
+WAITS = re.compile(r"waits at (\w+) for flow (\d+)(, which has (ended))?\Z")
+TELLS = {
+    "has finished, which ends no action now": "ignored",
+    "has switched itself off": "fell silent",
+    "the job goes on": "stays off",
+}
+
+jobs = st.builds(
+    lambda trigger, others, tag: build.job(trigger, *others, trigger=trigger, synch_tag=tag),
+    trigger=st.sampled_from(["move", "grip"]),
+    others=st.lists(st.sampled_from(["puma", "pd", PASSIVE, FURTHER]), unique=True, max_size=4),
+    tag=st.sampled_from([None, None, "a", "b"]),
+)
+plans = st.lists(st.lists(jobs, min_size=1, max_size=4), min_size=1, max_size=3)
+words = st.sampled_from([TurnedOn] * 10 + [Finished] * 12 + [SwitchedOff] * 2 + [Failed, Refused, Illegal, Abort])
+
+
+class Stage:
+    """Our engine, and who is ON by its orders."""
+
+    def __init__(self, plan: Plan) -> None:
+        numbers = range(len(plan))
+        passive, further = [(number, PASSIVE) for number in numbers], [(number, FURTHER) for number in numbers]
+        self.engine: Engine = build.engine(*plan, passive=passive, other_triggers=further)
+        self.on: list[set[str]] = [set() for _ in plan]
+        self._awake: list[set[str]] = [set() for _ in plan]
+        """Who has come ON since it was last told to; what others say is of an activation before."""
+
+    def begin(self, plan: Plan) -> list[Event]:
+        self.engine.feed(Run())
+        births = [Spawned(number, task) for number, flow in enumerate(plan) for task in build.names(flow)]
+        return [event for birth in births for event in self.hear(birth)]
+
+    def hear(self, news: News) -> list[Event]:
+        if isinstance(news, TurnedOn):
+            self._awake[news.flow] |= {news.task} & self.on[news.flow]
+        if isinstance(news, Failed | Refused) or (
+            isinstance(news, Finished | SwitchedOff) and news.task in self._awake[news.flow]
+        ):
+            self.on[news.flow].discard(news.task)
+            self._awake[news.flow].discard(news.task)
+        orders = self.engine.feed(news)
+        if any(isinstance(order, Kill) for order in orders):
+            assert all(isinstance(order, Kill) for order in orders)
+            return [("ends",)]
+        return [event for order in orders for event in self._seen(order, news)]
+
+    def _seen(self, order: Order, news: News) -> list[Event]:
+        match order:
+            case Switch():
+                self.on[order.flow] -= set(order.off)
+                assert not self.on[order.flow] & {start.task for start in order.on}
+                self.on[order.flow] |= {start.task for start in order.on}
+                self._awake[order.flow] -= {*order.off, *(start.task for start in order.on)}
+                return []
+            case Began():
+                return [("begins", order.flow, order.index)]
+            case Done():
+                return [("done", order.flow, order.index)]
+            case Settle():
+                return [("all done",)]
+            case Note() if waits := WAITS.match(order.text):
+                return [("waits", order.flow, waits[1], int(waits[2]), waits[4] or "")]
+            case Note() if not isinstance(news, Run | Abort):
+                return [(next(what for text, what in TELLS.items() if text in order.text), order.flow, news.task)]
+            case _:
+                raise AssertionError(f"expected no {order} while the application runs")
+
+
+def said(naive: Performance, news: News) -> list[Event]:
+    match news:
+        case TurnedOn():
+            return naive.turned_on(news.flow, news.task)
+        case Finished():
+            return naive.finished(news.flow, news.task)
+        case SwitchedOff():
+            return naive.switched_off(news.flow, news.task)
+        case Failed() | Refused():
+            return naive.failed(news.flow, news.task)
+        case _:
+            return naive.ended()
+
+
+def drawn_news(plan: Plan, naive: Performance, draw: st.DataObject) -> News:
+    """What some task says; mostly what brings the story on, and mostly of a task that is ON."""
+    kind = draw.draw(words)
+    number = draw.draw(st.integers(0, len(plan) - 1))
+    flow = naive.flows[number]
+    silent, speaking = sorted(flow.on - flow.said_so), sorted(flow.said_so)
+    likely = silent if kind is TurnedOn else speaking if kind is Finished else sorted(flow.on)
+    task = draw.draw(st.sampled_from([*likely * 3, *build.names(plan[number])]))
+    if kind is Abort:
+        return Abort("the user said so")
+    if kind in (Failed, Refused, Illegal):
+        return kind(number, PASSIVE if PASSIVE in build.names(plan[number]) else task, "it broke")
+    return kind(number, task)
+
+
+def tell(plan: Plan, draw: st.DataObject, words: int) -> None:
+    actions = [
+        [Action(job.tasks, tuple(t for t in job.tasks if t in (job.trigger, FURTHER)), job.synch_tag) for job in flow]
+        for flow in plan
+    ]
+    naive, ours = Performance(actions, {PASSIVE}), Stage(plan)
+    assert ours.begin(plan) == naive.begin()
+    for _ in range(words):
+        if naive.is_over:
+            return
+        news = drawn_news(plan, naive, draw)
+        assert ours.hear(news) == said(naive, news), news
+        if not naive.is_over:
+            assert ours.on == [flow.on for flow in naive.flows], news
+
+
+@given(plans, st.data())
+@settings(max_examples=150, deadline=None)
+def test_any_story_of_any_plan_is_told_alike(plan: Plan, data: st.DataObject) -> None:
+    tell(plan, data, 25)  # R-E02, R-E04, decisions 16, 17, 26
+
+
+@pytest.mark.slow
+@given(plans, st.data())
+@settings(max_examples=4000, deadline=None)
+def test_thousands_of_stories_are_told_alike(plan: Plan, data: st.DataObject) -> None:
+    tell(plan, data, 60)  # R-E02, R-E04, decisions 16, 17, 26
