@@ -4,6 +4,7 @@ import hashlib
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -84,6 +85,7 @@ def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
     code = "from tests.contract.test_live_determinism import fingerprint; print(fingerprint())"
     told = subprocess.run(
         [sys.executable, "-c", code],
+        cwd=Path(__file__).parents[2],
         env={**os.environ, "PYTHONHASHSEED": seed},
         capture_output=True,
         text=True,
@@ -93,8 +95,7 @@ def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
     assert told.stdout.strip() == here
 
 
-def test_another_story_is_told_otherwise(here, monkeypatch):  # R-X08
-    monkeypatch.setitem(globals(), "_right", lambda hand: hand.let_pass(1.0))
-    monkeypatch.setitem(globals(), "_beside", lambda hand: None)
-    monkeypatch.setattr(Hand, "values", lambda self, *names, subsystem="s0": {})
+def test_a_millisecond_makes_another_story(here, monkeypatch):  # R-X08
+    let_pass = Hand.let_pass
+    monkeypatch.setattr(Hand, "let_pass", lambda self, seconds: let_pass(self, seconds + 1e-3))
     assert fingerprint() != here

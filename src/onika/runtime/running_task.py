@@ -30,7 +30,7 @@ def period_of(frequency: float) -> int:
     return round(1e9 / frequency)
 
 
-CHECKED_EVERY = 63
+CHECKED_EVERY = 1023
 """Once in 64 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
 
 

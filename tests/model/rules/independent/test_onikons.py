@@ -49,32 +49,32 @@ def loops_agree(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
 
 
 @given(syntaxes(), lines, places, st.sampled_from((*PLACEABLE, "Odd object")))
-@settings(max_examples=500, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_any_icon_is_inserted_or_refused_alike(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -> None:
     insertions_agree(syntax, kinds, after, kind)  # R-D03, R-D19, R-D22
 
 
 @given(syntaxes(), lines, places)
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_any_deletion_opens_and_closes_the_same_holes(syntax: Syntax, kinds: naive.Line, at: int) -> None:
     deletions_agree(syntax, kinds, at)  # R-D19
 
 
 @given(syntaxes(), lines)
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_a_flow_is_whole_for_both_or_for_neither(syntax: Syntax, kinds: naive.Line) -> None:
     is_whole = None not in kinds and not jigsaw.misfits(flow(kinds), syntax)  # R-D03, R-E01
     assert is_whole == naive.is_whole(kinds, edges_of(syntax))
 
 
 @given(lines, syntaxes(), st.data())
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_any_loops_are_judged_alike(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
     loops_agree(kinds, syntax, data)  # R-E01, decisions 23, 24
 
 
 @given(st.lists(st.sampled_from(["Complete job", "Complete NOP"]), min_size=2, max_size=6), st.data())
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_loops_over_whole_actions_are_judged_alike(kinds: naive.Line, data: st.DataObject) -> None:
     loops_agree(kinds, data.draw(syntaxes()), data)  # R-E01, decision 23
 
@@ -90,7 +90,7 @@ PAIRS: list[naive.Line] = [["Joint job", "Joint object"], ["Complete job"], ["Od
 
 
 @given(st.lists(st.sampled_from(PAIRS), min_size=1, max_size=4), st.data())
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=250, deadline=None)
 def test_loops_over_jobs_and_their_targets_are_judged_alike(groups: list[naive.Line], data: st.DataObject) -> None:
     loops_agree([kind for group in groups for kind in group], data.draw(syntaxes()), data)  # R-D06, decision 24
 
@@ -106,7 +106,7 @@ def test_a_hole_that_stays_keeps_the_unknown_target_in_it() -> None:
 
 @pytest.mark.slow
 @given(syntaxes(), lines, places, st.sampled_from(PLACEABLE), st.data())
-@settings(max_examples=4000, deadline=None)
+@settings(max_examples=2500, deadline=None)
 def test_thousands_of_flows_are_judged_alike(
     syntax: Syntax, kinds: naive.Line, at: int, kind: str, data: st.DataObject
 ) -> None:
