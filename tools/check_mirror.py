@@ -15,6 +15,7 @@ UNMIRRORED_SOURCES = {
 UNMIRRORED_TESTS = {
     "contract": "one rule over all members of a kind",
     "labs": "what single modules do; they are no part of the package",
+    "model/rules/independent": "a second reading of the rules, which shares no code with them",
     "journey": "the three journeys of the house, whole",
     "play": "stories of the engine",
     "site": "real programs and processes",
@@ -45,7 +46,7 @@ def complaints(root: Path) -> Iterator[str]:
 def _files(folder: Path, left_out: dict[str, str]) -> list[PurePosixPath]:
     """The Python files below, but for package markers and what is left out, relative and in order."""
     paths = sorted(PurePosixPath(path.relative_to(folder)) for path in folder.rglob("*.py"))
-    return [path for path in paths if path.name != "__init__.py" and path.parts[0] not in left_out]
+    return [path for path in paths if path.name != "__init__.py" and not any(map(path.is_relative_to, left_out))]
 
 
 def _test_of(source: PurePosixPath) -> PurePosixPath:

@@ -1,6 +1,16 @@
 import pytest
 
+from onika.host import edit
+from onika.host.live import LiveSubsystem
+from onika.model.rules.reconfiguration import exchange
+from onika.ring.segment import Segment
+from onika.runtime import news
+from onika.runtime.code import load
+from onika.runtime.sheet import sheet_of
+from onika.runtime.table import Table
+from onika.runtime.wiring import wire
 from onika.testing.hand import BROKEN, COUNTER, SOURCE, hand_with_tasks
+from onika.testing.workshop import Workshop
 from onika.wire import event, live
 from onika.wire.request import Stop
 
@@ -51,7 +61,7 @@ def test_a_stop_in_the_midst_of_a_change_leaves_nothing_hanging(hand):  # law 27
     assert hand.change(on=[name for name in hand.states if name != "counter"][:1]) == ""
 
 
-def exchange(hand):
+def exchange_of_suppliers(hand):
     hand.task("other", SOURCE, module="other", local={"SIZE": "3"}, rtpu="rt1")
     return hand.order(("other",), ("other",), kill=("source",), off=("counter",))
 
@@ -90,7 +100,7 @@ def end(hand):
     return live.Close("s0")
 
 
-CHANGES = [exchange, birth, failing_birth, failing_start, dimension, refused_dimension, new_code, end]
+CHANGES = [exchange_of_suppliers, birth, failing_birth, failing_start, dimension, refused_dimension, new_code, end]
 
 
 @pytest.mark.parametrize("lost", ["rt0", "rt1"])
@@ -147,3 +157,94 @@ def test_other_subsystems_with_the_same_names_are_not_touched():  # R-A06
     assert hand.values("N", "LEVEL", "COUNT", subsystem="s1") == before
     hand.let_pass(1.0)
     assert hand.values("COUNT", subsystem="s1")["COUNT"] == before["COUNT"] + 50.0
+
+
+# News in another order than virtual time has it
+
+
+class Units:
+    """Takes commands and carries none out."""
+
+    def __init__(self):
+        self.orders = []
+
+    def send(self, rtpu, order):
+        self.orders.append((rtpu, order))
+
+    def grant(self, rtpu, device):
+        raise ValueError(f"no {device}")
+
+    def release(self, device):
+        raise KeyError(device)
+
+
+@pytest.fixture
+def bare():
+    """A subsystem whose units only listen, with a change of two tasks under way, and what it tells."""
+    told, shop = [], Workshop()
+    segment = Segment.create("test", 1 << 16)
+    one = LiveSubsystem("s0", Table(segment), Units(), told.append, lambda: 0)
+    new = []
+    for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
+        planned = shop.task(name, COUNTER.replace("COUNT", name.upper()), rtpu=rtpu)
+        code = shop.code(name)
+        one.cradle.know(code, 0)
+        new.append((wire(planned, sheet_of(load(code.source, code.path, code.module))), rtpu))
+    order = exchange([], (), [wired.placed for wired, _ in new])
+    one.begin(1, edit.change(one, edit.Edit(order, tuple(new), on=(live.Turn("quick"), live.Turn("slow")))))
+    for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
+        one.hear(rtpu, news.Initialised("s0", name), 1)
+    yield one, told
+    segment.close()
+
+
+def outcomes(told):
+    return [one.cause for one in told if isinstance(one, event.Edited)]
+
+
+def test_a_job_that_is_done_before_another_has_begun_is_no_reason_to_wait(bare):  # law 22
+    one, told = bare
+    one.hear("rt0", news.Changed("s0", "quick", "ON", 2), 2)
+    one.hear("rt0", news.Finished("s0", "quick", 0, False, 3), 3)
+    assert outcomes(told) == []
+    one.hear("rt1", news.Changed("s0", "slow", "ON", 4), 4)
+    assert outcomes(told) == [""]
+    assert list(one.wanted) == ["slow"]
+
+
+def test_who_is_to_come_on_after_one_whose_unit_is_lost_is_not_held_up(bare):  # R-E10
+    one, told = bare
+    one.lost("rt0", "rt0 is gone", 2)
+    assert outcomes(told) == []
+    one.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
+    one.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
+    one.hear("rt1", news.Changed("s0", "slow", "KILLED", 5), 5)
+    assert outcomes(told) == ["quick: rt0 is gone"]
+    assert one.members == {}
+
+
+def test_a_birth_that_was_refused_is_taken_back(bare):  # R-X10
+    one, told = bare
+    one.hear("rt0", news.Refused("s0", "quick", "on", "no"), 2)
+    one.hear("rt1", news.Changed("s0", "slow", "ON", 3), 3)
+    one.hear("rt1", news.Changed("s0", "slow", "OFF", 4), 4)
+    for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
+        one.hear(rtpu, news.Changed("s0", name, "KILLED", 5), 5)
+    assert outcomes(told) == ["quick: on: no"]
+    assert one.is_empty
+
+
+def test_a_refusal_that_no_change_waits_for_is_told(bare):
+    one, told = bare
+    for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
+        one.hear(rtpu, news.Changed("s0", name, "ON", 2), 2)
+    one.hear("rt0", news.Refused("s0", "quick", "rank", "no such task"), 3)
+    assert told[-1] == event.Warned("s0", "quick", "refused, rank: no such task", 0.0)
+
+
+def test_words_of_strangers_change_nothing(bare):
+    one, told = bare
+    before = list(told)
+    one.hear("rt0", news.Changed("s0", "nobody", "ON", 2), 2)
+    one.hear("rt0", news.Statuses("rt0", 0.0, ()), 2)
+    assert told == before

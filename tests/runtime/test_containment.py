@@ -47,12 +47,12 @@ def other_class(source):
 @pytest.mark.parametrize("at", [1, 10])
 def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, told, at):  # R-A12
     rig = Rig().spawn("good", COUNTER).spawn("owner", module("    FOREIGN = OutVar('double')"))
-    rig.spawn("one", other_class(tricky(line, at)), frequency=1000.0).switch(on=["good", "one"]).run(100 * MS)
+    rig.spawn("one", other_class(tricky(line, at)), frequency=1000.0).switch(on=["good", "one"]).run(1100 * MS)
     assert rig.task("one").state is State.ERROR
     failed = rig.heard(news.Failed)[0]
     assert told in failed.text
     assert (failed.now_ns // MS) == (0 if at == 1 else CHECKED_EVERY + 1)
-    assert (rig["N"], rig.task("good").state) == (11, State.ON)
+    assert (rig["N"], rig.task("good").state) == (111, State.ON)
 
 
 def test_no_error_entry_mends_it():  # R-A12
@@ -70,6 +70,6 @@ def test_a_module_that_does_nothing_of_the_kind_is_left_alone():
     rig = Rig().spawn(
         "one", module(PORTS + "    def cycle(self):\n        self.Y = 2.0 * self.X\n        self._k = self.K")
     )
-    rig.switch(on=["one"]).run(2000 * MS)
+    rig.switch(on=["one"]).run(3000 * MS)
     assert rig.task("one").state is State.ON
     assert Containment(rig.task("one").module).faults() == []

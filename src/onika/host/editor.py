@@ -163,7 +163,7 @@ class Editor:
 
     def _task(self, subsystem: str, task: str) -> tuple[LiveSubsystem | None, request.Refused]:
         live = self._stage.live.get(subsystem)
-        if live is None or task not in live.members:
+        if live is None or live.state(task) is State.KILLED:  # never born, dead, or gone with its unit
             return None, request.Refused(f"there is no task {task} in subsystem {subsystem}")
         return live, request.Refused("")
 

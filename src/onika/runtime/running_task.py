@@ -31,7 +31,7 @@ def period_of(frequency: float) -> int:
 
 
 CHECKED_EVERY = 1023
-"""Once in 64 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
+"""Once in 1024 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
 
 
 class RunningTask:

@@ -121,16 +121,59 @@ def marked(draw: st.DrawFn, kinds: Line) -> AppFlow:
 
 # -- a laboratory with an application
 
+CHUNKS: tuple[Line, ...] = (
+    ["Complete job"],
+    ["complete JOB"],
+    ["Odd job"],
+    ["Complete NOP"],
+    ["Joint job", "Joint object"],
+    ["Joint job", "joint object"],
+)
+STRANGE: tuple[Line, ...] = (["Joint job"], ["Joint object"], ["Cartesian job", "Joint object"], [None])
+
+
+def rarely(usual: str, *strange: str) -> st.SearchStrategy[str]:
+    return st.sampled_from([usual] * (8 * len(strange)) + list(strange))
+
+
+@st.composite
+def steps(draw: st.DrawFn) -> AppFlow:
+    """A flow of jobs, most of it in order: j and k take no target, t takes one."""
+    is_strange = draw(st.integers(0, 4)) == 0
+    chunks = draw(st.lists(st.sampled_from(CHUNKS + STRANGE if is_strange else CHUNKS), min_size=1, max_size=4))
+    marks = (
+        draw(st.lists(st.sampled_from([None, None, "a", "b"]), min_size=8, max_size=8)) if is_strange else [None] * 8
+    )
+    tests = draw(st.lists(st.booleans(), min_size=8, max_size=8))
+    if not is_strange and len(chunks) > 2 and draw(st.booleans()):
+        starts = [sum(map(len, chunks[:number])) for number in range(len(chunks))]
+        first, last = draw(st.lists(st.sampled_from(starts), unique=True, min_size=2, max_size=2))
+        marks[first] = marks[last] = "a"
+        tests[first], tests[last] = True, draw(st.integers(0, 4)) == 0
+    found: list[Step] = []
+    for at, kind in enumerate(kind for chunk in chunks for kind in chunk):
+        name = draw(rarely("t", "j", "lost") if kind in ("Joint job", "Cartesian job") else rarely("j", "k", "t"))
+        shown = Hole() if kind is None else replace(icon(kind, name), while_tag=marks[at])
+        found.append(
+            replace(shown, while_test=tests[at] and marks[at] is not None) if isinstance(shown, Icon) else shown
+        )
+    return AppFlow(tuple(found))
+
 
 @st.composite
 def laboratories(draw: st.DrawFn) -> tuple[Application, Syntax, dict[str, Configuration], dict[str, Task]]:
     """An application of jobs, most of it in order."""
-    syntax = draw(syntaxes())
-    known = {task.name: task for task in draw(libraries(4, sparse=True))}
-    for name in draw(st.lists(st.sampled_from(sorted(known)), max_size=1)) if known else ():
-        known[name] = replace(known[name], object_type=draw(st.sampled_from(["Joint job", "cartesian job"])))
-    names = st.lists(st.sampled_from([*sorted(known), *sorted(known), "gone"]), unique=True, max_size=2)
-    found = {name: Configuration(name, tuple(Placed(task) for task in draw(names))) for name in "jk"}
-    kinds = st.sampled_from([*JOBS, "Complete NOP", "Joint object", "Joint object", "Cartesian object"])
-    flows = [draw(marked(draw(st.lists(kinds, min_size=1, max_size=4)))) for _ in range(draw(st.integers(1, 2)))]
+    syntax = draw(st.one_of(st.just(Syntax(tuple(IconType(name, 0, 0) for name in TYPES), ())), syntaxes()))
+    known = {task.name: task for task in draw(libraries(3, sparse=True))}
+    typed = draw(rarely("Joint job", "joint JOB", "Cartesian job", ""))
+    trigger = made("typed", {}, draw(st.dictionaries(st.sampled_from("AB"), st.sampled_from(KINDS))))
+    known["typed"] = replace(trigger, object_type=typed or None)
+    others = [name for name in known if name != "typed"]
+    names = st.lists(st.sampled_from(others), unique=True, max_size=2) if others else st.just([])
+    members = {name: draw(names) for name in "jkt"}
+    members["t"] += ["typed"]
+    for name in draw(st.lists(st.sampled_from(["gone", "gone", "typed", *others]), max_size=1)):
+        members[draw(st.sampled_from("jkt"))] += [name] * draw(st.sampled_from([0, 1]))
+    found = {name: Configuration(name, tuple(map(Placed, dict.fromkeys(tasks)))) for name, tasks in members.items()}
+    flows = [draw(steps()) for _ in range(draw(st.integers(1, 2)))]
     return Application("app", draw(st.booleans()), tuple(flows)), syntax, found, known
