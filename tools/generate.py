@@ -1,10 +1,11 @@
-"""Writes what is drawn from the code into docs/: the pictures of the lifecycles, the inventory of the laboratory.
+"""Writes what is drawn from the code into docs/: lifecycles, laboratory, messages.
 
 Usage: python tools/generate.py [--check] [--root ROOT]. Writes each file anew; with --check it writes nothing, names
 the files that differ from the code and ends with 1 if any does.
 """
 
 import argparse
+import runpy
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -104,7 +105,16 @@ def laboratory() -> str:
     return "\n".join(parts)
 
 
-PAGES: Mapping[str, Callable[[], str]] = {"docs/lifecycles.md": lifecycles, "docs/laboratory.md": laboratory}
+def messages() -> str:
+    """Every message between environment and runtime."""
+    return str(runpy.run_path(str(Path(__file__).with_name("messages.py")))["page"]())
+
+
+PAGES: Mapping[str, Callable[[], str]] = {
+    "docs/lifecycles.md": lifecycles,
+    "docs/laboratory.md": laboratory,
+    "docs/messages.md": messages,
+}
 """Every generated file by its path in the repository."""
 
 

@@ -256,3 +256,43 @@ def test_a_line_that_was_answered_is_not_asked_for_again(hand):  # R-A10
     hand.asker.ask(Reply("s0", "servo", "5.0"))
     assert hand.reinit("mass") == ""
     assert hand.states == {"mass": "ON", "servo": "ON"}
+
+
+def test_newcomers_learn_what_kept_tasks_say_after_they_have_learnt(hand):  # R-A13
+    hand.task("other", SOURCE, module="other", local={"SIZE": "3"})
+    hand.task("middle", MIDDLE)
+    hand.task("last", LAST)
+    hand.change(spawn=["source", "middle", "last"], on=["source", "middle", "last"])
+    hand.let_pass(0.1)
+    assert hand.values("SEEN") == {"SEEN": 4.0}
+    hand.task("last", "# new\n" + LAST)
+    assert hand.change(spawn=["other", "last"], kill=["source", "last"], on=["other"]) == ""
+    assert hand.states == {"middle": "ON", "other": "ON", "last": "OFF"}
+    assert hand.change(on=["last"]) == ""
+    hand.let_pass(0.1)
+    assert hand.values("SEEN") == {"SEEN": 6.0}
+
+
+MIDDLE = """
+from onika.module import InConst, Module, OutConst
+
+class Middle(Module):
+    N = InConst("int", "-", "how many")
+    M = OutConst("int", "-", "twice as many")
+
+    def init(self):
+        self.M = 2 * self.N
+"""
+LAST = """
+from onika.module import InConst, Module, OutVar
+
+class Last(Module):
+    M = InConst("int", "-", "twice as many")
+    SEEN = OutVar("double", "-", "what it was initialised with")
+
+    def init(self):
+        self._seen = float(self.M)
+
+    def cycle(self):
+        self.SEEN = self._seen
+"""

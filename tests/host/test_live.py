@@ -239,7 +239,7 @@ def test_a_refusal_that_no_change_waits_for_is_told(bare):
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
         one.hear(rtpu, news.Changed("s0", name, "ON", 2), 2)
     one.hear("rt0", news.Refused("s0", "quick", "rank", "no such task"), 3)
-    assert told[-1] == event.Warned("s0", "quick", "refused, rank: no such task", 0.0)
+    assert told[-1] == event.Warned("s0", "quick", "refused, rank: no such task", 3e-9)
 
 
 def test_words_of_strangers_change_nothing(bare):

@@ -1,11 +1,13 @@
 import runpy
 from pathlib import Path
+from typing import get_args
 
 import pytest
 
 from onika.engine.flow import FlowState
 from onika.link.state import LinkState
 from onika.model.lifecycle import State
+from onika.wire import event, request
 
 ROOT = Path(__file__).parents[2]
 PAGE = "docs/lifecycles.md"
@@ -75,3 +77,10 @@ def test_bounds_of_an_input_are_told_by_number_or_by_the_constant_that_holds_the
     page = tool["laboratory"]()
     assert "| `endpoint` | double[NDOF] | rad | `QMIN` to `QMAX` |" in page
     assert "| `duration` | double | s | 0.1 to 600 |" in page
+
+
+def test_every_message_is_on_its_page_with_its_fields(tool):  # R-A19
+    page = tool["messages"]()
+    for one in (*get_args(request.Request), *get_args(request.Response), *get_args(event.Event)):
+        assert f"### {one.__name__}\n" in page
+        assert all(f"| `{name}` |" in page for name in one.__struct_fields__)

@@ -159,7 +159,8 @@ def _commit(
         yield from switch(live, off, edit.on, edit.rates)
         return
     asked = {turn.task for turn in edit.on}
-    back = [Turn(name, on_before[name]) for name in again if name in on_before and name not in off]
+    gone = {*off, *(wired.name for wired, _ in edit.new)}  # a newcomer may bear the name of one that was ON
+    back = [Turn(name, on_before[name]) for name in again if name in on_before and name not in gone]
     yield from switch(live, [*off, *(turn.task for turn in back)], (), edit.rates)
     for name in again:
         yield from reinit(live, name)

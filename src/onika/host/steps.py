@@ -92,7 +92,7 @@ def _why_not(live: LiveSubsystem, off: Collection[str], on: Sequence[str], rates
 
 
 def reinit(live: LiveSubsystem, name: str, local: Lines | None = None) -> Step:
-    """Bind a task to what its shapes are now, then let it take over its constants; one in ERROR does so at its clear."""
+    """Bind a task to what its shapes are now, then let it take over its constants: in ERROR, when it is cleared."""
     if live.state(name) is State.KILLED or not live.members[name].is_sent:
         return
     yield from _rebind(live, name, local)

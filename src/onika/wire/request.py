@@ -41,7 +41,7 @@ class Inspect(Struct, frozen=True, tag=True):
 
 
 class Begin(Struct, frozen=True, tag=True):
-    """Run the prepared plan; replied by Begun, then told by events."""
+    """Run the prepared plan; replied by Done or Refused, then told by events."""
 
     watch: tuple[str, ...] = ()
     """Addresses `[SUBSYSTEM/]NAME` of variables to read after the last finish."""

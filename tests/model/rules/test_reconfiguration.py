@@ -79,6 +79,12 @@ def test_who_lived_on_without_its_supplier_learns_the_constant_of_the_next_one()
     assert exchange([placed("user", ["N"])], [], [placed("new", (), ["N"])]).reinit == ("user",)
 
 
+def test_a_newcomer_learns_again_what_a_kept_task_says_when_it_has_learnt():  # R-A13
+    living = [placed("middle", ["N"], ["M"]), placed("old", (), ["N"])]
+    found = exchange(living, ["old"], [placed("new", (), ["N"]), placed("last", ["M"]), placed("else", ["N"])])
+    assert found.reinit == ("middle", "last")
+
+
 def test_a_constant_that_goes_makes_nobody_learn_anything():  # R-A13
     assert exchange([placed("user", ["N"]), placed("old", (), ["N"])], ["old"], []).reinit == ()
 
@@ -107,7 +113,9 @@ def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13
     found = exchange(living, gone, new)
     assert set(found.keep) | set(found.kill) == {one.name for one in living}
     assert set(found.kill) == gone
-    assert set(found.reinit) <= set(found.keep)
+    again = {svar for one in (*living, *new) if one.name in found.reinit for svar in one.ports.outconst}
+    assert all(again & set(one.ports.inconst) for one in new if one.name in found.reinit)
+    assert set(found.reinit) <= set(found.keep) | set(found.spawn)
     assert sorted(found.spawn) == sorted(one.name for one in new)
     first = {one.name for one in living if one.name in gone and any(one.excludes(other) for other in new)}
     assert set(found.kill_first) == first

@@ -1,0 +1,85 @@
+"""The page of messages: what environment and runtime say to each other, drawn from the structs of `wire/`."""
+
+import ast
+from collections.abc import Iterable, Iterator
+from inspect import cleandoc
+from pathlib import Path
+from types import ModuleType
+from typing import get_args
+
+import msgspec
+
+from onika.wire import event, live, plan, reading, request
+
+_HEAD = """\
+# Messages
+
+What travels in requests, responses, signals and readings of [the protocol](protocol.md): MessagePack maps, whose key `type` is the title of the
+message; the other keys are its fields. Maps that are only parts of others have no `type`. Unknown keys are ignored; a missing one takes its
+default, or is an error where it has none. `tuple[...]` and `list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. This
+page is drawn from the code by `python tools/generate.py`.
+"""
+
+
+def page() -> str:
+    """The whole page."""
+    by_hand = set(get_args(live.LiveRequest))
+    asked = [one for one in get_args(request.Request) if one not in by_hand]
+    answered = get_args(request.Response)
+    parts = [one for module in (plan, request, live, event) for one in _structs(module)]
+    told = {*get_args(request.Request), *answered, *get_args(event.Event), *get_args(reading.Reading)}
+    return "\n".join(
+        (
+            _HEAD,
+            _section("Requests about applications and the runtime", asked),
+            _section("Requests about subsystems, by hand", get_args(live.LiveRequest)),
+            _section("Responses", answered),
+            _section("Events, which travel as signals", get_args(event.Event)),
+            _section("Readings", get_args(reading.Reading)),
+            _section("Parts of others", [one for one in parts if one not in told]),
+        )
+    )
+
+
+def _structs(module: ModuleType) -> list[type]:
+    """The structs that are defined in a file, in its order."""
+    named = ast.parse(Path(module.__file__ or "").read_text(encoding="utf-8"))
+    found = [getattr(module, one.name) for one in named.body if isinstance(one, ast.ClassDef)]
+    return [one for one in found if issubclass(one, msgspec.Struct)]
+
+
+def _section(title: str, structs: Iterable[type]) -> str:
+    return "\n".join((f"## {title}\n", *map(_message, structs)))
+
+
+def _message(struct: type) -> str:
+    doc = cleandoc(struct.__doc__ or "")
+    lines = [f"### {struct.__name__}\n", doc, ""]
+    fields = list(_fields(struct))
+    if fields:
+        lines += ["| field | type | default | |", "|---|---|---|---|"]
+        lines += [f"| `{name}` | `{kind}` | {default} | {note} |" for name, kind, default, note in fields]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def _fields(struct: type) -> Iterator[tuple[str, str, str, str]]:
+    """Name, type, default and the words that stand behind each field in the source."""
+    file = Path(__import__(struct.__module__, fromlist=["x"]).__file__ or "")
+    body = next(
+        one.body
+        for one in ast.parse(file.read_text(encoding="utf-8")).body
+        if isinstance(one, ast.ClassDef) and one.name == struct.__name__
+    )
+    for place, one in enumerate(body):
+        if isinstance(one, ast.AnnAssign) and isinstance(one.target, ast.Name):
+            kind = ast.unparse(one.annotation).replace("'", "").replace("|", "\\|")
+            default = "" if one.value is None else f"`{ast.unparse(one.value)}`".replace("()", "[]").replace("'", '"')
+            behind = body[place + 1] if place + 1 < len(body) else None
+            yield one.target.id, kind, default, _words(behind).replace("|", "\\|")
+
+
+def _words(behind: ast.stmt | None) -> str:
+    if isinstance(behind, ast.Expr) and isinstance(behind.value, ast.Constant):
+        return " ".join(str(behind.value.value).split())
+    return ""
