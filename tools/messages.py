@@ -14,10 +14,11 @@ from onika.wire import event, live, plan, reading, request
 _HEAD = """\
 # Messages
 
-What travels in requests, responses, signals and readings of [the protocol](protocol.md): MessagePack maps, whose key `type` is the title of the
-message; the other keys are its fields. Maps that are only parts of others have no `type`. Unknown keys are ignored; a missing one takes its
-default, or is an error where it has none. `tuple[...]` and `list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. This
-page is drawn from the code by `python tools/generate.py`.
+What travels in requests, responses, signals and readings of [the protocol](protocol.md): MessagePack maps, whose key
+`type` is the title of the message; the other keys are its fields. Maps that are only parts of others have no `type`.
+Unknown keys are ignored; a missing one takes its default, or is an error where it has none. `tuple[...]` and
+`list[...]` are arrays, `dict[...]` a map, `X | None` may be nil, `Any` is any value. This page is drawn from the code
+by `python tools/generate.py`.
 """
 
 

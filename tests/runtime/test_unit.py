@@ -83,6 +83,17 @@ def test_only_variables_of_the_subsystem_are_forgotten(unit, rig):  # law 3
     assert rig.table.ring("N").mark == 1
 
 
+def test_a_variable_that_no_task_here_has_any_more_is_not_marked(unit, rig):  # law 3, law 12
+    one, two = task(rig, "one"), task(rig, "two", COUNTER.replace("COUNT", "OTHER"))
+    unit.admit(one)
+    unit.admit(two)
+    (name, ring), *_ = one.binding.rings.items()
+    ring.write(bytes(ring.size))
+    unit.dismiss((HOME, "one"))
+    unit.forget(HOME, (name,))
+    assert ring.mark == 0
+
+
 def test_what_is_said_is_taken_once(unit):
     unit.refuse(("s", "t"), "on", "because")
     assert [one.reason for one in unit.take_news()] == ["because"]

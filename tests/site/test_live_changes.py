@@ -123,8 +123,11 @@ def test_tasks_live_and_die_by_hand(bench):  # R-A05, R-A06
     assert len(bench.value("ROW")) == 2
     assert bench.change(off=("user",), kill=("source",)) == ""
     assert bench.states() == {"user": "OFF", "far": "ON"}
-    assert bench.outcome(live.Close("s0")) == ""
-    assert bench.standing().subsystems == ()
+    for _ in range(3):
+        assert bench.outcome(live.Close("s0")) == ""
+        assert bench.standing().subsystems == ()
+        assert bench.change(everyone, everyone) == ""
+        assert bench.value("N") == 2
 
 
 def test_kept_tasks_keep_their_cycles_while_others_are_exchanged(bench):  # R-A13, R-A14, law 21

@@ -70,6 +70,7 @@ class Unit:
         task = self.tasks.pop(address, None)
         if task is not None:
             del self.slots[task.slot]
+            self._know_no_more(address[0])
         return task
 
     # ON and no more
@@ -103,6 +104,16 @@ class Unit:
         rings = self._rings.setdefault(task.spawn.subsystem, {})
         rings.update(task.binding.rings)
         task.containment.known = rings
+
+    def _know_no_more(self, subsystem: str) -> None:
+        """Know the variables of those who live on alone: the memory of others may have become another variable's."""
+        rings = self._rings.get(subsystem, {})
+        rings.clear()
+        for task in self.tasks.values():
+            if task.spawn.subsystem == subsystem:
+                rings.update(task.binding.rings)
+        if not rings:
+            self._rings.pop(subsystem, None)
 
     def forget(self, subsystem: str, names: tuple[str, ...]) -> None:
         """These variables steer nothing any more (law 3)."""

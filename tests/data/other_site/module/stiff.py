@@ -34,7 +34,7 @@ class Stiff(Module):
         self.cycle()
 
     def cycle(self):
-        if self._stale is not None and (self.Q_MEZ == self._stale).all():
+        if self._stale is not None and (self._stale == self.Q_MEZ).all():
             self.EFFORT = -self.DAMPER * self.VEL_ACT
             return
         self._stale = None
