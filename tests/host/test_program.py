@@ -1,7 +1,8 @@
 import pytest
 
+from onika.host.inquiry import NotYet
 from onika.testing.asker import Asker
-from onika.testing.rail import rail
+from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import action
 from onika.wire import event, live, request
 from onika.wire.request import TargetValues
@@ -137,3 +138,42 @@ def test_quit_ends_the_program(desk):
 def test_to_abort_what_does_not_run_is_harmless(desk):
     assert desk.ask(request.Abort("x")) == request.Done()
     assert isinstance(desk.ask(request.Reply("flow0", "servo", "1")), request.Refused)
+
+
+def test_a_run_that_goes_on_without_its_session_can_be_ended_by_others(desk):  # R-X12
+    desk.ask(request.Prepare(plan("1.0"), ()), "gone")
+    desk.ask(request.Begin(on_loss="run"), "gone")
+    desk.gate.gone.append("gone")
+    desk.program.serve()
+    assert desk.ask(request.Abort("enough"), "another") == request.Done()
+    assert desk.to_the_end().cause == "enough"
+
+
+class SlowLoading(YardLoading):
+    """Answers from the second time on, as a loader that is asked without waiting does."""
+
+    def __init__(self):
+        super().__init__()
+        self.is_patient = False
+
+    def sheet(self, code):
+        if not self.is_patient:
+            raise NotYet
+        return super().sheet(code)
+
+
+def test_who_may_change_a_subsystem_is_judged_when_the_change_is_carried_out(monkeypatch):  # law 27
+    desk = Asker()
+    loading = SlowLoading()
+    monkeypatch.setattr(desk.program, "_loading", loading)
+    monkeypatch.setattr(desk.program._editor, "_loading", loading)
+    shop = rail()
+    change = live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),))
+    first, second = desk.send(change, "first"), desk.send(change, "second")
+    assert desk.gate.replies == {}
+    loading.is_patient = True
+    kept, desk.program._kept = desk.program._kept, []
+    for call, answer in kept:
+        desk.program._try(call, answer)
+    assert isinstance(desk.gate.replies[first], live.Accepted)
+    assert "held by first" in desk.gate.replies[second].reason

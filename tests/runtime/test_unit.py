@@ -84,7 +84,7 @@ def test_only_variables_of_the_subsystem_are_forgotten(unit, rig):  # law 3
 
 
 def test_a_variable_that_no_task_here_has_any_more_is_not_marked(unit, rig):  # law 3, law 12
-    one, two = task(rig, "one"), task(rig, "two", COUNTER.replace("COUNT", "OTHER"))
+    one, two = task(rig, "one"), task(rig, "two", COUNTER.replace("N = ", "M = ").replace("self.N", "self.M"))
     unit.admit(one)
     unit.admit(two)
     (name, ring), *_ = one.binding.rings.items()

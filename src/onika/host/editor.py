@@ -139,9 +139,9 @@ class Editor:
 
     def ask(self, order: asked.Get | asked.Set, answer: Answer) -> None:
         """Ask a module something, or tell it; the answer comes later."""
-        live, refusal = self._task(order.subsystem, order.task)
-        if live is None:
-            answer(refusal)
+        member = self._stage.members(order.subsystem).get(order.task)
+        if member is None:
+            answer(request.Refused(f"there is no task {order.task} in subsystem {order.subsystem}"))
             return
 
         def told(heard: news.Got | news.Refused) -> None:
@@ -150,7 +150,7 @@ class Editor:
         name = order.name
         to = command.Set if isinstance(order, asked.Set) else command.Get
         words: tuple[Any, ...] = (name, order.value) if isinstance(order, asked.Set) else (name,)
-        self._stage.roll.ask(live.members[order.task].rtpu, to(order.subsystem, order.task, *words), told)
+        self._stage.roll.ask(member.rtpu, to(order.subsystem, order.task, *words), told)
 
     def _begin(self, live: LiveSubsystem, transaction: Transaction) -> asked.Accepted:
         self._count += 1

@@ -79,8 +79,10 @@ class Holders:
         """A session is gone: its runs end unless they were begun to go on; what it held by hand comes to rest."""
         cause = f"the session {session} that began it is gone"
         for performance in self._stage.performances:
-            if performance.session == session and performance.on_loss == "stop":
-                performance.runner.abort(cause, now)
+            if performance.session == session:
+                performance.session = ""
+                if performance.on_loss == "stop":
+                    performance.runner.abort(cause, now)
         for name, subsystem in list(self._stage.live.items()):
             if subsystem.holder == session:
                 subsystem.begin(0, edit.rest(subsystem))

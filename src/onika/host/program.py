@@ -144,10 +144,27 @@ class Program:
         def answer(response: request.Response) -> None:
             self._gate.reply(call.ticket, response)
 
-        refusal = self._holders.refusal(call.session, call.asked, self.is_stopped)
-        if refusal:
-            answer(request.Refused(refusal))
+        self._try(call, answer)
+
+    def _try(self, call: Call, answer: Answer) -> None:
+        """Carry it out, or keep it until the loader has answered what it, or one before it, depends on.
+
+        Whether it may be asked is judged when its turn has come: another may have become the holder meanwhile.
+        """
+        is_behind = any(kept.session == call.session for kept, _ in self._kept)
+        if is_behind and not isinstance(call.asked, _AT_ONCE):
+            self._kept.append((call, answer))
             return
+        refusal = self._holders.refusal(call.session, call.asked, self.is_stopped)
+        try:
+            if refusal:
+                answer(request.Refused(refusal))
+            else:
+                self._carry_out(call, answer)
+        except NotYet:
+            self._kept.append((call, answer))
+
+    def _carry_out(self, call: Call, answer: Answer) -> None:
         match call.asked:
             case live.Get() | live.Set():
                 self._editor.ask(call.asked, answer)
@@ -156,18 +173,7 @@ class Program:
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case _:
-                self._try(call, answer)
-
-    def _try(self, call: Call, answer: Answer) -> None:
-        """Carry it out, or keep it until the loader has answered what it, or one before it, depends on."""
-        is_behind = any(kept.session == call.session for kept, _ in self._kept)
-        if is_behind and not isinstance(call.asked, _AT_ONCE):
-            self._kept.append((call, answer))
-            return
-        try:
-            answer(self._respond(call.session, call.asked))
-        except NotYet:
-            self._kept.append((call, answer))
+                answer(self._respond(call.session, call.asked))
 
     def _try_again(self) -> None:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
@@ -225,7 +231,7 @@ class Program:
 
     def _abort(self, session: str, cause: str) -> request.Response:
         for performance in self.stage.performances:
-            if performance.session == session:
+            if performance.session in (session, ""):  # nobody's: whoever may run anything may end it
                 performance.runner.abort(cause, self._driver.now)
         return request.Done()
 

@@ -76,8 +76,9 @@ class VirtualDriver:
         world, name = split(device)
         bus = self._bus(world)
         self._epoch += 1
+        grant = bus.grant(name, self._epoch)
         self._claims[device] = self._epoch
-        return bus.grant(name, self._epoch)
+        return grant
 
     def release(self, device: str) -> None:
         """Give a device back."""

@@ -106,6 +106,8 @@ class Performance:
         flow = self.flows[number]
         flow.at, flow.waits = flow.at + 1, None
         action = flow.actions[flow.at]
-        flow.on = set(action.tasks) - flow.broken
-        flow.said_so = (flow.said_so & flow.on) - set(action.triggers)
-        return [("begins", number, flow.at)]
+        wanted = set(action.tasks) - flow.broken
+        untouched = flow.on & wanted - set(action.triggers)
+        off, on = flow.on - untouched, wanted - untouched
+        flow.on, flow.said_so = wanted, flow.said_so & untouched
+        return [("switches", number, sorted(off), sorted(on)), ("begins", number, flow.at)]

@@ -73,7 +73,7 @@ class Stage:
                 assert not self.on[order.flow] & {start.task for start in order.on}
                 self.on[order.flow] |= {start.task for start in order.on}
                 self._awake[order.flow] -= {*order.off, *(start.task for start in order.on)}
-                return []
+                return [("switches", order.flow, sorted(order.off), sorted(start.task for start in order.on))]
             case Began():
                 return [("begins", order.flow, order.index)]
             case Done():
@@ -104,6 +104,12 @@ def said(naive: Performance, news: News) -> list[Event]:
 
 def drawn_news(plan: Plan, naive: Performance, draw: st.DataObject) -> News:
     """What some task says; mostly what brings the story on, and mostly of a task that is ON."""
+    running = [number for number, flow in enumerate(naive.flows) if flow.is_running]
+    if running and draw.draw(st.integers(0, 3)):
+        number = draw.draw(st.sampled_from(running))
+        flow = naive.flows[number]
+        trigger = draw.draw(st.sampled_from(flow.actions[flow.at].triggers))
+        return (Finished if trigger in flow.said_so else TurnedOn)(number, trigger)
     kind = draw.draw(words)
     number = draw.draw(st.integers(0, len(plan) - 1))
     flow = naive.flows[number]

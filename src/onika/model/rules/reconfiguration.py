@@ -29,9 +29,15 @@ class Placed:
         return self.ports.name
 
     def excludes(self, other: "Placed") -> bool:
-        """Whether both cannot live at the same time: one name, one module or one claimed device (decision 14)."""
+        """Whether both cannot live at the same time: one name, one module, one claimed device (decision 14).
+
+        Nor can two that write a variable both at initialisation and at every cycle: the newcomer's first value would
+        break into what the other one writes.
+        """
         same_device = self.device is not None and self.device == other.device
-        return self.name == other.name or self.module == other.module or same_device
+        both = set(self.ports.outconst) & set(self.ports.outvar)
+        shared = both & set(other.ports.outconst) & set(other.ports.outvar)
+        return self.name == other.name or self.module == other.module or same_device or bool(shared)
 
 
 @dataclass(frozen=True, slots=True)

@@ -149,7 +149,7 @@ def steps(draw: st.DrawFn) -> AppFlow:
         starts = [sum(map(len, chunks[:number])) for number in range(len(chunks))]
         first, last = draw(st.lists(st.sampled_from(starts), unique=True, min_size=2, max_size=2))
         marks[first] = marks[last] = "a"
-        tests[first], tests[last] = True, draw(st.integers(0, 4)) == 0
+        tests[first], tests[last] = True, draw(st.integers(0, 2)) == 0
     found: list[Step] = []
     for at, kind in enumerate(kind for chunk in chunks for kind in chunk):
         name = draw(rarely("t", "j", "lost") if kind in ("Joint job", "Cartesian job") else rarely("j", "k", "t"))
@@ -164,7 +164,10 @@ def steps(draw: st.DrawFn) -> AppFlow:
 def laboratories(draw: st.DrawFn) -> tuple[Application, Syntax, dict[str, Configuration], dict[str, Task]]:
     """An application of jobs, most of it in order."""
     syntax = draw(st.one_of(st.just(Syntax(tuple(IconType(name, 0, 0) for name in TYPES), ())), syntaxes()))
-    known = {task.name: task for task in draw(libraries(3, sparse=True))}
+    known = {task.name: task for task in draw(libraries(2, sparse=True))}
+    for name in draw(st.sets(st.sampled_from("xyz"), max_size=2)):
+        outs = dict.fromkeys(draw(st.lists(st.sampled_from("AB"), max_size=1)), "VAR")
+        known[name] = made(name, {}, outs)
     typed = draw(rarely("Joint job", "joint JOB", "Cartesian job", ""))
     trigger = made("typed", {}, draw(st.dictionaries(st.sampled_from("AB"), st.sampled_from(KINDS))))
     known["typed"] = replace(trigger, object_type=typed or None)

@@ -102,6 +102,22 @@ def test_a_hole_that_stays_keeps_the_unknown_target_in_it() -> None:
     before = AppFlow((icon("Joint job"), unknown))
     assert jigsaw.insert(before, -1, icon("Joint job"), syntax).steps[-1] == unknown
     assert jigsaw.delete(AppFlow((icon("Joint job"), icon("Complete job"), unknown)), 1, syntax) == before
+    assert jigsaw.delete(AppFlow((icon("Joint job"), unknown, icon("Complete job"))), 2, syntax) == before
+
+
+def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> None:
+    types = (("Complete job", 0, 0), ("Joint job", 0, 1), ("Joint object", 1, 0))
+    syntax = Syntax(tuple(IconType(*each) for each in types), ())  # R-D06, decisions 23, 24
+    kinds: naive.Line = ["Joint job", "Joint object", "Complete job", "Complete job"]
+
+    def told(tags: list[str | None], tests: list[bool]) -> list[str]:
+        marks = zip(kinds, tags, tests, strict=True)
+        steps = tuple(replace(icon(kind or ""), while_tag=tag, while_test=test) for kind, tag, test in marks)
+        return [fault.found for fault in loop.faults(AppFlow(steps), syntax, "flow 0", Place("x"))]
+
+    assert told(["a", "a", "a", None], [True, True, False, False]) == []
+    assert told(["a", "a", "a", None], [False, True, False, False]) == []
+    assert told(["a", "b", "b", "a"], [True, True, False, False]) == ["a and b at step 0"]
 
 
 @pytest.mark.slow
