@@ -125,8 +125,13 @@ class Stage:
     @property
     def is_moving(self) -> bool:
         """Whether the virtual clock goes on: not while a task of an application asks, or nothing wants it to."""
-        is_running = any(not one.runner.is_over for one in self.performances)
-        return not self.is_asking and (is_running or self._units.now < self.until)
+        is_running = False
+        for one in self.performances:  # asked at every instant of virtual time
+            if not one.runner.is_over:
+                if one.runner.is_asking:
+                    return False
+                is_running = True
+        return is_running or self._units.now < self.until
 
     @property
     def is_asking(self) -> bool:
@@ -171,9 +176,15 @@ class Stage:
 
     def wake_at(self) -> int | None:
         """The next time somebody has something to do."""
-        times = [wake for one in self.performances if (wake := one.runner.wake_at()) is not None]
-        times += [at for at, _ in self._reached]
-        return min(times, default=None)
+        earliest = None
+        for one in self.performances:
+            wake = one.runner.wake_at()
+            if wake is not None and (earliest is None or wake < earliest):
+                earliest = wake
+        for at, _ in self._reached:
+            if earliest is None or at < earliest:
+                earliest = at
+        return earliest
 
     def tick(self, now: int) -> None:
         """Let time pass."""

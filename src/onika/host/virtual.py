@@ -133,7 +133,8 @@ class VirtualDriver:
         while listener.is_moving:
             if not self._instant(listener):
                 return False
-            self._deliver()
+            if self._commands:
+                self._deliver()
             if monotonic_ns() > until:
                 return True
         return False
@@ -201,7 +202,10 @@ class VirtualDriver:
 
     def _instant(self, listener: Listener) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
-        wake, now = listener.wake_at(), self._next(listener)
+        wake = listener.wake_at()
+        now = self._executive.next_release()
+        if now is None or (wake is not None and wake < now):
+            now = wake
         if now is None:
             return False
         if now > self._now:

@@ -7,7 +7,7 @@ from collections.abc import Collection, Sequence
 
 from onika.model.task import Task
 
-from .tasks import device, reads_at_init, writes_at_init
+from .tasks import device, named, reads_at_init, writes_at_init
 
 
 def suppliers(task: Task, among: Sequence[Task]) -> set[str]:
@@ -53,6 +53,15 @@ def killed_first(living: Sequence[Task], kill: Collection[str], new: Sequence[Ta
         for old in living
         if old.name in kill
         and any(old.name == each.name or old.module == each.module or device(old) & device(each) for each in new)
+    }
+
+
+def broken_into(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
+    """Of those that go: into whose variable the first value of one that comes would break, if it came first (§4.2.2)."""
+    return {
+        old.name
+        for old in living
+        if old.name in kill and any(named(old, "OUTVAR", "OUTBOTH") & writes_at_init(each) for each in new)
     }
 
 

@@ -36,7 +36,8 @@ def exchanges_agree(living: Tasks, kill: set[str], new: Tasks) -> None:
     after = [*(task for task in living if task.name not in kill), *new]
     assert set(found.keep) == naive.kept(living, kill)
     assert set(found.kill) == {task.name for task in living if task.name in kill}
-    assert set(found.kill_first) == naive.killed_first(living, kill, new)
+    must = naive.killed_first(living, kill, new)
+    assert must <= set(found.kill_first) <= must | naive.broken_into(living, kill, new)
     assert set(found.spawn) == {task.name for task in new}
     waits = naive.waits_for(after)
     if not naive.rings(after):  # else the change is refused (law 10)
@@ -52,7 +53,7 @@ def test_any_tasks_are_spawned_after_those_they_wait_for(tasks: Tasks) -> None:
 
 
 @given(libraries(6, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=4), libraries(5, sparse=True))
-@settings(max_examples=400, deadline=None)
+@settings(max_examples=300, deadline=None)
 def test_any_exchange_keeps_kills_spawns_and_reinitialises_the_same(living: Tasks, kill: set[str], new: Tasks) -> None:
     exchanges_agree(living, kill, new)  # R-A13, decision 14
 
@@ -83,7 +84,7 @@ def test_who_came_with_the_exchange_is_initialised_once_where_nothing_changes_be
 
 @pytest.mark.slow
 @given(libraries(7, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=5), libraries(6, sparse=True))
-@settings(max_examples=4000, deadline=None)
+@settings(max_examples=3000, deadline=None)
 def test_thousands_of_exchanges_are_judged_alike(living: Tasks, kill: set[str], new: Tasks) -> None:
     orders_agree(living)  # law 10
     exchanges_agree(living, kill, new)  # R-A13, decision 14
