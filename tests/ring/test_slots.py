@@ -231,7 +231,7 @@ def test_a_writer_that_takes_an_entry_over_finds_nothing_strange():  # R-A12
 def test_each_part_of_an_entry_is_watched(place, told):  # R-A12
     one, memory = armed()
     writer = one.signed_writer(memoryview(bytearray(8)))
-    for _ in range(4):
+    for _ in range(8):
         writer.publish()
     memory[Ring.footprint(8) + place] ^= 0x40
     assert [told in text for text in one.faults()] == [True]

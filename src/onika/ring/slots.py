@@ -136,7 +136,7 @@ class Ring:
     def signed_writer(self, source: memoryview) -> Signed:
         """As `writer`, for the one whose entry it is: publications of others are noticed.
 
-        One in four short values is sealed; to seal each would cost a task more than the check is worth.
+        One in eight short values is sealed; to seal each would cost a task more than the check is worth.
         """
         words, slots = self.words, self._slots
         _check(source, self.size)
@@ -150,8 +150,8 @@ class Ring:
                 words[_STRANGE] += 1
             slot = count & 3
             slots[slot][:] = source
-            if not slot and is_short:
-                words[_SEALS] = _seal(source, count)
+            if not count & 7 and is_short:
+                words[_SEALS] = (count & _COUNTED) << 32 | crc32(source, count)  # as `_seal`, without a call
             words[0] = count
             expected = count + 1
 

@@ -57,7 +57,7 @@ def killed_first(living: Sequence[Task], kill: Collection[str], new: Sequence[Ta
 
 
 def broken_into(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
-    """Of those that go: into whose variable the first value of one that comes would break, if it came first (§4.2.2)."""
+    """Of those that go: into whose variable the first value of one that comes would break (§4.2.2)."""
     return {
         old.name
         for old in living
