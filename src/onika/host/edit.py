@@ -74,7 +74,7 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     cause = trouble(live, born)
     is_committed = not cause
     if is_committed:
-        again = [name for name in exchange.reinit if name not in before.waiting]
+        again = exchange.reinit  # those born in this change too: a supplier of theirs may have learnt something since
         old = [name for name in exchange.kill if name not in exchange.kill_first]
         yield from _commit(live, edit, [*edit.off, *old], again, before.on)
         cause = trouble(live, [*(turn.task for turn in edit.on), *again, *(name for name, _ in edit.rates)])

@@ -29,15 +29,13 @@ class Placed:
         return self.ports.name
 
     def excludes(self, other: "Placed") -> bool:
-        """Whether both cannot live at the same time: one name, one module, one claimed device (decision 14).
+        """Whether this one has to go before the other one comes (decision 14): one name, one module, one claimed device.
 
-        Nor can two that write a variable both at initialisation and at every cycle: the newcomer's first value would
-        break into what the other one writes.
+        Or because it writes at every cycle what the newcomer writes at initialisation: that would break into it.
         """
         same_device = self.device is not None and self.device == other.device
-        both = set(self.ports.outconst) & set(self.ports.outvar)
-        shared = both & set(other.ports.outconst) & set(other.ports.outvar)
-        return self.name == other.name or self.module == other.module or same_device or bool(shared)
+        broken = set(self.ports.outvar) & set(other.ports.outconst)
+        return self.name == other.name or self.module == other.module or same_device or bool(broken)
 
 
 @dataclass(frozen=True, slots=True)
