@@ -11,6 +11,7 @@ from onika.cli.json_lines import JsonLines
 from onika.cli.live import Live
 from onika.cli.place import directory, site_here
 from onika.cli.plain import Plain
+from onika.cli.scale import scale
 from onika.desk import picture
 from onika.desk.expectation import Expectation
 from onika.desk.run import Elsewhere, Outcome, RunSettings, run
@@ -48,7 +49,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument(
         "--scale",
-        type=_scale,
+        type=scale,
         metavar="X",
         help="in virtual time, X times as fast as wall time (0.01 to 1000)",
     )
@@ -137,16 +138,6 @@ def _new_file(text: str) -> Path:
     if path.is_dir() or not path.absolute().parent.is_dir():
         raise argparse.ArgumentTypeError(f"expected a file in a directory that is there, found {text!r}")
     return path
-
-
-def _scale(text: str) -> float:
-    try:
-        scale = float(text)
-    except ValueError:
-        scale = 0.0
-    if not 0.01 <= scale <= 1000.0:
-        raise argparse.ArgumentTypeError(f"expected a number from 0.01 to 1000, found {text!r}")
-    return scale
 
 
 def _seconds(text: str) -> float:

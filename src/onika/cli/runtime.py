@@ -7,6 +7,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 from onika.cli.place import directory, site_here
+from onika.cli.scale import scale
 from onika.cli.sitting import sit_down
 from onika.desk.runtime import Runtime
 from onika.link.lost import LinkLost
@@ -19,6 +20,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.set_defaults(complain=parser.error)
     parser.add_argument("--virtual", action="store_true", help="in virtual time, which passes when a line says so")
+    parser.add_argument(
+        "--scale", type=scale, metavar="X", help="in virtual time that passes by itself, X times as fast as wall time"
+    )
     parser.add_argument(
         "--rtpu", action="append", default=[], type=_unit, metavar="NAME",
         help="a processing unit; may be given several times (rt0)",
@@ -44,7 +48,9 @@ def carry_out(given: argparse.Namespace) -> int:
         given.complain("expected --listen or --script with --no-console, found neither: nobody could reach the runtime")
     rtpus = tuple(dict.fromkeys(given.rtpu)) or ("rt0",)
     site = site_here(given.base)
-    launched = Runtime(rtpus, given.virtual, not given.no_fifo, listen)
+    scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
+    is_virtual = given.virtual or given.scale is not None
+    launched = Runtime(rtpus, is_virtual, not given.no_fifo, (*listen, *scaled))
     with ExitStack() as stack:
         try:
             runtime = stack.enter_context(launched)

@@ -29,7 +29,7 @@ class Placed:
         return self.ports.name
 
     def excludes(self, other: "Placed") -> bool:
-        """Whether this one has to go before the other one comes (decision 14): one name, one module, one claimed device.
+        """Whether this one has to go before the other comes (decision 14): one name, one module, one claimed device.
 
         Or because it writes at every cycle what the newcomer writes at initialisation: that would break into it.
         """
