@@ -262,3 +262,14 @@ def test_what_rests_is_sealed_whatever_its_length():  # R-A12
 def test_an_entry_needs_room():
     with pytest.raises(ValueError, match="expected 320 bytes of room at 64, found 320"):
         Ring(memoryview(bytearray(320)), 64, 8)
+
+
+@pytest.mark.parametrize("back", [2, 5, 8])
+def test_a_counter_that_was_put_back_is_found_where_something_was_sealed_since(back):  # R-A12
+    one, _ = armed()
+    writer = one.signed_writer(memoryview(bytearray(8)))
+    for _ in range(8):
+        writer.publish()
+    one.seal()
+    one.words[0] -= back
+    assert "its counter was put back" in one.faults()

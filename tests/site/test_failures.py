@@ -127,7 +127,7 @@ def test_a_module_that_never_returns_is_named(tmp_path):  # law 15, law 17
 
 def test_a_module_that_ends_its_process_ends_the_run(tmp_path):  # law 30
     with sick(tmp_path, "os._exit(3)") as console:
-        assert aborted(console)["cause"] == "processing unit rt0 ended with code 3"
+        assert aborted(console)["cause"] == "processing unit rt0 ended with code 3 in a call of task flow0/sick"
     assert_held_in_time(console)
 
 

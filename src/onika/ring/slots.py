@@ -90,7 +90,18 @@ class Ring:
             found.append("the memory between its slots is overwritten")
         if self._is_broken():
             found.append("its value is not what its writer published")
+        if self._is_behind():
+            found.append("its counter was put back")
         return found
+
+    def _is_behind(self) -> bool:
+        """Whether something was sealed later than the counter tells; one that is about to be published is not."""
+        for _ in range(ATTEMPTS):
+            count = self.words[0]
+            ahead = [((self.words[_SEALS + i] >> 32) - count) & _COUNTED for i in range(_SLOTS)]
+            if self.words[0] == count:
+                return any(1 < one < _COUNTED >> 1 for one in ahead)
+        return False
 
     def _is_broken(self) -> bool:
         """Whether one of the slots that are not being written is another than its seal says."""
