@@ -23,11 +23,13 @@ check: $(VENV)/.installed-dev ## style, types, floors, tests for every file: sec
 	$(BIN)/python tools/check_mirror.py
 	$(BIN)/python tools/generate.py --check
 
+# The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones.
 test: check ## the checks and all tests but the soak
-	$(BIN)/pytest -m "not slow"
+	$(BIN)/pytest -m "not slow" --hypothesis-profile=ci
 
-soak: $(VENV)/.installed-dev ## the long tests
+soak: $(VENV)/.installed-dev ## the long tests, and every property on new examples
 	$(BIN)/pytest -m slow
+	$(BIN)/pytest -m "hypothesis and not slow"
 
 bench: $(VENV)/.installed-dev ## measure, and print what was measured
 	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; $(BIN)/python "$$each"; done

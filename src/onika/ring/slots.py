@@ -17,7 +17,8 @@ _WORD = 8
 _GUARD = 0x4B_61_72_61_6B_61_73_21
 """Stands before the counters of an armed entry, mixed with its place: what runs over from below meets it first."""
 _SEALS, _STRANGE = 2, 6
-"""Places among the words: of the slots' seals, and of the number of times that somebody else had published."""
+"""Places among the words: of the slots' seals, and of the number of times that somebody else had published (its lower
+half; the upper one holds the count at which the entry was put to rest, doubled, plus 1; 0 while it is in use)."""
 _COUNTED = 0xFFFF_FFFF
 """A seal is a checksum and, above it, these bits of the count it belongs to; one of another count seals nothing."""
 LONGEST_SEALED = 512
@@ -83,8 +84,9 @@ class Ring:
         found = []
         if self._guard[0] != _GUARD ^ self.offset:
             found.append("its guard is overwritten")
-        if self.words[_STRANGE]:
-            found.append(f"it was published {self.words[_STRANGE]} times by somebody who is not its writer")
+        strange = self.words[_STRANGE] & _COUNTED
+        if strange:
+            found.append(f"it was published {strange} times by somebody who is not its writer")
         stride = len(self._memory) // _SLOTS
         if any(any(self._memory[i * stride + self.size : (i + 1) * stride]) for i in range(_SLOTS)):
             found.append("the memory between its slots is overwritten")
@@ -92,7 +94,17 @@ class Ring:
             found.append("its value is not what its writer published")
         if self._is_behind():
             found.append("its counter was put back")
+        elif self._is_moved():
+            found.append("its counter was moved while its writer rests")
         return found
+
+    def _is_moved(self) -> bool:
+        """Whether an entry at rest counts something else than when it was put to rest."""
+        for _ in range(ATTEMPTS):
+            rest, count = self.words[_STRANGE] >> 32, self.words[0]
+            if self.words[_STRANGE] >> 32 == rest:
+                return rest != 0 and rest != _rest(count)
+        return False
 
     def _is_behind(self) -> bool:
         """Whether something was sealed later than the counter tells; one that is about to be published is not."""
@@ -115,10 +127,19 @@ class Ring:
         return False
 
     def seal(self) -> None:
-        """Seal the present value, as its writer does when it rests; long ones too."""
+        """Seal the present value, long ones too; an entry that was at rest may be written from now on."""
         count = self.words[0]
+        self._use()
         if count:
             self.words[_SEALS + (count & 3)] = _seal(self._slots[count & 3], count)
+
+    def rest(self) -> None:
+        """Seal the present value and note the count: nobody writes the entry until a writer looks at it."""
+        self.seal()
+        self.words[_STRANGE] |= _rest(self.words[0]) << 32
+
+    def _use(self) -> None:
+        self.words[_STRANGE] &= _COUNTED
 
     # Values
 
@@ -168,6 +189,7 @@ class Ring:
 
         def look() -> None:
             nonlocal expected
+            self._use()
             expected = words[0] + 1
 
         return Signed(publish, look)
@@ -205,6 +227,10 @@ class Ring:
 
 def _seal(data: memoryview | bytes, count: int) -> int:
     return (count & _COUNTED) << 32 | crc32(data, count)
+
+
+def _rest(count: int) -> int:
+    return (count << 1 | 1) & _COUNTED
 
 
 def _stride(size: int) -> int:

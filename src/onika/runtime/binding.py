@@ -130,9 +130,14 @@ class Binding:
                 publish()
 
     def seal(self) -> None:
-        """The outputs rest: seal their present values, long ones too (requirement A12)."""
+        """Seal the outputs' present values, long ones too (requirement A12)."""
         for ring in self._written:
             ring.seal()
+
+    def rest(self) -> None:
+        """The outputs rest: seal their present values; until a task takes them up nobody writes them."""
+        for ring in self._written:
+            ring.rest()
 
     def not_finite(self) -> list[str]:
         """The variables among the real inputs that hold NaN or infinity (law 5)."""

@@ -4,8 +4,8 @@ Each entry has a guard before it, seals on its values and a count of strange pub
 shared memory by its rings alone; what else writes there has gone astray, and memory does not tell who wrote it. So a
 finding names whoever could have: its declared writers, tasks bound to what lies beside it, then all that share the
 table. What rests is sealed whole; of what is written each cycle one publication in eight (none above 512 bytes), so a
-value that is written over in place may pass one check. Not found: a forged seal, and a counter that was put back by so
-little that it names an older value of the same writer, while that rests.
+value that is written over in place may pass one check. Not found: a forged seal, and a
+counter that was moved by so little that it names a neighbouring value before the same writer makes the next.
 """
 
 from collections.abc import Iterable

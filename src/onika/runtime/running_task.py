@@ -228,7 +228,7 @@ class RunningTask:
             self.module.off()
         finally:
             self.hold()
-            self.binding.seal()
+            self.binding.rest()
 
     def hold(self) -> None:
         """Put the task's device in hold, whatever its module thinks."""
