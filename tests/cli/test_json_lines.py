@@ -1,11 +1,11 @@
 import json
 
 from onika.cli.json_lines import JsonLines
-from onika.desk.expectation import Expectation
 from onika.desk.preparation import prepare_run
 from onika.desk.run import Outcome
 from onika.store.site import open_site
 from onika.wire import event
+from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
 FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
@@ -31,7 +31,7 @@ def test_every_event_is_one_object_on_one_line(capsys):  # R-E11
 
 
 def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, R-A17
-    expectation = Expectation.parse("Q[0] > 1")
+    expectation = Condition.parse("Q[0] > 1")
     outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], {}, "it printed")
     JsonLines().ended(outcome, "picture: out.png")
     (found,) = lines(capsys)

@@ -1,9 +1,9 @@
 import pytest
 
 from onika.cli.told import asked_item, sentence, summary
-from onika.desk.expectation import Expectation
 from onika.desk.run import Outcome
 from onika.wire import event
+from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
 FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
@@ -71,7 +71,7 @@ def test_an_aborted_run_tells_its_cause_and_what_was_printed_last():  # R-E14, R
 
 def test_each_expectation_is_told_with_what_was_found():  # R-X07
     expectations = [
-        (Expectation.parse("LAMP == 1"), value, holds) for value, holds in ((1, True), (0, False), (None, False))
+        (Condition.parse("LAMP == 1"), value, holds) for value, holds in ((1, True), (0, False), (None, False))
     ]
     lines = list(summary(Outcome("go", result=result(wall_s=0.0), expectations=expectations), ""))
     assert lines[2:] == [

@@ -3,11 +3,11 @@ import signal
 import pytest
 
 from onika.desk import run as room
-from onika.desk.expectation import Expectation
 from onika.desk.run import Outcome, RunSettings, run
 from onika.link.lost import closed
 from onika.store.site import open_site
 from onika.wire import event, request
+from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
 SITE = open_site([], {}, None)
@@ -107,7 +107,7 @@ def test_a_run_is_prepared_begun_and_followed_to_its_end(runtime):  # R-E03, R-E
 
 def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X07
     runtime.script = (GOOD,)
-    expectations = tuple(Expectation.parse(text) for text in ("LAMP == 1", "LAMP > 5", "Q_MEZ[9] == 1"))
+    expectations = tuple(Condition.parse(text) for text in ("LAMP == 1", "LAMP > 5", "Q_MEZ[9] == 1"))
     outcome, _ = go(expectations=expectations)
     assert runtime.made.asked[1].watch == ("LAMP", "Q_MEZ")
     assert [(value, holds) for _, value, holds in outcome.expectations] == [(1, True), (1, False), (None, False)]
@@ -115,7 +115,7 @@ def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X
 
 
 def test_an_expectation_of_a_variable_that_nobody_knows_refuses_the_run(runtime):  # R-E01
-    outcome, watcher = go(expectations=(Expectation.parse("NOBODY == 1"), Expectation.parse("flow7/LAMP == 1")))
+    outcome, watcher = go(expectations=(Condition.parse("NOBODY == 1"), Condition.parse("flow7/LAMP == 1")))
     assert [one.found for one in outcome.faults] == ["NOBODY", "flow7/LAMP"]
     assert (outcome.exit_code, watcher.seen) == (2, [])
 
@@ -202,7 +202,7 @@ def test_a_picture_is_asked_for_only_where_it_is_wanted(runtime):
 
 def test_an_outcome_says_how_it_ended():  # R-E14
     assert (Outcome("x").state, Outcome("x").exit_code) == ("refused", 2)
-    held = Expectation.parse("LAMP == 1")
+    held = Condition.parse("LAMP == 1")
     assert Outcome("x", result=GOOD, expectations=[(held, 1, True)]).exit_code == 0
     assert Outcome("x", result=GOOD, expectations=[(held, 0, False)]).exit_code == 1
 

@@ -13,10 +13,10 @@ from onika.cli.place import directory, site_here
 from onika.cli.plain import Plain
 from onika.cli.scale import scale
 from onika.desk import picture
-from onika.desk.expectation import Expectation
 from onika.desk.run import Elsewhere, Outcome, RunSettings, run
 from onika.link.address import Address
 from onika.link.token import read_token
+from onika.words.condition import Condition
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
@@ -112,9 +112,9 @@ def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], 
     return tuple((task, name, " ".join(parts)) for (task, name), parts in lines.items())
 
 
-def _expectation(text: str) -> Expectation:
+def _expectation(text: str) -> Condition:
     try:
-        return Expectation.parse(text)
+        return Condition.parse(text)
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(str(wrong)) from None
 

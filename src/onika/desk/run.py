@@ -7,7 +7,6 @@ from typing import Any, Protocol
 from msgspec import structs
 
 from onika.desk.compile import rtpus_of
-from onika.desk.expectation import Expectation
 from onika.desk.interruption import Interruption
 from onika.desk.preparation import PreparedRun, prepare_run
 from onika.desk.runtime import Conversation, Reached, Runtime, connect
@@ -15,6 +14,7 @@ from onika.link.lost import LinkLost
 from onika.store.site import Site
 from onika.wire import event, request
 from onika.wire.plan import Plan
+from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 from onika.words.name import resolve
 
@@ -37,7 +37,7 @@ class RunSettings:
 
     name: str
     is_virtual: bool = False
-    expectations: tuple[Expectation, ...] = ()
+    expectations: tuple[Condition, ...] = ()
     settle_s: float = 0.5
     seed: int = 0
     answers: tuple[tuple[str, str, str], ...] = ()
@@ -63,7 +63,7 @@ class Outcome:
     faults: list[Fault] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     result: event.Result | None = None
-    expectations: list[tuple[Expectation, Any, bool]] = field(default_factory=list)
+    expectations: list[tuple[Condition, Any, bool]] = field(default_factory=list)
     snapshots: dict[str, bytes] = field(default_factory=dict)
     printed: str = ""
     """What the runtime's processes printed, where the run was aborted."""
@@ -198,7 +198,7 @@ def _aborted(cause: str, plan: Plan, done: int = 0) -> event.Result:
     return event.Result(False, cause, done, sum(len(flow.actions) for flow in plan.flows), 0.0, 0.0, {}, (), "")
 
 
-def _unheard_of(expectations: tuple[Expectation, ...], plan: Plan) -> list[Fault]:
+def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
     """Expectations of variables that no task of the plan reads or writes."""
     known = {
         f"{flow.subsystem}/{svar}"

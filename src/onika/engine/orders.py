@@ -50,6 +50,34 @@ class Kill:
 
 
 @dataclass(frozen=True, slots=True)
+class Clear:
+    """Bring a task out of ERROR; its news is Cleared, Failed or Refused."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Together:
+    """The switches that follow, one of each of these flows, are one: their first cycles begin at the same instant."""
+
+    tag: str
+    flows: tuple[int, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """For the watcher: a flow has come into this state; where it waits, the tag and whom it waits for."""
+
+    flow: int
+    state: str
+    index: int
+    tag: str = ""
+    waits_for: tuple[int, ...] = ()
+    text: str = ""
+
+
+@dataclass(frozen=True, slots=True)
 class Began:
     """For the watcher: an action begins; index from 0."""
 

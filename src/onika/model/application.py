@@ -17,6 +17,10 @@ class Icon:
     while_tag: str | None = None
     while_test: bool = False
     """Whether its return value decides the loop of `while_tag`."""
+    marker_if: str = ""
+    """The condition under which the flow pauses after it (`words.condition`); empty: always."""
+    while_if: str = ""
+    """The condition while which the loop goes on, in place of the test's return value; empty: the return value."""
     line: int = field(default=0, compare=False)
     """Where it stood in the file it was read from, for messages; 0 elsewhere."""
 
@@ -31,7 +35,20 @@ class Hole:
     """The lines of the target of unknown type that stands there, which are written again as they are."""
 
 
-Step = Icon | Hole
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """Flows of which one runs, in line (requirement D13); an inner flow may be empty.
+
+    Without conditions the flow is chosen as that of a nested conditional application: by the return value of the
+    action before. With conditions, one fewer than flows, the first that holds chooses its flow, else the last one runs.
+    """
+
+    flows: tuple["AppFlow", ...]
+    conditions: tuple[str, ...] = ()
+    line: int = field(default=0, compare=False)
+
+
+Step = Icon | Hole | Branch
 
 
 @dataclass(frozen=True, slots=True)

@@ -17,6 +17,8 @@ class Onikon:
     description: str
     values: tuple[tuple[Value, ...], ...]
     picture: Picture
+    more_targets: tuple[str, ...] = ()
+    """Of an action: the types of the targets that follow the one its own type names (requirement D13)."""
 
     def argument_line(self, syntax: Syntax) -> str:
         """The values in the order of the definition, as the argument line of a task (decision 40).

@@ -44,6 +44,8 @@ class Task:
     """Whether the file states PERIOD rather than FREQ; a matter of taste, not of meaning."""
     object_type: str | None = None
     """The job type of the OBJECT line, where this task takes a target."""
+    more_targets: tuple[str, ...] = ()
+    """The types of the targets it takes beyond that one, in the order of their values (requirement D13)."""
     local: tuple[LocalLine, ...] = ()
 
     def svars(self, names: tuple[str, ...]) -> tuple[str, ...]:

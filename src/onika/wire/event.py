@@ -137,6 +137,60 @@ class Stopped(Struct, frozen=True, tag=True):
     cause: str
 
 
+class Moved(Struct, frozen=True, tag=True):
+    """A flow has come into another state (`engine.flow` has the words); where it waits, the tag and for whom."""
+
+    subsystem: str
+    state: str
+    action: int
+    """The current action, or the last one; -1 before the first."""
+    at_s: float
+    tag: str = ""
+    waits_for: tuple[str, ...] = ()
+    text: str = ""
+    """Why, where that is worth a word."""
+
+
+class Met(Struct, frozen=True, tag=True):
+    """Flows have begun together at a tag; `skew_us` lies between the first cycles of the first and the last of them."""
+
+    tag: str
+    subsystems: tuple[str, ...]
+    skew_us: float
+    at_s: float
+
+
+class Course(Struct, frozen=True):
+    """The last seconds of one variable, oldest first."""
+
+    variable: str
+    unit: str
+    at_s: tuple[float, ...]
+    values: tuple[Any, ...]
+
+
+class Explained(Struct, frozen=True, tag=True):
+    """Why a flow stands still or the run ends: the chain from the task to whoever waits, and what can be done (X06)."""
+
+    subsystem: str
+    task: str
+    """Empty where no task is the cause."""
+    action: str
+    index: int
+    place: str
+    """The application's file and line."""
+    text: str
+    path: str
+    """The module's file and line, where its code raised; else empty and 0."""
+    line: int
+    waiting: tuple[tuple[str, str], ...]
+    """The flows that wait for this one, each with its tag."""
+    courses: tuple[Course, ...]
+    choices: tuple[tuple[str, str], ...]
+    """What can be done safely: the command, and what it does."""
+    at_s: float
+
+
 class TaskFigures(Struct, frozen=True):
     """A task's figures over the run."""
 
@@ -163,11 +217,30 @@ class Result(Struct, frozen=True, tag=True):
     tasks: tuple[TaskFigures, ...]
     hash: str
     """Of a virtual run: everything that happened and the worlds every 50 ms, as SHA-256; else empty."""
+    skews_us: tuple[float, ...] = ()
+    """At each meeting of flows, between the first cycles of the first and the last of them."""
     switches_us: tuple[float, ...] = ()
     """From each trigger's finish to the first cycle of the next action's tasks, in the runtime's time."""
 
 
-Event = Began | Done | TaskState | Warned | Failed | Asked | Drive | Result | Edited | Signalled | Lost | Held | Stopped
+Event = (
+    Began
+    | Done
+    | TaskState
+    | Warned
+    | Failed
+    | Asked
+    | Drive
+    | Moved
+    | Met
+    | Explained
+    | Result
+    | Edited
+    | Signalled
+    | Lost
+    | Held
+    | Stopped
+)
 
 encode = msgspec.msgpack.Encoder().encode
 decode = msgspec.msgpack.Decoder(Event).decode

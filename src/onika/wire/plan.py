@@ -3,6 +3,77 @@
 from msgspec import Struct
 
 
+class Do(Struct, frozen=True, tag=True):
+    """Carry out an action; what it returns is the value that what follows looks at."""
+
+    action: int
+
+
+class Meet(Struct, frozen=True, tag=True):
+    """Wait until all flows in whose programs this tag stands are there; then all go on together."""
+
+    tag: str
+    """Unique for each instance of a parallel application; its last word behind a blank is the one of the file."""
+
+
+class Rest(Struct, frozen=True, tag=True):
+    """A breakpoint after an action: pause if the condition holds; empty: always."""
+
+    action: int
+    condition: str = ""
+
+
+class Choose(Struct, frozen=True, tag=True):
+    """Go to one of several places: by the value, or where the first condition holds, else the last (D10, D13)."""
+
+    to: tuple[int, ...]
+    conditions: tuple[str, ...] = ()
+    name: str = ""
+
+
+class Again(Struct, frozen=True, tag=True):
+    """The end of a bottom-test loop: back to `to` while the value, or the condition, says so."""
+
+    loop: str
+    to: int
+    condition: str = ""
+
+
+class Unless(Struct, frozen=True, tag=True):
+    """The top of a top-test loop, behind its test: on to `to` unless the value, or the condition, says go on."""
+
+    loop: str
+    to: int
+    condition: str = ""
+
+
+class Jump(Struct, frozen=True, tag=True):
+    """Go to `to`; where it closes the top-test loop `loop`, not while that is being left."""
+
+    to: int
+    loop: str = ""
+
+
+class Fork(Struct, frozen=True, tag=True):
+    """Begin other flows, each at a place of its own program, and go on (a nested parallel application, D13)."""
+
+    flows: tuple[tuple[int, int], ...]
+    name: str = ""
+
+
+class Join(Struct, frozen=True, tag=True):
+    """Wait until these flows have come to their Halt."""
+
+    flows: tuple[int, ...]
+
+
+class Halt(Struct, frozen=True, tag=True):
+    """The end of a program, or of one stretch of a flow that is begun by another."""
+
+
+Instruction = Do | Meet | Rest | Choose | Again | Unless | Jump | Fork | Join | Halt
+
+
 class Code(Struct, frozen=True):
     """The file of a module, named by its content."""
 
@@ -52,14 +123,22 @@ class PlannedAction(Struct, frozen=True):
     """Whether the configuration has tasks that could not be planned; their faults are told elsewhere."""
     marker: bool = False
     synch_tag: str | None = None
+    is_noop: bool = False
+    """Whether it does nothing and takes no time (requirement D11); it has no tasks."""
+    within: tuple[str, ...] = ()
+    """The nested applications and branches it stands in, outermost first."""
 
 
 class PlannedFlow(Struct, frozen=True):
-    """A sequence of actions on one subsystem, and the union of their tasks."""
+    """The actions of a flow on one subsystem, the union of their tasks, and the program in which they follow."""
 
     subsystem: str
     tasks: tuple[PlannedTask, ...]
     actions: tuple[PlannedAction, ...]
+    program: tuple[Instruction, ...] = ()
+    """Empty: the actions one after the other, each with its tag and its breakpoint."""
+    parent: int | None = None
+    """The flow that begins this one again and again, where it belongs to a nested parallel application."""
 
 
 class Plan(Struct, frozen=True):

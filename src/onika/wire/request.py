@@ -5,6 +5,7 @@ from msgspec import Struct
 
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Plan, PlannedTask
+from onika.wire.steer import Positions, Steering
 
 
 class FaultText(Struct, frozen=True):
@@ -53,7 +54,9 @@ class Begin(Struct, frozen=True, tag=True):
     may_ask: bool = False
     """Whether somebody is there to answer; else a question without an answer aborts."""
     on_loss: str = "stop"
-    """What becomes of the run when the session that began it is lost: `stop`, or `run` on."""
+    """When the session that began it is lost: `stop`, `finish` the current actions and pause, or `run` on."""
+    on_error: str = "abort"
+    """When a task that is not passive fails: `abort`, or `wait` until somebody says Recover, Skip or Abort."""
 
 
 class Reply(Struct, frozen=True, tag=True):
@@ -107,8 +110,8 @@ class Worlds(Struct, frozen=True, tag=True):
     snapshots: dict[str, bytes]
 
 
-Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit | LiveRequest
-Response = Prepared | Done | Refused | Worlds | LiveResponse
+Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit | Steering | LiveRequest
+Response = Prepared | Done | Refused | Worlds | Positions | LiveResponse
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

@@ -6,9 +6,9 @@ from collections.abc import Callable
 from onika.desk.console.life import missing, positive
 from onika.desk.console.look import value
 from onika.desk.console.session import Faults, Session
-from onika.desk.expectation import Expectation
 from onika.model.lifecycle import State
 from onika.wire import live, request
+from onika.words.condition import Condition
 
 Words = tuple[str, ...]
 _WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
@@ -45,7 +45,7 @@ def wait(session: Session, words: Words) -> Faults:
     if len(parts) == 2 and parts[1].upper() in State.__members__:
         return _state(session, parts[0], parts[1].upper(), limit)
     try:
-        expectation = Expectation.parse(condition)
+        expectation = Condition.parse(condition)
     except ValueError:
         expected = "seconds, `run`, `TASK STATE` or a comparison such as `LAMP == 1`, each with `within SECONDS` or not"
         return session.no(expected, repr(text))
@@ -86,7 +86,7 @@ def _state(session: Session, address: str, state: str, limit: float) -> Faults:
     return _until(session, lambda: now() == state, limit, f"{address} {state}", now)
 
 
-def _variable(session: Session, expectation: Expectation, limit: float) -> Faults:
+def _variable(session: Session, expectation: Condition, limit: float) -> Faults:
     subsystem, name = session.address(expectation.address)
     _, faults = value(session, subsystem, name)
     if faults:

@@ -1,4 +1,4 @@
-"""An expectation of a run: `LAMP == 1`, `flow0/Q_MEZ[2] > 1.5`; a grammar of its own, never code (law 8)."""
+"""A condition on a state variable: `LAMP == 1`, `flow0/Q_MEZ[2] > 1.5`; a grammar of its own, never code (law 8)."""
 
 import operator
 import re
@@ -25,7 +25,7 @@ _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
 
 
 @dataclass(frozen=True, slots=True)
-class Expectation:
+class Condition:
     """A variable, a relation and a number."""
 
     text: str
@@ -36,7 +36,7 @@ class Expectation:
     number: float
 
     @classmethod
-    def parse(cls, text: str) -> "Expectation":
+    def parse(cls, text: str) -> "Condition":
         """Read one; raises ValueError that says what was expected."""
         found = _FORM.match(text)
         if not found:
@@ -46,7 +46,7 @@ class Expectation:
         return cls(text.strip(), "/".join(parts[-2:]), index, found["relation"], float(found["number"]))
 
     def found(self, values: dict[str, Any]) -> Any:
-        """The value the expectation speaks of; None where there is none, a vector where no element is named."""
+        """The value the condition speaks of; None where there is none, a vector where no element is named."""
         value = values.get(self.address)
         for one in self.index:
             if not isinstance(value, list) or one >= len(value):

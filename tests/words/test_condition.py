@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from onika.desk.expectation import Expectation
+from onika.words.condition import Condition
 
 NAMES = st.from_regex(r"[A-Z][A-Z0-9_^]{0,6}", fullmatch=True)
 HOMES = st.from_regex(r"[A-Za-z][A-Za-z0-9_.-]{0,6}", fullmatch=True)
@@ -26,7 +26,7 @@ BLANKS = st.sampled_from(["", " ", "  ", "\t"])
 def test_an_expectation_is_an_address_a_comparison_and_a_number(homes, name, index, relation, number, value, blanks):
     one, two, three, four = blanks  # law 8
     where = "/".join([*homes, name]) + (f"[{','.join(map(str, index))}]" if index else "")
-    found = Expectation.parse(f"{one}{where}{two}{relation}{three}{number!r}{four}")
+    found = Condition.parse(f"{one}{where}{two}{relation}{three}{number!r}{four}")
     assert found.address == "/".join([*homes, name][-2:])
     assert (found.index, found.relation, found.number) == (tuple(index), relation, number)
     held = value
@@ -40,7 +40,7 @@ def test_an_expectation_is_an_address_a_comparison_and_a_number(homes, name, ind
 @given(st.one_of(st.text(max_size=30), st.text(alphabet="AQ_^[]0123456789.+-e=<>!/ ()'\n", max_size=20)))
 def test_any_other_text_is_refused_with_what_was_expected(text):  # law 8
     try:
-        found = Expectation.parse(text)
+        found = Condition.parse(text)
     except ValueError as wrong:
         assert "expected an address, a comparison and a number" in str(wrong)
     else:
@@ -73,14 +73,14 @@ def test_any_other_text_is_refused_with_what_was_expected(text):  # law 8
 )
 def test_nothing_is_ever_evaluated_as_code(text):  # law 8
     with pytest.raises(ValueError, match="expected an address, a comparison and a number, as in 'LAMP == 1', found"):
-        Expectation.parse(text)
+        Condition.parse(text)
 
 
 def test_a_missing_value_a_text_and_a_vector_never_hold():  # R-X07
     for relation in RELATIONS:
-        found = Expectation.parse(f"X {relation} 1")
+        found = Condition.parse(f"X {relation} 1")
         for values in ({}, {"X": "1"}, {"X": [1.0]}, {"X": None}):
             assert not found.holds(values)
-    assert Expectation.parse("X[3] == 1").found({"X": [1.0, 2.0]}) is None
-    assert Expectation.parse("X[0] == 1").found({"X": 1.0}) is None
-    assert not Expectation.parse("X == 1").holds({"X": math.nan})
+    assert Condition.parse("X[3] == 1").found({"X": [1.0, 2.0]}) is None
+    assert Condition.parse("X[0] == 1").found({"X": 1.0}) is None
+    assert not Condition.parse("X == 1").holds({"X": math.nan})
