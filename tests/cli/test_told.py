@@ -29,6 +29,10 @@ def result(**changes):
         ),
         (event.Failed("flow0", "pd", "cycle: no", "pd.py", 0, "", 0.5), "    0.50 s  ERROR flow0/pd: cycle: no"),
         (
+            event.Drive("boxes:arm_left", "PRESSED", 2_500_000_000, 0, 0, "panic button pressed"),
+            "    2.50 s  boxes:arm_left holds: panic button pressed",
+        ),
+        (
             event.Drive("boxes:arm_left", "TRIPPED", 2_500_000_000, 0, 0, "its writer died"),
             "    2.50 s  boxes:arm_left has tripped: its writer died",
         ),

@@ -129,10 +129,31 @@ def test_a_newer_version_is_refused_with_one_clear_fault(form: Format, data: st.
     if form.name in ("task", "picture"):
         return  # the two formats that have no VERSION
     assert text.startswith("VERSION")
-    _, faults = form.read(text.replace("1.3\n", "2.0\nNEWWORD x\n", 1))
-    assert [fault.expected for fault in faults] == ["a file of version 1.3 or older"]
-    read, _ = form.read(text.replace("1.3\n", "1.2\n", 1))
-    assert form.write(read) == text
+    head, body = text.split("\n", 1)
+    _, faults = form.read(f"VERSION 2.1\nNEWWORD x\n{body}")
+    assert [fault.expected for fault in faults] == ["a file of version 1.3 or older" + ", or 2.0" * form.is_extended]
+    if head.endswith("1.3"):
+        read, _ = form.read(f"VERSION 1.2\n{body}")
+        assert form.write(read) == text
+
+
+@every_format
+@given(data=st.data())
+@settings(max_examples=30, deadline=None)
+def test_what_1_3_can_say_is_written_as_1_3_and_the_rest_is_refused_under_it(form: Format, data: st.DataObject) -> None:
+    text = form.write(data.draw(form.models))  # R-B06, R-B09
+    head, _, body = text.partition("\n")
+    if not form.is_extended:
+        assert "2.0" not in head
+        return
+    words = {line.split(" ")[0] for line in body.splitlines()}
+    needed = words & {"TARGET", "BRANCH", "MARKERIF", "WHILEIF"}
+    assert head == ("VERSION     2.0" if needed else "VERSION     1.3")
+    _, faults = form.read("VERSION 1.3\n" + body)
+    told = {fault.expected.removeprefix("VERSION 2.0 for a line ") for fault in faults}
+    assert needed <= told
+    assert bool(faults) == bool(needed)
+    assert form.read("VERSION 2.0\n" + body) == form.read(text)
 
 
 @given(before=tasks(), after=tasks(), data=st.data())

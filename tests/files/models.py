@@ -2,14 +2,14 @@
 
 import string
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from hypothesis import strategies as st
 
 from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax
 from onika.files.rmod import RmodText
-from onika.model.application import AppFlow, Application, Hole, Icon
+from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.button import Button
 from onika.model.configuration import Configuration, Locus, Placed
 from onika.model.onikon import Onikon
@@ -52,6 +52,22 @@ pictures = st.lists(st.text("012345678", min_size=SIZE, max_size=SIZE), min_size
 )
 
 
+def more_targets(names: st.SearchStrategy[str]) -> st.SearchStrategy[tuple[str, ...]]:
+    """Seldom any: what 1.3 can say is drawn as often."""
+    return st.just(()) | st.lists(names, max_size=3).map(tuple)
+
+
+relations = st.sampled_from(["==", "!=", "<", ">", "<=", ">="])
+conditions = st.builds(
+    lambda where, name, at, relation, number: f"{where}{name}{at} {relation} {number}",
+    st.sampled_from(["", "", "flow0/"]),
+    svar_names,
+    st.sampled_from(["", "[0]", "[1,2]"]),
+    relations,
+    st.integers(-9, 9) | st.floats(-1e9, 1e9),
+)
+
+
 @st.composite
 def tasks(draw: st.DrawFn) -> Task:
     coded = draw(st.lists(svar_names, unique=True, max_size=6))
@@ -74,7 +90,8 @@ def tasks(draw: st.DrawFn) -> Task:
         type=kind,
         frequency=None if kind is TaskType.APERIODIC else draw(rates),
         gives_period=kind is not TaskType.APERIODIC and draw(st.booleans()),
-        object_type=draw(st.none() | some_prose.map(lambda text: f"{text} job")),
+        object_type=(object_type := draw(st.none() | some_prose.map(lambda text: f"{text} job"))),
+        more_targets=draw(more_targets(some_prose.map(lambda text: f"{text} object"))) if object_type else (),
         local=tuple(draw(st.lists(local_lines, unique_by=lambda line: line.key, max_size=4))),
     )
 
@@ -117,7 +134,8 @@ def values(kind: IconType) -> st.SearchStrategy[Any]:
 
 
 def onikons_of(kind: IconType) -> st.SearchStrategy[Onikon]:
-    return st.builds(Onikon, names, st.just(kind.name), prose, values(kind), pictures)
+    more = more_targets(st.sampled_from(["Joint object", "Any object"])) if kind.needs_target else st.just(())
+    return st.builds(Onikon, names, st.just(kind.name), prose, values(kind), pictures, more)
 
 
 placeable = [kind for kind in TYPES.types if not (kind.is_start or kind.is_end)]
@@ -130,7 +148,9 @@ def icons(draw: st.DrawFn) -> Icon:
     onikon = draw(onikons)
     if TYPES.find(onikon.type) in TYPES.types[-2:]:
         return Icon(onikon)  # marks live on the action (decision 24)
-    return Icon(onikon, draw(st.booleans()), draw(st.none() | words), tag, tag is not None and draw(st.booleans()))
+    marks = draw(st.booleans()), draw(st.none() | words), tag, tag is not None and draw(st.booleans())
+    conditions_ = st.just("") | conditions
+    return Icon(onikon, *marks, draw(conditions_), draw(conditions_) if tag is not None else "")
 
 
 def _without_twin_holes(steps: list[Any]) -> AppFlow:
@@ -138,7 +158,18 @@ def _without_twin_holes(steps: list[Any]) -> AppFlow:
     return AppFlow(tuple(kept))
 
 
-flows = st.lists(st.just(Hole()) | icons(), max_size=3).map(_without_twin_holes)
+@st.composite
+def branches(draw: st.DrawFn, inner: st.SearchStrategy[AppFlow]) -> Branch:
+    found = draw(st.lists(inner, min_size=1, max_size=3))
+    chosen = draw(st.lists(conditions, min_size=len(found) - 1, max_size=len(found) - 1)) if draw(st.booleans()) else []
+    return Branch(tuple(found), tuple(chosen))
+
+
+def _flows(steps: st.SearchStrategy[Any]) -> st.SearchStrategy[AppFlow]:
+    return st.lists(st.just(Hole()) | icons() | steps, max_size=3).map(_without_twin_holes)
+
+
+flows = _flows(icons()) | st.recursive(_flows(icons()), lambda inner: _flows(branches(inner)), max_leaves=4)
 applications = st.builds(Application, st.just("a"), st.booleans(), st.lists(flows, min_size=1, max_size=2).map(tuple))
 
 spots = st.builds(Spot, numbers, numbers)
@@ -182,6 +213,8 @@ class Format:
     models: st.SearchStrategy[Any]
     write: Callable[[Any], str]
     read: Callable[[str], tuple[Any, tuple[Fault, ...]]]
+    is_extended: bool = False
+    """Whether it has lines of version 2.0."""
 
 
 def _read_task(text: str) -> tuple[Any, tuple[Fault, ...]]:
@@ -201,11 +234,12 @@ FORMATS = [
     Format(
         "onikon",
         onk.ENDING,
-        onikons.map(lambda onikon: Onikon("o", onikon.type, onikon.description, onikon.values, onikon.picture)),
+        onikons.map(lambda onikon: replace(onikon, name="o")),
         onk.write,
         lambda text: onk.read(text, "o", "f", TYPES),
+        is_extended=True,
     ),
-    Format("application", appl.ENDING, applications, appl.write, lambda text: appl.read(text, "a", "f", TYPES)),
+    Format("application", appl.ENDING, applications, appl.write, lambda text: appl.read(text, "a", "f", TYPES), True),
     Format("syntax", "OnikaUpperSetUp.dta", syntaxes(), syntax.write, lambda text: syntax.read(text, "s", "f")),
     Format("preferences", ".onika", all_preferences, preferences.write, lambda text: preferences.read(text, "p", "f")),
     Format("buttons", ".onika.buttons", all_buttons, buttons.write, lambda text: buttons.read(text, "b", "f")),

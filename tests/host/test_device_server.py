@@ -9,7 +9,7 @@ from onika.host import device_server as room
 from onika.host.device_server import DeviceServer
 from onika.host.heartbeat import SIZE, Heartbeat
 from onika.host.post import Post
-from onika.ring.device import Order
+from onika.ring.device import Drive, Order
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE
@@ -125,6 +125,16 @@ def test_a_stop_holds_everything(server):  # law 27
     server.hear(room.Driven)
     server.say(room.StopAll())
     assert server.hear(room.Driven).cause == "stop"
+
+
+def test_a_part_is_touched_and_an_unknown_one_denied(server):  # R-K06
+    server.open()
+    grant = server.claim()
+    server.command(grant, 1.0)
+    assert server.hear(room.Driven).state == Drive.DRIVEN
+    assert server.ask(room.Touch("yard", "panic", 1.0), room.Touched) == room.Touched()
+    assert server.hear(room.Driven).state == Drive.PRESSED
+    assert "found 1 for 'bell'" in server.ask(room.Touch("yard", "bell", 1.0), room.Denied).reason
 
 
 def test_what_is_not_there_is_denied_with_what_is(server):  # law 16

@@ -19,6 +19,7 @@ WITH_CODE = [
 COMMANDS = [
     request.Begin(), request.Abort("x"), request.Reply("s", "t", ""), request.Prepare(Plan("a", (), ()), ()),
     live.Change("s"), live.Take("s"), live.Release("s"), live.Set("s", "t", "n", "1"), live.Reset(), live.Close("s"),
+    live.Touch("w", "panic", 1.0),
 ]  # fmt: skip
 LEAST = [(Role.VIEWER, LOOKS), (Role.OPERATOR, COMMANDS), (Role.PROGRAMMER, WITH_CODE), (Role.OWNER, [request.Quit()])]
 

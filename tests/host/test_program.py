@@ -40,6 +40,20 @@ def test_the_last_word_of_a_drive_comes_before_the_result(desk):  # law 17
     assert drives[-1] < len(desk.gate.told) - 1
 
 
+def test_a_world_is_touched_and_what_is_not_there_refused(desk):  # R-K06
+    assert desk.ask(live.Touch("yard", "panic", 1.0)).reason == "expected an open world (none is open), found 'yard'"
+    desk.ask(request.Prepare(plan("1.0"), ()))
+    desk.ask(request.Begin())
+    while "DRIVEN" not in [one.state for one in desk.of(event.Drive)]:
+        desk.program.advance(0)
+    assert desk.ask(live.Touch("yard", "panic", 1.0)) == request.Done()
+    assert desk.ask(live.Touch("yard", "bell", 1.0)).reason == "expected 1 or 0 for panic, found 1 for 'bell'"
+    desk.program.advance(0)
+    assert desk.of(event.Drive)[-1].state == "PRESSED"
+    desk.ask(request.Abort("enough"))
+    assert desk.to_the_end().cause == "enough"
+
+
 def test_a_faulty_plan_is_not_begun(desk):  # R-E01
     targets = (TargetValues(0, 0, "joint object", (99.0,)),)
     answer = desk.ask(request.Prepare(plan("1.0"), targets))

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from onika.host.worlds import open_world, split
+from onika.host.worlds import open_world, refuse_unknown, split
 
 
 def test_a_world_is_found_by_its_name():  # law 16
@@ -14,6 +14,14 @@ def test_a_world_is_found_by_its_name():  # law 16
 def test_an_unknown_world_names_those_there_are():  # law 16
     with pytest.raises(ValueError, match=r"expected a world \(boxes.*\), found 'atlantis'"):
         open_world("atlantis")
+
+
+def test_a_world_that_is_not_open_is_refused_with_those_that_are():
+    refuse_unknown("sea", ("yard", "sea"))
+    with pytest.raises(ValueError, match=r"expected an open world \(sea, yard\), found 'lake'"):
+        refuse_unknown("lake", ("yard", "sea"))
+    with pytest.raises(ValueError, match="none is open"):
+        refuse_unknown("lake", ())
 
 
 def test_a_device_is_a_world_and_a_name():  # law 16

@@ -183,9 +183,11 @@ def test_no_motion_of_an_application_needs_more_time_than_its_target_gives(name)
     inverse = inverse_for(puma560.DH, None, puma560.TOOL, puma560.QMIN, puma560.QMAX)
     for flow in read("application", name, SYNTAX).flows:
         q = puma560.HOME
-        for _, job, target in actions(flow, SYNTAX):
-            if target is None:
+        for _, job, targets in actions(flow, SYNTAX):
+            if not targets:
                 continue
+            (target,) = targets
+            assert isinstance(target, Icon)
             values, (duration,) = target.onikon.values
             if job.onikon.type == "Joint job":
                 assert duration >= joint_duration(q, values, SPEED)

@@ -104,6 +104,29 @@ def test_a_tripped_drive_is_an_error_that_clear_mends():  # law 17, R-C28
     assert bench.on().cycle().state is State.ON
 
 
+def test_a_pressed_panic_button_is_an_error_that_clear_mends_once_it_is_let_go():  # R-K06, §4.5.2
+    device = arm()
+    bench = puma(device).on()
+    device.values[1] = Drive.PRESSED
+    bench.cycle()
+    assert (bench.state, "panic button pressed" in bench.why) == (State.ERROR, True)
+    bench.clear()
+    assert (bench.state, "let it go, then clear" in bench.why) == (State.ERROR, True)
+    device.values[1] = Drive.TRIPPED
+    device.publish(0)
+    bench.clear()
+    assert (bench.state, device.order) == (State.OFF, Order.CLEAR)
+    device.values[1] = Drive.HELD
+    assert bench.on().cycle().state is State.ON
+
+
+def test_an_arm_whose_panic_button_is_pressed_does_not_come_on():  # R-K06
+    device = arm()
+    bench = puma(device)
+    device.values[1] = Drive.PRESSED
+    assert "panic button pressed" in bench.on().why
+
+
 def test_joint_targets_are_judged_joint_by_joint(constants):  # law 26, R-E09
     cls, known = constants
     targets = [("joint object", [0, 0, 4.1, 0, 0, 0, 1.0]), ("joint object", [*puma560.HOME, 1.0])]

@@ -7,7 +7,7 @@ from onika.ring.device import DeviceSheet, Drive, DriveEvent, Order
 
 def test_the_numbers_on_the_bus_are_fixed():
     assert [int(order) for order in (Order.HOLD, Order.DRIVE, Order.CLEAR)] == [0, 1, 2]
-    assert [int(state) for state in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED)] == [0, 1, 2]
+    assert [int(state) for state in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED, Drive.PRESSED)] == [0, 1, 2, 3]
 
 
 def test_sheets_and_events_are_values():

@@ -141,6 +141,15 @@ def test_a_late_release_of_a_dead_writer_leaves_its_heir_alone(bus, segment):  #
     assert heir.read()[1] > 0.0
 
 
+def test_a_touch_is_seen_at_once(bus, segment):  # R-K06
+    one = device(bus, segment)
+    bus.touch("panic", 1.0)
+    one.read()
+    assert one.is_pressed
+    with pytest.raises(ValueError, match="bell"):
+        bus.touch("bell", 1.0)
+
+
 def test_only_granted_devices_are_published(bus):
     before = bytes(bus._view)
     bus.step(3 * MS)

@@ -79,12 +79,12 @@ def test_while_inputs_are_not_fresh_every_command_is_a_hold(far, near):  # law 4
 
 def test_the_drive_is_seen_as_of_the_last_read(far, near):  # law 17
     seen = []
-    for drive in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED):
+    for drive in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED, Drive.PRESSED):
         far.values[1] = drive
         far.publish(0)
         near.read()
-        seen.append((near.is_held, near.is_tripped))
-    assert seen == [(False, False), (True, False), (True, True)]
+        seen.append((near.is_held, near.is_tripped, near.is_pressed))
+    assert seen == [(False, False, False), (True, False, False), (True, True, False), (True, False, True)]
 
 
 def tripped(far, near):

@@ -114,3 +114,13 @@ def test_a_task_that_wants_nothing_takes_an_empty_line():
     assert vars(wanted().parse("")) == {}
     with pytest.raises(ValueError, match="expected 0 values"):
         wanted().parse("1")
+
+
+def test_what_was_read_ahead_is_handed_out_once_and_read_anew_after_it():  # R-A10
+    inputs = wanted(sheet("double[2]"))
+    inputs.foresee(["1 2", "not a number"])
+    first, second = inputs.parse("1 2"), inputs.parse("1 2")
+    first.x[:] = 0.0
+    assert second.x.tolist() == [1.0, 2.0]
+    with pytest.raises(ValueError, match="expected 2 values"):
+        inputs.parse("not a number")

@@ -93,6 +93,22 @@ def test_a_stop_is_latched(world):  # law 27
     assert drive(world) == Drive.HELD
 
 
+def test_the_button_holds_all_masses_until_it_is_let_go_and_they_are_cleared(world):  # R-K06
+    assert list(world.parts()) == ["panic"]
+    world.command("m0", 1, Order.DRIVE, [1.0])
+    world.touch("panic", 1.0)
+    for order in (Order.CLEAR, Order.DRIVE):
+        world.command("m0", 1, order, [1.0])
+        assert drive(world) == Drive.PRESSED
+    world.touch("panic", 0.0)
+    assert drive(world) == Drive.TRIPPED
+    world.command("m0", 1, Order.CLEAR, [0.0])
+    assert drive(world) == Drive.HELD
+    for part, value in (("m0", 1.0), ("panic", 2.0)):
+        with pytest.raises(ValueError, match="expected 1 or 0 for panic"):
+            world.touch(part, value)
+
+
 def test_the_scale_adds_up_and_the_fingerprint_tells_two_worlds_apart(world):
     other = MassWorld()
     world.command("m0", 1, Order.DRIVE, [1.0])

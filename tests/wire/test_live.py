@@ -24,6 +24,7 @@ REQUESTS = [
     live.Release("s0"),
     live.Attend(("*",), ("s0/Q_MEZ",), ("boxes",), 20.0),
     live.Scene("boxes"),
+    live.Touch("boxes", "panic_left", 1.0),
     live.Reset(),
     live.Advance(1.5),
 ]

@@ -380,6 +380,73 @@ def test_reset_puts_everything_back_and_clears_latches_and_time_goes_on():
     assert world.fingerprint()[8:] == fresh.fingerprint()[8:]
 
 
+# ---- the panic button ----
+
+
+def shown(world, device="arm_left"):
+    return Drive(int(world.state(device)[1]))
+
+
+def test_a_pressed_panic_button_holds_its_arm_where_it_is_and_no_other():  # R-K06
+    world = BoxesWorld()
+    left, right = Operator(world, "left", 1), Operator(world, "right", 2)
+    target = left.reference + 0.3
+    for k in range(150):
+        value, rate = quintic(k * DT, 0.6)
+        for one in (left, right):
+            one.reference[:], one.speed[:] = puma560.HOME + value * 0.3, rate * np.full(6, 0.3)
+        left.command()
+        right.tick()
+    world.touch("panic_left", 1)
+    at = left.q.copy()
+    for _ in range(250):
+        left.command()
+        right.tick()
+    assert (shown(world), shown(world, "gripper_left"), shown(world, "arm_right")) == (
+        Drive.PRESSED,
+        Drive.DRIVEN,
+        Drive.DRIVEN,
+    )
+    assert np.abs(left.q - at).max() < 0.05  # it brakes
+    assert np.abs(left.q - target).max() > 0.1
+    assert world.take_events()[-1].cause == "panic button pressed"
+
+
+def test_a_pressed_panic_button_is_cleared_only_after_it_was_let_go():  # R-K06
+    world = claimed("arm_left")
+    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    world.touch("panic_left", 1.0)
+    for order in (Order.CLEAR, Order.HOLD, Order.DRIVE):
+        world.command("arm_left", 1, order, np.zeros(6))
+        assert shown(world) is Drive.PRESSED
+    world.touch("panic_left", 0.0)
+    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    assert shown(world) is Drive.TRIPPED
+    world.command("arm_left", 1, Order.CLEAR, ())
+    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    assert shown(world) is Drive.DRIVEN
+
+
+@pytest.mark.parametrize("leave", [BoxesWorld.go_on, BoxesWorld.reset], ids=["go on", "reset"])
+def test_a_button_stays_pressed_over_a_stop_and_over_its_end(leave):  # R-K06, law 27
+    world = claimed("arm_left")
+    world.stop()
+    world.touch("panic_left", 1.0)
+    assert shown(world) is Drive.HELD
+    leave(world)
+    assert shown(world) is Drive.PRESSED
+
+
+def test_a_part_that_is_not_there_is_refused_with_those_that_are():
+    world = BoxesWorld()
+    assert list(world.parts()) == ["panic_left", "panic_right"]
+    with pytest.raises(ValueError, match=r"panic_left: 1 pressed, 0 let go; panic_right: .*, found 'panic'"):
+        world.touch("panic", 1.0)
+    with pytest.raises(ValueError, match="found 2"):
+        world.touch("panic_left", 2.0)
+    assert not world.take_events()
+
+
 def test_commands_of_the_wrong_shape_are_faults():
     world = claimed("arm_left", "gripper_left", "lamp")
     for device, order, values in (

@@ -3,10 +3,14 @@ import pytest
 from onika.ring.device import Drive, Order
 from onika.workcell.drive import NEVER_NS, SILENCE_NS, TABLE, TRIP_NS, DriveUnit, Happening, Mode, happening_of
 
-D, H, S, T, X = Mode.DRIVEN, Mode.HELD, Mode.SILENT, Mode.TRIPPED, Mode.STOPPED
+D, H, S, T, P, X = Mode.DRIVEN, Mode.HELD, Mode.SILENT, Mode.TRIPPED, Mode.PRESSED, Mode.STOPPED
 
 # law 17 said a second time, by rule instead of by row
-LATCHED = {T: {Happening.CLEAR: H, Happening.STOP: X, Happening.RESET: H}, X: {Happening.RESET: H}}
+LATCHED = {
+    T: {Happening.CLEAR: H, Happening.STOP: X, Happening.RESET: H, Happening.PRESS: P},
+    P: {Happening.STOP: X, Happening.LET_GO: T},
+    X: {Happening.RESET: H},
+}
 ANYWHERE = {
     Happening.DRIVE: D,
     Happening.HOLD: H,
@@ -15,6 +19,7 @@ ANYWHERE = {
     Happening.RELEASE: H,
     Happening.STOP: X,
     Happening.RESET: H,
+    Happening.PRESS: P,
 }
 OWN = {
     (D, Happening.CLEAR): D,
@@ -44,9 +49,17 @@ def test_the_table_is_complete():
 
 
 @pytest.mark.parametrize(
-    ("mode", "shown"), [(D, Drive.DRIVEN), (H, Drive.HELD), (S, Drive.HELD), (T, Drive.TRIPPED), (X, Drive.HELD)]
+    ("mode", "shown"),
+    [
+        (D, Drive.DRIVEN),
+        (H, Drive.HELD),
+        (S, Drive.HELD),
+        (T, Drive.TRIPPED),
+        (P, Drive.PRESSED),
+        (X, Drive.HELD),
+    ],
 )
-def test_others_see_three_states(mode, shown):
+def test_others_see_four_states(mode, shown):
     drive = DriveUnit()
     drive.mode = mode
     assert drive.shown is shown

@@ -55,7 +55,8 @@ class Compiler:
     def _flow(self, number: int, flow: AppFlow) -> PlannedFlow:
         planned: list[PlannedAction] = []
         tasks: dict[str, PlannedTask] = {}
-        for position, job, target in actions(flow, self._syntax):
+        for position, job, targets in actions(flow, self._syntax):
+            target = next((one for one in targets if isinstance(one, Icon)), None)
             configuration = self._program.configurations.get(job.onikon.name)
             if configuration is None:
                 continue  # a no-op takes no time; whatever else is missing is a fault of readiness

@@ -5,13 +5,14 @@ answers with orders, to be carried out in their order. All tasks are spawned fir
 is one switch, begun by the trigger that finished the one before; at the end, or at an abort, all tasks are killed.
 """
 
-from collections.abc import Mapping, Set
+from collections.abc import Callable, Mapping, Set
 
-from onika.engine.flow import FlowState
-from onika.engine.meeting import Meetings
+from onika.engine.flow import FlowEvent, FlowState
+from onika.engine.itinerary import Itinerary
 from onika.engine.news import (
     Abort,
     Asked,
+    Cleared,
     Failed,
     Finished,
     Illegal,
@@ -21,15 +22,20 @@ from onika.engine.news import (
     Run,
     Settled,
     Spawned,
+    Steering,
     SwitchedOff,
+    TaskNews,
     TurnedOn,
 )
-from onika.engine.orders import End, Note, Order, Settle
+from onika.engine.orders import Case, End, Note, Order
+from onika.engine.program import Program
 from onika.engine.progress import Progress
+from onika.engine.recovery import Recovery
+from onika.engine.steering import Helm
 from onika.engine.step import steps
+from onika.engine.walk import Value
 from onika.wire.plan import Plan
-
-TaskNews = Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Asked | Illegal | Killed
+from onika.wire.steer import Position
 
 _OVER = (FlowState.KILLING, FlowState.ENDED)
 
@@ -40,7 +46,9 @@ class Engine:
     `triggers` names, for every (flow, action), the task that takes the target and ends the action; none for a
     job without one. `other_triggers` are (flow, task) of further trigger tasks, which end an action too when
     they finish first (decision 16). `passive` are the (flow, task) that may fall silent. `ranks` gives the order
-    in which the tasks of a flow come on. Raises ValueError or KeyError for a plan that these do not describe.
+    in which the tasks of a flow come on. `judge` says whether a condition on variables of a flow holds now. With
+    `stands_still` a flow in which a task has failed waits for its user, else the application is aborted.
+    Raises ValueError or KeyError for a plan that these do not describe.
     """
 
     def __init__(
@@ -50,11 +58,12 @@ class Engine:
         passive: Set[tuple[int, str]],
         ranks: Mapping[tuple[int, str], int],
         other_triggers: Set[tuple[int, str]] = frozenset(),
+        judge: Callable[[int, str], bool] = lambda _flow, _condition: False,
+        stands_still: bool = False,
     ) -> None:
         if not plan.flows:
             raise ValueError(f"expected a plan with at least one flow, found none in {plan.application}")
         self._passive = frozenset(passive)
-        self._meetings = Meetings(plan.flows)
         self._cause: str | None = None
         self._flows: list[Progress] = []
         for flow, planned in enumerate(plan.flows):
@@ -62,7 +71,34 @@ class Engine:
             own_triggers = {index: triggers[flow, index] for index in range(len(planned.actions))}
             others = {task for number, task in other_triggers if number == flow}
             ready = steps(planned, own_triggers, others, own_ranks)
-            self._flows.append(Progress(flow, planned, ready, own_ranks))
+            judged = _judge_of(judge, flow)
+            self._flows.append(Progress(flow, planned, Program(planned), ready, own_ranks, judged))
+        names = [planned.subsystem for planned in plan.flows]
+        self._itinerary = Itinerary(self._flows, names)
+        self._recovery = Recovery(self._itinerary, stands_still)
+        self._helm = Helm(self._itinerary, self._recovery)
+
+    # What can be asked
+
+    def refusal(self, news: Steering) -> str:
+        """Why this cannot be done now; empty: it can."""
+        if news.flow not in range(len(self._flows)):
+            return f"expected a flow from 0 to {len(self._flows) - 1}, found {news.flow}"
+        return self._helm.refusal(self._flows[news.flow], news)
+
+    def positions(self) -> list[Position]:
+        """Where every flow is, and who waits for whom."""
+        return [self._itinerary.position(flow) for flow in self._flows]
+
+    def cases(self, flow: int) -> list[Case]:
+        """What may follow the current action of a flow, each with its switch."""
+        return self._flows[flow].cases()
+
+    def revision(self, flow: int) -> tuple[int, bool]:
+        """Changes whenever the cases of the flow may have."""
+        return self._flows[flow].revision, self._flows[flow].crew.is_settled
+
+    # What is told
 
     def feed(self, news: News) -> list[Order]:
         """Hear one piece of news; the orders that follow from it. What comes too late changes nothing."""
@@ -74,119 +110,128 @@ class Engine:
                 return self._kill_all() if is_done else []
             case Abort():
                 return self._abort(news.cause)
-            case _:
-                return self._hear(self._flows[news.flow], news)
+        if isinstance(news, TaskNews):
+            return self._guarded(self._hear(self._flows[news.flow], news))
+        return [] if self.refusal(news) else self._guarded(self._helm.steer(self._flows[news.flow], news))
+
+    def _guarded(self, orders: list[Order]) -> list[Order]:
+        """Orders, and the end of the application where a flow has gone astray."""
+        return orders + (self._abort(self._itinerary.astray) if self._itinerary.astray else [])
 
     def _run(self) -> list[Order]:
         if any(flow.state is not FlowState.READY for flow in self._flows):
             return []
-        orders = [order for flow in self._flows for order in flow.spawn()]
-        return orders + self._begin_when_spawned()
+        orders: list[Order] = []
+        for flow in self._flows:
+            flow.enter(FlowEvent.SPAWN)
+            orders += flow.crew.spawn()
+        return orders + self._guarded(self._begin_when_spawned())
 
     def _hear(self, flow: Progress, news: TaskNews) -> list[Order]:
-        if not flow.lives(news.task):
+        if not flow.crew.lives(news.task):
             is_late = flow.state in (FlowState.READY, *_OVER)
             return [] if is_late else [Note(flow.flow, f"{news.task} is no task of this flow: ignored")]
         if flow.state in _OVER:
             return self._hear_while_killing(flow, news)
         match news:
             case Spawned():
-                flow.spawned(news.task)
+                flow.crew.spawned(news.task)
                 return self._begin_when_spawned()
             case TurnedOn():
-                flow.turned_on(news.task)
+                flow.crew.turned_on(news.task)
                 return []
             case Finished():
-                return self._finished(flow, news.task)
+                return self._finished(flow, news)
             case SwitchedOff():
                 return self._switched_off(flow, news.task)
             case Asked():
                 return [Note(flow.flow, f"{flow.where(news.task)} asks" + (f": {news.reason}" if news.reason else ""))]
             case Failed():
                 return self._failed(flow, news)
+            case Cleared():
+                return self._recovery.cleared(flow, news.task)
             case Illegal():
                 return self._abort(f"{flow.where(news.task)} may not go on: {news.text}")
             case Refused():
                 return self._refused(flow, news)
             case Killed():
                 cause = f"{flow.where(news.task)} is gone"
-                flow.gone(news.task)
+                flow.crew.gone(news.task)
                 return self._abort(cause)
 
     def _hear_while_killing(self, flow: Progress, news: TaskNews) -> list[Order]:
         match news:
             case Spawned():
-                flow.spawned(news.task)
+                flow.crew.spawned(news.task)
             case Killed():
-                flow.gone(news.task)
-                return self._end_if_over()
-            case Refused() if flow.is_unborn(news.task):
-                flow.gone(news.task)
-                return self._end_if_over()
+                return self._gone(flow, news.task)
+            case Refused() if flow.crew.is_unborn(news.task):
+                return self._gone(flow, news.task)
             case _:
                 pass
         return []
 
     def _begin_when_spawned(self) -> list[Order]:
         """No robot moves before every task of every flow has come to life."""
-        if not all(flow.state is FlowState.SPAWNING and flow.is_spawned for flow in self._flows):
+        if not all(flow.state is FlowState.SPAWNING and flow.crew.is_spawned for flow in self._flows):
             return []
-        return [order for flow in self._flows for order in self._go_on(flow)]
+        orders: list[Order] = []
+        for flow in self._flows:
+            if flow.parent is not None:
+                flow.enter(FlowEvent.COMPLETE)
+            elif flow.is_pausing:
+                orders += self._itinerary.rest(flow)
+        first = [flow.flow for flow in self._flows if flow.state is FlowState.SPAWNING]
+        return orders + self._itinerary.go_on(first)
 
-    def _go_on(self, flow: Progress) -> list[Order]:
-        step = flow.next_step
-        if step is None:
-            return self._complete(flow)
-        if step.synch_tag is None:
-            return flow.begin()
-        flow.hold()
-        return self._meet(flow, step.synch_tag)
-
-    def _meet(self, flow: Progress, tag: str) -> list[Order]:
-        absent = self._meetings.absent(tag, self._flows)
-        if not absent:
-            return [order for number in self._meetings.parties(tag) for order in self._flows[number].begin()]
-        return [self._waits(flow, tag, number) for number in absent]
-
-    def _waits(self, flow: Progress, tag: str, number: int) -> Note:
-        has_ended = self._flows[number].state is FlowState.DONE
-        return Note(flow.flow, f"waits at {tag} for flow {number}" + (", which has ended" if has_ended else ""))
-
-    def _complete(self, flow: Progress) -> list[Order]:
-        flow.complete()
-        if all(other.state is FlowState.DONE for other in self._flows):
-            return [Settle()]
-        deserted = self._meetings.deserted(flow.flow, self._flows)
-        return [self._waits(other, tag, flow.flow) for other, tag in deserted]
-
-    def _finished(self, flow: Progress, task: str) -> list[Order]:
-        done = flow.finished(task)
-        if done is None:
-            return [Note(flow.flow, f"{flow.where(task)} has finished, which ends no action now: ignored")]
-        return done + self._go_on(flow)
+    def _finished(self, flow: Progress, news: Finished) -> list[Order]:
+        if not flow.finished(news.task):
+            return [Note(flow.flow, f"{flow.where(news.task)} has finished, which ends no action now: ignored")]
+        done = flow.ends_with(Value(news.choice, news.loop))
+        if not news.switched and flow.rests_after(flow.current):
+            return [done, *self._itinerary.rest(flow)]
+        return [done, *self._itinerary.go_on([flow.flow], number=news.switched)]
 
     def _switched_off(self, flow: Progress, task: str) -> list[Order]:
-        flow.switched_off(task)
+        flow.crew.switched_off(task)
+        flow.revision += 1
         harm = "the job goes on" if (flow.flow, task) in self._passive else "ignored, though it is not passive"
         return [Note(flow.flow, f"{flow.where(task)} has switched itself off: {harm}")]
 
     def _failed(self, flow: Progress, news: Failed) -> list[Order]:
         if (flow.flow, news.task) not in self._passive:
-            return self._abort(f"{flow.where(news.task)} is in error: {news.text}")
-        flow.failed(news.task)
+            if flow.state is FlowState.SPAWNING or not self._recovery.stands_still:
+                return self._abort(f"{flow.where(news.task)} is in error: {news.text}")
+            return self._recovery.failed(flow, news.task, f"{flow.where(news.task)} is in error: {news.text}")
+        flow.crew.given_up(news.task)
+        flow.revision += 1
         note = Note(flow.flow, f"{flow.where(news.task)} is in error and stays off, the job goes on: {news.text}")
         return [note, *self._begin_when_spawned()]
 
     def _refused(self, flow: Progress, news: Refused) -> list[Order]:
         """A passive task that cannot come on is as harmless as one in error; one that cannot be spawned is not."""
-        if flow.is_unborn(news.task):
+        if flow.crew.is_unborn(news.task):
             cause = f"{flow.where(news.task)} cannot be spawned: {news.reason}"
-            flow.gone(news.task)
+            flow.crew.gone(news.task)
             return self._abort(cause)
+        if news.task in flow.crew.failed:
+            return self._not_cleared(flow, news)
         if (flow.flow, news.task) not in self._passive:
-            return self._abort(f"{flow.where(news.task)} cannot be turned on: {news.reason}")
-        flow.failed(news.task)
+            cause = f"{flow.where(news.task)} cannot be turned on: {news.reason}"
+            if flow.state is FlowState.SPAWNING or not self._recovery.stands_still:
+                return self._abort(cause)
+            return self._recovery.refused(flow, news.task, cause)
+        flow.crew.given_up(news.task)
+        flow.revision += 1
         return [Note(flow.flow, f"{flow.where(news.task)} stays off, the job goes on: {news.reason}")]
+
+    def _not_cleared(self, flow: Progress, news: Refused) -> list[Order]:
+        """A task that was cleared twice is refused the second time, which is no harm."""
+        if news.task not in flow.crew.in_error:
+            return []
+        text = f"{flow.where(news.task)} is not cleared: {news.reason}"
+        is_clearing = flow.state is FlowState.CLEARING
+        return self._recovery.not_cleared(flow, text) if is_clearing else [Note(flow.flow, text)]
 
     def _abort(self, cause: str) -> list[Order]:
         if any(flow.state in _OVER for flow in self._flows):
@@ -195,10 +240,25 @@ class Engine:
         return self._kill_all()
 
     def _kill_all(self) -> list[Order]:
-        orders = [order for flow in self._flows for order in flow.kill()]
+        orders: list[Order] = []
+        for flow in self._flows:
+            flow.enter(FlowEvent.KILL)
+            orders += flow.crew.kill()
+            if flow.crew.is_gone:
+                flow.enter(FlowEvent.GONE)
         return orders + self._end_if_over()
+
+    def _gone(self, flow: Progress, task: str) -> list[Order]:
+        flow.crew.gone(task)
+        if flow.state is FlowState.KILLING and flow.crew.is_gone:
+            flow.enter(FlowEvent.GONE)
+        return self._end_if_over()
 
     def _end_if_over(self) -> list[Order]:
         if not all(flow.state is FlowState.ENDED for flow in self._flows):
             return []
         return [End(completed=self._cause is None, cause=self._cause or "")]
+
+
+def _judge_of(judge: Callable[[int, str], bool], flow: int) -> Callable[[str], bool]:
+    return lambda condition: judge(flow, condition)

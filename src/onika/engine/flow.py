@@ -1,8 +1,9 @@
 """The states of a flow under execution, as one table (§5.9.2).
 
-A flow is ready, its tasks are being spawned, an action of it runs, it waits at a synchronisation tag, all its
-actions are done, its tasks are being killed, it has ended. Whatever changes the state of a flow stands in
-`TABLE`, and an event that a state does not list is refused and changes nothing.
+A flow is ready, its tasks are being spawned, an action of it runs, it waits at a synchronisation tag or for the flows
+of a nested parallel application, it is paused, it has stopped at an error, the error is being cleared, all its actions
+are done, its tasks are being killed, it has ended. Whatever changes the state of a flow stands in `TABLE`, and an event
+that a state does not list is refused and changes nothing.
 """
 
 from collections.abc import Mapping
@@ -17,6 +18,10 @@ class FlowState(Enum):
     SPAWNING = "spawning"
     RUNNING = "running"
     WAITING = "waiting"
+    JOINING = "joining"
+    PAUSED = "paused"
+    STOPPED = "stopped"
+    CLEARING = "clearing"
     DONE = "done"
     KILLING = "killing"
     ENDED = "ended"
@@ -31,6 +36,14 @@ class FlowEvent(Enum):
     """The next action begins."""
     HOLD = "hold"
     """The next action has a synchronisation tag."""
+    JOIN = "join"
+    """What comes next waits for the flows of a nested parallel application."""
+    REST = "rest"
+    """The user has asked for a pause, or there is a breakpoint."""
+    FAIL = "fail"
+    """A task that is not passive has failed."""
+    RECOVER = "recover"
+    """The user wants the error cleared."""
     COMPLETE = "complete"
     """There is no next action."""
     KILL = "kill"
@@ -39,31 +52,36 @@ class FlowEvent(Enum):
     """The last task is killed."""
 
 
+_GOES_ON: Mapping[FlowEvent, FlowState] = {
+    FlowEvent.BEGIN: FlowState.RUNNING,
+    FlowEvent.HOLD: FlowState.WAITING,
+    FlowEvent.JOIN: FlowState.JOINING,
+    FlowEvent.REST: FlowState.PAUSED,
+    FlowEvent.COMPLETE: FlowState.DONE,
+    FlowEvent.KILL: FlowState.KILLING,
+}
+"""Out of every state in which a flow is between two actions, or may be sent to another."""
+
+_LIVES = {**_GOES_ON, FlowEvent.FAIL: FlowState.STOPPED}
+
 TABLE: Mapping[FlowState, Mapping[FlowEvent, FlowState]] = MappingProxyType(
     {
         FlowState.READY: {
             FlowEvent.SPAWN: FlowState.SPAWNING,
             FlowEvent.KILL: FlowState.KILLING,
         },
-        FlowState.SPAWNING: {
-            FlowEvent.BEGIN: FlowState.RUNNING,
-            FlowEvent.HOLD: FlowState.WAITING,
-            FlowEvent.COMPLETE: FlowState.DONE,
+        FlowState.SPAWNING: _GOES_ON,
+        FlowState.RUNNING: _LIVES,
+        FlowState.WAITING: _LIVES,
+        FlowState.JOINING: _LIVES,
+        FlowState.PAUSED: _LIVES,
+        FlowState.STOPPED: {
+            FlowEvent.FAIL: FlowState.STOPPED,
+            FlowEvent.RECOVER: FlowState.CLEARING,
             FlowEvent.KILL: FlowState.KILLING,
         },
-        FlowState.RUNNING: {
-            FlowEvent.BEGIN: FlowState.RUNNING,
-            FlowEvent.HOLD: FlowState.WAITING,
-            FlowEvent.COMPLETE: FlowState.DONE,
-            FlowEvent.KILL: FlowState.KILLING,
-        },
-        FlowState.WAITING: {
-            FlowEvent.BEGIN: FlowState.RUNNING,
-            FlowEvent.KILL: FlowState.KILLING,
-        },
-        FlowState.DONE: {
-            FlowEvent.KILL: FlowState.KILLING,
-        },
+        FlowState.CLEARING: _LIVES,
+        FlowState.DONE: _LIVES,
         FlowState.KILLING: {
             FlowEvent.GONE: FlowState.ENDED,
         },

@@ -1,36 +1,57 @@
-"""Where flows wait for each other: the synchronisation tags of a plan (§5.5.4, decision 26)."""
+"""Where flows wait for each other: the synchronisation tags of a plan (§5.5.4, decision 26).
 
+The n-th visit of one flow meets the n-th of every other flow in whose program the tag stands. Who was let pass has been
+there; who paused at the tag, or stopped there, has not come yet.
+"""
+
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
-from onika.engine.flow import FlowState
-from onika.engine.progress import Progress
-from onika.wire.plan import PlannedFlow
+from onika.engine.program import Program
 
 
 class Meetings:
-    """Which flows meet at which tag; the n-th visit of one flow pairs with the n-th of every other."""
+    """Counts who came where how often, and who waits."""
 
-    def __init__(self, flows: Sequence[PlannedFlow]) -> None:
+    def __init__(self, programs: Sequence[Program]) -> None:
         parties: dict[str, list[int]] = {}
-        for number, flow in enumerate(flows):
-            for tag in dict.fromkeys(action.synch_tag for action in flow.actions if action.synch_tag is not None):
+        for number, program in enumerate(programs):
+            for tag in program.tags:
                 parties.setdefault(tag, []).append(number)
         self._parties: Mapping[str, Sequence[int]] = parties
+        self._visits = [Counter[str]() for _ in programs]
+        self._waiting: dict[int, str] = {}
 
-    def parties(self, tag: str) -> Sequence[int]:
-        """The flows that meet at this tag, in their order."""
-        return self._parties[tag]
+    def arrive(self, flow: int, tag: str) -> list[int]:
+        """A flow comes to a tag; the flows that may go on with it, in their order; none while it has to wait."""
+        self._visits[flow][tag] += 1
+        self._waiting[flow] = tag
+        together = [one for one, where in self._waiting.items() if where == tag and not self.absent(one)]
+        for one in together:
+            del self._waiting[one]
+        return sorted(together)
 
-    def absent(self, tag: str, flows: Sequence[Progress]) -> list[int]:
-        """The flows that have not yet come to this tag; empty: all may go on."""
-        return [number for number in self._parties[tag] if _waits_at(flows[number]) != tag]
+    def let_pass(self, flow: int) -> None:
+        """A flow does not wait any longer; it has been there."""
+        del self._waiting[flow]
 
-    def deserted(self, ended: int, flows: Iterable[Progress]) -> list[tuple[Progress, str]]:
-        """The flows that wait for one that has no more actions, each with its tag."""
-        waiting = [(flow, tag) for flow in flows if (tag := _waits_at(flow)) is not None]
-        return [(flow, tag) for flow, tag in waiting if ended in self._parties[tag]]
+    def withdraw(self, flow: int) -> None:
+        """A flow does not wait here at present; it comes again, or goes elsewhere."""
+        tag = self._waiting.pop(flow)
+        self._visits[flow][tag] -= 1
 
+    def absent(self, flow: int) -> list[int]:
+        """The flows that a waiting flow waits for."""
+        tag = self._waiting[flow]
+        visit = self._visits[flow][tag]
+        return [other for other in self._parties[tag] if self._visits[other][tag] < visit]
 
-def _waits_at(flow: Progress) -> str | None:
-    following = flow.next_step
-    return following.synch_tag if flow.state is FlowState.WAITING and following is not None else None
+    def waits_at(self, flow: int) -> str:
+        """The tag at which a flow waits; empty: at none."""
+        return self._waiting.get(flow, "")
+
+    def begin_anew(self, tags: Iterable[str]) -> None:
+        """The nested application in which these tags stand is run once more."""
+        for tag in tags:
+            for visits in self._visits:
+                visits.pop(tag, None)

@@ -35,12 +35,16 @@ class TurnedOn:
 
 @dataclass(frozen=True, slots=True)
 class Finished:
-    """A trigger has ended its job: GO_TO_FLOW(choice), WHILECONTINUE if `loop`."""
+    """A trigger has ended its job: GO_TO_FLOW(choice), WHILECONTINUE if `loop`.
+
+    `switched` is the number of the prepared case that was carried out with it; 0: none, the next switch is awaited.
+    """
 
     flow: int
     task: str
     choice: int = 0
     loop: bool = False
+    switched: int = 0
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +91,74 @@ class Killed:
 
 
 @dataclass(frozen=True, slots=True)
+class Cleared:
+    """A task that was in ERROR is OFF."""
+
+    flow: int
+    task: str
+
+
+@dataclass(frozen=True, slots=True)
+class Pause:
+    """The user: pause after the current action."""
+
+    flow: int
+
+
+@dataclass(frozen=True, slots=True)
+class Resume:
+    """The user: go on after a pause, or take it back before it has come."""
+
+    flow: int
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """The user: one action, then pause."""
+
+    flow: int
+
+
+@dataclass(frozen=True, slots=True)
+class Skip:
+    """The user: leave the current action and go to this one; none: to the next."""
+
+    flow: int
+    action: int | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Pass:
+    """The user: do not wait any longer."""
+
+    flow: int
+
+
+@dataclass(frozen=True, slots=True)
+class Leave:
+    """The user: leave the innermost loop at its next test."""
+
+    flow: int
+
+
+@dataclass(frozen=True, slots=True)
+class Mark:
+    """The user: a breakpoint after an action, always or under a condition; or none any more."""
+
+    flow: int
+    action: int
+    is_set: bool = True
+    condition: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Recover:
+    """The user: clear the tasks in error and repeat the step."""
+
+    flow: int
+
+
+@dataclass(frozen=True, slots=True)
 class Settled:
     """What had to be read after the last finish has been read; the tasks may go."""
 
@@ -98,4 +170,6 @@ class Abort:
     cause: str
 
 
-News = Run | Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Asked | Illegal | Killed | Settled | Abort
+TaskNews = Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Cleared | Asked | Illegal | Killed
+Steering = Pause | Resume | Step | Skip | Pass | Leave | Mark | Recover
+News = Run | TaskNews | Steering | Settled | Abort

@@ -24,13 +24,25 @@ class Start:
 class Switch:
     """One reconfiguration: `off` goes off, `on` comes on in this order, at one instant; what stays is not touched.
 
-    `kept_rates` are tasks that stay ON and change their frequency at this switch (decision 13).
+    `kept_rates` are tasks that stay ON and change their frequency at this switch (decision 13). `number` is that of the
+    prepared case with which it was carried out already; 0: it is to be carried out.
     """
 
     flow: int
     off: tuple[str, ...]
     on: tuple[Start, ...]
     kept_rates: tuple[tuple[str, float], ...] = ()
+    number: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """What follows when the trigger ends the current action with this value; none: any. It may be prepared."""
+
+    task: str
+    choice: int | None
+    loop: bool | None
+    switch: Switch
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,4 +126,4 @@ class End:
     cause: str = ""
 
 
-Order = Spawn | Switch | Off | Kill | Began | Done | Note | Settle | End
+Order = Spawn | Switch | Off | Clear | Together | Kill | Began | Done | Moved | Note | Settle | End

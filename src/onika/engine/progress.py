@@ -1,142 +1,164 @@
-"""How far one flow of a running application is: its action, its tasks that live, those that are ON (§5.9.2)."""
+"""How far one flow of a running application is: its state, its place in its program, what its user wants (§5.9.2)."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
+from onika.engine.crew import Crew
 from onika.engine.flow import FlowEvent, FlowState, after
-from onika.engine.orders import Began, Done, Kill, Note, Order, Spawn, Switch
+from onika.engine.foresight import ways
+from onika.engine.orders import Began, Case, Done, Moved, Note, Order
+from onika.engine.program import Program
 from onika.engine.step import Step
-from onika.model.rules.reconfiguration import difference
-from onika.wire.plan import PlannedFlow
+from onika.engine.walk import Value, Way, walk
+from onika.wire.plan import Do, Instruction, PlannedFlow
 
 
 class Progress:
-    """One flow under execution; what it is told it writes down, what it is bidden it answers with orders."""
+    """One flow under execution. `judge` says whether a condition on variables holds now."""
 
-    def __init__(self, flow: int, planned: PlannedFlow, steps: tuple[Step, ...], ranks: Mapping[str, int]) -> None:
+    def __init__(
+        self,
+        flow: int,
+        planned: PlannedFlow,
+        program: Program,
+        steps: tuple[Step, ...],
+        ranks: Mapping[str, int],
+        judge: Callable[[str], bool],
+    ) -> None:
         self.flow = flow
+        self.parent = planned.parent
+        self.program = program
+        self.crew = Crew(flow, planned, ranks)
         self.state = FlowState.READY
+        self.current = -1
+        """The action that runs, or ran last; a no-op too."""
+        self.step: Step | None = None
+        """The same, but never a no-op: what is ON belongs to it."""
+        self.is_pausing = False
+        """Whether it rests after its current action."""
+        self.leaving: frozenset[str] = frozenset()
+        """The loops that are left at their next test."""
+        self.breakpoints = dict(program.breakpoints)
+        self.interrupted = FlowState.RUNNING
+        """What it did when a task failed."""
+        self.revision = 0
+        """Counts whatever may change what comes next."""
+        self._judge = judge
         self._steps = steps
-        self._ranks = ranks
-        self._current = -1
-        self._spawn_order = tuple(task.name for task in planned.tasks)
-        self._rates = {task.name: task.frequency for task in planned.tasks}
-        self._places = {task.name: task.place for task in planned.tasks}
-        self._living: set[str] = set()  # spawned or being spawned
-        self._unborn: set[str] = set()  # being spawned
-        self._broken: set[str] = set()  # left off for the rest of the run
-        self._on: dict[str, bool] = {}  # ordered ON → has said that it is ON since
+        self._pc = 0 if planned.parent is None else program.end
+        self._value: Value | None = None
 
     @property
-    def next_step(self) -> Step | None:
-        """The action after the current one, if there is one."""
-        following = self._current + 1
-        return self._steps[following] if following < len(self._steps) else None
+    def next(self) -> Instruction:
+        """What comes next."""
+        return self.program.instructions[self._pc]
 
     @property
-    def is_spawned(self) -> bool:
-        """Whether no task is still awaited."""
-        return not self._unborn
-
-    def lives(self, task: str) -> bool:
-        """Whether the task has been ordered to life and is not gone."""
-        return task in self._living
-
-    def is_unborn(self, task: str) -> bool:
-        """Whether the task is still being spawned."""
-        return task in self._unborn
+    def place(self) -> int:
+        """The place in the program where it is: that of the action while one runs."""
+        return self._pc - 1 if self.state is FlowState.RUNNING and self._pc else self._pc
 
     def where(self, task: str) -> str:
         """A task and where the run stands, for messages."""
-        place = self._steps[self._current].place if self._current >= 0 else self._places[task]
+        place = self._steps[self.current].place if self.current >= 0 else self.crew.place(task)
         return f"{place}: {task}"
 
-    def spawn(self) -> list[Order]:
-        """Bring all tasks of the flow to life."""
-        self.state = after(self.state, FlowEvent.SPAWN)
-        self._living = set(self._spawn_order)
-        self._unborn = set(self._spawn_order)
-        return [Spawn(self.flow, task) for task in self._spawn_order]
+    def enter(self, event: FlowEvent) -> None:
+        """Into the state that an event leads to."""
+        self.state = after(self.state, event)
+        self.revision += 1
 
-    def begin(self) -> list[Order]:
-        """Switch to the next action.
+    def moved(self, tag: str = "", waits_for: tuple[int, ...] = (), text: str = "") -> Moved:
+        """For the watcher: where the flow is now."""
+        return Moved(self.flow, self.state.value, self.current, tag, waits_for, text)
 
-        Its triggers come on anew even when they are ON still: a new action is a new activation.
-        """
-        step = self._steps[self._current + 1]
-        self.state = after(self.state, FlowEvent.BEGIN)
-        self._current += 1
-        again = tuple(task for task in self._on if task in step.triggers)
-        wanted = [task for task in step.tasks if task not in self._broken]
-        change = difference([task for task in self._on if task not in again], wanted)
-        rates = ((task, step.rates[task]) for task in change.keep)
-        kept_rates = tuple((task, rate) for task, rate in rates if rate is not None and rate != self._rates[task])
-        self._on = {task: self._on[task] if task in change.keep else False for task in wanted}
-        self._rates.update(step.rates)
-        starts = tuple(step.start(task) for task in change.on)
-        orders: list[Order] = [
-            Switch(self.flow, again + change.off, starts, kept_rates),
-            Began(self.flow, self._current),
-        ]
+    # On its way
+
+    def advance(self) -> None:
+        """The next instruction is done with."""
+        self._pc += 1
+
+    def go(self, action: int | None) -> None:
+        """To another action, or on from here, without any value of an action before (decisions 21 and 22)."""
+        self.go_to(self._pc if action is None else self.program.entries[action])
+
+    def go_to(self, place: int) -> None:
+        """To another place of the program."""
+        self._pc = place
+        self._value = None
+        around = {loop.name for loop in self.program.loops_at(place)}
+        self.leaving &= around
+
+    def ends_with(self, value: Value) -> Done:
+        """The current action has ended, and with what."""
+        self._value = value
+        self.revision += 1
+        return Done(self.flow, self.current)
+
+    def walk(self) -> tuple[Way, list[Order]]:
+        """To the next instruction that takes time or needs others; what is to be told of the way."""
+        way = walk(self.program, self._pc, self._value, self.leaving, self._judge, self.rests_after)
+        self._pc, self._value, self.leaving = way.pc, way.value, way.left
+        told: list[Order] = [Note(self.flow, note) for note in way.notes]
+        for action in way.passed:
+            self.current = action
+            told += [Began(self.flow, action), Done(self.flow, action)]
+        return way, told
+
+    def rests_after(self, action: int) -> bool:
+        """Whether the flow pauses after this action: the user wants it, or there is a breakpoint."""
+        if self.is_pausing:
+            return True
+        condition = self.breakpoints.get(action)
+        return condition is not None and (not condition or self._judge(condition))
+
+    def begin(self, number: int = 0) -> list[Order]:
+        """The next instruction is a Do: switch to its action. `number` is that of the case that did so already."""
+        one = self.next
+        if not isinstance(one, Do):
+            raise ValueError(f"expected a Do to begin, found {one}")
+        self.current = one.action
+        self._pc += 1
+        return self.repeat(number)
+
+    def repeat(self, number: int = 0) -> list[Order]:
+        """Switch to the current action."""
+        was = self.state
+        step = self.step = self._steps[self.current]
+        self.enter(FlowEvent.BEGIN)
+        switch = self.crew.change(step, number)
+        self.crew.carry_out(step, switch)
+        self.crew.failed.clear()
+        orders: list[Order] = [switch, Began(self.flow, self.current)]
+        if was not in (FlowState.RUNNING, FlowState.SPAWNING):
+            orders.append(self.moved())
         if not step.triggers:
-            orders.append(Note(self.flow, f"{step.place}: {step.name} has no trigger: it goes on until it is aborted"))
+            orders.append(Note(self.flow, f"{step.place}: {step.name} has no trigger: it goes on until you skip it"))
         return orders
 
-    def hold(self) -> None:
-        """Wait at the synchronisation tag of the next action; what is ON stays ON and holds (law 6)."""
-        self.state = after(self.state, FlowEvent.HOLD)
-
-    def complete(self) -> None:
-        """All actions are done; what is ON stays ON."""
-        self.state = after(self.state, FlowEvent.COMPLETE)
-
-    def kill(self) -> list[Order]:
-        """End all tasks, hardware first: its drive goes to hold before the task that commands it vanishes."""
-        self.state = after(self.state, FlowEvent.KILL)
-        orders: list[Order] = [Kill(self.flow, task) for task in sorted(self._living, key=self._ranks.__getitem__)]
-        self._end_if_empty()
-        return orders
-
-    def spawned(self, task: str) -> None:
-        """The task is initialised."""
-        self._unborn.discard(task)
-
-    def turned_on(self, task: str) -> None:
-        """The task is ON; late news of a task that is to be off by now says nothing."""
-        if task in self._on:
-            self._on[task] = True
-
-    def switched_off(self, task: str) -> bool:
-        """The task went off by itself; False if that was before it was last turned ON."""
-        if not self._on.get(task, False):
-            return False
-        del self._on[task]
-        return True
-
-    def finished(self, task: str) -> list[Order] | None:
-        """A task ended its job; none if that does not end the action.
+    def finished(self, task: str) -> bool:
+        """A task ended its job; False if that does not end the action.
 
         It must be a trigger of the action and have been ON in it: the second word of a trigger that has
         finished, or one that was long under way, would else end the next action as well.
         """
-        was_on = self.switched_off(task)
-        if not was_on or self.state is not FlowState.RUNNING or task not in self._steps[self._current].triggers:
-            return None
-        return [Done(self.flow, self._current)]
+        was_on = self.crew.switched_off(task)
+        step = self.step
+        return was_on and self.state is FlowState.RUNNING and step is not None and task in step.triggers
 
-    def failed(self, task: str) -> None:
-        """The task is in ERROR or will not come on: it is left off for the rest of the run."""
-        self._unborn.discard(task)
-        self._on.pop(task, None)
-        self._broken.add(task)
+    # What may come
 
-    def gone(self, task: str) -> None:
-        """The task lives no more, or never came to life."""
-        self._living.discard(task)
-        self._unborn.discard(task)
-        self._on.pop(task, None)
-        if self.state is FlowState.KILLING:
-            self._end_if_empty()
-
-    def _end_if_empty(self) -> None:
-        if not self._living:
-            self.state = after(self.state, FlowEvent.GONE)
+    def cases(self) -> list[Case]:
+        """The switch for each way the current action may end; none where it is not known yet what follows it."""
+        step = self.step
+        if step is None or self.state is not FlowState.RUNNING or len(step.triggers) != 1:
+            return []
+        if self.is_pausing or self.current in self.breakpoints or not self.crew.is_settled:
+            return []
+        found = []
+        for choice, loop, way in ways(self.program, self._pc, self.leaving):
+            one = self.program.instructions[way.pc]
+            rests = any(action in self.breakpoints for action in way.passed)
+            if isinstance(one, Do) and not rests:
+                switch = self.crew.change(self._steps[one.action], finished=step.triggers[0])
+                found.append(Case(step.triggers[0], choice, loop, switch))
+        return found

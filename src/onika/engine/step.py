@@ -21,7 +21,6 @@ class Step:
     triggers: tuple[str, ...]
     """Whoever finishes first ends the action (decision 16); the first one takes the argument line."""
     arguments: str
-    synch_tag: str | None
 
     def start(self, task: str) -> Start:
         """The order to turn one of its tasks ON."""
@@ -59,5 +58,4 @@ def _step(
         rates={task: usual[task] for task in action.tasks} | dict(action.rates),
         triggers=() if trigger is None else (trigger, *others),
         arguments=action.arguments,
-        synch_tag=action.synch_tag,
     )

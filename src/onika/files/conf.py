@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import VERSION, Line, Need, Reading, Slot, is_number, row, show_number, split
+from onika.files.line import Line, Need, Reading, Slot, is_number, row, show_number, split
+from onika.files.version import VERSION
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Locus, Placed
 from onika.words.fault import Fault
 from onika.words.name import SVAR_NAME, TASK_NAME

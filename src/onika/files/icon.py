@@ -1,16 +1,20 @@
-"""The lines that describe an onikon in `.onk` and `.appl` alike: ONIKON, DESC, UI, PICT (dissertation §A.3, §A.4)."""
+"""The lines that describe an onikon in `.onk` and `.appl` alike: ONIKON, DESC, UI, PICT (dissertation §A.3, §A.4).
+
+Of version 2.0 are the lines TARGET: the types of the further targets of an action, in their order.
+"""
 
 from collections.abc import Mapping, Sequence
 
 from onika.files.line import Line, Need, Reading, Slot, one_line, row, show
 from onika.files.picture import read_rows
 from onika.model.onikon import Onikon
-from onika.model.syntax import DataItem, IconType, Syntax
+from onika.model.syntax import DataItem, IconType, Syntax, has_word
 from onika.words import argument
 from onika.words.value import Value, ValueType
 
 SLOTS = (
     Slot("ONIKON"),
+    Slot("TARGET", Need.OF_2_0, many=True),
     Slot("DESC", Need.SINCE_1_3),
     Slot("UI", many=True),
     Slot("PICT", many=True),
@@ -34,7 +38,8 @@ def read_icon(name: str, found: Mapping[str, list[Line]], syntax: Syntax, readin
     values = _values(found["UI"], kind, reading)
     is_own = syntax.find(line.text) is not None
     description = found["DESC"][0].text if found["DESC"] else ""
-    return Onikon(name, kind.name if is_own else line.text, description, values, picture)
+    more = tuple(_target(target, kind, is_own, syntax, reading) for target in found["TARGET"])
+    return Onikon(name, kind.name if is_own else line.text, description, values, picture, more)
 
 
 def write_icon(onikon: Onikon) -> str:
@@ -42,6 +47,7 @@ def write_icon(onikon: Onikon) -> str:
     values = [_show_values(values) for values in onikon.values] or ["none"]
     return (
         row("ONIKON", one_line(onikon.type))
+        + "".join(row("TARGET", one_line(kind)) for kind in onikon.more_targets)
         + row("DESC", one_line(onikon.description))
         + "".join(row("UI", text) for text in values)
         + "".join(row("PICT", text) for text in onikon.picture.rows)
@@ -57,6 +63,21 @@ def _kind(line: Line, syntax: Syntax, reading: Reading) -> IconType | None:
         instead = f"it acts as {acting.name}, its data is asked for while it runs"
         reading.note(line.number, "a type of icon that the syntax defines", str(line), instead)
     return acting
+
+
+def _target(line: Line, kind: IconType, is_own: bool, syntax: Syntax, reading: Reading) -> str:
+    """The name of one more target's type, as the syntax writes it; an icon of unknown type keeps it as it is."""
+    target = syntax.find(line.text)
+    if is_own and not kind.needs_target:
+        reading.fault(line.number, f"no line TARGET for {kind.name}", str(line))
+    elif not (target.is_target if target else has_word(line.text, "object") and not is_own):
+        reading.fault(line.number, "a type of target that the syntax defines", str(line))
+    return target.name if target else line.text
+
+
+def needs_extension(onikon: Onikon) -> bool:
+    """Whether its lines are of version 2.0."""
+    return bool(onikon.more_targets)
 
 
 def _values(lines: Sequence[Line], kind: IconType, reading: Reading) -> Values:

@@ -10,17 +10,14 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TypeVar
 
+from onika.files import version
 from onika.words.fault import Fault, Place
-
-VERSION = "1.3"
-"""The version written into files."""
 
 _T = TypeVar("_T")
 _BLANK = re.compile(r"[ \t]+")
 _CONTROL = re.compile(r"[\x00-\x08\x0a-\x1f\x7f-\x9f]")
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
 _WHOLE = re.compile(r"[+-]?[0-9]{1,18}\Z")
-_VERSION = re.compile(r"[0-9]{1,9}(?:\.[0-9]{1,9})*\Z")
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +48,7 @@ class Need(Enum):
     ALWAYS = "always"
     SINCE_1_3 = "older files may lack it"
     OPTIONAL = "never"
+    OF_2_0 = "never, and it may only in a file of version 2.0"
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,7 +64,8 @@ class Reading:
     """One text on its way to a model: its lines up to EOF and the faults found so far.
 
     `broken` tells that nothing may be made of it, `is_over` that there is nothing more to find, as it is empty or of
-    a newer version, `is_old` that lines may be lacking. `end` is the number of the line with EOF, or else the last.
+    a newer version, `is_old` that lines may be lacking, `is_extended` that there may be lines of version 2.0. `end` is
+    the number of the line with EOF, or else the last.
     """
 
     def __init__(self, file: str, instead: str) -> None:
@@ -75,6 +74,7 @@ class Reading:
         self.broken = False
         self.is_over = False
         self.is_old = False
+        self.is_extended = False
         self.end = 0
         self.lines: list[Line] = []
         self._faults: list[Fault] = []
@@ -117,21 +117,25 @@ class Reading:
             self.fault(line.number, "nothing after EOF", str(line))
         self.lines = self.lines[:end]
 
-    def open_versioned(self, text: str) -> None:
-        """As `open`, and look at VERSION: absent or below 1.3, lines may be lacking; above, the text is refused."""
+    def open_versioned(self, text: str, *, extended: bool = False) -> None:
+        """As `open`, and look at VERSION: absent or below 1.3, lines may be lacking; above, the text is refused.
+
+        `extended`: but for 2.0, in which the format has lines of our own.
+        """
         self.open(text)
         line = next((line for line in self.lines if line.keyword == "VERSION"), None)
         self.is_old = line is None
         if line is None:
             return
-        if not _VERSION.match(line.rest):
+        if not version.is_version(line.rest):
             self.fault(line.number, "a version number such as 1.3", str(line))
             return
-        version, current = _parts(line.rest), _parts(VERSION)
-        self.is_old = version < current
-        if version > current:
+        self.is_old = version.is_older(line.rest)
+        self.is_extended = version.is_extended(line.rest)
+        if not version.is_known(line.rest, extended=extended):
             self._faults.clear()
-            self.fault(line.number, f"a file of version {VERSION} or older", f"version {line.rest}, which is newer")
+            expected = f"a file of version {version.VERSION} or older" + f", or {version.EXTENDED}" * extended
+            self.fault(line.number, expected, f"version {line.rest}, which is newer")
             self.is_over = True
 
     def arrange(self, block: Sequence[Line], slots: Sequence[Slot]) -> Mapping[str, list[Line]]:
@@ -149,6 +153,8 @@ class Reading:
             elif found[line.keyword] and not slots[place].many:
                 self.fault(line.number, f"{line.keyword} once", f"{line} again")
             else:
+                if slots[place].need is Need.OF_2_0 and not self.is_extended:
+                    self.fault(line.number, f"VERSION {version.EXTENDED} for a line {line.keyword}", str(line))
                 if place < reached:
                     self.fault(line.number, f"{line.keyword} before {slots[reached].keyword}", f"{line} after it")
                 reached = max(reached, place)
@@ -160,6 +166,8 @@ class Reading:
         """The keywords that may come after slot `reached`, up to the first that must."""
         names = [slots[reached].keyword] if reached >= 0 and slots[reached].many else []
         for slot in slots[reached + 1 :]:
+            if slot.need is Need.OF_2_0 and not self.is_extended:
+                continue
             names.append(slot.keyword)
             if self._needs(slot):
                 break
@@ -273,11 +281,3 @@ def _content(text: str, reading: Reading) -> list[Line]:
             keyword, *rest = _BLANK.split(line, maxsplit=1)
             found.append(Line(number, keyword, rest[0] if rest else ""))
     return found
-
-
-def _parts(version: str) -> tuple[int, ...]:
-    """Its numbers without closing zeros: 1.3.0 is 1.3."""
-    parts = [int(part) for part in version.split(".")]
-    while parts and parts[-1] == 0:
-        parts.pop()
-    return tuple(parts)

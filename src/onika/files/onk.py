@@ -1,8 +1,9 @@
 """The upper-level icon file, `.onk` (dissertation §A.3)."""
 
-from onika.files.icon import SLOTS, read_icon, write_icon
+from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
 from onika.files.layout import carry_comments
-from onika.files.line import VERSION, Need, Reading, Slot, row
+from onika.files.line import Need, Reading, Slot, row
+from onika.files.version import EXTENDED, VERSION
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
@@ -18,7 +19,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
     A job of unknown type is kept and acts as a complete one, with a note (requirement D16).
     """
     reading = Reading(place_file, "the icon is left out")
-    reading.open_versioned(text)
+    reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
     found = reading.arrange(reading.lines, _SLOTS)
@@ -31,4 +32,5 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
 
 def write(onikon: Onikon, former: str = "") -> str:
     """The text of an onikon, with the comments of its former text."""
-    return carry_comments(former, row("VERSION", VERSION) + "\n" + write_icon(onikon) + "\n" + row("EOF"))
+    version = EXTENDED if needs_extension(onikon) else VERSION
+    return carry_comments(former, row("VERSION", version) + "\n" + write_icon(onikon) + "\n" + row("EOF"))

@@ -1,7 +1,8 @@
 """The preference file, `.onika` (dissertation §A.5)."""
 
 from onika.files.layout import carry_comments
-from onika.files.line import VERSION, Line, Need, Reading, Slot, row
+from onika.files.line import Line, Need, Reading, Slot, row
+from onika.files.version import VERSION
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
 from onika.words.fault import Fault
 

@@ -29,9 +29,10 @@ _SLOTS = (
     Slot("PERIOD", Need.OPTIONAL),
     Slot("ONIKA", Need.OPTIONAL),
     Slot("OBJECT", Need.OPTIONAL),
+    Slot("TARGET", Need.OPTIONAL, many=True),
     Slot("LOCAL", Need.OPTIONAL),
 )
-_KEYWORDS = frozenset(slot.keyword for slot in _SLOTS)
+_KEYWORDS = frozenset(slot.keyword for slot in _SLOTS) - {"TARGET"}  # parameters of that name are older than the line
 _PORTS = ("INCONST", "OUTCONST", "INVAR", "OUTVAR")
 _OUTPUTS = ("OUTCONST", "OUTVAR")
 _LOCAL_KEY = re.compile(r"[A-Za-z][A-Za-z0-9_^.-]*\Z")
@@ -72,6 +73,7 @@ def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[
         frequency=_frequency(found, kind, reading),
         gives_period=bool(found["PERIOD"]),
         object_type=_object_type(found, reading),
+        more_targets=_more_targets(found, reading),
         local=_local(reading.lines[head + 1 :], reading),
     )
     return (None if reading.broken else RmodText(task, text)), reading.faults
@@ -97,6 +99,7 @@ def _canonical(task: Task) -> str:
         rows += ["\n", row(*gives)]
     if task.object_type is not None:
         rows += ["\n", row("ONIKA"), row("OBJECT", one_line(task.object_type))]
+        rows += [row("TARGET", one_line(kind)) for kind in task.more_targets]
     if task.local:
         rows += ["\n", row("LOCAL")]
         rows += [row(line.key, *line.words) for line in task.local]
@@ -239,6 +242,15 @@ def _object_type(found: Mapping[str, list[Line]], reading: Reading) -> str | Non
     if line and not (has_word(line.text, "job") and len(line.words) > 1):
         reading.fault(line.number, "a type of job such as Joint job after OBJECT", str(line))
     return line.text if line else None
+
+
+def _more_targets(found: Mapping[str, list[Line]], reading: Reading) -> tuple[str, ...]:
+    for line in found["TARGET"]:
+        if not found["OBJECT"]:
+            reading.fault(line.number, "OBJECT before TARGET", str(line))
+        if not (has_word(line.text, "object") and len(line.words) > 1):
+            reading.fault(line.number, "a type of target such as Joint object after TARGET", str(line))
+    return tuple(line.text for line in found["TARGET"])
 
 
 def _local(lines: Sequence[Line], reading: Reading) -> tuple[LocalLine, ...]:

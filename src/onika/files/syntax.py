@@ -3,7 +3,8 @@
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import VERSION, Line, Need, Reading, Slot, one_line, row, show, split
+from onika.files.line import Line, Need, Reading, Slot, one_line, row, show, split
+from onika.files.version import VERSION
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.words.fault import Fault
 from onika.words.value import ValueType

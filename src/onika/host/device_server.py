@@ -62,6 +62,14 @@ class GoOn(Struct, frozen=True, tag=True):
     """After a stop: commands are heard again; nothing moves by itself."""
 
 
+class Touch(Struct, frozen=True, tag=True):
+    """A hand touches a part of a world."""
+
+    world: str
+    part: str
+    value: float
+
+
 class Draw(Struct, frozen=True, tag=True):
     """Ask for the worlds as they stand."""
 
@@ -85,7 +93,7 @@ class Granted(Struct, frozen=True, tag=True):
 
 
 class Denied(Struct, frozen=True, tag=True):
-    """The answer to an Open or a Claim that cannot be."""
+    """The answer to an Open, a Claim or a Touch that cannot be."""
 
     reason: str
 
@@ -94,6 +102,10 @@ class Opened(Struct, frozen=True, tag=True):
     """The world is there and steps."""
 
     world: str
+
+
+class Touched(Struct, frozen=True, tag=True):
+    """The answer to a Touch."""
 
 
 class Driven(Struct, frozen=True, tag=True):
@@ -134,8 +146,8 @@ class Up(Struct, frozen=True, tag=True):
     granted: dict[str, bool]
 
 
-Order = Open | Claim | Release | Fence | StopAll | GoOn | Draw | Show | Pose
-Word = Granted | Denied | Opened | Driven | Drawn | Shown | Posed | Up
+Order = Open | Claim | Release | Fence | StopAll | GoOn | Touch | Draw | Show | Pose
+Word = Granted | Denied | Opened | Touched | Driven | Drawn | Shown | Posed | Up
 
 encode = msgpack.Encoder().encode
 decode_order = msgpack.Decoder(Order).decode
@@ -214,6 +226,12 @@ class DeviceServer:
                 self._buses[world].release(device, order.epoch)
             case Fence() | StopAll() | GoOn():
                 self._tell_all(order)
+            case Touch():
+                try:
+                    self._buses[order.world].touch(order.part, order.value)
+                except ValueError as wrong:
+                    return Denied(str(wrong))
+                return Touched()
             case Show():
                 return Shown(self._buses[order.world].scene()) if order.world in self._buses else Denied("not open")
             case Pose():

@@ -3,8 +3,9 @@
 from collections.abc import Iterable
 
 from onika.host import edit
+from onika.host.helm import Helm
 from onika.host.stage import Stage, Tell
-from onika.wire import event, live, request
+from onika.wire import event, live, request, steer
 
 _HOLDER_ONLY = (
     live.Change,
@@ -22,14 +23,17 @@ _HOLDER_ONLY = (
 class Holders:
     """Judges requests by who holds what; a session that is lost holds nothing any more."""
 
-    def __init__(self, stage: Stage, tell: Tell) -> None:
+    def __init__(self, stage: Stage, tell: Tell, helm: Helm) -> None:
         self._stage = stage
         self._tell = tell
+        self._helm = helm
 
     def refusal(self, session: str, asked: request.Request, is_stopped: bool) -> str:
         """Why this session may not ask this now; empty: it may."""
         if isinstance(asked, live.Reset):
             return self._foreign(session)
+        if isinstance(asked, steer.Steering):
+            return self._helm.refusal(session, asked)
         if not isinstance(asked, _HOLDER_ONLY):
             return ""
         if is_stopped and isinstance(asked, live.Change) and (asked.on or asked.spawn):
@@ -81,8 +85,7 @@ class Holders:
         for performance in self._stage.performances:
             if performance.session == session:
                 performance.session = ""
-                if performance.on_loss == "stop":
-                    performance.runner.abort(cause, now)
+                performance.abandon(cause, now)
         for name, subsystem in list(self._stage.live.items()):
             if subsystem.holder == session:
                 subsystem.begin(0, edit.rest(subsystem))

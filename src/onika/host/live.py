@@ -233,7 +233,7 @@ class LiveSubsystem:
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Take in one piece of news of a task."""
         del rtpu
-        if isinstance(heard, news.Statuses | news.Loads) or heard.task not in self.members:
+        if isinstance(heard, news.Statuses | news.Loads | news.Unprepared) or heard.task not in self.members:
             return
         if self.members[heard.task].rtpu in self._lost:
             return  # the last words of a unit that is gone: its tasks are dead already

@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from time import monotonic_ns
 
+from onika.engine.news import Pause
 from onika.host.preparation import Preparation
 from onika.host.runner import Runner
 from onika.host.units import Units
@@ -45,6 +46,14 @@ class Performance:
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Take in one piece of news of its tasks."""
         self.runner.hear(rtpu, heard, now)
+
+    def abandon(self, cause: str, now: int) -> None:
+        """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
+        if self.on_loss == "stop":
+            self.runner.abort(cause, now)
+        elif self.on_loss == "finish":
+            for flow in range(len(self.names)):
+                self.runner.steer(Pause(flow), now, lambda _refusal: None)
 
     def is_through(self, is_at_rest: Callable[[], bool]) -> bool:
         """Whether it is over, and every drive holds or had the time to."""

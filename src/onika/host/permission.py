@@ -1,7 +1,7 @@
 """What a caller may ask of a runtime, by his role and by where he calls from (law 23, law 27)."""
 
 from onika.link.caller import Caller, Role
-from onika.wire import live, request
+from onika.wire import live, request, steer
 
 _LOOKING = (
     request.Stop,
@@ -12,6 +12,7 @@ _LOOKING = (
     live.Check,
     live.Attend,
     live.Scene,
+    steer.Who,
 )
 """What everybody may: to look, and to stop."""
 

@@ -7,6 +7,7 @@ from typing import Protocol
 from onika.host.asking import Loading
 from onika.host.editor import Editor, refused
 from onika.host.gate import Call, Gate
+from onika.host.helm import Helm
 from onika.host.holders import Holders
 from onika.host.inquiry import Inquiry, NotYet
 from onika.host.listener import Listener
@@ -14,11 +15,11 @@ from onika.host.look import Look, Seen
 from onika.host.performance import Performance
 from onika.host.post import Post
 from onika.host.preparation import Preparation, inspect, prepare
-from onika.host.stage import Stage, Tables
+from onika.host.stage import Stage, Tables, Tell
 from onika.runtime.subsystem import Subsystem
-from onika.wire import event, live, request
+from onika.wire import event, live, request, steer
 
-_AT_ONCE = (request.Stop, request.Abort, request.Quit, live.Survey, live.Read, live.Attend)
+_AT_ONCE = (request.Stop, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch)
 """What never waits behind another request."""
 
 Answer = Callable[[request.Response], None]
@@ -52,6 +53,10 @@ class Driver(Tables, Seen, Protocol):
         """Motion is allowed again; nothing moves by itself."""
         ...
 
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of a world; raises ValueError with the reason why not."""
+        ...
+
     def is_at_rest(self) -> bool:
         """Whether every drive holds."""
         ...
@@ -73,7 +78,8 @@ class Program:
         self.stage = Stage(driver, gate.tell, rtpus)
         driver.listen(self.stage)
         self._editor = Editor(self.stage, loading)
-        self._holders = Holders(self.stage, gate.tell)
+        self._helm = Helm(self.stage)
+        self._holders = Holders(self.stage, gate.tell, self._helm)
         self._look = Look(self.stage, driver, gate, rtpus)
         self.is_stopped = False
         self.is_over = False
@@ -99,15 +105,18 @@ class Program:
             self._serve(call)
         for session in self._gate.lost():
             self._prepared.pop(session, None)
+            self.stage.hold.release(session)
             self._look.forget(session)
             self._holders.lost(session, self._driver.now)
 
     def advance(self, wall_ns: int) -> bool:
         """Let everything go on for about so long; tell what is over. False: nothing happens by itself."""
         goes_on = self._driver.advance(wall_ns)
+        self.stage.hold.say(self._driver.now)
         for performance in list(self.stage.performances):
             if performance.is_through(self._driver.is_at_rest):
                 self.stage.performances.remove(performance)
+                self.stage.hold.release(performance.session)
                 performance.end(self._driver.digest)
         self._look.show(monotonic_ns())
         return goes_on
@@ -137,7 +146,11 @@ class Program:
             subsystems[number] = Subsystem(flow.subsystem, table, prepared.flows[number], rtpus, known)
         if not self.stage.performances:
             self._driver.begin()
-        self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, self._gate.tell))
+        tell: Tell
+        tell, name = self._gate.tell, prepared.plan.flows[0].subsystem
+        if asked.is_held and self._driver.is_virtual:
+            tell = self.stage.hold.begin(session, name, self._driver.now)
+        self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, tell))
         return request.Done()
 
     def _serve(self, call: Call) -> None:
@@ -172,6 +185,19 @@ class Program:
                 self._look.status(answer)
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
+            case steer.Who():
+                answer(self._helm.who(call.session))
+            case (
+                steer.Pause()
+                | steer.Resume()
+                | steer.Step()
+                | steer.Skip()
+                | steer.Pass()
+                | steer.Leave()
+                | steer.Mark()
+                | steer.Recover()
+            ):
+                self._helm.carry_out(call.session, call.asked, self._driver.now, answer)
             case _:
                 answer(self._respond(call.session, call.asked))
 
@@ -199,6 +225,10 @@ class Program:
                 return self._abort(session, asked.cause)
             case request.Stop() | live.Reset():
                 return self._stop(session, asked)
+            case live.Touch():
+                return self._touch(asked)
+            case steer.Onward():
+                return self.stage.hold.onward(session, asked)
             case request.Snapshot():
                 return request.Worlds(self._driver.snapshots())
             case request.Quit():
@@ -221,6 +251,13 @@ class Program:
             case live.Take() | live.Release():
                 return self._holders.change(session, asked)
         return self._look.answer(session, asked, self.is_stopped)
+
+    def _touch(self, asked: live.Touch) -> request.Response:
+        try:
+            self._driver.touch(asked.world, asked.part, asked.value)
+        except ValueError as wrong:
+            return request.Refused(str(wrong))
+        return request.Done()
 
     def _answer(self, asked: request.Reply) -> request.Response:
         performance = self.stage.performance_in(asked.subsystem)

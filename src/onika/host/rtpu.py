@@ -27,6 +27,9 @@ PRELOADED = ("numpy", "mujoco", "ruckig")
 
 _LONGEST_SLEEP_S = 0.02
 
+_KEPT_NS = 500_000
+"""So long, at most, may the outcome of a switch wait to be told, while the first cycles after it are due."""
+
 
 class Share(Struct, frozen=True, tag=True):
     """Shared memory by this name comes with this datagram."""
@@ -63,6 +66,8 @@ class Rtpu:
         self._segments: dict[str, Segment] = {}
         self._executive = Executive(name, self._views, heartbeat.watch)
         self._over = False
+        self._untold: list[news.News] = []
+        self._untold_since = 0
 
     def run(self) -> None:
         """Until told to quit, or until the runtime is gone: then devices are put in hold."""
@@ -70,10 +75,11 @@ class Rtpu:
             self._heartbeat.beat()
             heard = self._executive.run_next(self._now())
             if heard is None:
+                self._tell()
                 if not self._rest():
                     continue  # nothing was said meanwhile: to look would only make the next cycle later
             else:
-                self._tell(heard)
+                self._note(heard)
                 self._take_events(0.0)
             self._take_commands()
         self._executive.handle(command.Stop("the runtime ends"), self._now())
@@ -108,9 +114,24 @@ class Rtpu:
                 self._tell(self._executive.event(events[one], self._now()))
         return bool(free) or self._post in ready
 
-    def _tell(self, heard: Sequence[news.News]) -> None:
-        if heard:
-            self._post.send(encode(list(heard)))
+    def _note(self, heard: Sequence[news.News]) -> None:
+        """Tell what a cycle led to; what nobody has to answer only when the cycles that are due now have begun.
+
+        To send it takes about as long as a cycle, and would part a finish from the job that follows, or the first
+        cycles of flows that have met.
+        """
+        if heard and not self._untold:
+            self._untold_since = self._now()
+        self._untold += heard
+        if not all(map(_may_wait, heard)) or (self._untold and self._now() - self._untold_since > _KEPT_NS):
+            self._tell()
+
+    def _tell(self, heard: Sequence[news.News] = ()) -> None:
+        """Tell this, after whatever is still to be told."""
+        self._untold += heard
+        if self._untold:
+            self._post.send(encode(self._untold))
+            self._untold.clear()
 
     def _take_commands(self) -> None:
         if self._post.is_waiting:
@@ -138,6 +159,11 @@ class Rtpu:
         if isinstance(order, Share):
             segment = self._segments[order.name] = Segment.attach(descriptors[0])
             self._views[order.name] = segment.view
+
+
+def _may_wait(one: news.News) -> bool:
+    """Whether it is the outcome of what was wanted, so that nobody waits for it to decide what follows."""
+    return isinstance(one, news.Cycled | news.Changed) or (isinstance(one, news.Finished) and one.switched > 0)
 
 
 def preload() -> None:

@@ -4,21 +4,26 @@ The same in wall and in virtual time: it is told the time, sends commands throug
 function. It waits for nothing.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from onika.engine import news as said
 from onika.engine import orders
 from onika.engine.engine import Engine
+from onika.host.births import Births
+from onika.host.judge import Judge
+from onika.host.outlook import Outlook
 from onika.host.preparation import Preparation
+from onika.host.questions import Questions
 from onika.host.switchboard import Switchboard
 from onika.host.tally import Tally
 from onika.host.units import Units
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.subsystem import Member, Subsystem
+from onika.runtime.subsystem import Subsystem
 from onika.wire import event
 from onika.wire.request import Begin
+from onika.wire.steer import Position
 
 Tell = Callable[[event.Event], None]
 
@@ -40,16 +45,14 @@ class Runner:
         self._flows = {subsystem.name: number for number, subsystem in subsystems.items()}
         self._units = units
         self._tell = tell
-        passive = {
-            (number, wired.name) for number, flow in enumerate(prepared.flows) for wired in flow if wired.sheet.passive
-        }
-        triggers = {(n, wired.name) for n, flow in enumerate(prepared.flows) for wired in flow if wired.sheet.trigger}
-        ranks = {(n, name): rank for n, one in subsystems.items() for name, rank in one.ranks.items()}
-        self._engine = Engine(prepared.plan, prepared.triggers, passive, ranks, triggers)
-        self._waiting_spawns: list[tuple[int, str]] = []
+        self._engine = self._make_engine(Judge(subsystems))
         self._switchboard = Switchboard(subsystems, units)
-        self._claims: list[str] = []
+        self._outlook = Outlook(self._engine, subsystems, self._switchboard)
+        self._births = Births(subsystems, prepared.code, units, begin.seed, self._refused)
+        self._questions = Questions(begin, tell, self.answer, lambda cause: self._feed(said.Abort(cause)))
         self._asking: set[tuple[int, str]] = set()
+        self._together: list[orders.Switch] = []
+        self._left_together = 0
         self._settle_at: int | None = None
         self._reports_open: set[str] = set()
         self._now = 0
@@ -58,12 +61,21 @@ class Runner:
         self.is_over = False
         self._is_aborting = False
 
+    def _make_engine(self, judge: Judge) -> Engine:
+        flows = self._prepared.flows
+        passive = {(number, wired.name) for number, flow in enumerate(flows) for wired in flow if wired.sheet.passive}
+        triggers = {(n, wired.name) for n, flow in enumerate(flows) for wired in flow if wired.sheet.trigger}
+        ranks = {(n, name): rank for n, one in self._subsystems.items() for name, rank in one.ranks.items()}
+        stands_still = self._begin.on_error == "wait"
+        plan = self._prepared.plan
+        return Engine(plan, self._prepared.triggers, passive, ranks, triggers, judge.holds, stands_still)
+
     def start(self, now: int) -> None:
         """Begin the run."""
         self._now = self._began = now
         self.tally.began_at = now
         self._feed(said.Run())
-        self._spawn_ready()
+        self._births.go_on()
 
     def abort(self, cause: str, now: int) -> None:
         """End the run: tasks killed, devices in hold; harmless when it is over."""
@@ -71,6 +83,7 @@ class Runner:
         self._is_aborting = True
         self._settle_at = None
         self._feed(said.Abort(cause))
+        self._outlook.free_all()
 
     def lost(self, rtpu: str, reason: str, now: int) -> None:
         """A process is gone, and so are the tasks of a unit; the run ends where it needs it."""
@@ -88,6 +101,29 @@ class Runner:
             member = self._subsystems[flow].members[name]
             if member.state is not State.KILLED and member.is_sent:
                 self._changed(flow, name, State.KILLED)
+
+    # Steering
+
+    def steer(self, wanted: said.Steering, now: int, answer: Callable[[str], None]) -> None:
+        """What the user wants of a flow; answered, maybe a little later, with why it cannot be done, or nothing."""
+
+        def act() -> None:
+            self._now = max(now, self._now)
+            refusal = "the run is over" if self.is_over else self._engine.refusal(wanted)
+            if not refusal:
+                self._feed(wanted)
+            answer(refusal)
+
+        if wanted.flow in self._subsystems:
+            self._outlook.when_free(wanted.flow, act)
+        else:
+            act()
+
+    def positions(self) -> list[Position]:
+        """Where every flow is, and who waits for whom."""
+        return self._engine.positions()
+
+    # Time
 
     @property
     def is_asking(self) -> bool:
@@ -127,33 +163,42 @@ class Runner:
         if isinstance(heard, news.Loads | news.Got):
             return
         if isinstance(heard, news.Statuses):
-            self.tally.figures(heard, self._flows)
-            was_open = rtpu in self._reports_open
-            self._reports_open.discard(rtpu)
-            if was_open and not self._reports_open and not self._is_aborting:
-                self._feed(said.Settled())
+            self._report(rtpu, heard)
             return
         flow = self._flows.get(heard.subsystem)
-        if flow is None or heard.task not in self._subsystems[flow].members:
+        if flow is None:
+            return
+        if isinstance(heard, news.Unprepared):
+            self._outlook.freed(flow)
+            self._outlook.look()
+            return
+        if heard.task not in self._subsystems[flow].members:
             return
         if self._switchboard.is_late(flow, heard.task, getattr(heard, "activation", 0)):
             return  # it has been told to come on again meanwhile; what follows from that is what counts
         self._hear_task(flow, heard)
+
+    def _report(self, rtpu: str, heard: news.Statuses) -> None:
+        self.tally.figures(heard, self._flows)
+        was_open = rtpu in self._reports_open
+        self._reports_open.discard(rtpu)
+        if was_open and not self._reports_open and not self._is_aborting:
+            self._feed(said.Settled())
 
     def _hear_task(self, flow: int, heard: Any) -> None:
         task, at = heard.task, getattr(heard, "now_ns", self._now)
         match heard:
             case news.Initialised():
                 self._changed(flow, task, State.OFF)
-                self._spawn_ready()
+                self._births.go_on()
             case news.Changed():
                 self._changed(flow, task, State(heard.state), heard.signal)
             case news.Cycled():
-                self.tally.first_cycle(flow, heard.at_ns)
+                self._cycled(flow, heard.at_ns)
             case news.Finished():
                 self.tally.finished(flow, at)
                 self._changed(flow, task, State.OFF, quietly=True)
-                self._feed(said.Finished(flow, task, heard.flow, heard.loop))
+                self._feed(said.Finished(flow, task, heard.flow, heard.loop, heard.switched))
             case news.Failed():
                 self._failed(flow, heard)
             case news.Warned():
@@ -162,9 +207,12 @@ class Runner:
                 self._feed(said.Illegal(flow, task, f"{heard.kind}: {heard.text}"))
             case news.Asked():
                 self._asked(flow, heard)
-            case news.Refused():
+            case news.Refused() if heard.command in ("on", "spawn", "clear"):
                 self._feed(said.Refused(flow, task, f"{heard.command}: {heard.reason}"))
                 self._switchboard.settled(flow, task)
+            case news.Refused():
+                text = f"{heard.command} is refused: {heard.reason}"
+                self._tell(event.Warned(heard.subsystem, task, text, self._seconds(at)))
 
     def _changed(self, flow: int, task: str, state: State, signal: str = "", quietly: bool = False) -> None:
         member = self._subsystems[flow].members[task]
@@ -177,12 +225,20 @@ class Runner:
             self._switchboard.settled(flow, task)
             self._feed(said.TurnedOn(flow, task))
         elif state is State.KILLED:
-            self._release(member)
+            self._births.release(member)
             self._feed(said.Killed(flow, task))
         elif before is State.WAITING:
             self._feed(said.Spawned(flow, task))
+        elif before is State.ERROR:
+            self._feed(said.Cleared(flow, task))
         elif signal == "OFF":
             self._feed(said.SwitchedOff(flow, task))
+
+    def _cycled(self, flow: int, at: int) -> None:
+        met = self.tally.first_cycle(flow, at)
+        if met is not None:
+            names = tuple(self._name(one) for one in met.flows)
+            self._tell(event.Met(met.tag, names, met.skew_us, self._seconds(at)))
 
     def _failed(self, flow: int, heard: news.Failed) -> None:
         at = self._seconds(heard.now_ns)
@@ -197,121 +253,109 @@ class Runner:
         self._switchboard.settled(flow, heard.task)
 
     def _asked(self, flow: int, heard: news.Asked) -> None:
-        """Answer by what the run was given, else by whoever is there, else the run ends (law 25)."""
         self._subsystems[flow].members[heard.task].state = State.ASKING
         self._asking.add((flow, heard.task))
         self._switchboard.settled(flow, heard.task)
-        given = {name: values for task, name, values in self._begin.answers if task == heard.task}
         at = self._seconds(heard.now_ns)
         self._tell(event.TaskState(heard.subsystem, heard.task, State.ASKING.value, at))
-        reason = heard.reason
-        self._feed(said.Asked(flow, heard.task, reason))
-        names = [one.name for one in heard.items]
-        strangers = sorted(given.keys() - set(names))
-        if strangers:
-            what = f"task {heard.task} asks for {', '.join(names)}, and an answer is given for {', '.join(strangers)}"
-            self._feed(said.Abort(what))
-        elif given and set(names) == given.keys() and heard.task not in self.tally.answered:
-            self.tally.answered.add(heard.task)
-            self.answer(heard.subsystem, heard.task, " ".join(given[name] for name in names))
-        elif self._begin.may_ask:
-            items = tuple(event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items)
-            self._tell(event.Asked(heard.subsystem, heard.task, reason, items, at))
-        else:
-            wanted = ", ".join(f"{heard.task}.{one.name}" for one in heard.items)
-            said_wrong = f" ({reason})" if reason else ""
-            self._feed(said.Abort(f"task {heard.task} asks for {wanted}{said_wrong} and nobody is there to answer"))
+        self._feed(said.Asked(flow, heard.task, heard.reason))
+        self._questions.ask(heard, at)
 
     def answer(self, subsystem: str, task: str, line: str) -> None:
         """The user's answer to an asking task."""
         flow = self._flows.get(subsystem)
         if flow is not None and task in self._subsystems[flow].members:
-            member = self._subsystems[flow].members[task]
-            self._units.send(member.rtpu, command.Answer(subsystem, task, line))
+            self._send(flow, task, command.Answer(subsystem, task, line))
+
+    def _refused(self, flow: int, task: str, reason: str) -> None:
+        self._feed(said.Refused(flow, task, reason))
 
     # Orders of the engine
 
     def _feed(self, one: said.News) -> None:
         for order in self._engine.feed(one):
             self._carry_out(order)
+        if not self.is_over:
+            self._outlook.look()
 
     def _carry_out(self, order: orders.Order) -> None:
         match order:
             case orders.Spawn():
-                self._waiting_spawns.append((order.flow, order.task))
+                self._births.expect(order.flow, order.task)
+            case orders.Together():
+                self._left_together = len(order.flows)
+                if order.tag:
+                    self.tally.meets(order.tag, order.flows)
             case orders.Switch():
                 self._switch(order)
             case orders.Off():
                 self._send(order.flow, order.task, command.Switch(self._name(order.flow), (order.task,), (), ()))
+            case orders.Clear():
+                self._send(order.flow, order.task, command.Clear(self._name(order.flow), order.task))
             case orders.Kill():
                 self._kill(order)
-            case orders.Began():
-                flow = self._prepared.plan.flows[order.flow]
-                action = flow.actions[order.index]
-                at = self._seconds(self._now)
-                self._tell(event.Began(order.flow, order.index, len(flow.actions), action.name, at))
-            case orders.Done():
-                self.tally.done += 1
-                self._tell(event.Done(order.flow, order.index, self._seconds(self._now)))
-            case orders.Note():
-                self._tell(event.Warned(self._name(order.flow), "", order.text, self._seconds(self._now)))
             case orders.Settle():
                 self._settle_at = self._now + round(self._begin.settle_s * 1e9)
             case orders.End():
                 self.is_over = True
                 self.tally.end(order.completed, order.cause, self._now)
+            case _:
+                self._tell_order(order)
 
-    def _spawn_ready(self) -> None:
-        """Spawn, in order, every task whose constants are there; the others wait for their suppliers (law 10)."""
-        for flow, task in list(self._waiting_spawns):
-            subsystem = self._subsystems[flow]
-            if (flow, task) in self._waiting_spawns and subsystem.is_ready(task):
-                self._waiting_spawns.remove((flow, task))
-                self._spawn(flow, task)
-
-    def _spawn(self, flow: int, task: str) -> None:
-        subsystem = self._subsystems[flow]
-        member = subsystem.members[task]
-        code = self._prepared.code[member.wired.task.digest]
-        try:
-            device = self._claim(member)
-            order = subsystem.spawn(task, code.source, code.path, self._begin.seed, device)
-            self._units.send(member.rtpu, order)
-        except (KeyError, ValueError) as wrong:
-            self._feed(said.Refused(flow, task, f"spawn: {wrong}"))
-            return
-        member.is_sent = True
-
-    def _claim(self, member: Member) -> command.DeviceGrant | None:
-        device = member.wired.device
-        if device is None:
-            return None
-        grant = self._units.grant(member.rtpu, device)
-        if grant.command_offset is not None:
-            self._claims.append(device)
-        return grant
-
-    def _release(self, member: Member) -> None:
-        device = member.wired.device
-        if device in self._claims:
-            self._claims.remove(device)
-            self._units.release(device)
+    def _tell_order(self, order: orders.Began | orders.Done | orders.Moved | orders.Note) -> None:
+        at, name = self._seconds(self._now), self._name(order.flow)
+        match order:
+            case orders.Began():
+                flow = self._prepared.plan.flows[order.flow]
+                action = flow.actions[order.index]
+                self._tell(event.Began(order.flow, order.index, len(flow.actions), action.name, at))
+            case orders.Done():
+                self.tally.done += 1
+                self._tell(event.Done(order.flow, order.index, at))
+            case orders.Moved():
+                absent = tuple(self._name(one) for one in order.waits_for)
+                self._tell(event.Moved(name, order.state, order.index, at, order.tag, absent, order.text))
+            case orders.Note():
+                self._tell(event.Warned(name, "", order.text, at))
 
     def _switch(self, order: orders.Switch) -> None:
-        """Send a switch out, unless it would give a variable a second writer."""
-        subsystem = self._subsystems[order.flow]
-        for task, reason in subsystem.clashes(order.off, [start.task for start in order.on]):
-            self._feed(said.Refused(order.flow, task, f"on: {reason}"))
-            return
-        forget = subsystem.forgotten(order.off, [start.task for start in order.on])
-        subsystem.forget(forget)
-        self._switchboard.put(order, forget)
+        """Send a switch out, alone or with the others that begin at the same instant."""
+        if order.number:
+            rest = self._outlook.switched(order.flow, order)
+            if rest is None:
+                return
+            order = rest
+        self._together.append(order)
+        self._left_together = max(self._left_together - 1, 0)
+        if not self._left_together:
+            together, self._together = self._together, []
+            self._put(together)
+
+    def _put(self, switches: Sequence[orders.Switch]) -> None:
+        """Unless it would give a variable a second writer."""
+        ready = []
+        for order in switches:
+            subsystem = self._subsystems[order.flow]
+            on = [start.task for start in order.on]
+            self._outlook.finished(order.flow)
+            clashes = subsystem.clashes(order.off, on)
+            if clashes:
+                task, reason = clashes[0]
+                self._feed(said.Refused(order.flow, task, f"on: {reason}"))
+                continue
+            forget = subsystem.forgotten(order.off, on)
+            subsystem.forget(forget)
+            ready.append((order, forget))
+        if len(ready) > 1:
+            self._switchboard.put_together(ready)
+        else:
+            for order, forget in ready:
+                self._switchboard.put(order, forget)
 
     def _kill(self, order: orders.Kill) -> None:
         member = self._subsystems[order.flow].members[order.task]
         self._switchboard.drop(order.flow)
-        if (order.flow, order.task) in self._waiting_spawns:
-            self._waiting_spawns.remove((order.flow, order.task))
+        self._births.forget(order.flow, order.task)
         if member.is_sent and member.state is not State.KILLED:
             self._send(order.flow, order.task, command.Kill(self._name(order.flow), order.task))
         else:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Collection, Mapping
 from typing import Protocol
 
 from onika.host.forecast import Forecast
+from onika.host.hold import Hold
 from onika.host.live import LiveSubsystem
 from onika.host.performance import Performance
 from onika.host.roll import Roll
@@ -52,6 +53,7 @@ class Stage:
         self.lost_units: dict[str, str] = {}
         self.roll = Roll(units, self._alive)
         self.forecast = Forecast()
+        self.hold = Hold(tell)
         self._asked_loads_at = 0
         self.until = 0
         """Up to when the clock goes on in virtual time though no application runs."""
@@ -125,6 +127,8 @@ class Stage:
     @property
     def is_moving(self) -> bool:
         """Whether the virtual clock goes on: not while a task of an application asks, or nothing wants it to."""
+        if self.hold.stands(self._units.now):
+            return False
         is_running = False
         for one in self.performances:  # asked at every instant of virtual time
             if not one.runner.is_over:
@@ -142,7 +146,9 @@ class Stage:
     def is_still(self) -> bool:
         """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
         lives = any(live.members for live in self.live.values()) or self._units.now < self.until
-        return self.is_asking or not (lives or any(not one.runner.is_over for one in self.performances))
+        if self.is_asking or self.hold.stands(self._units.now):
+            return True
+        return not (lives or any(not one.runner.is_over for one in self.performances))
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Tell whose task it is."""
@@ -176,7 +182,7 @@ class Stage:
 
     def wake_at(self) -> int | None:
         """The next time somebody has something to do."""
-        earliest = None
+        earliest = self.hold.wake_at()
         for one in self.performances:
             wake = one.runner.wake_at()
             if wake is not None and (earliest is None or wake < earliest):

@@ -1,7 +1,7 @@
 """The switchboard: splits a switch by RTPU and keeps its order across them (laws 3 and 6)."""
 
 from collections import deque
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from onika.engine import orders
 from onika.host.units import Units
@@ -27,6 +27,47 @@ class Switchboard:
         if not self._awaited.get(order.flow):
             self._next(order.flow)
 
+    def put_together(self, switches: Sequence[tuple[orders.Switch, tuple[str, ...]]]) -> None:
+        """Switches of several flows that begin at the same instant, as far as each is on one unit and can begin now."""
+        whole: dict[str, list[command.Switch]] = {}
+        for order, forget in switches:
+            groups = list(self._groups(order, forget))
+            if len(groups) != 1 or self._awaited.get(order.flow) or self._waiting.get(order.flow):
+                self.put(order, forget)
+                continue
+            rtpu, switch = groups[0]
+            self._launch(order.flow, switch)
+            whole.setdefault(rtpu, []).append(switch)
+        for rtpu, several in whole.items():
+            self._units.send(rtpu, command.Together(tuple(several)))
+
+    def prepare(
+        self, flow: int, task: str, cases: Sequence[tuple[orders.Case, tuple[str, ...]]]
+    ) -> Mapping[int, command.Switch]:
+        """Have the switches ready for the finish of a task, each by its number; none where they are not on one unit."""
+        subsystem = self._subsystems[flow]
+        if len({member.rtpu for member in subsystem.members.values()}) != 1:
+            return {}
+        ready: list[command.Case] = []
+        for case, forget in cases:
+            groups = list(self._groups(case.switch, forget))
+            nothing = command.Switch(subsystem.name, (), forget, ())
+            ready.append(command.Case(case.choice, case.loop, len(ready) + 1, groups[0][1] if groups else nothing))
+        rtpu = subsystem.members[task].rtpu
+        activation = self._activations.get((flow, task), 0)
+        self._units.send(rtpu, command.Prepared(subsystem.name, task, activation, tuple(ready)))
+        return {one.number: one.switch for one in ready}
+
+    def unprepare(self, flow: int, task: str) -> None:
+        """Nothing is to follow by itself any more; the unit says when that is so."""
+        subsystem = self._subsystems[flow]
+        self._units.send(subsystem.members[task].rtpu, command.Prepared(subsystem.name, task, 0, ()))
+
+    def adopt(self, flow: int, switch: command.Switch) -> None:
+        """A prepared switch was carried out by its unit."""
+        for launch in switch.on:
+            self._activations[flow, launch.task] = launch.activation
+
     def settled(self, flow: int, task: str) -> None:
         """A task that was to come on is ON, asks, has failed or was refused."""
         awaited = self._awaited.get(flow)
@@ -48,13 +89,15 @@ class Switchboard:
         groups = self._waiting.get(flow)
         while groups:
             rtpu, switch = groups.popleft()
-            members = self._subsystems[flow].members
-            self._awaited[flow] = {one.task for one in switch.on if members[one.task].state is not State.KILLED}
-            for launch in switch.on:
-                self._activations[flow, launch.task] = launch.activation
+            self._launch(flow, switch)
             self._units.send(rtpu, switch)
             if self._awaited.get(flow):
                 return
+
+    def _launch(self, flow: int, switch: command.Switch) -> None:
+        members = self._subsystems[flow].members
+        self._awaited[flow] = {one.task for one in switch.on if members[one.task].state is not State.KILLED}
+        self.adopt(flow, switch)
 
     def _groups(self, order: orders.Switch, forget: tuple[str, ...]) -> Iterable[tuple[str, command.Switch]]:
         subsystem = self._subsystems[order.flow]

@@ -1,6 +1,7 @@
 """The tally of a run: what is counted and read for its result."""
 
 from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,15 @@ from onika.runtime.table import Table
 from onika.wire import event
 
 
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """Flows that began together, and what lay between the first cycles of the first and the last of them."""
+
+    tag: str
+    flows: tuple[int, ...]
+    skew_us: float
+
+
 class Tally:
     """Filled by the runner, told at the end."""
 
@@ -19,7 +29,8 @@ class Tally:
         self._finished_at: dict[int, int] = {}
         self._figures: dict[tuple[str, str], event.TaskFigures] = {}
         self._switches: list[float] = []
-        self.answered: set[str] = set()
+        self._skews: list[float] = []
+        self._meetings: dict[int, tuple[str, tuple[int, ...], dict[int, int]]] = {}
         self.values: dict[str, Any] = {}
         self.done = 0
         self.completed = False
@@ -31,11 +42,30 @@ class Tally:
         """A trigger has finished."""
         self._finished_at[flow] = now
 
-    def first_cycle(self, flow: int, at: int) -> None:
-        """A task had its first cycle after coming on; the first one after a finish ends the switch."""
+    def meets(self, tag: str, flows: tuple[int, ...]) -> None:
+        """Flows begin together."""
+        first_cycles: dict[int, int] = {}
+        for flow in flows:
+            self._finished_at.pop(flow, None)  # it has waited: that is no switch
+            self._meetings[flow] = (tag, flows, first_cycles)
+
+    def first_cycle(self, flow: int, at: int) -> Meeting | None:
+        """A task had its first cycle after coming on; the first one after a finish ends the switch.
+
+        The meeting, if that of this flow was the last one missing in it.
+        """
         finished = self._finished_at.pop(flow, None)
         if finished is not None:
             self._switches.append((at - finished) / 1e3)
+        if flow not in self._meetings:
+            return None
+        tag, flows, first_cycles = self._meetings.pop(flow)
+        first_cycles[flow] = at
+        if len(first_cycles) < len(flows):
+            return None
+        skew = (max(first_cycles.values()) - min(first_cycles.values())) / 1e3
+        self._skews.append(skew)
+        return Meeting(tag, flows, skew)
 
     def figures(self, statuses: Statuses, subsystems: Collection[str]) -> None:
         """The statuses of one RTPU; whoever asked for them, they add up to the figures of the run."""
@@ -71,6 +101,7 @@ class Tally:
             tasks=tuple(self._figures[address] for address in sorted(self._figures)),
             hash=digest,
             switches_us=tuple(self._switches),
+            skews_us=tuple(self._skews),
         )
 
 

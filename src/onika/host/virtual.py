@@ -10,7 +10,7 @@ from msgspec import structs
 
 from onika.host.listener import Listener
 from onika.host.pace import Pace
-from onika.host.worlds import open_world, split
+from onika.host.worlds import open_world, refuse_unknown, split
 from onika.ring.device import Drive, DriveEvent
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -104,6 +104,12 @@ class VirtualDriver:
     def poses(self, world: str) -> tuple[int, bytes] | None:
         """Where the bodies of an open world are."""
         return self._buses[world].poses() if world in self._buses else None
+
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of an open world; raises ValueError with the reason why not."""
+        refuse_unknown(world, self.worlds)
+        self._buses[world].touch(part, value)
+        self._tell_drives(world, self._buses[world].world.take_events())
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
@@ -259,7 +265,7 @@ class VirtualDriver:
             if isinstance(one, news.Statuses | news.Loads):  # its times are of the wall
                 rtpu = one.rtpu
             else:
-                rtpu = self._homes.get((one.subsystem, one.task), "")
+                rtpu = self._homes.get((one.subsystem, getattr(one, "task", "")), "")
                 self._hash.update(news.encode(one))
             if self._listener is not None:
                 self._listener.hear(rtpu, one, self._now)

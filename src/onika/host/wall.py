@@ -8,7 +8,7 @@ from time import monotonic_ns
 from onika.host import device_server, rtpu
 from onika.host.listener import Listener
 from onika.host.supervisor import Supervised, Supervisor
-from onika.host.worlds import split
+from onika.host.worlds import refuse_unknown, split
 from onika.ring.device import Drive
 from onika.ring.segment import Segment
 from onika.runtime import command, news
@@ -107,6 +107,13 @@ class WallDriver:
             self._shown.add(world)
             self._devices.post.send(device_server.encode(device_server.Pose(world)))
         return self._poses.get(world)
+
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of an open world; raises ValueError with the reason why not."""
+        refuse_unknown(world, self.worlds)
+        answer = self._ask_devices(device_server.Touch(world, part, value))
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""

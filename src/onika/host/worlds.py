@@ -1,5 +1,6 @@
 """Worlds by name: whatever package offers one under the entry point `onika.worlds`; the house itself knows none."""
 
+from collections.abc import Collection
 from importlib.metadata import entry_points
 from typing import cast
 
@@ -14,6 +15,12 @@ def open_world(name: str) -> World:
     if name not in offered.names:
         raise ValueError(f"expected a world ({', '.join(sorted(offered.names)) or 'none installed'}), found {name!r}")
     return cast(World, offered[name].load()())
+
+
+def refuse_unknown(world: str, opened: Collection[str]) -> None:
+    """Raises ValueError where this world is not open."""
+    if world not in opened:
+        raise ValueError(f"expected an open world ({', '.join(sorted(opened)) or 'none is open'}), found {world!r}")
 
 
 def split(device: str) -> tuple[str, str]:

@@ -1,9 +1,12 @@
 """An application: one or more flows of icons and holes (dissertation §5.5, §A.4)."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import NamedTuple
 
 from onika.model.onikon import Onikon
-from onika.model.syntax import Syntax
+from onika.model.syntax import Syntax, object_name, same_type
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,27 +71,92 @@ class Application:
 
     @property
     def has_hole(self) -> bool:
-        """Whether it is incomplete."""
-        return any(isinstance(step, Hole) for flow in self.flows for step in flow.steps)
+        """Whether it is incomplete, in a branch too."""
+        return any(isinstance(step, Hole) for _, flow in every_flow(self) for step in flow.steps)
 
 
-def actions(flow: AppFlow, syntax: Syntax) -> tuple[tuple[int, Icon, Icon | None], ...]:
-    """The actions of a flow: position of the job or application among the steps, its icon, its target's icon.
+class Action(NamedTuple):
+    """A job or application in a flow: its position among the steps, its icon and its targets.
 
-    The target is None where the action takes none or none follows it. Holes and stray targets are no actions.
+    `targets` stand in the order of `wanted_targets`, as many as are there; where one is open stands its hole, and a
+    hole in which several are open stands for each of them.
     """
+
+    position: int
+    icon: Icon
+    targets: tuple[Icon | Hole, ...] = ()
+
+    @property
+    def end(self) -> int:
+        """The position behind its last step."""
+        again = sum(isinstance(one, Hole) and one is other for one, other in pairwise(self.targets))
+        return self.position + 1 + len(self.targets) - again
+
+
+def actions(flow: AppFlow, syntax: Syntax) -> tuple[Action, ...]:
+    """The actions of a flow, without those of its branches; other holes and stray targets are no actions."""
     steps = flow.steps
     found = []
     for position, step in enumerate(steps):
-        kind = syntax.acting(step.onikon.type) if isinstance(step, Icon) else None
-        if isinstance(step, Icon) and kind and kind.is_action:
-            after = steps[position + 1] if position + 1 < len(steps) else None
-            takes = kind.needs_target and isinstance(after, Icon) and is_target(after, syntax)
-            found.append((position, step, after if takes and isinstance(after, Icon) else None))
+        if isinstance(step, Icon):
+            kind = syntax.acting(step.onikon.type)
+            if kind and kind.is_action:
+                wanted = wanted_targets(step.onikon, syntax)
+                found.append(Action(position, step, _targets(steps, position + 1, wanted, syntax)))
     return tuple(found)
+
+
+def wanted_targets(onikon: Onikon, syntax: Syntax) -> tuple[str, ...]:
+    """The types of the targets an action takes, in order: by its own type, then its further ones.
+
+    Empty for complete actions, for no-ops and for what is no action of a known type.
+    """
+    kind = syntax.find(onikon.type)
+    return (object_name(kind.name), *onikon.more_targets) if kind and kind.needs_target else ()
 
 
 def is_target(icon: Icon, syntax: Syntax) -> bool:
     """Whether an icon is a target of a known type."""
     kind = syntax.find(icon.onikon.type)
     return kind is not None and kind.is_target
+
+
+def every_flow(application: Application) -> Iterator[tuple[str, AppFlow]]:
+    """All flows, those of branches behind the one they stand in, each with its path: `flow 1, step 3, branch 0`."""
+    for number, flow in enumerate(application.flows):
+        yield from flows_within(flow, f"flow {number}")
+
+
+def flows_within(flow: AppFlow, path: str) -> Iterator[tuple[str, AppFlow]]:
+    """A flow and all flows of its branches, at any depth; `path` is that of the flow itself."""
+    yield path, flow
+    for position, step in enumerate(flow.steps):
+        if isinstance(step, Branch):
+            for number, inner in enumerate(step.flows):
+                yield from flows_within(inner, f"{path}, step {position}, branch {number}")
+
+
+def _targets(steps: tuple[Step, ...], at: int, wanted: tuple[str, ...], syntax: Syntax) -> tuple[Icon | Hole, ...]:
+    """What stands from step `at` on for the targets an action wants."""
+    found: list[Icon | Hole] = []
+    while len(found) < len(wanted) and at < len(steps):
+        step = steps[at]
+        at += 1
+        if isinstance(step, Hole):
+            after = steps[at] if at < len(steps) else None
+            found += [step] * _open(wanted[len(found) :], after, syntax)
+        elif isinstance(step, Icon) and is_target(step, syntax):
+            found.append(step)
+        else:
+            break
+    return tuple(found)
+
+
+def _open(wanted: tuple[str, ...], after: Step | None, syntax: Syntax) -> int:
+    """How many of the `wanted` a hole stands for: all before the one that follows it, else all."""
+    if isinstance(after, Hole):
+        return 1
+    if not (isinstance(after, Icon) and is_target(after, syntax)):
+        return len(wanted)
+    kind = after.onikon.type
+    return next((at for at, one in enumerate(wanted) if at and same_type(one, kind)), 1)

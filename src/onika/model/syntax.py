@@ -1,6 +1,7 @@
 """The syntax of the upper level: the types of onikons, their data items and their edges (dissertation §5.7.1, §A.7)."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import lru_cache
 
 from onika.words.value import ValueType
 
@@ -34,17 +35,17 @@ class IconType:
     @property
     def is_start(self) -> bool:
         """The type of the icon that begins every flow."""
-        return _same(self.name, START)
+        return same_type(self.name, START)
 
     @property
     def is_end(self) -> bool:
         """The type of the icon that ends every flow."""
-        return _same(self.name, END)
+        return same_type(self.name, END)
 
     @property
     def is_noop(self) -> bool:
         """An action that does nothing (requirement D11)."""
-        return _same(self.name, COMPLETE_NOP)
+        return same_type(self.name, COMPLETE_NOP)
 
     @property
     def is_target(self) -> bool:
@@ -92,10 +93,15 @@ class Syntax:
 
     types: tuple[IconType, ...]
     edges: tuple[Edge, ...]
+    _by_words: dict[tuple[str, ...], IconType] = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        """Know the types by their names; of two of one name the first counts."""
+        object.__setattr__(self, "_by_words", {_words(kind.name): kind for kind in reversed(self.types)})
 
     def find(self, name: str) -> IconType | None:
         """The type of this name, compared without case (decision 37)."""
-        return next((kind for kind in self.types if _same(kind.name, name)), None)
+        return self._by_words.get(_words(name))
 
     def acting(self, name: str) -> IconType | None:
         """The type an icon of type `name` acts as: its own, or for unknown jobs and applications the complete one.
@@ -118,8 +124,7 @@ class Syntax:
         kind = self.find(name)
         if kind is None or not kind.needs_target:
             return None
-        words = ["object" if word.lower() in ("job", "application") else word for word in kind.name.split()]
-        target = self.find(" ".join(words))
+        target = self.find(object_name(kind.name))
         return target.name if target else None
 
     def edge(self, number: int) -> Edge | None:
@@ -129,8 +134,19 @@ class Syntax:
 
 def has_word(name: str, word: str) -> bool:
     """Whether a type's name contains a word, without case (requirement D22)."""
-    return word in name.lower().split()
+    return word in _words(name)
 
 
-def _same(one: str, other: str) -> bool:
-    return one.lower().split() == other.lower().split()
+def object_name(name: str) -> str:
+    """The name of the target that goes with an action type by its words, whether or not a syntax has it."""
+    return " ".join("object" if word.lower() in ("job", "application") else word for word in name.split())
+
+
+def same_type(one: str, other: str) -> bool:
+    """Whether two names mean one type: without case (decision 37)."""
+    return _words(one) == _words(other)
+
+
+@lru_cache(maxsize=1024)  # asked for every icon, again and again, and there are few types
+def _words(name: str) -> tuple[str, ...]:
+    return tuple(name.lower().split())

@@ -19,6 +19,8 @@ class Drive(IntEnum):
     DRIVEN = 0
     HELD = 1
     TRIPPED = 2
+    PRESSED = 3
+    """Its panic button is pressed: it holds, and cannot be cleared before the button is let go."""
 
 
 @dataclass(frozen=True, slots=True)

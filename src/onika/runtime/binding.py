@@ -37,6 +37,7 @@ class Binding:
         self.values: list[tuple[str, Shape, NDArray[Any]]] = []
         self._shown: dict[str, NDArray[Any]] = {}
         self.rings: dict[str, Ring] = {}
+        self._counts: list[tuple[str, memoryview]] = []
         self._real_inputs: list[tuple[str, memoryview]] = []
         self._real_outputs: list[tuple[str, memoryview]] = []
         self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
@@ -58,12 +59,14 @@ class Binding:
             shape = Shape.parse(entry.shape)
             ring = Ring(table, entry.offset, shape.size)
             self.rings[entry.svar] = ring
+            self._counts.append((port.name, ring.words))
             self.values.append((port.name, shape, _buffer(shape)))
             self._bind(attribute, entry.svar, declared.kind.value, shape, ring)
         if former is not None:
             self._take_values(former)
         for attribute, shown in self._shown.items():
             setattr(instance, slot(attribute), shown)
+        self.looks_at = tuple(dict.fromkeys([*self._copies["init_in"], *self._copies["in"]]))
 
     def _bind(self, attribute: str, svar: str, kind: str, shape: Shape, ring: Ring) -> None:
         flat = self.values[-1][2]
@@ -151,8 +154,8 @@ class Binding:
         return [svar for svar, values in self._real_outputs if not math.isfinite(sum(values))]
 
     def in_force(self) -> frozenset[str]:
-        """The variables whose present value still steers something (law 3)."""
-        return frozenset(svar for svar, ring in self.rings.items() if ring.count > ring.mark)
+        """The ports whose present value still steers something (law 3)."""
+        return frozenset([port for port, words in self._counts if words[0] > words[1]])
 
 
 def instantiate(cls: type[Module], spawn: Spawn, views: Views) -> Module:

@@ -3,7 +3,7 @@
 The same code runs in the device server's process in wall time and beside the virtual clock.
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from typing import Any, Protocol
 
@@ -57,6 +57,14 @@ class World(Protocol):
 
     def go_on(self) -> None:
         """Leave a stop without moving anything: drives hold until they are commanded."""
+        ...
+
+    def parts(self) -> Mapping[str, str]:
+        """What a hand can touch, such as a button, and in words the values that it takes."""
+        ...
+
+    def touch(self, part: str, value: float) -> None:
+        """A hand touches a part, between two steps; raises ValueError for an unknown part or value."""
         ...
 
     def take_events(self) -> list[DriveEvent]:
@@ -137,9 +145,15 @@ class Bus:
             if commands.words[0] != commands.seen:
                 commands.pump(self.world)
 
+    def touch(self, part: str, value: float) -> None:
+        """Touch a part of the world, and publish what that changes; raises ValueError as the world does."""
+        self.world.touch(part, value)
+        for publish in self._publishers.values():
+            publish()
+
     def scene(self) -> dict[str, Any]:
-        """What there is to draw, as plain values that travel."""
-        return {"shapes": [asdict(shape) for shape in self.world.scene()]}
+        """What there is to draw and to touch, as plain values that travel."""
+        return {"shapes": [asdict(shape) for shape in self.world.scene()], "parts": dict(self.world.parts())}
 
     def poses(self) -> tuple[int, bytes]:
         """The world's time and the poses of its bodies."""

@@ -90,6 +90,7 @@ class Calls:
         if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mended(task, wrong):
             return
         self._unit.leave(task, now)
+        self._unit.prepared.drop(task.address[0])
         task.step(Step.FAIL)
         path, line, trace = where(task.spawn.path, wrong)
         text = told(wrong) + (self._source_of(task, wrong) if isinstance(wrong, LawBroken) else "")

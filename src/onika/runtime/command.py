@@ -67,6 +67,35 @@ class Switch(Struct, frozen=True, tag=True):
     rates: tuple[tuple[str, float], ...] = ()
 
 
+class Together(Struct, frozen=True, tag=True):
+    """Switches of several subsystems as one: everything off, then everything on, first cycles at one instant."""
+
+    switches: tuple[Switch, ...]
+
+
+class Case(Struct, frozen=True):
+    """What follows a finish with such a value, None: with any; `number`, from 1, comes back in the news of it."""
+
+    choice: int | None
+    loop: bool | None
+    number: int
+    switch: Switch
+
+
+class Prepared(Struct, frozen=True, tag=True):
+    """When this task finishes in this activation, carry out the switch of the first case that fits, at once.
+
+    One is held for each subsystem, the last that came; without cases what was prepared is forgotten, and Unprepared
+    says so. It is forgotten too with any Switch of the subsystem, with a Stop, a Quit or a Fail, and when a task of the
+    subsystem is killed, fails or switches itself off: it counts on who is ON.
+    """
+
+    subsystem: str
+    task: str
+    activation: int
+    cases: tuple[Case, ...]
+
+
 class Rank(Struct, frozen=True, tag=True):
     """New places of living tasks in the order of data flow (law 1); no release is lost."""
 
@@ -170,6 +199,8 @@ class Quit(Struct, frozen=True, tag=True):
 Command = (
     Spawn
     | Switch
+    | Together
+    | Prepared
     | Rank
     | Reinit
     | Rebind

@@ -13,7 +13,9 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 _HOLD, _DRIVE = float(Order.HOLD), float(Order.DRIVE)
-_DRIVEN, _TRIPPED = int(Drive.DRIVEN), int(Drive.TRIPPED)  # plain numbers compare quicker than names
+_DRIVEN, _TRIPPED, _PRESSED = (
+    int(one) for one in (Drive.DRIVEN, Drive.TRIPPED, Drive.PRESSED)
+)  # plain numbers compare quicker than names
 _HEADER = 2  # world time and drive state before the values; writer's epoch and order before a command's values
 _HEARD_AFTER = 2  # publications: the first may have been under way when the command was written
 SILENCE_NS = 60_000_000
@@ -64,6 +66,11 @@ class Device:
         Right after a `clear` it is taken for cleared, until the device had the time to say otherwise.
         """
         return bool(self._flat[1] == _TRIPPED) and not self._still_clears()
+
+    @property
+    def is_pressed(self) -> bool:
+        """Whether its panic button was pressed at the last `read`; no `clear` helps before it is let go."""
+        return bool(self._flat[1] == _PRESSED)
 
     def read(self) -> "NDArray[np.float64]":
         """The newest values, in the order of `sheet.state` without time and drive state; the same array each time."""

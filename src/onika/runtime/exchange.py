@@ -50,7 +50,7 @@ class Exchange:
             self._unit.refuse(new.address, _SWAP, reason)
             return
         new.spawn = structs.replace(new.spawn, frequency=old.spawn.frequency)
-        new.period_ns, new.module.dt = old.period_ns, old.module.dt
+        new.period_ns, new.frequency, new.module.dt = old.period_ns, old.frequency, old.module.dt
         new.line, new.activation = old.line, old.activation
         reason = self._calls.trial(new, "init", now, lambda: new.prepare(new.module.init))
         reason = reason or (self._come_on(old, new, now) if old.is_on else "")
@@ -79,7 +79,7 @@ class Exchange:
             except ValueError as wrong:
                 return f"on: it asks for other input: {wrong}"
             reason = self._calls.trial(new, "on", now, lambda: _begin(new, inputs, now))
-        if not reason and new.spawn.task_type == "synchronous":
+        if not reason and new.is_synchronous:
             reason = self._calls.trial(new, "fileno", now, lambda: self._await_event(old, new))
         return reason
 

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 
 from onika.model.signal import Signal
 from onika.runtime import command, news
+from onika.runtime.alterations import Alterations
 from onika.runtime.binding import Views
 from onika.runtime.calls import RAISED, Calls
 from onika.runtime.containment import Strayed
@@ -28,6 +29,7 @@ class Executive:
         self._unit = Unit(rtpu, views)
         self._calls = Calls(self._unit, watch)
         self._life = Life(self._unit, self._calls)
+        self._alterations = Alterations(self._unit, self._calls)
         self._exchange = Exchange(self._unit, self._calls, self._life)
         self._postponed = Postponed(self._unit, self._life, self._exchange)
         self._busy_since_ns = 0
@@ -108,7 +110,7 @@ class Executive:
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
         task = self.tasks.get(address)
-        if task is not None and task.is_on and task.spawn.task_type == "synchronous":
+        if task is not None and task.is_on and task.is_synchronous:
             signal = self._calls.event(task, now)
             self._after_cycle(task, signal, now)
         return self._unit.take_news()
@@ -117,6 +119,10 @@ class Executive:
 
     def _follow(self, order: command.Command, now: int) -> None:
         """Carry out what of a command does not have to wait for something postponed."""
+        if isinstance(order, command.Switch | command.Together):
+            switches = order.switches if isinstance(order, command.Together) else (order,)
+            self._life.switch([self._postponed.sift_switch(one) for one in switches], now)
+            return
         at_once = self._postponed.sift(order, now)
         if at_once is not None:
             self._carry_out(at_once, now)
@@ -125,8 +131,8 @@ class Executive:
         match order:
             case command.Spawn():
                 self._life.spawn(order, now)
-            case command.Switch():
-                self._life.switch(order, now)
+            case command.Prepared():
+                self._life.prepare(order)
             case command.Answer():
                 self._life.answer(order, now)
             case command.Kill():
@@ -148,15 +154,15 @@ class Executive:
         """What is done to one task while it lives."""
         match order:
             case command.Rank():
-                self._life.rank(order)
+                self._alterations.rank(order)
             case command.Reinit():
-                self._life.reinit(order, now)
+                self._alterations.reinit(order, now)
             case command.Rebind():
-                self._life.rebind(order)
+                self._alterations.rebind(order)
             case command.Clear():
-                self._life.clear(order, now)
+                self._alterations.clear(order, now)
             case command.Get() | command.Set():
-                self._life.get_or_set(order, now)
+                self._alterations.get_or_set(order, now)
 
     def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int) -> None:
         """What a cycle led to besides its outputs."""
@@ -166,7 +172,9 @@ class Executive:
                 self._first_cycle(task, now)
         self._calls.warn(task, now)
         if signal is not None and task.is_on:
-            self._life.signalled(task, signal, now)
+            following = self._life.signalled(task, signal, now)
+            if following is not None:
+                self._follow(following, now)
 
     def _first_cycle(self, task: RunningTask, now: int) -> None:
         if not task.goes_on:

@@ -1,8 +1,8 @@
-"""The lives of the tasks on one processing unit: spawned, turned on, asked, changed, turned off, killed (law 11)."""
+"""The lives of the tasks on one processing unit: spawned, turned on, asked, turned off, killed (law 11)."""
 
+from collections.abc import Sequence
+from functools import partial
 from types import CodeType
-
-from msgspec import structs
 
 from onika.model.lifecycle import State, Step, refusal
 from onika.model.signal import Signal, SignalKind
@@ -10,6 +10,7 @@ from onika.runtime import command, news
 from onika.runtime.calls import RAISED, Calls
 from onika.runtime.code import load, told
 from onika.runtime.module import AskAgain, ModuleError
+from onika.runtime.preparations import lines
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Address, Unit
 from onika.words.fault import Fault
@@ -62,6 +63,7 @@ class Life:
 
     def kill(self, address: Address, now: int) -> None:
         """`off` where it is ON, `kill`, gone."""
+        self._unit.prepared.drop(address[0])
         task = self._unit.tasks.get(address)
         if task is None:
             self._unit.tell(news.Changed(*address, State.KILLED.value, now))
@@ -77,6 +79,7 @@ class Life:
     def stop(self, now: int) -> None:
         """Every device in hold, everything off, nothing comes on any more."""
         self._unit.is_stopped = True
+        self._unit.prepared.drop_all()
         for task in self._unit.tasks.values():
             task.hold()  # first every device, then the modules' own words
         for address in list(self._unit.tasks):
@@ -84,21 +87,35 @@ class Life:
 
     def fail_devices(self, cause: str, now: int) -> None:
         """Every task that has a device and is ON goes to ERROR."""
+        self._unit.prepared.drop_all()
         for task in self._unit.tasks.values():
             if task.device is not None and task.is_on:
                 self._calls.fail(task, "device", ModuleError(cause), now)
 
     # On and off
 
-    def switch(self, order: command.Switch, now: int) -> None:
-        """Off, forget, rates, on; no cycle comes in between."""
-        for name in order.off:
-            self._off((order.subsystem, name), now)
-        self._unit.forget(order.subsystem, order.forget)
-        for name, frequency in order.rates:
-            self._rate((order.subsystem, name), frequency, now)
-        for launch in order.on:
-            self._on((order.subsystem, launch.task), launch, now)
+    def switch(self, orders: Sequence[command.Switch], now: int) -> None:
+        """Off, forget, rates of all subsystems, then on; no cycle comes in between."""
+        for order in orders:
+            self._unit.prepared.drop(order.subsystem)
+            for name in order.off:
+                self._off((order.subsystem, name), now)
+            self._unit.forget(order.subsystem, order.forget)
+            for name, frequency in order.rates:
+                self._rate((order.subsystem, name), frequency, now)
+        for order in orders:
+            for launch in order.on:
+                self._on((order.subsystem, launch.task), launch, now)
+
+    def prepare(self, order: command.Prepared) -> None:
+        """Hold switches for a finish; the argument lines of what may come on are read now, as far as they can be."""
+        self._unit.prepared.keep(order)
+        if not order.cases:
+            self._unit.tell(news.Unprepared(order.subsystem))
+        for name, foreseen in lines(order.cases).items():
+            task = self._unit.tasks.get((order.subsystem, name))
+            if task is not None and task.input is not None:
+                task.input.foresee(foreseen)
 
     def answer(self, order: command.Answer, now: int) -> None:
         """The user's answer: on, or ask again."""
@@ -108,103 +125,38 @@ class Life:
             return
         self._begin(task, order.line, now)
 
-    def signalled(self, task: RunningTask, returned: object, now: int) -> None:
-        """What a cycle returned: Table 9, as far as it is the unit's; the 0 of a C function is nothing."""
+    def signalled(self, task: RunningTask, returned: object, now: int) -> command.Switch | None:
+        """What a cycle returned: Table 9, as far as it is the unit's; the 0 of a C function is nothing.
+
+        The switch that was prepared for such a finish is to be carried out next.
+        """
         if type(returned) is int and not returned:
-            return
+            return None
         try:
             signal: Signal = task.sound(returned)
         except TypeError as wrong:
             self._calls.fail(task, "cycle", wrong, now)
-            return
+            return None
         address, run = task.address, task.activation
         if signal.kind is SignalKind.FINISH:
-            if self._leave(task, Step.FINISH, now):
-                self._unit.tell(news.Finished(*address, signal.flow, signal.loop, now, run))
-        elif signal.kind is SignalKind.OFF:
+            return self._finish(task, signal, now)
+        if signal.kind is SignalKind.OFF:
+            self._unit.prepared.drop(address[0])  # it counts on who is ON
             if self._leave(task, Step.OFF, now):
                 self._unit.tell(news.Changed(*address, task.state.value, now, "OFF", run))
         else:
             self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, signal.text, now, run))
-
-    # While it lives
-
-    def clear(self, order: command.Clear, now: int) -> None:
-        """Out of ERROR."""
-        task = self._unit.tasks.get((order.subsystem, order.task))
-        if task is None or task.state is not State.ERROR:
-            self._unit.refuse((order.subsystem, order.task), "clear", "the task is not in ERROR")
-            return
-        was_initialised = task.is_initialised
-        if self._calls.attempt(task, "clear", now, task.clear):
-            task.step(Step.CLEAR)
-            off = news.Changed(*task.address, task.state.value, now, activation=task.activation)
-            self._unit.tell(off if was_initialised else news.Initialised(*task.address))
-
-    def reinit(self, order: command.Reinit, now: int) -> None:
-        """Constants in, `reinit`, constants out."""
-        task = self._living((order.subsystem, order.task), "reinit", Step.REINIT)
-        if task is not None and self._calls.attempt(task, "reinit", now, task.reinit):
-            task.step(Step.REINIT)
-            self._unit.tell(news.Reinitialised(*task.address))
-
-    def rebind(self, order: command.Rebind) -> None:
-        """Ports to other entries, other parameters; no entry point is called."""
-        task = self._living((order.subsystem, order.task), "rebind", Step.REBIND)
-        if task is None:
-            return
-        try:
-            task.rebind(order.ports, order.local)
-        except RAISED as wrong:
-            self._unit.refuse(task.address, "rebind", told(wrong))
-            return
-        task.step(Step.REBIND)
-        self._unit.know_rings(task)
-        self._unit.tell(news.Rebound(*task.address))
-
-    def rank(self, order: command.Rank) -> None:
-        """Other places among tasks with the same deadline."""
-        for name, rank in order.ranks:
-            task = self._unit.tasks.get((order.subsystem, name))
-            if task is None:
-                self._unit.refuse((order.subsystem, name), "rank", "no such task")
-                continue
-            task.spawn = structs.replace(task.spawn, rank=rank)
-            self._unit.agenda.rekey(task.slot, task.key)
-
-    def get_or_set(self, order: command.Get | command.Set, now: int) -> None:
-        """Ask or tell a module something by name; a Set runs an aperiodic task that is ON once more."""
-        address = (order.subsystem, order.task)
-        task = self._unit.tasks.get(address)
-        if task is None:
-            self._unit.refuse(address, "get or set", "no such task")
-            return
-        self._calls.watch(task.slot.key[2])
-        try:
-            if isinstance(order, command.Set):
-                task.module.set(order.name, order.value)
-            value = task.module.get(order.name) if isinstance(order, command.Get) else order.value
-            got = news.Got(*address, order.name, value)
-            news.encode(got)  # a module may hand out what cannot travel
-        except RAISED as wrong:
-            self._unit.refuse(address, "get or set", told(wrong))
-            return
-        finally:
-            self._calls.watch("")
-        self._unit.tell(got)
-        if task.spawn.task_type == "aperiodic" and task.is_on and isinstance(order, command.Set):
-            self._unit.agenda.enter(task.slot, now)
+        return None
 
     # Inner
 
-    def _living(self, address: Address, entry: str, step: Step) -> RunningTask | None:
-        """The task, if it is there and its state allows the step."""
-        task = self._unit.tasks.get(address)
-        reason = "no such task" if task is None else refusal(task.state, step)
-        if reason:
-            self._unit.refuse(address, entry, reason)
+    def _finish(self, task: RunningTask, signal: Signal, now: int) -> command.Switch | None:
+        if not self._leave(task, Step.FINISH, now):
             return None
-        return task
+        case = self._unit.prepared.take(*task.address, task.activation, signal)
+        number = case.number if case else 0
+        self._unit.tell(news.Finished(*task.address, signal.flow, signal.loop, now, task.activation, number))
+        return case.switch if case else None
 
     def _rate(self, address: Address, frequency: float, now: int) -> None:
         task = self._unit.tasks.get(address)
@@ -222,7 +174,7 @@ class Life:
         if task is None or reason:
             self._unit.refuse(address, "on", reason)
             return
-        if launch.frequency is not None:
+        if launch.frequency is not None and launch.frequency != task.frequency:
             self._rate(address, launch.frequency, now)
         task.activation = launch.activation
         self._begin(task, launch.arguments, now)
@@ -232,9 +184,9 @@ class Life:
             return "this unit was stopped"
         if task is None:
             return "no such task"
-        if not task.is_initialised and task.state is State.OFF:
-            return "it was bound anew and waits to be reinitialised"
-        return refusal(task.state, Step.ON)
+        if task.state is not State.OFF:
+            return refusal(task.state, Step.ON)
+        return "" if task.is_initialised else "it was bound anew and waits to be reinitialised"
 
     def _begin(self, task: RunningTask, line: str, now: int) -> None:
         """`on` with an argument line, or ask: what the line lacks, or what the module says of it."""
@@ -244,7 +196,7 @@ class Life:
             self._ask(task, str(wrong) if line else "", now)
             return
         try:
-            began = self._calls.attempt(task, "on", now, lambda: task.on(now, inputs), passing=AskAgain)
+            began = self._calls.attempt(task, "on", now, partial(task.on, now, inputs), passing=AskAgain)
         except AskAgain as again:
             self._ask(task, str(again), now)
             return
@@ -253,8 +205,8 @@ class Life:
         task.line, task.goes_on = line, False
         task.step(Step.ANSWERED if task.state is State.ASKING else Step.ON)
         self._unit.enter(task, now)
-        if task.spawn.task_type == "synchronous":
-            self._calls.attempt(task, "fileno", now, lambda: self._unit.await_event(task))
+        if task.is_synchronous:
+            self._calls.attempt(task, "fileno", now, partial(self._unit.await_event, task))
         self._unit.tell(news.Changed(*task.address, task.state.value, now, activation=task.activation))
 
     def _ask(self, task: RunningTask, reason: str, now: int) -> None:

@@ -117,6 +117,14 @@ class Finished(Struct, frozen=True, tag=True):
     loop: bool
     now_ns: int
     activation: int = 0
+    switched: int = 0
+    """The number of the prepared case whose switch was carried out at once; what that led to follows. 0: none."""
+
+
+class Unprepared(Struct, frozen=True, tag=True):
+    """Nothing is prepared any more for a subsystem; what was carried out before has been told before."""
+
+    subsystem: str
 
 
 class Failed(Struct, frozen=True, tag=True):
@@ -208,6 +216,7 @@ News = (
     | Changed
     | Cycled
     | Finished
+    | Unprepared
     | Failed
     | Warned
     | Signalled

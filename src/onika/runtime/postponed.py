@@ -77,8 +77,6 @@ class Postponed:
                 return self._sift_kill(order, now)
             case command.Stop() | command.Quit():
                 self._drop_all()
-            case command.Switch() if self._pieces:
-                return self._sift_switch(order)
             case command.Rank() if self._pieces:
                 return self._sift_rank(order)
             case (
@@ -89,6 +87,10 @@ class Postponed:
                     piece.behind.append(order)
                     return None
         return order
+
+    def sift_switch(self, order: command.Switch) -> command.Switch:
+        """What concerns tasks that are still to come waits behind them; the rest, above all what goes off, does not."""
+        return self._sift_switch(order) if self._pieces else order
 
     def work(self, now: int, carry_out: CarryOut) -> None:
         """Do one step of one piece, the first for which there is room until the next release; give up old ones."""
@@ -136,8 +138,7 @@ class Postponed:
             self._unit.refuse(piece.address, piece.word, "the task was killed before there was time for it")
         return order
 
-    def _sift_switch(self, order: command.Switch) -> command.Command:
-        """What concerns tasks that are still to come waits behind them; the rest, above all what goes off, does not."""
+    def _sift_switch(self, order: command.Switch) -> command.Switch:
         now_on, now_rates, now_off = list(order.on), list(order.rates), list(order.off)
         for piece in self._pieces:
             subsystem, task = piece.address

@@ -58,6 +58,11 @@ class RunningTask:
         self.init_took_ns = 0
         self.warnings = self.module.warnings
         self.is_periodic = spawn.task_type == "periodic"
+        self.is_synchronous = spawn.task_type == "synchronous"
+        self.address = (spawn.subsystem, spawn.task)
+        """Subsystem and name."""
+        self.frequency = spawn.frequency
+        """The present rate in hertz."""
         self._reads = self.binding.copies("in")
         self._writes = self.binding.copies("out")
         self._views = views
@@ -75,11 +80,6 @@ class RunningTask:
     def is_on(self) -> bool:
         """Whether it is ON."""
         return self.state is State.ON
-
-    @property
-    def address(self) -> tuple[str, str]:
-        """Subsystem and name."""
-        return self.spawn.subsystem, self.spawn.task
 
     @property
     def key(self) -> tuple[int, int, str]:
@@ -150,6 +150,7 @@ class RunningTask:
     def change_rate(self, frequency: float) -> int:
         """Another rate in hertz from the next cycle on; the new period. Raises ValueError where there is none."""
         self.period_ns = period_of(frequency)
+        self.frequency = frequency
         self.module.dt = 1.0 / frequency
         return self.period_ns
 
@@ -167,12 +168,10 @@ class RunningTask:
 
     def look(self) -> None:
         """All inputs in, own outputs preloaded from the table."""
-        for read in self.binding.copies("init_in"):
-            read()
-        for read in self._reads:
+        for read in self.binding.looks_at:
             read()
         self.binding.preload()
-        self.module.in_force = self._in_force()
+        self.module.in_force = self.binding.in_force()
 
     def publish(self) -> None:
         """Outputs that `on` changed out."""
@@ -288,7 +287,3 @@ class RunningTask:
             for attribute, declared in cls.declared_ports.items()
             if declared.kind.at_init and declared.kind.is_input
         }
-
-    def _in_force(self) -> frozenset[str]:
-        live = self.binding.in_force()
-        return frozenset(one.port for one in self.spawn.ports if one.svar in live)

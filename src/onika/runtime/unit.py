@@ -7,6 +7,7 @@ from onika.ring.slots import Ring
 from onika.runtime import news
 from onika.runtime.agenda import Agenda, Slot
 from onika.runtime.binding import Views
+from onika.runtime.preparations import Preparations
 from onika.runtime.running_task import RunningTask
 
 Address = tuple[str, str]
@@ -24,6 +25,7 @@ class Unit:
         self.slots: MutableMapping[Slot, RunningTask] = {}
         self.events: dict[int, Address] = {}
         self.news: list[news.News] = []
+        self.prepared = Preparations()
         self.is_stopped = False
         self._rings: dict[str, dict[str, Ring]] = {}
         self._last_tid = 0
@@ -78,7 +80,7 @@ class Unit:
     def enter(self, task: RunningTask, now: int) -> None:
         """The task cycles from now on."""
         task.counters.begin(now)
-        if task.spawn.task_type != "synchronous":
+        if not task.is_synchronous:
             self.agenda.enter(task.slot, now)
 
     def leave(self, task: RunningTask, now: int) -> None:
@@ -95,7 +97,8 @@ class Unit:
 
     def forget_event(self, task: RunningTask) -> None:
         """Wait for the task's descriptor no more."""
-        self.events = {fd: address for fd, address in self.events.items() if address != task.address}
+        if self.events:
+            self.events = {fd: address for fd, address in self.events.items() if address != task.address}
 
     # Variables
 

@@ -1,6 +1,7 @@
 """User input: a task's argument line against what its class declares, or a request to the user (requirement A10)."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
+from contextlib import suppress
 from types import SimpleNamespace
 from typing import Any
 
@@ -32,9 +33,20 @@ class UserInput:
     def __init__(self, sheets: tuple[InputSheet, ...], constants: Mapping[str, Any]) -> None:
         self.items = tuple(_item(sheet, constants) for sheet in sheets)
         self._scalar = {sheet.name: not Shape.parse(sheet.shape).dims for sheet in sheets}
+        self._foreseen: dict[str, SimpleNamespace] = {}
+
+    def foresee(self, lines: Iterable[str]) -> None:
+        """These may come next, and no others are expected any more: read them now, as far as they can be read."""
+        self._foreseen = {}
+        for line in lines:
+            with suppress(ValueError):  # said when the line comes
+                self._foreseen[line] = self._read(line)
 
     def parse(self, line: str) -> SimpleNamespace:
         """The values of an argument line by their names; raises ValueError that says all that is wrong with it."""
+        return self._foreseen.pop(line, None) or self._read(line)  # handed out once: a module may change what it gets
+
+    def _read(self, line: str) -> SimpleNamespace:
         try:
             words = argument.split(line)
         except ValueError as wrong:

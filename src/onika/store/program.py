@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from onika.files import appl, text
-from onika.model.application import Application, actions
+from onika.model.application import Application, actions, every_flow
 from onika.model.configuration import Configuration
 from onika.model.syntax import Syntax
 from onika.model.task import Task
@@ -71,7 +71,7 @@ class _Gathering:
         return Program(application, self._configurations, self._tasks, code, self._applications, found, unread)
 
     def _enter(self, application: Application) -> None:
-        for flow in application.flows:
+        for _, flow in every_flow(application):
             for _, icon, _ in actions(flow, self._syntax):
                 kind = self._syntax.acting(icon.onikon.type)
                 if kind and kind.is_job:

@@ -56,6 +56,7 @@ class LiveRuntime:
         self.running = ""
         self.lives: dict[str, dict[str, _Life]] = {}
         self.variables: dict[str, dict[str, Any]] = {}
+        self.scenes: dict[str, dict[str, Any]] = {}
         self.findings: dict[str, tuple[str, ...]] = {}
         self.refusals: dict[str, str] = {}
         """Kinds of requests that are refused, by their class's name, with the reason."""
@@ -241,6 +242,9 @@ class LiveRuntime:
                 holder = "you" if isinstance(asked, live.Take) else ""
                 self._holders[asked.subsystem] = holder
                 self._told.append(event.Held(asked.subsystem, holder))
+            case live.Scene():
+                scene = self.scenes.get(asked.world)
+                return request.Refused(f"no world {asked.world} is open") if scene is None else live.Scenery(scene)
             case live.Advance():
                 self._pass(asked.seconds)
             case request.Quit():

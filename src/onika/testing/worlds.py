@@ -1,7 +1,7 @@
 """A small world for tests: masses on rails, one device each, and a scale that only publishes (laws 16 to 18)."""
 
 import struct
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -17,6 +17,7 @@ class MassWorld:
 
     A mass whose drive holds stands still. The drive holds by itself 50 ms after the last command, and trips 250 ms
     after it or when its writer dies. `stop` holds everything, latched. A command counts from the next step of 1 ms on.
+    `panic` is one button for all masses: pressed (1) they hold, let go (0) they have tripped.
     """
 
     step_ns = 1_000_000
@@ -47,7 +48,8 @@ class MassWorld:
         """Hold, and free the claim; of somebody else, or of the scale, nothing happens."""
         mass = self._masses.get(device)
         if mass is not None and mass.epoch == epoch:
-            self._turn(mass, Drive.HELD, "released")
+            if mass.drive is not Drive.PRESSED:
+                self._turn(mass, Drive.HELD, "released")
             mass.epoch = None
 
     def fence(self, epoch: int) -> None:
@@ -64,6 +66,8 @@ class MassWorld:
         if mass.epoch != epoch or self._is_stopped:
             return
         mass.heard_ns = self.now_ns
+        if mass.drive is Drive.PRESSED:
+            return
         if order == Order.CLEAR or (order == Order.HOLD and mass.drive is not Drive.TRIPPED):
             self._turn(mass, Drive.HELD, Order(order).name)
         elif order == Order.DRIVE and mass.drive is not Drive.TRIPPED:
@@ -95,6 +99,18 @@ class MassWorld:
     def go_on(self) -> None:
         """Hear again; every drive holds until it is commanded."""
         self._is_stopped = False
+
+    def parts(self) -> Mapping[str, str]:
+        """The one button."""
+        return {"panic": "1 pressed, 0 let go"}
+
+    def touch(self, part: str, value: float) -> None:
+        """Press the button or let it go; raises ValueError for another part or value."""
+        if part != "panic" or value not in (0.0, 1.0):
+            raise ValueError(f"expected 1 or 0 for panic, found {value:g} for {part!r}")
+        for mass in self._masses.values():
+            if value or mass.drive is Drive.PRESSED:
+                self._turn(mass, Drive.PRESSED if value else Drive.TRIPPED, "pressed" if value else "let go")
 
     def take_events(self) -> list[DriveEvent]:
         """Changes of drives since the last call."""

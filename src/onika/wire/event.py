@@ -160,6 +160,12 @@ class Met(Struct, frozen=True, tag=True):
     at_s: float
 
 
+class Stood(Struct, frozen=True, tag=True):
+    """The clock of a held run stands, and everything that was asked is carried out; `steer.Onward` lets it go on."""
+
+    at_s: float
+
+
 class Course(Struct, frozen=True):
     """The last seconds of one variable, oldest first."""
 
@@ -189,6 +195,10 @@ class Explained(Struct, frozen=True, tag=True):
     choices: tuple[tuple[str, str], ...]
     """What can be done safely: the command, and what it does."""
     at_s: float
+    kind: str = ""
+    """What sort of cause it is: a word of `host.cause.Kind`."""
+    suspect: str = ""
+    """The task upstream from which the trouble likely comes; empty: from nobody else."""
 
 
 class TaskFigures(Struct, frozen=True):
@@ -240,6 +250,7 @@ Event = (
     | Lost
     | Held
     | Stopped
+    | Stood
 )
 
 encode = msgspec.msgpack.Encoder().encode

@@ -131,6 +131,14 @@ class Scene(Struct, frozen=True, tag=True):
     world: str
 
 
+class Touch(Struct, frozen=True, tag=True):
+    """Touch a part of an open world, such as a panic button: 1 presses, 0 lets go; replied by Done or Refused."""
+
+    world: str
+    part: str
+    value: float
+
+
 class Reset(Struct, frozen=True, tag=True):
     """After a Stop: allow motion again (law 27)."""
 
@@ -157,6 +165,7 @@ LiveRequest = (
     | Release
     | Attend
     | Scene
+    | Touch
     | Reset
     | Advance
 )

@@ -5,7 +5,7 @@ from msgspec import Struct
 
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Plan, PlannedTask
-from onika.wire.steer import Positions, Steering
+from onika.wire.steer import Positions, SteerRequest
 
 
 class FaultText(Struct, frozen=True):
@@ -57,6 +57,8 @@ class Begin(Struct, frozen=True, tag=True):
     """When the session that began it is lost: `stop`, `finish` the current actions and pause, or `run` on."""
     on_error: str = "abort"
     """When a task that is not passive fails: `abort`, or `wait` until somebody says Recover, Skip or Abort."""
+    is_held: bool = False
+    """In virtual time: whether the clock stands until `steer.Onward` lets it go on."""
 
 
 class Reply(Struct, frozen=True, tag=True):
@@ -110,7 +112,7 @@ class Worlds(Struct, frozen=True, tag=True):
     snapshots: dict[str, bytes]
 
 
-Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit | Steering | LiveRequest
+Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit | SteerRequest | LiveRequest
 Response = Prepared | Done | Refused | Worlds | Positions | LiveResponse
 
 encode = msgspec.msgpack.Encoder().encode

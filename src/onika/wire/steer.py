@@ -58,6 +58,13 @@ class Recover(Struct, frozen=True, tag=True):
     subsystem: str = ""
 
 
+class Onward(Struct, frozen=True, tag=True):
+    """Let the clock of a held run go on, to the next thing that happens or to this time; then the event Stood comes."""
+
+    until_s: float | None = None
+    """Seconds since the run's start."""
+
+
 class Who(Struct, frozen=True, tag=True):
     """Ask where every flow is and who waits for whom (X03); replied by Positions."""
 
@@ -90,4 +97,5 @@ class Positions(Struct, frozen=True, tag=True):
     flows: tuple[Position, ...]
 
 
-Steering = Pause | Resume | Step | Skip | Pass | Leave | Mark | Recover | Who
+Steering = Pause | Resume | Step | Skip | Pass | Leave | Mark | Recover
+SteerRequest = Steering | Onward | Who

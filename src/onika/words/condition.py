@@ -1,5 +1,6 @@
 """A condition on a state variable: `LAMP == 1`, `flow0/Q_MEZ[2] > 1.5`; a grammar of its own, never code (law 8)."""
 
+import math
 import operator
 import re
 from collections.abc import Callable
@@ -11,7 +12,7 @@ _FORM = re.compile(
         (?:\[(?P<index>\d+(?:\s*,\s*\d+)*)\])?
         \s*(?P<relation>==|!=|<=|>=|<|>)\s*
         (?P<number>[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*\Z""",
-    re.VERBOSE,
+    re.VERBOSE | re.ASCII,
 )
 
 _RELATIONS: dict[str, Callable[[Any, Any], bool]] = {
@@ -39,7 +40,7 @@ class Condition:
     def parse(cls, text: str) -> "Condition":
         """Read one; raises ValueError that says what was expected."""
         found = _FORM.match(text)
-        if not found:
+        if not found or not math.isfinite(float(found["number"])):
             raise ValueError(f"expected an address, a comparison and a number, as in 'LAMP == 1', found {text!r}")
         parts = found["address"].split("/")
         index = tuple(int(one) for one in found["index"].split(",")) if found["index"] else ()

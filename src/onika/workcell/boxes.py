@@ -1,6 +1,6 @@
 """The world of the box assembly: four boxes on a table, up to two arms, and a lamp that lights by touch (§6.2)."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import mujoco
 import numpy as np
@@ -15,6 +15,7 @@ from onika.workcell.drive import NEVER_NS, Happening, Mode, happening_of
 from onika.workcell.gripper_unit import GripperUnit
 from onika.workcell.lamp_unit import LampUnit
 from onika.workcell.layout import SIDES, base
+from onika.workcell.panic_button import PanicButton
 from onika.workcell.part import STEP_S
 from onika.workcell.plant import Plant
 from onika.workcell.scene import Shape3d, shapes
@@ -40,6 +41,7 @@ class BoxesWorld:
         self._lamp = LampUnit()
         arms: list[Unit] = [unit for side in SIDES for unit in (ArmUnit(side, base(side)), GripperUnit(side))]
         self._units: dict[str, Unit] = {unit.sheet.name: unit for unit in (*arms, self._lamp)}
+        self._buttons = {one.name: one for one in (PanicButton(unit) for unit in arms if isinstance(unit, ArmUnit))}
         self._sides: tuple[str, ...] = ()
         self._fenced: set[int] = set()
         self._events: list[DriveEvent] = []
@@ -122,21 +124,35 @@ class BoxesWorld:
             self._feed(unit, Happening.STOP)
 
     def go_on(self) -> None:
-        """Leave a stop without moving anything: drives hold until they are commanded."""
+        """Leave a stop without moving anything: drives hold until they are commanded, pressed buttons stay."""
         for unit in self._units.values():
             if unit.drive.mode is Mode.STOPPED:
                 self._feed(unit, Happening.RESET)
+        self._press_again()
 
     def reset(self) -> None:
-        """Boxes and arms back to their start, at rest; all drives hold. Time goes on, claims stay."""
+        """Boxes and arms back to their start, at rest; all drives hold. Time, claims and pressed buttons go on."""
         for unit in self._units.values():
             self._feed(unit, Happening.RESET)
+        self._press_again()
         mujoco.mj_resetData(self._plant.model, self._plant.data)
         for unit in self._present:
             unit.restart()
         self._sense_ns = self.now_ns
         self._plant.settle()
         self._publish()
+
+    def parts(self) -> Mapping[str, str]:
+        """What a hand can touch in this world, and the values that it takes."""
+        return {button.name: button.takes for button in self._buttons.values()}
+
+    def touch(self, part: str, value: float) -> None:
+        """Touch a part between two steps; raises ValueError for an unknown part or a value that it does not take."""
+        button = self._buttons.get(part)
+        if button is None:
+            known = "; ".join(f"{name}: {takes}" for name, takes in self.parts().items())
+            raise ValueError(f"expected a part of the world ({known}), found {part!r}")
+        self._feed(button.unit, button.put(value))
 
     def take_events(self) -> list[DriveEvent]:
         """The changes of drives since the last call, oldest first."""
@@ -183,6 +199,11 @@ class BoxesWorld:
         if unit.drive.mode is Mode.DRIVEN and happening is Happening.DRIVE:
             unit.follow(values)
         self._due_ns = min(self._due_ns, unit.drive.due_ns)
+
+    def _press_again(self) -> None:
+        for button in self._buttons.values():
+            if button.is_pressed:
+                self._feed(button.unit, Happening.PRESS)
 
     def _listen(self, now: int) -> None:
         for unit in self._units.values():

@@ -4,9 +4,10 @@
     HELD     holds because it was told to, or was never told anything
     SILENT   holds because no command came for 50 ms; the next one is followed again
     TRIPPED  holds and stays so until it is cleared: 250 ms of silence, a dead writer, a command that is no number
+    PRESSED  holds as long as its panic button is pressed; let go, it has tripped
     STOPPED  holds and stays so until the world is reset or goes on
 
-Everything that can happen in every state stands in TABLE. A device reports three states: SILENT and STOPPED are HELD.
+Everything that can happen in every state stands in TABLE. A device reports four states: SILENT and STOPPED are HELD.
 """
 
 from enum import Enum
@@ -24,12 +25,13 @@ NEVER_NS = 1 << 62
 
 
 class Mode(Enum):
-    """The five states of a drive from within."""
+    """The six states of a drive from within."""
 
     DRIVEN = "driven"
     HELD = "held"
     SILENT = "silent"
     TRIPPED = "tripped"
+    PRESSED = "pressed"
     STOPPED = "stopped"
 
 
@@ -46,6 +48,8 @@ class Happening(Enum):
     RELEASE = "released"
     STOP = "stop"
     RESET = "reset"
+    PRESS = "panic button pressed"
+    LET_GO = "panic button let go"
 
 
 _ORDERS = {Order.DRIVE: Happening.DRIVE, Order.HOLD: Happening.HOLD, Order.CLEAR: Happening.CLEAR}
@@ -55,20 +59,22 @@ _SHOWN = {
     Mode.HELD: Drive.HELD,
     Mode.SILENT: Drive.HELD,
     Mode.TRIPPED: Drive.TRIPPED,
+    Mode.PRESSED: Drive.PRESSED,
     Mode.STOPPED: Drive.HELD,
 }
 
-_D, _H, _S, _T, _X = Mode.DRIVEN, Mode.HELD, Mode.SILENT, Mode.TRIPPED, Mode.STOPPED
+_D, _H, _S, _T, _P, _X = Mode.DRIVEN, Mode.HELD, Mode.SILENT, Mode.TRIPPED, Mode.PRESSED, Mode.STOPPED
 
 TABLE: dict[Mode, dict[Happening, Mode]] = {
     state: dict(zip(Happening, row, strict=True))
     for state, row in {
-        #   DRIVE HOLD CLEAR UNSOUND SILENCE LONG FENCE RELEASE STOP RESET
-        _D: (_D, _H, _D, _T, _S, _S, _T, _H, _X, _H),
-        _H: (_D, _H, _H, _T, _H, _H, _T, _H, _X, _H),
-        _S: (_D, _H, _H, _T, _S, _T, _T, _H, _X, _H),
-        _T: (_T, _T, _H, _T, _T, _T, _T, _T, _X, _H),
-        _X: (_X, _X, _X, _X, _X, _X, _X, _X, _X, _H),
+        #   DRIVE HOLD CLEAR UNSOUND SILENCE LONG FENCE RELEASE STOP RESET PRESS LET_GO
+        _D: (_D, _H, _D, _T, _S, _S, _T, _H, _X, _H, _P, _D),
+        _H: (_D, _H, _H, _T, _H, _H, _T, _H, _X, _H, _P, _H),
+        _S: (_D, _H, _H, _T, _S, _T, _T, _H, _X, _H, _P, _S),
+        _T: (_T, _T, _H, _T, _T, _T, _T, _T, _X, _H, _P, _T),
+        _P: (_P, _P, _P, _P, _P, _P, _P, _P, _X, _P, _P, _T),
+        _X: (_X, _X, _X, _X, _X, _X, _X, _X, _X, _H, _X, _X),
     }.items()
 }
 

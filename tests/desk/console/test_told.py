@@ -14,6 +14,11 @@ from onika.wire import event
         (event.Warned("main", "puma", "late", 1.0), "     1.00 s  note: main/puma: late", Tone.NOTE),
         (event.Warned("", "", "late", 1.0), "     1.00 s  note: late", Tone.NOTE),
         (
+            event.Drive("boxes:arm", "PRESSED", 10**9, 0, 0, "panic button pressed"),
+            "     1.00 s  drive boxes:arm PRESSED: panic button pressed",
+            Tone.FAULT,
+        ),
+        (
             event.Drive("boxes:arm", "TRIPPED", 10**9, 0, 0, "silent"),
             "     1.00 s  drive boxes:arm TRIPPED: silent",
             Tone.FAULT,

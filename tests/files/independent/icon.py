@@ -9,7 +9,7 @@ Types = dict[str, list[tuple[str, int]]]
 
 
 def read(text: str, types: Types) -> dict[str, Any]:
-    script = Script(text)
+    script = Script(text, extended=True)
     found = lines(script, types)
     script.end()
     if found["ONIKON"] in ("application start", "application end"):
@@ -20,6 +20,13 @@ def read(text: str, types: Types) -> dict[str, Any]:
 def lines(script: Script, types: Types) -> dict[str, Any]:
     kind = blanks(script.take("ONIKON")).lower()
     items = types[kind] if kind in types else _unknown(kind)
+    targets = []
+    while (target := script.new("TARGET")) is not None:
+        targets.append(blanks(target).lower())
+        if {"complete", "object", "nop", "start", "end"} & set(kind.split()) or targets[-1] not in types:
+            raise ValueError("a target of " + kind)
+        if "object" not in targets[-1].split():
+            raise ValueError(target)
     description = blanks(script.maybe("DESC", ""))
     values: list[Any] = []
     for data, count in items:
@@ -28,7 +35,7 @@ def lines(script: Script, types: Types) -> dict[str, Any]:
             raise ValueError("elements")
     if not items and script.take("UI") != "none":
         raise ValueError("none")
-    return {"ONIKON": kind, "DESC": description, "UI": values, "PICT": picture(script)}
+    return {"ONIKON": kind, "TARGET": targets, "DESC": description, "UI": values, "PICT": picture(script)}
 
 
 def picture(script: Script) -> list[str]:

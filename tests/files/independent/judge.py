@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from onika.model.application import Application, Icon
+from onika.model.application import AppFlow, Application, Branch, Icon, Step
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.picture import Picture
@@ -48,8 +48,7 @@ def plain(model: Any) -> Plain:
             return _onikon(model)
         case Application():
             kind = "parallel" if model.is_parallel else "conditional"
-            flows = [[_icon(step) if isinstance(step, Icon) else "hole" for step in flow.steps] for flow in model.flows]
-            return {"APPLTYPE": kind, "flows": flows}
+            return {"APPLTYPE": kind, "flows": [_flow(flow) for flow in model.flows]}
         case Syntax():
             return _syntax(model)
         case Preferences():
@@ -74,6 +73,8 @@ def _task(task: Task, gives_period: bool) -> dict[str, Any]:
         )
     if task.object_type is not None:
         found["OBJECT"] = task.object_type
+        if task.more_targets:
+            found["TARGET"] = list(task.more_targets)
     found["LOCAL"] = [(line.key, list(line.words)) for line in task.local]
     return found
 
@@ -91,15 +92,27 @@ def _onikon(found: Onikon) -> dict[str, Any]:
     values = [list(item) for item in found.values]
     return {
         "ONIKON": found.type.lower(),
+        "TARGET": [kind.lower() for kind in found.more_targets],
         "DESC": found.description,
         "UI": values,
         "PICT": list(found.picture.rows),
     }
 
 
+def _flow(found: AppFlow) -> list[Any]:
+    return [_step(step) for step in found.steps]
+
+
+def _step(found: Step) -> Any:
+    if isinstance(found, Branch):
+        return {"BRANCH": [_flow(flow) for flow in found.flows], "IF": list(found.conditions)}
+    return _icon(found) if isinstance(found, Icon) else "hole"
+
+
 def _icon(found: Icon) -> dict[str, Any]:
-    marks = {"ROUTINE": found.onikon.name, "MARKER": found.marker, "SYNCHTAG": found.synch_tag}
-    return {**marks, "WHILETAG": found.while_tag, "WHILETEST": found.while_test, **_onikon(found.onikon)}
+    marks = {"ROUTINE": found.onikon.name, "MARKER": found.marker, "MARKERIF": found.marker_if}
+    marks |= {"SYNCHTAG": found.synch_tag, "WHILETAG": found.while_tag, "WHILETEST": found.while_test}
+    return {**marks, "WHILEIF": found.while_if, **_onikon(found.onikon)}
 
 
 def _syntax(found: Syntax) -> dict[str, Any]:

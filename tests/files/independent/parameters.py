@@ -35,6 +35,11 @@ def read(text: str) -> dict[str, Any]:
         kinds = found["OBJECT"].lower().split(" ")
         if "job" not in kinds or len(kinds) < 2:
             raise ValueError("type of job")
+        while script.next == "TARGET":
+            found.setdefault("TARGET", []).append(blanks(script.take("TARGET")))
+            kinds = found["TARGET"][-1].lower().split(" ")
+            if "object" not in kinds or len(kinds) < 2:
+                raise ValueError("type of target")
     found["LOCAL"] = []
     if script.next == "LOCAL":
         _alone(script.take("LOCAL"))

@@ -6,7 +6,7 @@ the appendix does not allow raises ValueError.
 
 
 class Script:
-    def __init__(self, text: str, versioned: bool = True) -> None:
+    def __init__(self, text: str, versioned: bool = True, extended: bool = False) -> None:
         if any((ord(c) < 32 and c not in "\t\n\r") or 127 <= ord(c) < 160 for c in text):
             raise ValueError("not printable")
         if text[:1] == "\ufeff":
@@ -26,6 +26,7 @@ class Script:
         if any(keyword == "EOF" for keyword, _ in self.left):
             raise ValueError("EOF twice")
         self.is_old = False
+        self.is_new = False
         if versioned:
             self.is_old = True
             if self.next == "VERSION":
@@ -34,7 +35,8 @@ class Script:
                     raise ValueError("version")
                 while parts and parts[-1] == 0:
                     parts.pop()
-                if parts > [1, 3]:
+                self.is_new = extended and parts == [2]
+                if parts > [1, 3] and not self.is_new:
                     raise ValueError("newer")
                 self.is_old = parts < [1, 3]
 
@@ -52,6 +54,14 @@ class Script:
         """As `take`, but a file older than 1.3 may lack the line."""
         if self.is_old and self.next != keyword:
             return default
+        return self.take(keyword)
+
+    def new(self, keyword: str) -> str | None:
+        """As `take` where such a line is next, which only a file of 2.0 may have."""
+        if self.next != keyword:
+            return None
+        if not self.is_new:
+            raise ValueError(f"{keyword} in an older file")
         return self.take(keyword)
 
     def end(self) -> None:
@@ -117,3 +127,24 @@ def svar(text: str) -> str:
     if text[:1] not in letters or text == "" or any(c not in letters + "0123456789_^" for c in text):
         raise ValueError(f"{text} is no state variable")
     return text
+
+
+def condition(text: str) -> str:
+    """A variable, perhaps of a flow and perhaps one of its elements, a relation and a decimal number."""
+    left, relation, right = "", "", ""
+    for at, sign in enumerate(text):
+        if sign in "=!<>":
+            relation = text[at : at + 2] if text[at + 1 : at + 2] == "=" else sign
+            left, right = text[:at], text[at + len(relation) :]
+            break
+    if relation not in ("==", "!=", "<", ">", "<=", ">="):
+        raise ValueError(text)
+    real(right.strip())
+    address, bracket, index = left.strip().partition("[")
+    if bracket and not (index[-1:] == "]" and all(one.strip().isdecimal() for one in index[:-1].split(","))):
+        raise ValueError(text)
+    *where, variable = address.split("/")
+    svar(variable)
+    if len(where) > 2 or not all(name(one) for one in where):
+        raise ValueError(text)
+    return blanks(text)

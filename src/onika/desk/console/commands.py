@@ -1,6 +1,6 @@
 """The commands of a console by groups, as `help` shows them."""
 
-from onika.desk.console import holding, life, log, look, passing, running, tuning
+from onika.desk.console import holding, life, log, look, passing, running, touching, tuning
 from onika.desk.console.command import Command
 from onika.desk.console.session import Faults, Session
 
@@ -150,6 +150,17 @@ WHOLE = (
     ),
     Command("stop", "stop [CAUSE]", "every drive holds, at once, until `reset`; Ctrl-C does the same", holding.stop),
     Command("reset", "reset", "allow motion again", holding.reset, most=0),
+    Command(
+        "touch",
+        "touch WORLD PART VALUE  |  touch WORLD",
+        "touch a part of a world, such as a panic button\n"
+        "Without a part it says what there is. `touch boxes panic_left 1` presses the panic button of the left\n"
+        "arm: its drive holds, its task is in ERROR. With 0 it is let go; then the task can be cleared.",
+        touching.touch,
+        ("world", ""),
+        1,
+        3,
+    ),
     Command(
         "take", "take [SUBSYSTEM]", "become the one who may change a subsystem", holding.take, ("subsystem",), 0, 1
     ),

@@ -97,5 +97,6 @@ _KINDS: dict[str, Callable[[Session, Sequence[Command], str], list[str]]] = {
     "command": lambda session, commands, typed: [one.name for one in commands],
     "state": lambda session, commands, typed: [one.value.lower() for one in State],
     "file": lambda session, commands, typed: _files(typed),
+    "world": lambda session, commands, typed: list(session.standing().worlds),
     "quit words": lambda session, commands, typed: ["runtime"],
 }

@@ -228,7 +228,7 @@ class Session:
     def _is_chatter(self, one: event.Event) -> bool:
         """Whether an application's actions tell it already: what its tasks and drives do, unless it is trouble."""
         if isinstance(one, event.Drive):
-            return bool(self.running or self._applied) and one.state != "TRIPPED"
+            return bool(self.running or self._applied) and one.state not in ("TRIPPED", "PRESSED")
         return isinstance(one, event.TaskState) and one.state != "ERROR" and self._is_applied(one.subsystem)
 
     def _is_applied(self, subsystem: str) -> bool:

@@ -25,8 +25,8 @@ _Marks = dict[str, list[tuple[int, bool]]]
 def _marked(flow: AppFlow, syntax: Syntax) -> _Marks:
     """For every tag the positions of the actions that bear it, each with whether it is the test."""
     owners: dict[int, int] = {}
-    for position, _, target in actions(flow, syntax):
-        owners |= {position: position} | ({position + 1: position} if target else {})
+    for action in actions(flow, syntax):
+        owners |= dict.fromkeys(range(action.position, action.end), action.position)
     marked: _Marks = {}
     for at, step in enumerate(flow.steps):
         tag = _tag(step)

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from itertools import combinations
 
-from onika.model.application import AppFlow, Application, Hole, Icon, Step, actions, is_target
+from onika.model.application import AppFlow, Application, Hole, Icon, Step, actions, is_target, wanted_targets
 from onika.model.configuration import Configuration
 from onika.model.rules import jigsaw, loop, placement, union
 from onika.model.syntax import END, START, Syntax
@@ -80,7 +80,7 @@ def _structure(
             if fills_holes:
                 continue
             yield _fault(_on(place, step), "an application without holes", f"a hole at step {position} of {where}")
-        elif syntax.acting(step.onikon.type) is None:
+        elif isinstance(step, Icon) and syntax.acting(step.onikon.type) is None:
             yield _fault(
                 _on(place, step), "a type the syntax defines", f"{step.onikon.type} of {_at(where, position, step)}"
             )
@@ -94,14 +94,12 @@ def _structure(
 def _pairs(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> Iterator[Fault]:
     """A target behind every action that takes one, and nowhere else."""
     used = set()
-    for position, icon, target in actions(flow, syntax):
-        kind = syntax.acting(icon.onikon.type)
-        after = flow.steps[position + 1] if position + 1 < len(flow.steps) else None
-        if target:
-            used.add(position + 1)
-        elif kind and kind.needs_target and not isinstance(after, Hole):
-            wanted = syntax.target_type_of(kind.name) or "target"
-            yield _fault(_on(place, icon), f"a {wanted} behind it", f"none behind {_at(where, position, icon)}")
+    for action in actions(flow, syntax):
+        position, icon, targets = action
+        used |= set(range(position, action.end))
+        wanted = wanted_targets(icon.onikon, syntax)
+        for missing in wanted[len(targets) :]:
+            yield _fault(_on(place, icon), f"a {missing} behind it", f"none behind {_at(where, position, icon)}")
     for position, step in enumerate(flow.steps):
         if isinstance(step, Icon) and is_target(step, syntax) and position not in used:
             yield _fault(

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
-from onika.model.application import AppFlow, Application, actions
+from onika.model.application import AppFlow, Application, actions, flows_within
 from onika.model.configuration import Configuration
 from onika.model.rules import placement
 from onika.model.syntax import Syntax
@@ -82,7 +82,8 @@ def _walk(
     applications: Mapping[str, Application],
     entered: set[str],
 ) -> Iterator[Configuration]:
-    for _, icon, _ in actions(flow, syntax):
+    every = (action for _, inner in flows_within(flow, "") for action in actions(inner, syntax))
+    for _, icon, _ in every:
         kind, name = syntax.acting(icon.onikon.type), icon.onikon.name
         if kind and kind.is_job and name in configurations:
             yield configurations[name]

@@ -33,6 +33,7 @@ class Puma(Module):
     Local    BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
     Errors   another robot     the device is no such robot, or stands elsewhere than BASE says: stays uninitialised
              tripped           the drive has tripped: ERROR; clear brings the drive back to hold
+             panic button      it is pressed: ERROR; clear is refused until it is let go
     Source   dissertation §4.3.2, §6.2; Fu, Gonzalez & Lee 1987; Armstrong, Khatib & Burdick 1986
     """
 
@@ -105,9 +106,14 @@ class Puma(Module):
         self.device.hold()
 
     def clear(self):
+        self.device.read()
+        if self.device.is_pressed:
+            raise ModuleError("panic button pressed: let it go, then clear")
         self.device.clear()
 
     def _see_drive(self):
+        if self.device.is_pressed:
+            raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
         if self.device.is_tripped:
             raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
 

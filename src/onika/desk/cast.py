@@ -1,0 +1,109 @@
+"""The flows of an application by the words that people use for them: numbers, subsystems, names of actions."""
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from onika.wire.plan import Plan, PlannedFlow
+from onika.wire.steer import Position
+from onika.words.name import resolve
+
+_NUMBER = re.compile(r"[0-9]{1,6}\Z")
+_SHOWN = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """One flow: its subsystem, its actions by name, the variables of its tasks; None where they are not known."""
+
+    subsystem: str
+    actions: tuple[str, ...] | None = None
+    variables: frozenset[str] | None = None
+    is_nested: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Cast:
+    """All flows of an application, nested ones last, in the order of the plan."""
+
+    parts: tuple[Part, ...]
+
+    @classmethod
+    def of(cls, plan: Plan) -> "Cast":
+        """Those of a plan."""
+        return cls(
+            tuple(
+                Part(flow.subsystem, tuple(one.name for one in flow.actions), _variables(flow), flow.parent is not None)
+                for flow in plan.flows
+            )
+        )
+
+    @classmethod
+    def seen(cls, positions: Iterable[Position]) -> "Cast":
+        """Those that a runtime told of: what their actions are called is not known."""
+        return cls(tuple(Part(one.subsystem) for one in positions))
+
+    @property
+    def subsystems(self) -> tuple[str, ...]:
+        """The flows by their subsystems."""
+        return tuple(one.subsystem for one in self.parts)
+
+    @property
+    def lone(self) -> str:
+        """The only flow that is not nested; empty where there are several."""
+        chief = [one.subsystem for one in self.parts if not one.is_nested]
+        return chief[0] if len(chief) == 1 else ""
+
+    def flow(self, word: str) -> str:
+        """The subsystem of a flow by its subsystem or number, counted from 0; empty: there is none such."""
+        if word in self.subsystems:
+            return word
+        number = int(word) if _NUMBER.match(word) else len(self.parts)
+        return self.parts[number].subsystem if number < len(self.parts) else ""
+
+    def action(self, subsystem: str, word: str) -> int:
+        """The index of an action by its number, counted from 1, or by its name; raises ValueError that says what is."""
+        names = next(one.actions for one in self.parts if one.subsystem == subsystem)
+        if names is None:
+            if _NUMBER.match(word) and int(word) > 0:
+                return int(word) - 1
+            raise ValueError(f"expected an action by its number, found {word!r}")
+        if _NUMBER.match(word):
+            if 0 < int(word) <= len(names):
+                return int(word) - 1
+            raise ValueError(f"expected an action of {subsystem} from 1 to {len(names)}, found {word}")
+        found = [index for index, name in enumerate(names) if name == word]
+        if len(found) == 1:
+            return found[0]
+        if found:
+            numbers = ", ".join(str(index + 1) for index in found)
+            raise ValueError(f"expected one action, found {word!r} as {numbers} of {subsystem}")
+        known = ", ".join(dict.fromkeys(names[:_SHOWN])) + (" …" if len(names) > _SHOWN else "")
+        raise ValueError(f"expected an action of {subsystem} by its number or name ({known}), found {word!r}")
+
+    def name(self, subsystem: str, index: int) -> str:
+        """What an action is called; empty where that is not known."""
+        names = next((one.actions for one in self.parts if one.subsystem == subsystem), None)
+        return names[index] if names is not None and 0 <= index < len(names) else ""
+
+    def count(self, subsystem: str) -> int:
+        """How many actions a flow has; 0 where that is not known."""
+        names = next((one.actions for one in self.parts if one.subsystem == subsystem), None)
+        return 0 if names is None else len(names)
+
+    def home(self, address: str) -> tuple[str, str]:
+        """Subsystem and name of a variable `[SUBSYSTEM/]NAME`; the first flow that has it where none is named.
+
+        Raises ValueError where no task reads or writes it.
+        """
+        subsystem, slash, name = address.rpartition("/")
+        for one in self.parts:
+            is_meant = one.subsystem == subsystem or not slash
+            if is_meant and (one.variables is None or name in one.variables):
+                return one.subsystem, name
+        raise ValueError(f"expected a variable that some task reads or writes, found {address}")
+
+
+def _variables(flow: PlannedFlow) -> frozenset[str]:
+    ports = [(one.inconst + one.outconst + one.invar + one.outvar, dict(one.aliases)) for one in flow.tasks]
+    return frozenset(name for names, aliases in ports for name in resolve(names, aliases))

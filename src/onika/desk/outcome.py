@@ -1,0 +1,36 @@
+"""How a run ended, for whoever asked for it (requirements E03, E14)."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from onika.wire import event
+from onika.words.condition import Condition
+from onika.words.fault import Fault
+
+
+@dataclass(slots=True)
+class Outcome:
+    """How a run ended. `result` is missing where it was refused; then there are faults."""
+
+    name: str
+    faults: list[Fault] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    result: event.Result | None = None
+    expectations: list[tuple[Condition, Any, bool]] = field(default_factory=list)
+    snapshots: dict[str, bytes] = field(default_factory=dict)
+    printed: str = ""
+    """What the runtime's processes printed, where the run was aborted."""
+
+    @property
+    def state(self) -> str:
+        """`refused`, `completed` or `aborted`."""
+        if self.result is None:
+            return "refused"
+        return "completed" if self.result.completed else "aborted"
+
+    @property
+    def exit_code(self) -> int:
+        """0: completed and every expectation holds; 1: aborted, or one does not hold; 2: refused."""
+        if self.result is None:
+            return 2
+        return 0 if self.result.completed and all(holds for _, _, holds in self.expectations) else 1

@@ -1,0 +1,70 @@
+"""The prompter: carries out a script while its run goes on, one line after another (requirements E07, E13)."""
+
+from collections import deque
+from collections.abc import Callable
+
+from onika.desk.running import Running
+from onika.desk.script import Cue
+from onika.desk.steering import Look, Wait
+from onika.desk.vigil import Vigil
+from onika.wire.steer import Position
+from onika.words.fault import Fault
+
+Told = Callable[[str, tuple[Fault, ...], tuple[Position, ...]], None]
+"""A line that is carried out, what is wrong with it, and the positions where it asked for them."""
+
+
+class Prompter:
+    """Whenever something has happened, `go_on` carries out every line whose turn has come.
+
+    The first line that fails ends the script, and the run with it.
+    """
+
+    def __init__(self, running: Running, cues: tuple[Cue, ...], told: Told) -> None:
+        self._running = running
+        self._cues = deque(cues)
+        self._told = told
+        self._vigil: Vigil | None = None
+
+    @property
+    def is_over(self) -> bool:
+        """Whether no line is left."""
+        return not self._cues
+
+    @property
+    def until_s(self) -> float | None:
+        """The time at which the next line is looked at again, whatever happens."""
+        return None if self._vigil is None else self._vigil.until_s
+
+    def go_on(self) -> None:
+        """Carry out what can be, up to a line that waits."""
+        running = self._running
+        while self._cues and self._can_act:
+            cue = self._cues[0]
+            if isinstance(cue.act, Wait):
+                if self._vigil is None:
+                    self._vigil = running.vigil(cue.act)
+                if not self._vigil.is_over:
+                    return
+                faults, self._vigil = self._vigil.faults(cue.place), None
+            else:
+                faults = running.do(cue.act, cue.place)
+            self._cues.popleft()
+            positions = running.who() if isinstance(cue.act, Look) and not faults else ()
+            self._told(cue.text, faults, positions)
+            if faults:
+                self._fail(faults)
+
+    @property
+    def _can_act(self) -> bool:
+        """In a held run only while the clock stands; no line is carried out while a task asks."""
+        running = self._running
+        if running.is_over:
+            return not running.is_held or self._vigil is not None or isinstance(self._cues[0].act, Wait)
+        return (running.stands or not running.is_held) and not running.whereabouts.is_asking
+
+    def _fail(self, faults: tuple[Fault, ...]) -> None:
+        self._cues.clear()
+        self._running.outcome.failed += faults
+        if not self._running.is_over:
+            self._running.abort(f"the script fails: {faults[0]}")

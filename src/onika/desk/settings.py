@@ -1,0 +1,43 @@
+"""What a run is to be: the application, in which time, what is expected of it, and what becomes of it in trouble."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.words.condition import Condition
+
+
+@dataclass(frozen=True, slots=True)
+class Elsewhere:
+    """A runtime that somebody else started: its address, a token (empty: see `connect`), certificates to trust."""
+
+    url: str
+    token: str = ""
+    ca: Path | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RunSettings:
+    """What a run is to be."""
+
+    name: str
+    is_virtual: bool = False
+    expectations: tuple[Condition, ...] = ()
+    settle_s: float = 0.5
+    seed: int = 0
+    answers: tuple[tuple[str, str, str], ...] = ()
+    """Task, name of an input, values."""
+    may_ask: bool = False
+    wants_picture: bool = False
+    with_fifo: bool = True
+    elsewhere: Elsewhere | None = None
+    """The runtime to run on; else one is launched here."""
+    scale: float | None = None
+    """In virtual time: how many times as fast as wall time it passes; None: as fast as it goes."""
+    subsystems: tuple[str, ...] = ()
+    """Names for the flows' subsystems in place of flow0, flow1 …"""
+    on_loss: str = "stop"
+    """What becomes of the run when this program is gone: `stop`, `finish` the current actions and pause, or `run` on."""
+    on_error: str = "abort"
+    """When a task that is not passive fails: `abort`, or `wait` until somebody clears it, skips or aborts."""
+    script: Path | None = None
+    """A file of lines that steer the run (`desk.script`)."""

@@ -1,0 +1,165 @@
+"""The ways of all flows: who goes on, who waits for whom, who begins together (§5.5.4, decision 26, X03)."""
+
+from collections import deque
+from collections.abc import Iterable, Sequence
+
+from onika.engine.flow import FlowEvent, FlowState
+from onika.engine.meeting import Meetings
+from onika.engine.orders import Moved, Order, Settle, Switch, Together
+from onika.engine.progress import Progress
+from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
+from onika.wire.steer import Position
+
+_MOST_STEPS = 100_000
+"""Steps without time at one instant; flows that make more go round together for ever."""
+
+
+class Itinerary:
+    """Moves flows on, as far as they go without anything having to happen. `names` are their subsystems."""
+
+    def __init__(self, flows: Sequence[Progress], names: Sequence[str]) -> None:
+        self._flows = flows
+        self._names = names
+        self.meetings = Meetings([flow.program for flow in flows])
+        self.astray = ""
+        """Why the application cannot go on; empty: it can."""
+        self._going: deque[int] = deque()
+        """The flows that are still to be moved on; none of them has ended, whatever its state says."""
+        self._met = ""
+        """The tag at which flows have met last."""
+
+    # Going on
+
+    def go_on(self, flows: Iterable[int], number: int = 0) -> list[Order]:
+        """These flows go on from where they are; `number` is that of the case that was carried out already."""
+        told: list[Order] = []
+        begun: list[Order] = []
+        self._met = ""
+        self._going = deque(flows)
+        for _ in range(_MOST_STEPS):
+            if not self._going:
+                break
+            flow = self._flows[self._going.popleft()]
+            way, on_the_way = flow.walk()
+            told += on_the_way
+            one = flow.next
+            if way.is_endless:
+                self.astray = f"flow {flow.flow} goes round for ever without taking any time"
+                return told
+            if way.rests:
+                told += self.rest(flow)
+            elif isinstance(one, Do):
+                begun += flow.begin(number)
+            elif isinstance(one, Meet):
+                told += self._meet(flow, one.tag)
+            else:
+                told += self._pass_by(flow)
+        else:
+            self.astray = "flows meet for ever without taking any time"
+            return told
+        together = tuple(one.flow for one in begun if isinstance(one, Switch))
+        return told + ([Together(self._met, together)] if len(together) > 1 else []) + begun + self._settle()
+
+    def _meet(self, flow: Progress, tag: str) -> list[Order]:
+        together = self.meetings.arrive(flow.flow, tag)
+        for number in together:
+            self._flows[number].advance()
+        self._going += together
+        if flow.flow in together:
+            self._met = tag
+            return []
+        flow.enter(FlowEvent.HOLD)
+        return [self.waits(flow)]
+
+    def _pass_by(self, flow: Progress) -> list[Order]:
+        one = flow.next
+        match one:
+            case Rest():
+                flow.advance()
+                return self.rest(flow)
+            case Fork():
+                if self._not_done(number for number, _ in one.flows):
+                    return self._join(flow)
+                flow.advance()
+                self._going.append(flow.flow)
+                return [order for number, place in one.flows for order in self._fork(self._flows[number], place)]
+            case Join():
+                if self._not_done(one.flows):
+                    return self._join(flow)
+                flow.advance()
+                self._going.append(flow.flow)
+            case Halt():
+                return self._complete(flow)
+        return []
+
+    def _fork(self, child: Progress, place: int) -> list[Order]:
+        self.meetings.begin_anew(child.program.tags_from(place))
+        child.go_to(place)
+        if child.is_pausing:
+            return self.rest(child)
+        self._going.append(child.flow)
+        return []
+
+    def _join(self, flow: Progress) -> list[Order]:
+        flow.enter(FlowEvent.JOIN)
+        return [self.waits(flow)]
+
+    def _complete(self, flow: Progress) -> list[Order]:
+        flow.enter(FlowEvent.COMPLETE)
+        flow.is_pausing = False
+        parent = None if flow.parent is None else self._flows[flow.parent]
+        if parent is not None and parent.state is FlowState.JOINING and parent.flow not in self._going:
+            self._going.append(parent.flow)
+        waiting = (one for one in self._flows if one.state is FlowState.WAITING)
+        return [flow.moved(), *(self.waits(one) for one in waiting if flow.flow in self.waits_for(one))]
+
+    def _not_done(self, flows: Iterable[int]) -> list[int]:
+        return [one for one in flows if self._flows[one].state is not FlowState.DONE or one in self._going]
+
+    def _settle(self) -> list[Order]:
+        return [Settle()] if all(flow.state is FlowState.DONE for flow in self._flows) else []
+
+    def rest(self, flow: Progress) -> list[Order]:
+        """Pause here."""
+        flow.is_pausing = False
+        flow.enter(FlowEvent.REST)
+        return [flow.moved()]
+
+    # Waiting
+
+    def waits(self, flow: Progress) -> Moved:
+        """For the watcher: where a flow waits, and for whom."""
+        absent = self.waits_for(flow)
+        ended = [number for number in absent if self._has_ended(number)]
+        text = ""
+        if ended and flow.state is FlowState.WAITING:
+            text = f"flow {', '.join(map(str, ended))} has ended and will not come"
+        return flow.moved(self.meetings.waits_at(flow.flow), tuple(absent), text)
+
+    def waits_for(self, flow: Progress) -> list[int]:
+        """The flows a flow waits for."""
+        if flow.state is FlowState.WAITING:
+            return self.meetings.absent(flow.flow)
+        one = flow.next if flow.state is FlowState.JOINING else None
+        if isinstance(one, Join):
+            return self._not_done(one.flows)
+        return self._not_done(number for number, _ in one.flows) if isinstance(one, Fork) else []
+
+    def _has_ended(self, number: int) -> bool:
+        """Whether a flow is done for good; one that is begun by another may be begun again."""
+        flow = self._flows[number]
+        return flow.state is FlowState.DONE and (flow.parent is None or self._has_ended(flow.parent))
+
+    def position(self, flow: Progress) -> Position:
+        """Where a flow is."""
+        return Position(
+            subsystem=self._names[flow.flow],
+            state=flow.state.value,
+            action=flow.current,
+            tag=self.meetings.waits_at(flow.flow),
+            waits_for=tuple(self._names[number] for number in self.waits_for(flow)),
+            is_pausing=flow.is_pausing,
+            loops=tuple(loop.name for loop in flow.program.loops_at(flow.place)),
+            failed=tuple(flow.crew.failed),
+            breakpoints=tuple(sorted(flow.breakpoints)),
+        )

@@ -1,0 +1,70 @@
+"""Errors in a flow: it stops, its failed tasks are cleared, the step is repeated (requirement E08, §5.9.2)."""
+
+from onika.engine.flow import FlowEvent, FlowState
+from onika.engine.itinerary import Itinerary
+from onika.engine.orders import Clear, Order
+from onika.engine.progress import Progress
+
+
+class Recovery:
+    """Stops flows and brings them back. `stands_still`: whether anybody is there to decide."""
+
+    def __init__(self, itinerary: Itinerary, stands_still: bool) -> None:
+        self._itinerary = itinerary
+        self.stands_still = stands_still
+        self._elsewhere: set[int] = set()
+
+    def failed(self, flow: Progress, task: str, text: str) -> list[Order]:
+        """A task is in ERROR; its trigger goes off at once, lest the job go on without it."""
+        flow.crew.has_failed(task)
+        return self._stop(flow, text)
+
+    def refused(self, flow: Progress, task: str, text: str) -> list[Order]:
+        """A task would not come on; there is nothing to clear, but the step can be repeated."""
+        flow.crew.would_not(task)
+        return self._stop(flow, text)
+
+    def _stop(self, flow: Progress, text: str) -> list[Order]:
+        orders: list[Order] = []
+        if flow.state not in (FlowState.STOPPED, FlowState.CLEARING):
+            flow.interrupted = flow.state
+            if flow.state is FlowState.WAITING:
+                self._itinerary.meetings.withdraw(flow.flow)
+        if flow.step is not None and flow.interrupted is FlowState.RUNNING:
+            orders += flow.crew.rest(flow.step.triggers)
+        flow.enter(FlowEvent.FAIL)
+        return [*orders, flow.moved(text=text)]
+
+    def recover(self, flow: Progress) -> list[Order]:
+        """The user wants it: clear what is in ERROR, then repeat the step."""
+        flow.enter(FlowEvent.RECOVER)
+        clear = [Clear(flow.flow, task) for task in sorted(flow.crew.in_error)]
+        return [flow.moved(), *clear, *self._when_cleared(flow)]
+
+    def recover_elsewhere(self, flow: Progress) -> list[Order]:
+        """As `recover`, but the flow then goes on from where it has been sent."""
+        self._elsewhere.add(flow.flow)
+        return self.recover(flow)
+
+    def cleared(self, flow: Progress, task: str) -> list[Order]:
+        """A task is OFF again."""
+        flow.crew.in_error.discard(task)
+        return self._when_cleared(flow) if flow.state is FlowState.CLEARING else []
+
+    def not_cleared(self, flow: Progress, text: str) -> list[Order]:
+        """A task would not be cleared: the flow stands still as before."""
+        return self._stop(flow, text)
+
+    def _when_cleared(self, flow: Progress) -> list[Order]:
+        if flow.crew.in_error:
+            return []
+        if flow.flow in self._elsewhere:
+            self._elsewhere.discard(flow.flow)
+            flow.crew.failed.clear()
+            return self._itinerary.go_on([flow.flow])
+        if flow.interrupted is FlowState.RUNNING:
+            return flow.repeat()
+        back = flow.crew.bring_back(flow.step)
+        if flow.interrupted is FlowState.PAUSED or flow.is_pausing:
+            return back + self._itinerary.rest(flow)
+        return back + self._itinerary.go_on([flow.flow])

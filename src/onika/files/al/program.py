@@ -1,0 +1,257 @@
+"""The program of a text, block by block: sentences come, flows are made (dissertation §4.4)."""
+
+from collections.abc import Callable
+
+from onika.files.al import statement
+from onika.files.al.block import ENDS, Block, LoopMark, marked
+from onika.files.al.glossary import Glossary
+from onika.files.al.phrase import Phrase, halves
+from onika.files.al.sentence import Sentence, Token
+from onika.files.flow import DEEPEST
+from onika.files.line import Reading
+from onika.model.application import AppFlow, Icon, Step
+from onika.model.syntax import Syntax
+
+_TWO = ("END IF", "END WHILE", "END CASE", "CASE OF")
+_CLOSES = {end: kind for kind, end in ENDS.items()}
+_MIDDLE = {"ELSEIF": "IF", "ELSE": "IF", "DO": "WHILE"}
+_STATEMENT = "statement"
+
+
+class Program:
+    """The blocks that are open while sentences come, and the whole once all are closed."""
+
+    def __init__(self, syntax: Syntax, known: Glossary, reading: Reading) -> None:
+        self._syntax = syntax
+        self._glossary = known
+        self._reading = reading
+        self._open: list[Block] = []
+        self._flows: tuple[AppFlow, ...] | None = None
+        self._has_more = False
+        self.is_parallel = False
+
+    def take(self, sentence: Sentence) -> None:
+        """One sentence; what is wrong with it is reported, and the next one may come."""
+        try:
+            self._take(sentence)
+        except ValueError as error:
+            self._reading.fault(sentence.number, *halves(error))
+
+    def end(self) -> tuple[AppFlow, ...] | None:
+        """The flows of the program, where it was whole; what is lacking at its end is reported."""
+        if not self._open and self._flows is None and not self._reading.broken:
+            self._reading.fault(self._reading.end, "BEGIN, COBEGIN or CASE OF", "an empty text")
+        while self._open:
+            self._unclosed(self._open.pop(), self._reading.end, "the end of the program")
+        return self._flows
+
+    # -- one sentence
+
+    def _take(self, sentence: Sentence) -> None:
+        form = _form(sentence.tokens)
+        if form in _CLOSES or form in _MIDDLE:
+            self._reach(_CLOSES.get(form) or _MIDDLE[form], form, sentence)
+            self._close(form, sentence) if form in _CLOSES else self._divide(form, sentence)
+            return
+        if self._flows is not None:
+            if not self._has_more:
+                self._reading.fault(sentence.number, "nothing behind the program but WHERE", str(sentence))
+            self._has_more = True
+            return
+        if form in ENDS:
+            self._begin(form, sentence)
+            return
+        block = self._inner(sentence)
+        if form == _STATEMENT:
+            self._statement(block, sentence)
+        elif form in _MARKS:
+            _MARKS[form](block, sentence)
+        else:
+            known = (*statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
+            raise ValueError(f"expected a word of the language ({' '.join(known)}), found {sentence}")
+
+    def _statement(self, block: Block, sentence: Sentence) -> None:
+        try:
+            steps = statement.read(sentence, self._glossary, self._syntax)
+        except ValueError:
+            block.lose()
+            raise
+        if not isinstance(steps[0], Icon):
+            self._check_waiting(block)
+        block.add(steps)
+
+    def _inner(self, sentence: Sentence) -> Block:
+        """The block in which statements may stand; where its BEGIN is lacking, that is reported once."""
+        if not self._open or self._open[-1].holds_flows:
+            self._reading.fault(sentence.number, "BEGIN" if self._open else "BEGIN, COBEGIN or CASE OF", str(sentence))
+            self._open.append(Block("BEGIN", sentence, is_implied=True))
+        return self._open[-1]
+
+    # -- blocks
+
+    def _begin(self, form: str, sentence: Sentence) -> None:
+        phrase = Phrase(sentence, len(form.split()))
+        if form == "BEGIN" and self._open and not self._open[-1].holds_flows:
+            raise ValueError(f"expected BEGIN only at the begin or within COBEGIN or CASE OF, found {sentence}")
+        if form == "COBEGIN" and self._open:
+            raise ValueError(f"expected COBEGIN only at the begin, found {sentence}")
+        if form not in ("BEGIN", "COBEGIN") and (form != "CASE OF" or self._open):
+            self._check_waiting(self._inner(sentence))
+        is_branch = form == "IF" or (form == "CASE OF" and bool(self._open))
+        block = Block(form, sentence, depth=(self._open[-1].depth if self._open else 0) + is_branch)
+        if is_branch and block.depth == DEEPEST + 1:
+            self._reading.fault(sentence.number, f"at most {DEEPEST} branches within each other", "one more")
+        self._open.append(block)  # before its words are read, so that its end finds it whatever they are
+        if form == "IF":
+            block.conditions.append(phrase.condition("THEN"))
+        elif form in ("WHILE", "REPEAT"):
+            block.tag = phrase.tag()
+        phrase.end()
+
+    def _reach(self, kind: str, form: str, sentence: Sentence) -> None:
+        """Close what is open within the block that a sentence ends or divides."""
+        if not any(block.kind == kind for block in reversed(self._open)):
+            raise ValueError(f"expected {kind} before {form}, found none open")
+        while self._open[-1].kind != kind:
+            self._unclosed(self._open.pop(), sentence.number, str(sentence))
+
+    def _unclosed(self, block: Block, number: int, found: str) -> None:
+        self._check_waiting(block)
+        if not block.is_implied:
+            self._reading.fault(number, f"{ENDS[block.kind]} for {block.opened} of line {block.opened.number}", found)
+
+    def _divide(self, form: str, sentence: Sentence) -> None:
+        block = self._open[-1]
+        self._check_waiting(block)
+        phrase = Phrase(sentence, 1)
+        if block.is_last:
+            raise ValueError(f"expected {ENDS[block.kind]}, found {sentence}")
+        block.is_last = form != "ELSEIF"
+        block.takes_break = False
+        if form == "DO":
+            block.tests, block.items = block.items, []
+            block.condition = phrase.condition() if phrase.takes("IF") else ""
+        else:
+            block.end_part()
+            if form == "ELSEIF":
+                block.conditions.append("")  # stands for it, should it be wrong
+                block.conditions[-1] = phrase.condition("THEN")
+        phrase.end()
+
+    def _close(self, form: str, sentence: Sentence) -> None:
+        block = self._open.pop()
+        self._check_waiting(block)
+        phrase = Phrase(sentence, len(form.split()))
+        outer = self._open[-1] if self._open else None
+        if outer:
+            outer.takes_break = False
+        if block.kind == "BEGIN":
+            phrase.end()
+            self._finish((block.flow(),), is_parallel=False) if outer is None else outer.flows.append(block.flow())
+        elif block.kind == "COBEGIN" or (block.kind == "CASE OF" and outer is None):
+            phrase.end()
+            self._check_flows(block, sentence)
+            self._finish(tuple(block.flows), is_parallel=block.kind == "COBEGIN")
+        elif outer is not None:
+            self._close_inner(block, outer, sentence, phrase)
+
+    def _close_inner(self, block: Block, outer: Block, sentence: Sentence, phrase: Phrase) -> None:
+        if block.kind in ("WHILE", "REPEAT"):
+            outer.items += self._looped(block, sentence, phrase)
+        else:
+            if block.kind == "IF":
+                block.end_part()
+                if not block.is_last:
+                    block.end_part()
+            else:
+                self._check_flows(block, sentence)
+            outer.items.append([block.branch()])
+        phrase.end()
+
+    def _looped(self, block: Block, sentence: Sentence, phrase: Phrase) -> list[list[Step]]:
+        """The statements of a loop, with its tag on the first and the last."""
+        if block.kind == "REPEAT":
+            condition = phrase.condition() if phrase.takes("NOT") else ""
+            if not condition and not phrase.takes("DONE"):
+                raise ValueError(f"expected DONE or NOT and a condition behind UNTIL, found {phrase.rest()}")
+            self._mark(block.items, 0, block, "first")
+            self._mark(block.items, -1, block, "last, behind the first", is_test=True, condition=condition)
+            return block.items
+        if not block.is_last:
+            raise ValueError(f"expected DO before END WHILE, found {sentence}")
+        if len(block.tests) != 1:
+            expected = f"one action between WHILE and DO of the loop {block.tag}"
+            self._reading.fault(block.opened.number, expected, f"{len(block.tests)} statements")
+        else:
+            self._mark(block.tests, 0, block, "first", is_test=True, condition=block.condition)
+        self._mark(block.items, -1, block, "last, behind the DO")
+        return [*block.tests, *block.items]
+
+    def _mark(
+        self, items: list[list[Step]], at: int, block: Block, where: str, *, is_test: bool = False, condition: str = ""
+    ) -> None:
+        found = marked(items, at, block.tag, is_test=is_test, condition=condition)
+        if found:
+            expected = f"an action without a tag as the {where} in the loop {block.tag}"
+            self._reading.fault(block.opened.number, expected, found)
+
+    def _finish(self, flows: tuple[AppFlow, ...], *, is_parallel: bool) -> None:
+        self._flows, self.is_parallel = flows, is_parallel
+
+    def _check_flows(self, block: Block, sentence: Sentence) -> None:
+        if not block.flows:
+            self._reading.fault(sentence.number, f"BEGIN and END within {block.kind}", "none")
+
+    def _check_waiting(self, block: Block) -> None:
+        """Report marks that no action follows."""
+        waiting = [block.synch[0]] if block.synch else []
+        waiting += [block.loop_mark.sentence] if block.loop_mark else []
+        for sentence in waiting:
+            self._reading.fault(sentence.number, "an action on the next line", f"none behind {sentence}")
+        block.synch = block.loop_mark = None
+
+
+def _form(tokens: tuple[Token, ...]) -> str:
+    """The word or two with which a sentence begins; DO alone or before IF divides a loop, else it is a verb."""
+    first = tokens[0].value if tokens[0].kind == "word" else ""
+    second = tokens[1].value if len(tokens) > 1 and tokens[1].kind == "word" else ""
+    if f"{first} {second}" in _TWO:
+        return f"{first} {second}"
+    if first in statement.HEADS and not (first == "DO" and (second == "IF" or len(tokens) == 1)):
+        return _STATEMENT
+    return first
+
+
+def _synch(block: Block, sentence: Sentence) -> None:
+    phrase = Phrase(sentence, 1)
+    tag = phrase.tag()
+    phrase.end()
+    if block.synch:
+        raise ValueError(f"expected one SYNCH before an action, found {sentence}")
+    block.synch, block.takes_break = (sentence, tag), False
+
+
+def _tag(block: Block, sentence: Sentence) -> None:
+    phrase = Phrase(sentence, 1)
+    tag = phrase.tag()
+    is_test = bool(phrase.takes("TEST"))
+    condition = phrase.condition() if phrase.takes("IF") else ""
+    phrase.end()
+    if block.loop_mark:
+        raise ValueError(f"expected one TAG before an action, found {sentence}")
+    block.loop_mark, block.takes_break = LoopMark(sentence, tag, is_test, condition), False
+
+
+def _break(block: Block, sentence: Sentence) -> None:
+    phrase = Phrase(sentence, 1)
+    is_off = bool(phrase.takes("OFF"))
+    condition = phrase.condition() if phrase.takes("IF") else ""
+    phrase.end()
+    if is_off and not condition:
+        raise ValueError(f"expected IF and a condition behind BREAK OFF, found {sentence}")
+    if not block.takes_break:
+        raise ValueError(f"expected an action before BREAK, found {sentence}")
+    block.rest(condition, is_off=is_off)
+
+
+_MARKS: dict[str, Callable[[Block, Sentence], None]] = {"SYNCH": _synch, "TAG": _tag, "BREAK": _break}

@@ -1,0 +1,112 @@
+"""One icon of a flow in the application file: ROUTINE, its marks and the lines of its onikon (dissertation §A.4).
+
+Of version 2.0 are the conditions behind marks: `MARKERIF LAMP == 1` behind MARKER, `WHILEIF …` behind WHILETEST.
+"""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
+from onika.files.line import Line, Need, Reading, Slot, one_line, row
+from onika.model.application import Hole, Icon
+from onika.model.syntax import Syntax
+from onika.words.condition import Condition
+from onika.words.name import TASK_NAME
+
+_ROUTINE = (
+    Slot("ROUTINE"),
+    Slot("MARKER", Need.SINCE_1_3),
+    Slot("MARKERIF", Need.OF_2_0),
+    Slot("SYNCHTAG", Need.OPTIONAL),
+    Slot("WHILETAG", Need.OPTIONAL),
+    Slot("WHILETEST", Need.OPTIONAL),
+    Slot("WHILEIF", Need.OF_2_0),
+    *SLOTS,
+)
+
+
+def read_routine(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Icon | Hole | None:
+    """A routine as icon; a hole for a target of unknown type, None for the icons that begin and end a flow."""
+    found = reading.arrange(block, _ROUTINE)
+    line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
+    name = reading.match(block[0], TASK_NAME, "the name of an icon")
+    for one, behind in (("WHILETAG", "WHILETEST"), ("WHILETEST", "WHILETAG"), ("WHILEIF", "WHILETEST")):
+        given = line[one]
+        if given and not line[behind]:
+            order = "after" if one == "WHILETAG" else "before"
+            reading.fault(given.number, f"{behind} {order} {one}", "none")
+    icon = read_icon(name, found, syntax, reading)
+    if icon is None:
+        return Hole(block[0].number, "".join(row(at.keyword, at.rest) for at in block))
+    kind = syntax.find(icon.type)
+    if kind and (kind.is_start or kind.is_end):
+        return None
+    return Icon(
+        icon,
+        marker=reading.yes(line["MARKER"], default=False),
+        synch_tag=_tag(line["SYNCHTAG"], reading),
+        while_tag=_tag(line["WHILETAG"], reading),
+        while_test=reading.yes(line["WHILETEST"], default=False),
+        marker_if=read_condition(line["MARKERIF"], reading),
+        while_if=read_condition(line["WHILEIF"], reading),
+        line=block[0].number,
+    )
+
+
+def write_routine(icon: Icon) -> str:
+    """The lines of an icon."""
+    parts = [row("ROUTINE", icon.onikon.name), row("MARKER", "yes" if icon.marker else "no")]
+    if icon.marker_if:
+        parts.append(row("MARKERIF", one_line(icon.marker_if)))
+    if icon.synch_tag is not None:
+        parts.append(row("SYNCHTAG", icon.synch_tag))
+    if icon.while_tag is not None:
+        parts += [row("WHILETAG", icon.while_tag), row("WHILETEST", "yes" if icon.while_test else "no")]
+        parts += [row("WHILEIF", one_line(icon.while_if))] if icon.while_if else []
+    return "".join(parts) + write_icon(icon.onikon)
+
+
+def is_extended(icon: Icon) -> bool:
+    """Whether its lines are of version 2.0."""
+    return bool(icon.marker_if or (icon.while_if and icon.while_tag is not None)) or needs_extension(icon.onikon)
+
+
+def read_condition(line: Line | None, reading: Reading) -> str:
+    """The condition on a line; empty where there is no line, or a wrong one, which is a fault."""
+    if line is None:
+        return ""
+    try:
+        return Condition.parse(line.text).text
+    except ValueError:
+        reading.fault(line.number, f"a condition such as LAMP == 1 after {line.keyword}", str(line))
+        return ""
+
+
+def marked(job: Icon, target: Icon, reading: Reading) -> tuple[Icon, Icon]:
+    """An action's icon with all marks on it, and its target without any (decision 24)."""
+    _agree(job.synch_tag, target.synch_tag, "synch tag", target, reading)
+    _agree(job.while_tag, target.while_tag, "while tag", target, reading)
+    _agree(job.while_if or None, target.while_if or None, "condition of a loop", target, reading)
+    if job.marker and target.marker:
+        _agree(job.marker_if, target.marker_if, "breakpoint", target, reading)
+    stops = target if target.marker and not job.marker else job
+    whole = replace(
+        job,
+        marker=stops.marker,
+        marker_if=stops.marker_if or (job.marker_if or target.marker_if) * (not stops.marker),
+        synch_tag=target.synch_tag if job.synch_tag is None else job.synch_tag,
+        while_tag=target.while_tag if job.while_tag is None else job.while_tag,
+        while_test=job.while_test or target.while_test,
+        while_if=job.while_if or target.while_if,
+    )
+    return whole, Icon(target.onikon, line=target.line)
+
+
+def _agree(one: str | None, other: str | None, meaning: str, target: Icon, reading: Reading) -> None:
+    if one is not None and other is not None and one != other:
+        found = f"{one or 'always'} and {other or 'always'}"
+        reading.fault(target.line, f"one {meaning} for a job and its target", found)
+
+
+def _tag(line: Line | None, reading: Reading) -> str | None:
+    return reading.word(line, "a tag of one word") if line else None

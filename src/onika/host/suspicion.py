@@ -1,0 +1,52 @@
+"""The suspicion: from whom upstream came what is no number, when a task failed over it (requirement X06, law 5)."""
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from onika.runtime.wiring import WiredTask
+
+
+@dataclass(frozen=True, slots=True)
+class Suspicion:
+    """The way of what is no number, from the failed task upstream; nothing where it read proper numbers."""
+
+    trail: tuple[tuple[str, str], ...] = ()
+    """The variables on that way, each with the task that wrote it; the last one is suspected."""
+    is_made_there: bool = False
+    """Whether everything that the last one reads is in order."""
+
+    @property
+    def task(self) -> str:
+        """Who is suspected; empty: nobody."""
+        return self.trail[-1][1] if self.trail else ""
+
+    def __str__(self) -> str:
+        if not self.trail:
+            return ""
+        (svar, writer), *before = self.trail
+        way = "".join(f", out of {name} by {other}" for name, other in before)
+        return f"{svar} is no number: made by {writer}{way}" + (", of proper numbers" if self.is_made_there else "")
+
+
+def suspicion(failed: WiredTask, beside: Sequence[WiredTask], is_wrong: Callable[[str], bool]) -> Suspicion:
+    """Follow what is no number upstream among the tasks that were ON beside the failed one, which may be among them."""
+    writers = {svar: one for one in beside if one.name != failed.name for svar in (*one.outconst, *one.outvar)}
+    trail: list[tuple[str, str]] = []
+    reader, met = failed, {failed.name}
+    while True:
+        wrong = [svar for svar in (*reader.invar, *reader.inconst) if is_wrong(svar)]
+        known = next((svar for svar in wrong if svar in writers and writers[svar].name not in met), None)
+        if known is None:
+            return Suspicion(tuple(trail), bool(trail) and not wrong)
+        reader = writers[known]
+        trail.append((known, reader.name))
+        met.add(reader.name)
+
+
+def is_no_number(value: Any) -> bool:
+    """Whether a value, or one of those in it, is NaN or infinity."""
+    if isinstance(value, list | tuple):
+        return any(is_no_number(one) for one in value)
+    return isinstance(value, float) and not math.isfinite(value)

@@ -1,0 +1,151 @@
+"""What a flow can do from one wait to the next, whatever its tasks return (requirement X03)."""
+
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import NamedTuple
+
+from onika.wire.plan import (
+    Again,
+    Choose,
+    Do,
+    Fork,
+    Halt,
+    Instruction,
+    Join,
+    Jump,
+    Meet,
+    PlannedAction,
+    PlannedFlow,
+    Rest,
+    Unless,
+)
+
+
+class Value(IntEnum):
+    """What is known before the run of the value that the last action has returned."""
+
+    NONE = 0
+    """There is none: branches take flow 0, loops are left (decisions 21 and 22)."""
+    NOOP = 1
+    """That of a no-op: flow 0, go on (requirement D11)."""
+    ANY = 2
+
+
+class Stop(NamedTuple):
+    """Where a flow stands still: at a Meet or a Join of its program, or for good."""
+
+    at: int
+    value: Value
+
+
+IDLE = Stop(-1, Value.NONE)
+"""It has come to its end, or has not been begun by its parent."""
+ENDLESS = Stop(-2, Value.NONE)
+"""It goes round in a loop that waits for nobody and is never left."""
+
+Said = tuple[str, "Said"] | None
+"""The choices made, the latest first."""
+
+
+@dataclass(frozen=True, slots=True)
+class Way:
+    """One thing a flow can come to: where it stops, the flows it begins before, and an example of the choices to it."""
+
+    stop: Stop
+    forks: tuple[tuple[int, int], ...]
+    choices: tuple[str, ...]
+
+
+def program_of(flow: PlannedFlow) -> tuple[Instruction, ...]:
+    """The program of a flow; without one its actions follow each other, each with its tag and its breakpoint."""
+    if flow.program:
+        return flow.program
+    return (*(step for index, action in enumerate(flow.actions) for step in _plain(index, action)), Halt())
+
+
+def ways(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Value) -> tuple[Way, ...]:
+    """Everything a flow can come to from this place of its program; every choice is free unless its value is known.
+
+    A loop that can be left is left some time; one that cannot, and waits nowhere, is ENDLESS.
+    """
+    at, value = _straight_on(flow, program, at, value)
+    if isinstance(program[at] if at < len(program) else None, Meet):
+        return (Way(Stop(at, _kept(program, at, value)), (), ()),)
+    found: dict[tuple[Stop, tuple[tuple[int, int], ...]], Way] = {}
+    ahead: deque[tuple[int, Value, tuple[tuple[int, int], ...], Said]] = deque([(at, value, (), None)])
+    seen = set()
+    while ahead:
+        at, value, forks, said = ahead.popleft()
+        if (at, value, forks) in seen:
+            continue
+        seen.add((at, value, forks))
+        here = program[at] if at < len(program) else Halt()
+        if isinstance(here, Meet | Join | Halt):
+            stop = IDLE if isinstance(here, Halt) else Stop(at, _kept(program, at, value))
+            found.setdefault((stop, forks), Way(stop, forks, _in_order(said)))
+            continue
+        if isinstance(here, Do):
+            value = Value.NOOP if flow.actions[here.action].is_noop else Value.ANY
+        elif isinstance(here, Fork):
+            forks += tuple(one for one in here.flows if one not in forks)
+        ahead.extend((to, value, forks, (choice, said) if choice else said) for to, choice in _onward(here, at, value))
+    return tuple(found.values()) or (Way(ENDLESS, (), ()),)
+
+
+def _plain(index: int, action: PlannedAction) -> Iterator[Instruction]:
+    if action.synch_tag is not None:
+        yield Meet(action.synch_tag)
+    yield Do(index)
+    if action.marker:
+        yield Rest(index)
+
+
+def _straight_on(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Value) -> tuple[int, Value]:
+    """As far as there is nothing to choose: most of what there is, in one go."""
+    while at < len(program):
+        here = program[at]
+        if type(here) is Do:
+            value = Value.NOOP if flow.actions[here.action].is_noop else Value.ANY
+        elif type(here) is not Rest:
+            break
+        at += 1
+    return at, value
+
+
+def _onward(here: Instruction, at: int, value: Value) -> list[tuple[int, str]]:
+    """The places that can follow, each with the choice that leads there, in words; empty where there is none."""
+    match here:
+        case Choose():
+            if here.conditions or value is Value.ANY:
+                return [(to, f"takes flow {way} of {here.name or 'a branch'}") for way, to in enumerate(here.to)]
+            return [(here.to[0], "")]
+        case Again():
+            return _either(here.loop, here.condition, value, stay=here.to, leave=at + 1)
+        case Unless():
+            return _either(here.loop, here.condition, value, stay=at + 1, leave=here.to)
+        case Jump():
+            return [(here.to, "")]
+        case _:
+            return [(at + 1, "")]
+
+
+def _either(loop: str, condition: str, value: Value, stay: int, leave: int) -> list[tuple[int, str]]:
+    if condition or value is Value.ANY:
+        return [(leave, f"leaves loop {loop}"), (stay, f"stays in loop {loop}")]
+    return [(stay if value is Value.NOOP else leave, "")]
+
+
+def _kept(program: Sequence[Instruction], at: int, value: Value) -> Value:
+    """The value, or ANY where the next action makes it nobody's business: so equal futures are one."""
+    following = program[at + 1] if at + 1 < len(program) else None
+    return Value.ANY if isinstance(following, Do) else value
+
+
+def _in_order(said: Said) -> tuple[str, ...]:
+    choices = []
+    while said is not None:
+        choice, said = said
+        choices.append(choice)
+    return tuple(reversed(choices))

@@ -1,0 +1,70 @@
+"""What a flow can come to, as far as it is known before the run (decisions 21 and 22, R-D11, R-X03)."""
+
+import pytest
+
+from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
+from onika.testing import build
+from onika.testing.tree import Act, Loop, Pick, Side, planned
+from onika.wire.plan import Do, Halt, Meet, Rest
+
+MEET = Act("a")
+NOOP = Act(tasks=(), is_noop=True)
+
+
+def stops(*tree, at=0, value=Value.NONE):
+    flow = planned(tree).flows[0]
+    return [way.stop.at if way.stop != IDLE else "end" for way in ways(flow, flow.program, at, value)]
+
+
+@pytest.mark.parametrize(
+    ("tree", "found"),
+    [
+        ((Act(), MEET), [1]),
+        ((Act(),), ["end"]),
+        ((Act(), Pick(((MEET,), ()))), [2, "end"]),
+        ((Act(), Loop("l", (Act(), Act())), MEET), [4]),
+        ((Loop("l", (MEET, Act())),), [0]),
+        ((Pick(((MEET,), ())),), [1]),  # no value before: flow 0
+        ((NOOP, Pick(((MEET,), ()))), [2]),  # a no-op returns flow 0
+        ((NOOP, Pick(((MEET,), ()), ("A > 1",))), [2, "end"]),  # conditions are not known before
+        ((Loop("l", (Act(), NOOP)), MEET), [-2]),  # a no-op goes on for ever
+        ((Loop("l", (NOOP, Act()), is_top=True), MEET), [-2]),
+    ],
+)
+def test_every_stop_is_found_that_the_values_allow(tree, found):
+    assert stops(*tree) == found
+
+
+@pytest.mark.parametrize(("value", "found"), [(Value.NONE, [5]), (Value.NOOP, [0]), (Value.ANY, [5, 0])])
+def test_a_test_goes_by_the_value_before_it(value, found):
+    assert stops(Loop("l", (MEET, Act("b"))), Act("c"), at=4, value=value) == found
+
+
+def test_the_flows_that_are_begun_on_the_way_are_told_with_their_choices():  # R-D13
+    flow = planned((Act(), Pick(((Side(((), (MEET,))),), ())))).flows[0]
+    found = ways(flow, flow.program, 0, Value.NONE)
+    assert found == (
+        Way(IDLE, (), ("takes flow 1 of a branch",)),
+        Way(Stop(3, Value.ANY), ((1, 0),), ("takes flow 0 of a branch",)),
+    )
+
+
+def test_a_loop_that_waits_nowhere_and_is_never_left_is_endless():
+    flow = planned((Loop("l", (NOOP, NOOP)),)).flows[0]
+    assert ways(flow, flow.program, 0, Value.NONE) == (Way(ENDLESS, (), ()),)
+
+
+def test_a_value_that_nobody_will_look_at_is_forgotten():
+    (way,) = ways(flow := planned((NOOP, MEET)).flows[0], flow.program, 0, Value.NONE)
+    assert way.stop == Stop(1, Value.ANY)
+
+
+def test_without_a_program_the_actions_follow_each_other_with_their_tags():
+    jobs = [build.job("move", trigger="move", synch_tag=tag) for tag in (None, "a")]
+    flow = build.plan(jobs).flows[0]
+    assert program_of(flow) == (Do(0), Meet("a"), Do(1), Halt())
+
+
+def test_a_program_is_taken_as_it_is():
+    flow = planned((Act(breakpoint=""),)).flows[0]
+    assert program_of(flow) == (Do(0), Rest(0), Halt())

@@ -1,0 +1,25 @@
+import pytest
+
+from onika.workcell.arm_unit import ArmUnit
+from onika.workcell.drive import Happening
+from onika.workcell.layout import base
+from onika.workcell.panic_button import PanicButton
+
+
+@pytest.fixture
+def button():
+    return PanicButton(ArmUnit("right", base("right")))
+
+
+def test_it_stays_as_it_was_put(button):  # R-K06
+    assert (button.name, button.is_pressed) == ("panic_right", False)
+    assert (button.put(1), button.is_pressed) == (Happening.PRESS, True)
+    assert (button.put(0.0), button.is_pressed) == (Happening.LET_GO, False)
+
+
+@pytest.mark.parametrize("value", [0.5, -1.0, 2.0, float("nan")])
+def test_half_pressed_there_is_not(button, value):
+    button.put(1.0)
+    with pytest.raises(ValueError, match="1 pressed, 0 let go for panic_right"):
+        button.put(value)
+    assert button.is_pressed
