@@ -2,7 +2,7 @@ import json
 
 from onika.cli.json_lines import JsonLines
 from onika.desk.preparation import prepare_run
-from onika.desk.run import Outcome
+from onika.desk.outcome import Outcome
 from onika.store.site import open_site
 from onika.wire import event
 from onika.words.condition import Condition

@@ -6,7 +6,7 @@ from rich.console import Console
 from onika.cli import live as room
 from onika.cli.live import Live
 from onika.desk.preparation import prepare_run
-from onika.desk.run import Outcome
+from onika.desk.outcome import Outcome
 from onika.store.site import open_site
 from onika.wire import event
 

@@ -3,7 +3,7 @@ import pytest
 from onika.cli import plain as room
 from onika.cli.plain import Plain
 from onika.desk.preparation import prepare_run
-from onika.desk.run import Outcome
+from onika.desk.outcome import Outcome
 from onika.store.site import open_site
 from onika.wire import event
 

@@ -2,7 +2,7 @@ import pytest
 
 from onika.cli import main
 from onika.cli import run as room
-from onika.desk.run import Outcome
+from onika.desk.outcome import Outcome
 from onika.wire import event
 
 RESULT = event.Result(True, "", 1, 1, 2.0, 0.1, {}, (), "")

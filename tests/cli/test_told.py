@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli.told import asked_item, sentence, summary
-from onika.desk.run import Outcome
+from onika.desk.outcome import Outcome
 from onika.wire import event
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place

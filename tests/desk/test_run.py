@@ -3,7 +3,9 @@ import signal
 import pytest
 
 from onika.desk import run as room
-from onika.desk.run import Outcome, RunSettings, run
+from onika.desk.outcome import Outcome
+from onika.desk.run import run
+from onika.desk.settings import RunSettings
 from onika.link.lost import closed
 from onika.store.site import open_site
 from onika.wire import event, request

@@ -4,7 +4,7 @@ import pytest
 
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Note, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Moved, Note, Settle, Spawn, Start, Switch
 from onika.testing import build
 from onika.testing.play import Play
 
@@ -46,16 +46,17 @@ def test_news_of_an_unknown_task_is_noted():
 
 
 def test_a_flow_without_actions_is_done_at_once():
-    assert Play(build.engine([])) >> Run() << Settle() >> Settled() << End(True)
+    assert Play(build.engine([])) >> Run() << Moved(0, "done", -1) << Settle() >> Settled() << End(True)
 
 
 def test_the_end_waits_for_all_flows():  # R-E14
     play = (
         Play(build.engine([], [REACH]))
         >> Run() << Spawn(1, "move")
-        >> Spawned(1, "move") << Switch(1, (), (Start("move", "1 2", 100.0),)) << Began(1, 0)
+        >> Spawned(1, "move") << Moved(0, "done", -1)
+        << Switch(1, (), (Start("move", "1 2", 100.0),)) << Began(1, 0)
         >> TurnedOn(1, "move")
-        >> Finished(1, "move") << Done(1, 0) << Settle()
+        >> Finished(1, "move") << Done(1, 0) << Moved(1, "done", 0) << Settle()
     )  # fmt: skip
     assert play
 

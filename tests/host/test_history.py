@@ -123,6 +123,14 @@ def test_it_sleeps_where_nothing_changes_and_wakes_with_the_next_news(place):  #
     assert place.history.wake_at() == 2100 * MS
 
 
+def test_it_sleeps_where_there_is_nothing_to_see(place):  # R-X06
+    assert place.history.wake_at() is None
+    place.history.tick(0)
+    assert place.history.wake_at() is None
+    place.has("X").history.tick(70 * MS)
+    assert place.history.wake_at() == 100 * MS
+
+
 def test_a_grid_wider_than_what_is_kept_is_no_history():
     with pytest.raises(ValueError, match="more often than"):
         History({}, every_ns=2, kept_ns=1)

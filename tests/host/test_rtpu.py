@@ -49,6 +49,17 @@ class Unit:
     def say(self, order):
         self.post.send(room.encode(order))
 
+    def told(self, number):
+        """The next datagrams, each a list of news."""
+        heard = []
+        while len(heard) < number:
+            received = self.post.receive()
+            if received is not None:
+                heard.append(room.decode_news(received[0]))
+            else:
+                assert select.select([self.post], [], [], 20.0)[0]
+        return heard
+
     def hear(self, kind):
         """The next news of a kind."""
         while True:
@@ -62,10 +73,10 @@ class Unit:
             else:
                 assert select.select([self.post], [], [], 20.0)[0], f"no {kind.__name__}"
 
-    def spawn(self, source=COUNT):
+    def spawn(self, source=COUNT, task="count"):
         entry = self.table.entry("N", Shape.parse("int"))
         ports = (command.BoundPort("N", "N", "int", entry.offset),)
-        self.say(command.Spawn("flow0", "count", "count", "count.py", source, "periodic", 200.0, (), ports, 0, 0, None))
+        self.say(command.Spawn("flow0", task, "count", "count.py", source, "periodic", 200.0, (), ports, 0, 0, None))
 
     def close(self):
         self.post.close()
@@ -90,6 +101,39 @@ def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # h
     finished = unit.hear(news.Finished)
     assert finished.now_ns - first >= 4 * 4_000_000  # five cycles of 5 ms, each at its release or later
     assert unit.table.value("N") == 5
+
+
+def spawn_all(unit, names):
+    for name in names:
+        unit.spawn(task=name)
+        unit.hear(news.Initialised)
+
+
+def test_a_prepared_switch_and_what_it_led_to_come_in_one_datagram(unit):  # law 6
+    spawn_all(unit, ("count", "b", "c"))
+    follows = command.Switch("flow0", (), (), (command.Launch("b", "", None, 2), command.Launch("c", "", None, 3)))
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count", "", None, 1),)))
+    unit.say(command.Prepared("flow0", "count", 1, (command.Case(0, None, 4, follows),)))
+    unit.hear(news.Cycled)
+    told, later = unit.told(2)
+    finished = told[0]
+    assert (finished.task, finished.switched) == ("count", 4)
+    followed = [(type(one), one.task) for one in told[1:]]
+    assert followed[:2] == [(news.Changed, "b"), (news.Changed, "c")]
+    assert {(news.Cycled, "b"), (news.Cycled, "c")} >= set(followed[2:])
+    assert {one.task for one in later} <= {"b", "c"}
+
+
+def test_a_finish_that_somebody_has_to_answer_waits_for_no_other_cycle(unit):  # law 2
+    spawn_all(unit, ("count", "b"))
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count"), command.Launch("b"))))
+    unit.hear(news.Cycled)
+    unit._heard.clear()
+    finishes = []
+    while len(finishes) < 2:
+        (told,) = unit.told(1)
+        finishes += [told] if any(isinstance(one, news.Finished) for one in told) else []
+    assert [len(told) for told in finishes] == [1, 1]
 
 
 def test_it_says_that_it_is_alive_and_whose_code_runs(unit):  # law 30

@@ -3,7 +3,7 @@
 import pytest
 
 from onika.engine.news import Abort, Failed, Finished, Illegal, Killed, Refused, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Settle, Start, Switch
+from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
 from onika.testing import build
 from onika.testing.play import Play
 
@@ -87,12 +87,12 @@ def test_a_task_that_dies_during_the_run_aborts_it():  # R-E10
 
 
 def test_an_error_while_things_settle_is_no_success():
-    play = started() >> Finished(0, "move") << Done(0, 0) << Settle()
+    play = started() >> Finished(0, "move") << Done(0, 0) << Moved(0, "done", 0) << Settle()
     assert gone(play >> Failed(0, "puma", "x") << KILLS >> Settled(), f"{WHERE}: puma is in error: x")
 
 
 def test_an_abort_after_everything_settled_comes_too_late():  # R-E14
-    play = started() >> Finished(0, "move") << Done(0, 0) << Settle() >> Settled() << KILLS
+    play = started() >> Finished(0, "move") << Done(0, 0) << Moved(0, "done", 0) << Settle() >> Settled() << KILLS
     assert play >> Abort("stop") >> Killed(0, "puma") >> Killed(0, "move") << End(True)
 
 
@@ -103,7 +103,7 @@ def test_an_abort_ends_all_flows():  # decision 28
         Play(build.engine([job], [job]))
         >> Run() << build.spawns([job], [job])
         >> [Spawned(0, "move"), Spawned(1, "move")]
-        << [Switch(0, (), start), Began(0, 0), Switch(1, (), start), Began(1, 0)]
+        << [Together("", (0, 1)), Switch(0, (), start), Began(0, 0), Switch(1, (), start), Began(1, 0)]
         >> Failed(1, "move", "stuck") << [Kill(0, "move"), Kill(1, "move")]
         >> Killed(1, "move")
         >> Killed(0, "move") << End(False, "test.appl flow 1 action 0: move is in error: stuck")

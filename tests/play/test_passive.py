@@ -1,7 +1,7 @@
 """Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, decision 17)."""
 
 from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
-from onika.engine.orders import Began, Done, Note, Settle, Start, Switch
+from onika.engine.orders import Began, Done, Moved, Note, Settle, Start, Switch
 from onika.testing import build
 from onika.testing.play import Play
 
@@ -36,7 +36,7 @@ def test_a_passive_task_in_error_is_left_off_for_the_rest_of_the_run():  # decis
         << Note(0, f"{WHERE} 0: view is in error and stays off, the job goes on: no screen")
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), MOVE) << Began(0, 1)
         >> TurnedOn(0, "move")
-        >> Finished(0, "move") << Done(0, 1) << Settle()
+        >> Finished(0, "move") << Done(0, 1) << Moved(0, "done", 1) << Settle()
     )  # fmt: skip
 
 
@@ -71,5 +71,5 @@ def test_another_task_that_switches_itself_off_is_noted_and_the_run_goes_on():  
         >> [TurnedOn(0, "move"), TurnedOn(0, "view")]
         >> SwitchedOff(0, "view")
         << Note(0, f"{WHERE} 0: view has switched itself off: ignored, though it is not passive")
-        >> Finished(0, "move") << Done(0, 0) << Settle()
+        >> Finished(0, "move") << Done(0, 0) << Moved(0, "done", 0) << Settle()
     )  # fmt: skip

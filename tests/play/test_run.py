@@ -1,7 +1,7 @@
 """Stories of runs that go well (§5.9.2, R-E02, R-E03, R-E14)."""
 
 from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Note, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch, Together
 from onika.testing import build
 from onika.testing.play import Play
 
@@ -32,7 +32,7 @@ def test_an_application_runs_from_the_first_spawn_to_the_last_kill():  # R-E02, 
         >> [TurnedOn(0, "move"), TurnedOn(0, "pd"), TurnedOn(0, "puma")]
         >> Finished(0, "move") << Done(0, 0) << Switch(0, (), on("grip")) << Began(0, 1)
         >> TurnedOn(0, "grip")
-        >> Finished(0, "grip") << Done(0, 1) << Settle()
+        >> Finished(0, "grip") << Done(0, 1) << Moved(0, "done", 1) << Settle()
         >> Settled() << [Kill(0, "move"), Kill(0, "pd"), Kill(0, "puma"), Kill(0, "grip")]
         >> killed("move", "pd", "puma")
         >> Killed(0, "grip") << End(True)
@@ -89,7 +89,7 @@ def test_no_flow_begins_before_the_tasks_of_all_flows_live():  # §5.9.2
         >> Run() << [Spawn(0, "move"), Spawn(1, "move")]
         >> Spawned(0, "move")
         >> Spawned(1, "move")
-        << [Switch(0, (), on("move")), Began(0, 0), Switch(1, (), on("move")), Began(1, 0)]
+        << [Together("", (0, 1)), Switch(0, (), on("move")), Began(0, 0), Switch(1, (), on("move")), Began(1, 0)]
     )  # fmt: skip
 
 
@@ -117,7 +117,7 @@ def test_a_job_without_a_trigger_goes_on_and_says_so():
         Play(build.engine([hold, REACH]))
         >> Run() << build.spawns([hold, REACH])
         >> spawned("puma", "move", "pd") << Switch(0, (), on("puma")) << Began(0, 0)
-        << Note(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until it is aborted")
+        << Note(0, "test.appl flow 0 action 0: action 0 has no trigger: it goes on until you skip it")
         >> TurnedOn(0, "puma")
     )  # fmt: skip
 
@@ -137,7 +137,7 @@ def test_the_second_finish_of_a_trigger_does_not_end_the_next_action():  # decis
         >> Finished(0, "move")
         << Note(0, "test.appl flow 0 action 1: move has finished, which ends no action now: ignored")
         >> TurnedOn(0, "move")
-        >> Finished(0, "move") << Done(0, 1) << Settle()
+        >> Finished(0, "move") << Done(0, 1) << Moved(0, "done", 1) << Settle()
     )  # fmt: skip
 
 

@@ -1,18 +1,22 @@
 """Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, decision 26)."""
 
-from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Note, Settle, Start, Switch
-from onika.testing import build
+from onika.engine.news import Abort, Finished, Killed, Pass, Run, Settled, Spawned, TurnedOn
+from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
+from onika.testing import build, scene, script
 from onika.testing.play import Play
+from onika.wire.plan import Do, Halt, Meet
 
 FREE = build.job("move", trigger="move")
 MEET = build.job("move", trigger="move", synch_tag="meet")
+LATER = build.job("move", trigger="move", synch_tag="later")
+ENDED = "flow 1 has ended and will not come"
 
 
 def started(*flows):
     """A run in the first action of each flow, whose tasks are all ON."""
     numbers = range(len(flows))
     play = Play(build.engine(*flows)) >> Run() << build.spawns(*flows) >> [Spawned(flow, "move") for flow in numbers]
+    play = play << Together("", tuple(numbers)) if len(flows) > 1 else play
     for flow in numbers:
         play = play << begins(flow, 0)
     return play >> [TurnedOn(flow, "move") for flow in numbers]
@@ -22,26 +26,35 @@ def begins(flow, index):
     return [Switch(flow, (), (Start("move", "", 100.0),)), Began(flow, index)]
 
 
-def waits(flow, other, ending=""):
-    return Note(flow, f"waits at meet for flow {other}{ending}")
+def together(index, *flows):
+    """All go on at the tag; the last one to come has not waited."""
+    *waiting, last = flows
+    switches = {flow: begins(flow, index) for flow in flows}
+    for flow in waiting:
+        switches[flow].append(Moved(flow, "running", index))
+    return [Together("meet", tuple(sorted(flows))), *(order for flow in sorted(flows) for order in switches[flow])]
 
 
-def test_a_tag_holds_a_flow_until_its_twin_arrives_and_both_begin_together():
+def waits(flow, *others, after=0, text=""):
+    return Moved(flow, "waiting", after, "meet", others, text)
+
+
+def test_a_tag_holds_a_flow_until_its_twin_arrives_and_both_begin_together():  # R-E04
     play = started([FREE, MEET], [FREE, MEET])
     assert (
         play
         >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-        >> Finished(1, "move") << Done(1, 0) << begins(0, 1) << begins(1, 1)
+        >> Finished(1, "move") << Done(1, 0) << together(1, 0, 1)
     )  # fmt: skip
 
 
 def test_three_flows_wait_for_the_last_of_them():  # decision 26
-    play = started([FREE, MEET], [FREE, MEET], [FREE, MEET]) >> TurnedOn(0, "move")
+    play = started([FREE, MEET], [FREE, MEET], [FREE, MEET])
     assert (
         play
-        >> Finished(2, "move") << Done(2, 0) << waits(2, 0) << waits(2, 1)
+        >> Finished(2, "move") << Done(2, 0) << waits(2, 0, 1)
         >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-        >> Finished(1, "move") << Done(1, 0) << begins(0, 1) << begins(1, 1) << begins(2, 1)
+        >> Finished(1, "move") << Done(1, 0) << together(1, 0, 2, 1)
     )  # fmt: skip
 
 
@@ -50,7 +63,7 @@ def test_a_flow_without_the_tag_is_not_waited_for():
     assert (
         play
         >> Finished(0, "move") << Done(0, 0) << waits(0, 2)
-        >> Finished(2, "move") << Done(2, 0) << begins(0, 1) << begins(2, 1)
+        >> Finished(2, "move") << Done(2, 0) << together(1, 0, 2)
     )  # fmt: skip
 
 
@@ -58,48 +71,59 @@ def test_a_tag_on_the_first_action_holds_it():
     assert (
         Play(build.engine([MEET], [FREE, MEET]))
         >> Run() << build.spawns([MEET], [FREE, MEET])
-        >> [Spawned(0, "move"), Spawned(1, "move")] << waits(0, 1) << begins(1, 0)
+        >> [Spawned(0, "move"), Spawned(1, "move")] << waits(0, 1, after=-1) << begins(1, 0)
         >> TurnedOn(1, "move")
-        >> Finished(1, "move") << Done(1, 0) << begins(0, 0) << begins(1, 1)
+        >> Finished(1, "move") << Done(1, 0) << Together("meet", (0, 1))
+        << begins(0, 0) << Moved(0, "running", 0) << begins(1, 1)
     )  # fmt: skip
 
 
 def test_repeated_tags_pair_in_their_order():  # decision 26
-    play = started([FREE, MEET, MEET], [FREE, MEET, MEET])
     assert (
-        play
-        >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-        >> Finished(1, "move") << Done(1, 0) << begins(0, 1) << begins(1, 1)
-        >> [TurnedOn(0, "move"), TurnedOn(1, "move")]
-        >> Finished(1, "move") << Done(1, 1) << waits(1, 0)
-        >> Finished(0, "move") << Done(0, 1) << begins(0, 2) << begins(1, 2)
+        met([FREE, MEET, MEET], [FREE, MEET, MEET])
+        >> Finished(1, "move") << Done(1, 1) << waits(1, 0, after=1)
+        >> Finished(0, "move") << Done(0, 1) << together(2, 1, 0)
+    )  # fmt: skip
+
+
+def test_those_who_begin_together_do_so_at_the_tag_where_they_met_though_one_waits_at_the_next():  # R-X03
+    assert (
+        scene.opened([FREE, build.noop("meet"), LATER], [FREE, MEET], [MEET, LATER])
+        >> Spawned(2, "move") << Moved(2, "waiting", -1, "meet", (0, 1)) << Together("", (0, 1))
+        << begins(0, 0) << begins(1, 0)
+        >> scene.ends(0) << Done(0, 0) << waits(0, 1)
+        >> scene.ends(1) << Done(1, 0) << scene.passes(0, 1) << Moved(0, "waiting", 1, "later", (2,))
+        << Together("meet", (1, 2)) << begins(1, 1) << scene.goes_on(2, 0)
+        >> scene.ends(2) << Done(2, 0) << Together("later", (0, 2)) << scene.goes_on(0, 2) << begins(2, 1)
     )  # fmt: skip
 
 
 def test_a_flow_that_waits_for_an_ended_one_is_reported():  # decision 26
-    play = started([FREE, MEET, MEET], [FREE, MEET])
-    met = (
-        play
-        >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-        >> Finished(1, "move") << Done(1, 0) << begins(0, 1) << begins(1, 1)
-        >> [TurnedOn(0, "move"), TurnedOn(1, "move")]
-    )  # fmt: skip
     assert (
-        met
-        >> Finished(0, "move") << Done(0, 1) << waits(0, 1)
-        >> Finished(1, "move") << Done(1, 1) << waits(0, 1, ", which has ended")
+        met([FREE, MEET, MEET], [FREE, MEET])
+        >> Finished(0, "move") << Done(0, 1) << waits(0, 1, after=1)
+        >> Finished(1, "move") << Done(1, 1) << Moved(1, "done", 1) << waits(0, 1, after=1, text=ENDED)
     )  # fmt: skip
 
 
-def test_a_flow_that_comes_to_wait_for_an_ended_one_is_reported():  # decision 26
-    play = started([FREE, MEET, MEET], [FREE, MEET])
+def test_a_flow_that_comes_to_wait_for_an_ended_one_is_reported_and_can_be_let_pass():  # decision 26, R-E07
     assert (
-        play
-        >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
-        >> Finished(1, "move") << Done(1, 0) << begins(0, 1) << begins(1, 1)
-        >> [TurnedOn(0, "move"), TurnedOn(1, "move")]
-        >> Finished(1, "move") << Done(1, 1)
-        >> Finished(0, "move") << Done(0, 1) << waits(0, 1, ", which has ended")
+        met([FREE, MEET, MEET], [FREE, MEET])
+        >> Finished(1, "move") << Done(1, 1) << Moved(1, "done", 1)
+        >> Finished(0, "move") << Done(0, 1) << waits(0, 1, after=1, text=ENDED)
+        >> Pass(0) << scene.goes_on(0, 2)
+        >> scene.ends(0) << Done(0, 2) << Moved(0, "done", 2) << Settle()
+    )  # fmt: skip
+
+
+def test_flows_may_end_at_the_instant_at_which_they_meet():  # R-E14
+    last = build.noop("meet")
+    assert (
+        scene.opened([FREE, last], [FREE, last])
+        >> Spawned(1, "move") << Together("", (0, 1)) << begins(0, 0) << begins(1, 0)
+        >> scene.ends(1) << Done(1, 0) << waits(1, 0)
+        >> scene.ends(0) << Done(0, 0) << scene.passes(0, 1) << Moved(0, "done", 1)
+        << scene.passes(1, 1) << Moved(1, "done", 1) << Settle()
     )  # fmt: skip
 
 
@@ -108,7 +132,7 @@ def test_a_tag_that_no_other_flow_has_holds_nobody():  # decision 27
         started([FREE, MEET])
         >> Finished(0, "move") << Done(0, 0) << begins(0, 1)
         >> TurnedOn(0, "move")
-        >> Finished(0, "move") << Done(0, 1) << Settle()
+        >> Finished(0, "move") << Done(0, 1) << Moved(0, "done", 1) << Settle()
         >> Settled() << Kill(0, "move")
         >> Killed(0, "move") << End(True)
     )  # fmt: skip
@@ -122,4 +146,46 @@ def test_a_waiting_flow_can_be_aborted():  # R-E07
         >> Abort("stop") << Kill(0, "move") << Kill(1, "move")
         >> Killed(0, "move")
         >> Killed(1, "move") << End(False, "stop")
+    )  # fmt: skip
+
+
+def test_a_tag_in_loops_pairs_round_by_round():  # decision 26
+    loop = script.program(script.bottom("round", Meet("meet"), Do(0)))
+    flows = build.flow([FREE], loop), build.flow([FREE], loop)
+    both = [Together("meet", (0, 1)), *begins(0, 0), Moved(0, "running", 0), *begins(1, 0)]
+    play = scene.opened(*flows) >> Spawned(1, "move") << waits(0, 1, after=-1) << both
+    for _ in range(2):
+        play = play >> scene.ends(0, loop=True) << Done(0, 0) << waits(0, 1)
+        play = play >> scene.ends(1, loop=True) << Done(1, 0) << both
+    assert (
+        play
+        >> scene.ends(1) << Done(1, 0) << Moved(1, "done", 0)
+        >> scene.ends(0, loop=True) << Done(0, 0) << waits(0, 1, text=ENDED)
+    )  # fmt: skip
+
+
+def test_who_waits_for_whom_can_be_asked_at_any_time():  # R-X03
+    play = started([FREE, MEET], [FREE, MEET]) >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
+    first, second = play.position(0), play.position(1)
+    assert (first.state, first.action, first.tag, first.waits_for) == ("waiting", 0, "meet", ("1",))
+    assert (second.state, second.tag, second.waits_for) == ("running", "", ())
+
+
+def test_flows_that_meet_for_ever_without_taking_time_are_aborted():
+    forever = script.program(script.bottom("round", Meet("meet"), Do(0)))
+    flow = build.flow([scene.NOOP, FREE], (*forever[:-1], Do(1), Halt()))
+    engine = build.engine(flow, flow)
+    orders = [order for news in (Run(), Spawned(0, "move"), Spawned(1, "move")) for order in engine.feed(news)]
+    assert orders[-2:] == [Kill(0, "move"), Kill(1, "move")]
+    orders = engine.feed(Killed(0, "move")) + engine.feed(Killed(1, "move"))
+    assert orders == [End(False, "flows meet for ever without taking any time")]
+
+
+def met(*flows):
+    """The story of two flows that have met at their second actions, which run."""
+    return (
+        started(*flows)
+        >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
+        >> Finished(1, "move") << Done(1, 0) << together(1, 0, 1)
+        >> [TurnedOn(0, "move"), TurnedOn(1, "move")]
     )  # fmt: skip

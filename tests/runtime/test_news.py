@@ -22,6 +22,8 @@ NEWS = [
     news.Failed("s", "t", "cycle", "ValueError: x", "m.py", 3, "trace", 5),
     news.Failed("s", "t", "cycle", "x", "m.py", 3, "trace", 5, 2, {"Q": [1.0, 2.0], "NAME": "cube"}),
     news.Warned("s", "t", "slow", 5),
+    news.Finished("s", "t", 1, True, 5, 7, 2),
+    news.Unprepared("s"),
     news.Signalled("s", "t", "ILLEGAL", 0, "door open", 5),
     news.Asked("s", "t", "too far", (ITEM,), 5),
     news.Refused("s", "t", "on", "no such task"),

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.engine.news import Run
-from onika.engine.orders import Began, Done, End, Kill, Note, Settle, Spawn, Start, Switch
+from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch
 from onika.testing import build
 from onika.testing.fakes import Activation, FakeRuntime, Fault
 
@@ -26,7 +26,7 @@ def kinds(runtime):
 def test_a_fake_runtime_runs_a_plan_to_its_end():
     runtime = FakeRuntime(build.engine([REACH]), MOVE)
     runtime.run()
-    assert kinds(runtime) == [Spawn, Spawn, Switch, Began, Done, Settle, Kill, Kill, End]
+    assert kinds(runtime) == [Spawn, Spawn, Switch, Began, Done, Moved, Settle, Kill, Kill, End]
     assert runtime.on_during == {(0, 0): {"move": 100.0, "puma": 100.0}}
     assert runtime.activations == {(0, 0): (Activation(0, "move", "1 2"), Activation(0, "puma", ""))}
 
@@ -40,8 +40,8 @@ def test_a_fake_runtime_can_abort():
 @pytest.mark.parametrize(
     ("fault", "expected"),
     [
-        (Fault.ASK, [Note, Done, Settle, Kill, Kill, End]),
-        (Fault.FINISH_TWICE, [Done, Note, Settle, Kill, Kill, End]),
+        (Fault.ASK, [Note, Done, Moved, Settle, Kill, Kill, End]),
+        (Fault.FINISH_TWICE, [Done, Moved, Note, Settle, Kill, Kill, End]),
         (Fault.SWITCH_OFF, [Note]),
         (Fault.FAIL, [Kill, Kill, End]),
         (Fault.REFUSE, [Kill, Kill, End]),

@@ -4,10 +4,18 @@ import argparse
 import sys
 
 from onika import __version__
-from onika.cli import check, console, doctor, new, run, runtime
+from onika.cli import check, console, doctor, new, run, runtime, text
 from onika.link.lost import LinkLost
 
-_COMMANDS = {"run": run, "runtime": runtime, "console": console, "check": check, "new": new, "doctor": doctor}
+_COMMANDS = {
+    "run": run,
+    "runtime": runtime,
+    "console": console,
+    "check": check,
+    "new": new,
+    "text": text,
+    "doctor": doctor,
+}
 
 
 def carry_out(words: list[str] | None) -> int:
@@ -16,8 +24,8 @@ def carry_out(words: list[str] | None) -> int:
     parser.add_argument("--version", action="version", version=f"onika {__version__}")
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, command in _COMMANDS.items():
-        text = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
-        command.describe(commands.add_parser(name, help=text, description=text.capitalize() + "."))
+        purpose = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
+        command.describe(commands.add_parser(name, help=purpose, description=purpose.capitalize() + "."))
     given = parser.parse_args(words)
     try:
         code: int = _COMMANDS[given.command].carry_out(given)

@@ -1,14 +1,17 @@
 """A run as lines of JSON: one object per event, the result last."""
 
 import sys
+from collections.abc import Sequence
 from types import TracebackType
 from typing import Any
 
 import msgspec
 
+from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun
-from onika.desk.run import Outcome
 from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault
 
 
 class JsonLines:
@@ -36,14 +39,33 @@ class JsonLines:
     def answer(self, asked: event.Asked) -> None:
         """Nobody is there to answer."""
 
+    @property
+    def can_steer(self) -> bool:
+        """Nobody is there."""
+        return False
+
+    def wishes(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def looks(self) -> bool:
+        """Nobody does."""
+        return False
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """Nobody looks."""
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """A line that was carried out, what is wrong with it, where every flow is if it asked for that."""
+        fields: dict[str, Any] = {"event": "steered", "line": line, "faults": _plain(faults)}
+        if positions:
+            fields["flows"] = msgspec.to_builtins(positions)
+        self._write(fields)
+
     def ended(self, outcome: Outcome, drawn: str) -> None:
         """The result."""
         found: dict[str, Any] = {"event": "result", "application": outcome.name, "state": outcome.state}
-        found["faults"] = [
-            {"file": one.place.file, "line": one.place.line, "expected": one.expected, "found": one.found,
-             "instead": one.instead}
-            for one in outcome.faults
-        ]  # fmt: skip
+        found["faults"] = _plain(outcome.faults)
         found["notes"] = outcome.notes
         if outcome.result is not None:
             result = outcome.result
@@ -60,6 +82,8 @@ class JsonLines:
                 "missed": {f"{one.subsystem}/{one.task}": one.missed for one in result.tasks},
                 "tasks": msgspec.to_builtins(result.tasks),
                 "switches_us": result.switches_us,
+                "skews_us": result.skews_us,
+                "failed": _plain(outcome.failed),
                 "hash": result.hash,
                 "printed": outcome.printed,
             }
@@ -71,3 +95,16 @@ class JsonLines:
     def _write(self, fields: dict[str, Any]) -> None:
         sys.stdout.write(msgspec.json.encode(fields).decode() + "\n")
         sys.stdout.flush()
+
+
+def _plain(faults: Sequence[Fault]) -> list[dict[str, Any]]:
+    return [
+        {
+            "file": one.place.file,
+            "line": one.place.line,
+            "expected": one.expected,
+            "found": one.found,
+            "instead": one.instead,
+        }
+        for one in faults
+    ]

@@ -1,91 +1,116 @@
-"""A run on a terminal: what is done above, what goes on below, redrawn as it happens."""
+"""A run on a terminal: what is done above, what goes on below, redrawn as it happens; keys steer it (E07, E11)."""
 
 from time import monotonic
 from types import TracebackType
 
-from rich.columns import Columns
-from rich.console import Console, Group
+from rich.console import Console
 from rich.live import Live as Screen
-from rich.progress_bar import ProgressBar
-from rich.table import Table
 from rich.text import Text
 
-from onika.cli.told import asked_item, sentence, summary
+from onika.cli.keyboard import Keyboard
+from onika.cli.panel import Panel
+from onika.cli.told import asked_item, lines, summary
 from onika.cli.typed import typed_line
+from onika.desk import positions as places
+from onika.desk.cast import Cast
+from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun
-from onika.desk.run import Outcome
 from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault
 
-_MARKS = {
-    "ON": ("▶", "cyan"),
-    "OFF": ("○", "bright_black"),
-    "WAITING": ("⧗", "bright_black"),
-    "ASKING": ("?", "magenta"),
-    "ERROR": ("✕", "bold red"),
-}
-_BAR = 40
+_LOOK_S = 0.2
+"""How often the runtime is asked at most where its flows are."""
+_STYLES = {event.Failed: "red", event.Explained: "red", event.Warned: "yellow", event.Moved: "bright_black"}
 
 
 class Live:
-    """Actions scroll by; the panel at the bottom shows the present one, the time and every task's state."""
+    """Actions scroll by; the panel at the bottom shows every flow, the time, every task's state and the keys.
+
+    can_steer   whether somebody is at the keyboard
+    """
 
     def __init__(self) -> None:
         self._console = Console(highlight=False)
-        self._name = ""
-        self._totals: list[int] = []
-        self._done = 0
-        self._now: dict[int, str] = {}
-        self._states: dict[tuple[str, str], str] = {}
-        self._since = monotonic()
+        self._panel = Panel()
+        self._keyboard = Keyboard()
+        self._total = 0
+        self._has_moved = False
+        self._looked = 0.0
         # last, because it draws at once
-        self._screen = Screen(console=self._console, refresh_per_second=12, get_renderable=self._panel, transient=True)
+        self._screen = Screen(
+            console=self._console, refresh_per_second=12, get_renderable=self._panel.draw, transient=True
+        )
 
     def __enter__(self) -> "Live":
+        self._keyboard.__enter__()
         self._screen.start()
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._screen.stop()
+        try:
+            self._screen.stop()
+        finally:
+            self._keyboard.__exit__(kind, fault, trace)
+
+    @property
+    def can_steer(self) -> bool:
+        """Whether somebody is at the keyboard."""
+        return self._keyboard.is_there
 
     def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
         """What there is to do."""
         del runtime_pid
-        self._name = prepared.name
-        self._since = monotonic()
         if prepared.plan is not None:
-            self._totals = [len(flow.actions) for flow in prepared.plan.flows]
+            self._total = max((len(flow.actions) for flow in prepared.plan.flows), default=0)
+            self._panel.begins(prepared.name, Cast.of(prepared.plan))
+            self._panel.has_keys = self.can_steer
 
     def happens(self, one: event.Event) -> None:
         """Remember it for the panel; say it above where it is worth a line."""
-        match one:
-            case event.Began():
-                self._now[one.flow] = one.action
-            case event.Done():
-                self._done += 1
-            case event.TaskState():
-                self._states[one.subsystem, one.task] = one.state
-        line = sentence(one, max(self._totals, default=0))
-        if line:
-            style = "red" if isinstance(one, event.Failed) else "yellow" if isinstance(one, event.Warned) else ""
-            self._console.print(Text(line, style=style))
+        self._panel.happens(one)
+        self._has_moved = self._has_moved or isinstance(one, event.Began | event.Moved)
+        for line in lines(one, self._total, self._panel.cast.subsystems, self._console.width):
+            self._console.print(Text(line, style=_STYLES.get(type(one), "")))
 
     def answer(self, asked: event.Asked) -> str | None:
         """Ask for it in the terminal, value by value; None at the end of the input."""
         self._screen.stop()
-        if asked.reason:
-            self._console.print(Text(asked.reason, style="magenta"))
-        words: list[str] = []
-        for one in asked.items:
-            question = f"{asked.task} asks for {asked_item(one)}: "
-            self._console.print(Text(question), end="")
-            line = typed_line()
-            if line is None:
-                return None
-            words.append(line)
-        self._screen.start()
-        return " ".join(words)
+        with self._keyboard.lent():
+            line = self._answers(asked)
+        if line is not None:
+            self._screen.start()
+        return line
+
+    def wishes(self) -> list[str]:
+        """What the keys want."""
+        for key in self._keyboard.pressed():
+            self._panel.said = ""
+            self._panel.wheel.press(key)
+        return self._panel.wheel.take()
+
+    def looks(self) -> bool:
+        """Now and then, where flows have moved or were steered."""
+        if not self._has_moved or monotonic() - self._looked < _LOOK_S:
+            return False
+        self._has_moved, self._looked = False, monotonic()
+        return True
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """For the panel."""
+        self._panel.place(positions)
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """What came of a line: where the flows are, or why it was not carried out."""
+        self._has_moved = True
+        self._console.print(Text(f"> {line}", style="bright_black"))
+        for text in places.lines(positions, self._panel.cast) if positions else ():
+            self._console.print(Text(text))
+        for fault in faults:
+            self._panel.said = f"{line}: {fault.found}"
+            self._console.print(Text(str(fault), style="red"))
 
     def ended(self, outcome: Outcome, drawn: str) -> None:
         """The summary."""
@@ -95,25 +120,14 @@ class Live:
             style = ("bold green" if good else "bold red") if is_verdict else "red" if ": NO" in line else ""
             self._console.print(Text(line, style=style))
 
-    def _panel(self) -> Group | Text:
-        if not self._totals:
-            return Text("preparing …", style="bright_black")
-        total = sum(self._totals)
-        head = Table.grid(padding=(0, 2))
-        actions = "  |  ".join(self._now[flow] for flow in sorted(self._now))
-        head.add_row(
-            Text(self._name, style="bold"),
-            ProgressBar(total=total, completed=self._done, width=_BAR),
-            Text(f"{self._done} of {total} done"),
-            Text(f"{monotonic() - self._since:6.1f} s"),
-            Text(actions, style="bold cyan"),
-        )
-        states = Columns(
-            [
-                Text(f"{_MARKS[state][0]} {task}", style=_MARKS[state][1], no_wrap=True)
-                for (_, task), state in sorted(self._states.items())
-                if state != "KILLED"
-            ],
-            padding=(0, 2),
-        )
-        return Group(Text(), head, states)
+    def _answers(self, asked: event.Asked) -> str | None:
+        if asked.reason:
+            self._console.print(Text(asked.reason, style="magenta"))
+        words: list[str] = []
+        for one in asked.items:
+            self._console.print(Text(f"{asked.task} asks for {asked_item(one)}: "), end="")
+            line = typed_line()
+            if line is None:
+                return None
+            words.append(line)
+        return " ".join(words)

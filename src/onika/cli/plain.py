@@ -2,11 +2,15 @@
 
 from types import TracebackType
 
-from onika.cli.told import asked_item, sentence, summary
+from onika.cli.told import asked_item, lines, summary
 from onika.cli.typed import typed_line
+from onika.desk import positions as places
+from onika.desk.cast import Cast
+from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun
-from onika.desk.run import Outcome
 from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault
 
 
 class Plain:
@@ -14,6 +18,7 @@ class Plain:
 
     def __init__(self) -> None:
         self._total = 0
+        self._cast = Cast(())
 
     def __enter__(self) -> "Plain":
         return self
@@ -27,14 +32,36 @@ class Plain:
         """The name and how much there is to do."""
         del runtime_pid
         if prepared.plan is not None:
+            self._cast = Cast.of(prepared.plan)
             self._total = max(len(flow.actions) for flow in prepared.plan.flows)
             self._write(f"{prepared.name}: {sum(len(flow.actions) for flow in prepared.plan.flows)} actions")
 
     def happens(self, one: event.Event) -> None:
-        """One line, or none."""
-        line = sentence(one, self._total)
-        if line:
+        """Its lines, if there are any."""
+        for line in lines(one, self._total, self._cast.subsystems):
             self._write(line)
+
+    @property
+    def can_steer(self) -> bool:
+        """Nobody is there."""
+        return False
+
+    def wishes(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def looks(self) -> bool:
+        """Nobody does."""
+        return False
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """Nobody looks."""
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """The line of a script, and what came of it."""
+        self._write(f"> {line}")
+        for each in (*faults, *(places.lines(positions, self._cast) if positions else ())):
+            self._write(str(each))
 
     def answer(self, asked: event.Asked) -> str | None:
         """Ask on the terminal that input comes from; None at the end of the input."""

@@ -7,13 +7,17 @@ import sys
 from pathlib import Path
 from typing import TextIO
 
+from onika.cli.in_order import in_order
 from onika.cli.json_lines import JsonLines
 from onika.cli.live import Live
 from onika.cli.place import directory, site_here
 from onika.cli.plain import Plain
+from onika.cli.runtime import script_file
 from onika.cli.scale import scale
 from onika.desk import picture
-from onika.desk.run import Elsewhere, Outcome, RunSettings, run
+from onika.desk.outcome import Outcome
+from onika.desk.run import run
+from onika.desk.settings import Elsewhere, RunSettings
 from onika.link.address import Address
 from onika.link.token import read_token
 from onika.words.condition import Condition
@@ -56,9 +60,15 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--subsystem", action="append", default=[], metavar="NAME", help="a name for the next flow's subsystem (flow0)"
     )
+    parser.add_argument("--script", type=script_file, metavar="FILE", help="lines that steer the run")
     parser.add_argument(
-        "--on-loss", choices=("stop", "run"), default="stop", help="what the run does when this program is gone (stop)"
-    )
+        "--on-error", choices=("abort", "wait"),
+        help="at an error end the run, or wait to be told (wait where there is a keyboard or a script)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--on-loss", choices=("stop", "finish", "run"), default="stop",
+        help="when this program is gone: stop, finish the current actions and pause, or run on (stop)",
+    )  # fmt: skip
     parser.add_argument("--ca", type=Path, metavar="FILE", help="certificates to trust for it beside the system's")
 
 
@@ -81,9 +91,11 @@ def carry_out(given: argparse.Namespace) -> int:
         scale=given.scale,
         subsystems=tuple(given.subsystem),
         on_loss=given.on_loss,
+        on_error=given.on_error or ("wait" if watcher.can_steer or given.script is not None else "abort"),
+        script=given.script,
         elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token or "", given.ca),
     )
-    with watcher:
+    with in_order(), watcher:
         outcome = run(settings, site_here(given.local), watcher)
     drawn = _draw(outcome, given.picture) if given.picture is not None else ""
     watcher.ended(outcome, drawn)

@@ -1,23 +1,18 @@
 """Sitting down at a runtime: a console of the kind that this terminal can show, over a runtime that is there."""
 
 import os
-import signal
 import sys
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from types import FrameType
 
 from onika.cli.conversation import Desk, converse, run_batch, serve
+from onika.cli.in_order import in_order
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
 from onika.desk.console.console import Console
 from onika.desk.console.face import Face, Tone
 from onika.desk.console.session import Runtime, Session
 from onika.store.site import Site
-
-_TERMINATED = 128 + signal.SIGTERM
 
 
 class _Wire:
@@ -39,7 +34,7 @@ def sit_down(
     wire = _Wire()
     session = Session(runtime, site, wire, time.monotonic, addresses=addresses)
     console = Console(session)
-    with _in_order(), _desk(console) if has_console else PlainConsole() as desk:
+    with in_order(), _desk(console) if has_console else PlainConsole() as desk:
         wire.face = desk
         faults = session.begin()
         for fault in faults:
@@ -50,20 +45,6 @@ def sit_down(
         if has_console:
             return converse(console, desk, script)
         return serve(console) if script is None else run_batch(console, desk, script)
-
-
-@contextmanager
-def _in_order() -> Iterator[None]:
-    """Within it, to be told to end is an end like any other: the terminal is left as it was, drives hold."""
-
-    def end(_signal: int, _frame: FrameType | None) -> None:
-        raise SystemExit(_TERMINATED)
-
-    former = signal.signal(signal.SIGTERM, end)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, former)
 
 
 def _welcome(session: Session, desk: Desk) -> None:

@@ -1,19 +1,43 @@
 """How a run is told to people: one sentence per event and the summary at the end, for terminals and plain text."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from onika.desk.run import Outcome
+from onika.desk import explained
+from onika.desk.outcome import Outcome
+from onika.desk.positions import waits
 from onika.wire import event
 
 _PRINTED = 20
 
 
-def sentence(one: event.Event, total: int) -> str:
+def lines(one: event.Event, total: int, flows: Sequence[str] = (), width: int = 80) -> Iterator[str]:
+    """The lines of an event; none for those that only machines want.
+
+    total   how many actions the longest flow has
+    flows   the flows' subsystems; each is named where there are several
+    width   columns that there are for what takes several lines
+    """
+    if isinstance(one, event.Explained):
+        yield from explained.lines(one, width)
+    elif line := sentence(one, total, flows):
+        yield line
+
+
+def sentence(one: event.Event, total: int, flows: Sequence[str] = ()) -> str:
     """One line for an event; empty for those that only machines want."""
     match one:
         case event.Began():
             width = len(str(total))
-            return f"{one.at_s:8.2f} s  {one.index + 1:>{width}}/{total}  {one.action}"
+            column = max(map(len, flows)) if len(flows) > 1 else 0
+            name = f"{flows[one.flow]:<{column}}  " if column else ""
+            return f"{one.at_s:8.2f} s  {name}{one.index + 1:>{width}}/{one.of if column else total}  {one.action}"
+        case event.Moved():
+            said = _moved(one)
+            return f"{one.at_s:8.2f} s  {one.subsystem} {said}" if said else ""
+        case event.Met():
+            tag = one.tag.rpartition(" ")[2]
+            names = " and ".join(one.subsystems)
+            return f"{one.at_s:8.2f} s  {names} go on together at {tag}, {one.skew_us:.0f} us apart"
         case event.Warned():
             who = f"{one.task}: " if one.task else ""
             return f"{one.at_s:8.2f} s  note: {who}{one.text}"
@@ -26,6 +50,18 @@ def sentence(one: event.Event, total: int) -> str:
             return f"{one.at_ns * 1e-9:8.2f} s  {one.device} holds: {one.cause}"
         case _:
             return ""
+
+
+def _moved(one: event.Moved) -> str:
+    """What is worth a word of a flow's new state; actions that begin, errors and the end have their own."""
+    match one.state:
+        case "waiting" | "joining":
+            said = waits(one.tag, one.waits_for)
+        case "paused":
+            said = f"is paused after {one.action + 1}" if one.action >= 0 else "is paused before its first action"
+        case _:
+            return one.text
+    return f"{said} ({one.text})" if one.text else said
 
 
 def asked_item(one: event.Item) -> str:
@@ -60,6 +96,8 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     yield f"{outcome.name}: {outcome.state}, {result.done} of {result.of} actions, {took}{pace}"
     if result.cause:
         yield f"cause: {result.cause}"
+    if result.completed:  # else the cause says it, and the fault stands above
+        yield from (f"script: {fault}" for fault in outcome.failed)
     if outcome.printed.strip():
         yield "the runtime printed:"
         yield from (f"  {line}" for line in outcome.printed.strip().splitlines()[-_PRINTED:])

@@ -1,10 +1,11 @@
 """Compiling: a program found on a site becomes the plan that a runtime executes (house decision 2, §5.9.2)."""
 
+from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 
+from onika.desk.sequence import MOST_ACTIONS, Doing, Line, Sequencer, plain_type
 from onika.files import text
-from onika.model.application import AppFlow, Icon, actions
-from onika.model.configuration import Configuration
+from onika.model.configuration import Placed
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.program import Program
@@ -17,13 +18,25 @@ UNKNOWN = "unknown"
 
 
 class Compiler:
-    """Compiles what is there; faults name what is not. `places` gives the `.rmod` file of a task."""
+    """Compiles what is there; faults name what is not.
 
-    def __init__(self, program: Program, syntax: Syntax, place: Place, places: dict[str, str]) -> None:
+    places      the `.rmod` files of the tasks
+    file_of     the file of a nested application
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        syntax: Syntax,
+        place: Place,
+        places: Mapping[str, str],
+        file_of: Callable[[str], str] = lambda name: f"{name}.appl",
+    ) -> None:
         self._program = program
         self._syntax = syntax
         self._place = place
         self._places = places
+        self._file_of = file_of
         self._digests: dict[str, str] = {}
         self.faults: list[Fault] = []
         self.targets: list[TargetValues] = []
@@ -31,9 +44,12 @@ class Compiler:
     def plan(self) -> Plan:
         """The plan of everything that could be compiled."""
         code = self._code()
-        application = self._program.application
-        flows = application.flows if application.is_parallel else application.flows[:1]
-        return Plan(application.name, tuple(self._flow(n, flow) for n, flow in enumerate(flows)), code)
+        sequencer = Sequencer(self._syntax, self._program.applications, self._file_of)
+        lines = sequencer.sequence(self._program.application, self._place.file)
+        if sequencer.is_too_long:
+            expected = f"at most {MOST_ACTIONS} actions, those of nested applications each time they are used"
+            self.faults.append(Fault(self._place, expected, "more", "the application is not run"))
+        return Plan(self._program.application.name, tuple(self._flow(n, line) for n, line in enumerate(lines)), code)
 
     def _code(self) -> tuple[Code, ...]:
         found = []
@@ -52,50 +68,40 @@ class Compiler:
             found.append(Code(digest, module, str(path), source))
         return tuple(found)
 
-    def _flow(self, number: int, flow: AppFlow) -> PlannedFlow:
-        planned: list[PlannedAction] = []
+    def _flow(self, number: int, line: Line) -> PlannedFlow:
         tasks: dict[str, PlannedTask] = {}
-        for position, job, targets in actions(flow, self._syntax):
-            target = next((one for one in targets if isinstance(one, Icon)), None)
-            configuration = self._program.configurations.get(job.onikon.name)
-            if configuration is None:
-                continue  # a no-op takes no time; whatever else is missing is a fault of readiness
-            present = [one for one in configuration.placed if one.task in self._program.tasks]
-            for one in present:
-                task = self._program.tasks[one.task]
-                if task.module in self._digests:
+        actions: list[PlannedAction] = []
+        for index, doing in enumerate(line.doings):
+            configuration = self._program.configurations.get(doing.icon.onikon.name)
+            placed = () if configuration is None or doing.is_noop else configuration.placed
+            for one in placed:
+                task = self._program.tasks.get(one.task)
+                if task is not None and task.module in self._digests:
                     tasks.setdefault(one.task, self._task(task, one.rtpu))
-            index = len(planned)
-            planned.append(self._action(number, position, job, target, configuration, set(tasks)))
-            if target is not None:
-                kind = target.onikon.type.lower()
+            actions.append(self._action(doing, placed, tasks))
+            for target in doing.targets:
+                kind = plain_type(target.onikon.type)
                 self.targets.append(TargetValues(number, index, kind, _flat(target.onikon.values)))
-        return PlannedFlow(f"flow{number}", tuple(tasks.values()), tuple(planned))
+        return PlannedFlow(line.subsystem, tuple(tasks.values()), tuple(actions), tuple(line.program), line.parent)
 
-    def _action(
-        self,
-        number: int,
-        position: int,
-        job: Icon,
-        target: Icon | None,
-        configuration: Configuration,
-        tasks: set[str],
-    ) -> PlannedAction:
-        name = job.onikon.name if target is None else f"{job.onikon.name} {target.onikon.name}"
-        present = [one for one in configuration.placed if one.task in tasks]
-        arguments = "" if target is None else target.onikon.argument_line(self._syntax)
+    def _action(self, doing: Doing, placed: Sequence[Placed], tasks: Mapping[str, PlannedTask]) -> PlannedAction:
+        job = doing.icon.onikon
+        names = [target.onikon.name for target in doing.targets]
+        present = [one for one in placed if one.task in tasks]
         return PlannedAction(
-            name=name,
-            job=job.onikon.name,
-            target=None if target is None else target.onikon.name,
-            place=self._place.file,
-            line=job.line,
-            lacks_tasks=len(present) < len(configuration.placed),
+            name=" ".join((job.name, *names)),
+            job=job.name,
+            target=" ".join(names) or None,
+            place=doing.file,
+            line=doing.icon.line,
+            lacks_tasks=not doing.is_noop and (len(present) < len(placed) or not placed),
             tasks=tuple(one.task for one in present),
             rates=tuple((one.task, one.frequency) for one in present if one.frequency and self._keeps_time(one.task)),
-            arguments=arguments,
-            marker=job.marker or (target is not None and target.marker),
-            synch_tag=job.synch_tag or (target.synch_tag if target is not None else None),
+            arguments=" ".join(target.onikon.argument_line(self._syntax) for target in doing.targets),
+            marker=doing.icon.marker,
+            synch_tag=doing.icon.synch_tag,
+            is_noop=doing.is_noop,
+            within=doing.within,
         )
 
     def _keeps_time(self, name: str) -> bool:

@@ -18,6 +18,10 @@ class Outcome:
     result: event.Result | None = None
     expectations: list[tuple[Condition, Any, bool]] = field(default_factory=list)
     snapshots: dict[str, bytes] = field(default_factory=dict)
+    actions: int = 0
+    """How many actions it has."""
+    failed: tuple[Fault, ...] = ()
+    """The line of the script that could not be carried out, and why."""
     printed: str = ""
     """What the runtime's processes printed, where the run was aborted."""
 
@@ -30,7 +34,8 @@ class Outcome:
 
     @property
     def exit_code(self) -> int:
-        """0: completed and every expectation holds; 1: aborted, or one does not hold; 2: refused."""
+        """0: completed and every expectation holds; 1: aborted, one does not hold, or a script failed; 2: refused."""
         if self.result is None:
             return 2
-        return 0 if self.result.completed and all(holds for _, _, holds in self.expectations) else 1
+        is_good = self.result.completed and not self.failed
+        return 0 if is_good and all(holds for _, _, holds in self.expectations) else 1

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from onika.desk.compile import Compiler
 from onika.model.application import Application
-from onika.model.rules import readiness, warning
+from onika.model.rules import meetings, readiness, warning
 from onika.model.rules.union import tasks_of
 from onika.store.program import Program, load
 from onika.store.site import Site
@@ -44,16 +44,22 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
         return _nothing(name_or_path, (*faults, *read))
     place = Place(str(path))
     judged = readiness.faults(
-        program.application, syntax, program.configurations, program.tasks, place, unread=program.unread
+        program.application,
+        syntax,
+        program.configurations,
+        program.tasks,
+        place,
+        applications=program.applications,
+        unread=program.unread,
     )
     folder = path.absolute().parent
     home = site.at(folder.parent) if folder.name == "appl" else site
     places = _places(program, home)
-    compiler = Compiler(program, syntax, place, places)
+    compiler = Compiler(program, syntax, place, places, lambda name: str(home.application_file(name) or name))
     plan = compiler.plan()
-    found, notes = parted(
-        (*faults, *program.faults, *judged, *compiler.faults, *_notes(program, home, places), *site.absent())
-    )
+    met = meetings.findings(plan)
+    told = _notes(program, home, places)
+    found, notes = parted((*faults, *program.faults, *judged, *compiler.faults, *met, *told, *site.absent()))
     return PreparedRun(program.application.name, program.application, plan, tuple(compiler.targets), found, notes)
 
 

@@ -15,7 +15,7 @@ Told = Callable[[str, tuple[Fault, ...], tuple[Position, ...]], None]
 
 
 class Prompter:
-    """Whenever something has happened, `go_on` carries out every line whose turn has come.
+    """Whenever something has happened, `go_on` carries out the next line if its turn has come.
 
     The first line that fails ends the script, and the run with it.
     """
@@ -36,35 +36,39 @@ class Prompter:
         """The time at which the next line is looked at again, whatever happens."""
         return None if self._vigil is None else self._vigil.until_s
 
-    def go_on(self) -> None:
-        """Carry out what can be, up to a line that waits."""
+    def go_on(self) -> bool:
+        """Carry out the next line if its turn has come; whether it has."""
         running = self._running
-        while self._cues and self._can_act:
-            cue = self._cues[0]
-            if isinstance(cue.act, Wait):
-                if self._vigil is None:
-                    self._vigil = running.vigil(cue.act)
-                if not self._vigil.is_over:
-                    return
-                faults, self._vigil = self._vigil.faults(cue.place), None
-            else:
-                faults = running.do(cue.act, cue.place)
-            self._cues.popleft()
-            positions = running.who() if isinstance(cue.act, Look) and not faults else ()
-            self._told(cue.text, faults, positions)
-            if faults:
-                self._fail(faults)
+        if running.is_aborted:
+            self._cues.clear()  # why is told by the result
+        if not self._cues or not self._can_act:
+            return False
+        cue = self._cues[0]
+        if isinstance(cue.act, Wait):
+            if self._vigil is None:
+                self._vigil = running.vigil(cue.act)
+            if not self._vigil.is_over:
+                return False
+            faults, self._vigil = self._vigil.faults(cue.place), None
+        else:
+            faults = running.do(cue.act, cue.place)
+        self._cues.popleft()
+        positions = running.who() if isinstance(cue.act, Look) and not faults else ()
+        self._told(cue.text, faults, positions)
+        if faults:
+            self._fail(faults)
+        return True
 
     @property
     def _can_act(self) -> bool:
         """In a held run only while the clock stands; no line is carried out while a task asks."""
         running = self._running
         if running.is_over:
-            return not running.is_held or self._vigil is not None or isinstance(self._cues[0].act, Wait)
+            return True
         return (running.stands or not running.is_held) and not running.whereabouts.is_asking
 
     def _fail(self, faults: tuple[Fault, ...]) -> None:
         self._cues.clear()
         self._running.outcome.failed += faults
         if not self._running.is_over:
-            self._running.abort(f"the script fails: {faults[0]}")
+            self._running.abort(f"the script fails at {faults[0].place}")

@@ -1,90 +1,42 @@
-"""A run from the environment's side: prepare, launch a runtime, follow it to its end (requirements E03, E14)."""
+"""A run from the environment's side: prepare, launch a runtime, follow and steer it to its end (E03, E07, E14)."""
 
-from dataclasses import dataclass, field
-from pathlib import Path
-from typing import Any, Protocol
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Protocol
 
 from msgspec import structs
 
+from onika.desk import script
+from onika.desk.cast import Cast
 from onika.desk.compile import rtpus_of
 from onika.desk.interruption import Interruption
+from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun, prepare_run
+from onika.desk.prompter import Prompter
+from onika.desk.running import Running
 from onika.desk.runtime import Conversation, Reached, Runtime, connect
+from onika.desk.script import Cue
+from onika.desk.settings import RunSettings
 from onika.link.lost import LinkLost
 from onika.store.site import Site
-from onika.wire import event, request
+from onika.wire import event, live, request
 from onika.wire.plan import Plan
+from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
-from onika.words.name import resolve
 
 _LOOK_S = 0.05
-"""How long a Ctrl-C waits at most."""
-
-
-@dataclass(frozen=True, slots=True)
-class Elsewhere:
-    """A runtime that somebody else started: its address, a token (empty: see `connect`), certificates to trust."""
-
-    url: str
-    token: str = ""
-    ca: Path | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class RunSettings:
-    """What a run is to be."""
-
-    name: str
-    is_virtual: bool = False
-    expectations: tuple[Condition, ...] = ()
-    settle_s: float = 0.5
-    seed: int = 0
-    answers: tuple[tuple[str, str, str], ...] = ()
-    """Task, name of an input, values."""
-    may_ask: bool = False
-    wants_picture: bool = False
-    with_fifo: bool = True
-    elsewhere: Elsewhere | None = None
-    scale: float | None = None
-    """In virtual time: how many times as fast as wall time it passes; None: as fast as it goes."""
-    subsystems: tuple[str, ...] = ()
-    """Names for the flows' subsystems in place of flow0, flow1 …"""
-    on_loss: str = "stop"
-    """What becomes of the run when this program is gone: `stop`, or `run` on."""
-    """The runtime to run on; else one is launched here."""
-
-
-@dataclass(slots=True)
-class Outcome:
-    """How a run ended. `result` is missing where it was refused; then there are faults."""
-
-    name: str
-    faults: list[Fault] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    result: event.Result | None = None
-    expectations: list[tuple[Condition, Any, bool]] = field(default_factory=list)
-    snapshots: dict[str, bytes] = field(default_factory=dict)
-    printed: str = ""
-    """What the runtime's processes printed, where the run was aborted."""
-
-    @property
-    def state(self) -> str:
-        """`refused`, `completed` or `aborted`."""
-        if self.result is None:
-            return "refused"
-        return "completed" if self.result.completed else "aborted"
-
-    @property
-    def exit_code(self) -> int:
-        """0: completed and every expectation holds; 1: aborted, or one does not hold; 2: refused."""
-        if self.result is None:
-            return 2
-        return 0 if self.result.completed and all(holds for _, _, holds in self.expectations) else 1
+"""How long a Ctrl-C, or a key, waits at most."""
 
 
 class Watcher(Protocol):
     """Whoever watches a run."""
+
+    @property
+    def can_steer(self) -> bool:
+        """Whether somebody is there who could go on after a pause or an error."""
+        ...
 
     def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
         """Everything is ready and the run begins now."""
@@ -98,36 +50,140 @@ class Watcher(Protocol):
         """The argument line for a task that asks; None where nobody answers."""
         ...
 
+    def wishes(self) -> Sequence[str]:
+        """The lines of steering that are wanted now (`desk.steering`)."""
+        ...
+
+    def looks(self) -> bool:
+        """Whether to look now where the flows are."""
+        ...
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """Where the flows are, for who looks."""
+        ...
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """A line was carried out, or why not; the positions where it asked for them."""
+        ...
+
+
+@contextmanager
+def start(settings: RunSettings, site: Site) -> Iterator[Running]:
+    """Begin an application, to be steered from a program; a run that goes on at the end of the block is aborted.
+
+    Raises ValueError with every fault where it is refused, LinkLost or TimeoutError where there is no runtime.
+    """
+    outcome = Outcome(settings.name)
+    with _open(settings, site, outcome, is_held=settings.is_virtual) as opened:
+        if opened is None:
+            raise ValueError("; ".join(map(str, outcome.faults)))
+        running, _ = opened
+        running.begin()
+        try:
+            yield running
+        finally:
+            running.close()
+
 
 def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
     """Run an application to its end. Ctrl-C stops it; a second one is a KeyboardInterrupt."""
-    prepared = prepare_run(settings.name, site)
-    outcome = Outcome(prepared.name, list(prepared.faults), [str(note) for note in prepared.notes])
-    if prepared.plan is None:
-        return outcome
-    plan = _within(prepared.plan, settings.subsystems, outcome)
+    outcome = Outcome(settings.name)
+    is_held = settings.is_virtual and settings.script is not None
     try:
-        with _runtime(settings, plan) as runtime:
-            _prepare(prepared, plan, runtime, outcome)
-            outcome.faults += _unheard_of(settings.expectations, plan)
-            if not outcome.faults:
-                watcher.begins(prepared, runtime.pid)
-                _carry_out(settings, plan, runtime, watcher, outcome)
+        with _open(settings, site, outcome, is_held) as opened:
+            if opened is not None:
+                running, cues = opened
+                watcher.begins(running.prepared, running.pid)
+                _follow(running, Prompter(running, cues, watcher.steered), watcher)
+                running.close()
     except (LinkLost, TimeoutError) as lost:
-        outcome.result = _aborted(str(lost), plan)
+        outcome.result = event.Result(False, str(lost), 0, outcome.actions, 0.0, 0.0, {}, (), "")
     return outcome
 
 
+@contextmanager
+def _open(
+    settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
+) -> Iterator[tuple[Running, tuple[Cue, ...]] | None]:
+    """A run that is ready to begin, and its script; None where there are faults."""
+    prepared = prepare_run(settings.name, site)
+    outcome.name = prepared.name
+    outcome.faults += prepared.faults
+    outcome.notes += [str(note) for note in prepared.notes]
+    if prepared.plan is None:
+        yield None
+        return
+    plan = _within(prepared.plan, settings.subsystems, outcome)
+    prepared = replace(prepared, plan=plan)
+    outcome.actions = sum(len(flow.actions) for flow in plan.flows)
+    cues, faults = ((), []) if settings.script is None else script.load(settings.script, Cast.of(plan))
+    outcome.faults += faults
+    with _runtime(settings, plan) as runtime:
+        _prepare(prepared, plan, runtime, outcome)
+        outcome.faults += _unheard_of(settings.expectations, plan)
+        if outcome.faults:
+            yield None
+        else:
+            can_hold = is_held and (settings.elsewhere is None or _is_virtual(runtime))
+            yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold), cues
+
+
+def _follow(running: Running, prompter: Prompter, watcher: Watcher) -> None:
+    """Listen, answer, steer, until the result is there."""
+    try:
+        running.begin()
+        with Interruption() as interruption:
+            while not running.is_over:
+                _turn(running, prompter, watcher, interruption)
+            while prompter.go_on():
+                pass
+    except (LinkLost, TimeoutError) as lost:
+        running.lose(str(lost))
+
+
+def _turn(running: Running, prompter: Prompter, watcher: Watcher, interruption: Interruption) -> None:
+    if interruption.is_new():
+        running.stop("stopped by the user (Ctrl-C)")
+    _hear(running, watcher, interruption, _LOOK_S)
+    while prompter.go_on():
+        _hear(running, watcher, interruption, 0.0)
+    for line in watcher.wishes():
+        faults = running.steer(line, at_once=True)
+        is_look = line.split()[:1] == ["who"] and not faults
+        watcher.steered(line, faults, running.who() if is_look else ())
+    if not running.is_over and watcher.looks():
+        watcher.placed(running.who())
+    if prompter.is_over and not watcher.can_steer and not running.is_over and running.is_stuck():
+        running.abort(f"nobody is there to go on: {running.whereabouts.standing()}")
+    running.go_on(prompter.until_s)
+
+
+def _hear(running: Running, watcher: Watcher, interruption: Interruption, timeout_s: float) -> None:
+    for one in running.hear(timeout_s):
+        watcher.happens(one)
+        if isinstance(one, event.Asked):
+            with interruption.at_once():
+                running.answer(one, watcher.answer(one))
+
+
 def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
-    """The plan in subsystems of these names; none: of its own."""
+    """The plan in subsystems of these names, one for each flow that is not nested; none: of its own."""
     if not names:
         return plan
-    if len(set(names)) != len(plan.flows):
-        expected = f"{len(plan.flows)} different names, one for each flow"
+    chief = [flow.subsystem for flow in plan.flows if flow.parent is None]
+    if len(set(names)) != len(chief):
+        expected = f"{len(chief)} different names, one for each flow"
         outcome.faults.append(Fault(Place("--subsystem"), expected, " ".join(names), "nothing is run"))
         return plan
-    flows = (structs.replace(flow, subsystem=name) for flow, name in zip(plan.flows, names, strict=True))
-    return structs.replace(plan, flows=tuple(flows))
+    new = dict(zip(chief, names, strict=False))
+
+    def renamed(subsystem: str) -> str:
+        first, dot, rest = subsystem.partition(".")
+        return new.get(first, first) + dot + rest
+
+    return structs.replace(
+        plan, flows=tuple(structs.replace(one, subsystem=renamed(one.subsystem)) for one in plan.flows)
+    )
 
 
 def _runtime(settings: RunSettings, plan: Plan) -> Runtime | Reached:
@@ -135,6 +191,11 @@ def _runtime(settings: RunSettings, plan: Plan) -> Runtime | Reached:
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
     options = () if settings.scale is None else ("--scale", f"{settings.scale:g}")
     return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
+
+
+def _is_virtual(runtime: Conversation) -> bool:
+    answer = runtime.ask(live.Survey())
+    return isinstance(answer, live.Standing) and answer.is_virtual
 
 
 def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: Outcome) -> None:
@@ -146,72 +207,16 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: 
         outcome.faults.append(Fault(Place("the runtime"), "a plan that it takes", answer.reason, "nothing is run"))
 
 
-def _carry_out(settings: RunSettings, plan: Plan, runtime: Conversation, watcher: Watcher, outcome: Outcome) -> None:
-    outcome.result = _follow(settings, plan, runtime, watcher)
-    outcome.printed = "" if outcome.result.completed else runtime.printed()
-    values = outcome.result.values
-    outcome.expectations = [(one, one.found(values), one.holds(values)) for one in settings.expectations]
-    if settings.wants_picture:
-        outcome.snapshots = _snapshots(runtime)
-
-
-def _follow(settings: RunSettings, plan: Plan, runtime: Conversation, watcher: Watcher) -> event.Result:
-    watch = tuple(dict.fromkeys(one.address for one in settings.expectations))
-    begin = request.Begin(watch, settings.settle_s, settings.seed, settings.answers, settings.may_ask, settings.on_loss)
-    done = 0
-    try:
-        answer = runtime.ask(begin)
-        if isinstance(answer, request.Refused):
-            return _aborted(answer.reason, plan)
-        with Interruption() as interruption:
-            while True:
-                if interruption.is_new():
-                    runtime.ask(request.Stop("stopped by the user (Ctrl-C)"))
-                for one in runtime.events(_LOOK_S):
-                    watcher.happens(one)
-                    done += isinstance(one, event.Done)
-                    if isinstance(one, event.Result):
-                        return one
-                    if isinstance(one, event.Asked):
-                        with interruption.at_once():
-                            runtime.ask(_answer(one, watcher.answer(one)))
-    except (LinkLost, TimeoutError) as lost:
-        return _aborted(str(lost), plan, done)
-
-
-def _answer(asked: event.Asked, line: str | None) -> request.Request:
-    if line is None:
-        return request.Abort(f"task {asked.task} asks for input and nobody answers")
-    return request.Reply(asked.subsystem, asked.task, line)
-
-
-def _snapshots(runtime: Conversation) -> dict[str, bytes]:
-    try:
-        answer = runtime.ask(request.Snapshot())
-    except (LinkLost, TimeoutError):
-        return {}
-    return answer.snapshots if isinstance(answer, request.Worlds) else {}
-
-
-def _aborted(cause: str, plan: Plan, done: int = 0) -> event.Result:
-    """What the environment knows of a run whose runtime can say nothing any more (E10)."""
-    return event.Result(False, cause, done, sum(len(flow.actions) for flow in plan.flows), 0.0, 0.0, {}, (), "")
-
-
 def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
     """Expectations of variables that no task of the plan reads or writes."""
-    known = {
-        f"{flow.subsystem}/{svar}"
-        for flow in plan.flows
-        for task in flow.tasks
-        for svar in resolve(task.inconst + task.outconst + task.invar + task.outvar, dict(task.aliases))
-    }
-    names = known | {address.partition("/")[2] for address in known}
-    return [
-        Fault(Place("--expect"), "a variable that some task reads or writes", one.address, "nothing is run")
-        for one in expectations
-        if one.address not in names
-    ]
+    cast, faults = Cast.of(plan), []
+    for one in expectations:
+        try:
+            cast.home(one.address)
+        except ValueError:
+            expected = "a variable that some task reads or writes"
+            faults.append(Fault(Place("--expect"), expected, one.address, "nothing is run"))
+    return faults
 
 
 def _fault(text: request.FaultText) -> Fault:

@@ -16,10 +16,10 @@ from time import monotonic
 
 from onika.desk import steering
 from onika.desk.cast import Cast
+from onika.desk.objection import GOES_ON, objection
 from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun
 from onika.desk.runtime import Conversation
-from onika.desk.script import fault
 from onika.desk.settings import RunSettings
 from onika.desk.steering import Act, Expect, Look, Order, Wait
 from onika.desk.vigil import Vigil
@@ -35,7 +35,6 @@ Faults = tuple[Fault, ...]
 LINE = Place("line")
 _LOOK_S = 0.05
 _PATIENCE_S = 60.0
-_GOES_ON = "the run goes on as it was"
 
 
 class Running:
@@ -82,6 +81,11 @@ class Running:
     def is_over(self) -> bool:
         """Whether the run has come to its end, or never began."""
         return self.outcome.result is not None
+
+    @property
+    def is_aborted(self) -> bool:
+        """Whether it came to another end than its own."""
+        return self.outcome.result is not None and not self.outcome.result.completed
 
     @property
     def now_s(self) -> float:
@@ -181,16 +185,21 @@ class Running:
 
     # -- what may be done
 
-    def steer(self, line: str) -> Faults:
-        """Do what a line of steering says (`desk.steering`), as in `skip flow0 3`; `wait` and `expect` too."""
+    def steer(self, line: str, *, at_once: bool = False) -> Faults:
+        """Do what a line of steering says (`desk.steering`), as in `skip flow0 3`; `wait` and `expect` too.
+
+        at_once    even while the clock of a held run goes on, at whatever time that is
+        """
         try:
             act = steering.act(line, self.cast)
         except ValueError as wrong:
-            return (fault(LINE, str(wrong), _GOES_ON),)
-        return self.do(act)
+            return (objection(LINE, str(wrong), GOES_ON),)
+        return self.do(act, at_once=at_once)
 
-    def do(self, act: Act, place: Place = LINE) -> Faults:
+    def do(self, act: Act, place: Place = LINE, *, at_once: bool = False) -> Faults:
         """Do it; why not."""
+        if not at_once:
+            self._settle()
         match act:
             case Order():
                 return self._order(act, place)
@@ -209,9 +218,7 @@ class Running:
     def answer(self, asked: event.Asked, line: str | None) -> None:
         """Answer a task that asks; None ends the run."""
         cause = f"task {asked.task} asks for input and nobody answers"
-        self._runtime.ask(
-            request.Abort(cause) if line is None else request.Reply(asked.subsystem, asked.task, line)
-        )
+        self._runtime.ask(request.Abort(cause) if line is None else request.Reply(asked.subsystem, asked.task, line))
 
     def stop(self, cause: str) -> None:
         """Every drive holds, and the run ends (law 27)."""
@@ -230,7 +237,6 @@ class Running:
         return self.outcome.result
 
     def _order(self, order: Order, place: Place) -> Faults:
-        self._settle()
         if self.is_over:
             return (Fault(place, "a run that goes on", "its end", "nothing is done"),)
         self.whereabouts.steered(order.subsystem, is_skip=order.is_skip)
@@ -239,11 +245,10 @@ class Running:
             self._onward(self.now_s)
             self._settle()
         if isinstance(answer, request.Refused):
-            return (Fault(place, "the runtime to do it", answer.reason, _GOES_ON),)
+            return (objection(place, answer.reason, GOES_ON),)
         return ()
 
     def _expect(self, act: Expect, place: Place) -> Faults:
-        self._settle()
         condition = act.condition
         values = {condition.address: self.read(f"{act.subsystem}/{act.name}")}
         if condition.holds(values):
@@ -261,7 +266,6 @@ class Running:
 
     def vigil(self, act: Wait) -> Vigil:
         """A wait that begins now."""
-        self._settle()
         return Vigil(self, act)
 
     def lose(self, cause: str) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from onika.desk import steering
 from onika.desk.cast import Cast
 from onika.desk.console import script as lines_of
+from onika.desk.objection import objection
 from onika.desk.steering import Act
 from onika.words.fault import Fault, Place
 
@@ -37,11 +38,5 @@ def _judged(lines: list[tuple[Place, str]], cast: Cast) -> tuple[tuple[Cue, ...]
         try:
             cues.append(Cue(place, line, steering.act(line, cast)))
         except ValueError as wrong:
-            faults.append(fault(place, str(wrong), "nothing is run"))
+            faults.append(objection(place, str(wrong), "nothing is run"))
     return tuple(cues), faults
-
-
-def fault(place: Place, text: str, instead: str) -> Fault:
-    """The fault of a text `expected …, found …`."""
-    expected, _, found = text.partition(", found ")
-    return Fault(place, expected.removeprefix("expected "), found or "something else", instead)

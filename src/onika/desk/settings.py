@@ -36,7 +36,7 @@ class RunSettings:
     subsystems: tuple[str, ...] = ()
     """Names for the flows' subsystems in place of flow0, flow1 …"""
     on_loss: str = "stop"
-    """What becomes of the run when this program is gone: `stop`, `finish` the current actions and pause, or `run` on."""
+    """What becomes of the run when this program is gone: `stop`, `finish` the current actions and pause, `run` on."""
     on_error: str = "abort"
     """When a task that is not passive fails: `abort`, or `wait` until somebody clears it, skips or aborts."""
     script: Path | None = None

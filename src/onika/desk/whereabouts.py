@@ -1,4 +1,4 @@
-"""Where every flow of a run is, as the run's events tell it, and what has happened that was not waited for yet (E11)."""
+"""Where every flow of a run is, as its events tell it, and what has happened that was not waited for yet (E11)."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
@@ -116,4 +116,5 @@ def _words(name: str, spot: Spot) -> str:
         case "stopped":
             return f"{name} has stopped in action {spot.action + 1}"
         case _:
-            return f"{name} is paused after action {spot.action + 1}"
+            where = f"after action {spot.action + 1}" if spot.action >= 0 else "before its first action"
+            return f"{name} is paused {where}"

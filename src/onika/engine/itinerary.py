@@ -110,7 +110,7 @@ class Itinerary:
         parent = None if flow.parent is None else self._flows[flow.parent]
         if parent is not None and parent.state is FlowState.JOINING and parent.flow not in self._going:
             self._going.append(parent.flow)
-        waiting = (one for one in self._flows if one.state is FlowState.WAITING)
+        waiting = (one for one in self._flows if self.meetings.waits_at(one.flow))
         return [flow.moved(), *(self.waits(one) for one in waiting if flow.flow in self.waits_for(one))]
 
     def _not_done(self, flows: Iterable[int]) -> list[int]:

@@ -60,7 +60,7 @@ class Births:
             order = subsystem.spawn(task, code.source, code.path, self._seed, device)
             self._units.send(member.rtpu, order)
         except (KeyError, ValueError) as wrong:
-            self._refuse(flow, task, f"spawn: {wrong}")
+            self._refuse(flow, task, str(wrong))
             return
         member.is_sent = True
 

@@ -7,8 +7,8 @@ may stop a flow or the run:
         self._feed(...)
 
 It looks at the flows before and after. A flow that has stopped meanwhile, or a run that is about to end, is explained
-by what was heard; where nothing has stopped (a passive task failed), nothing is told. After each move of a flow `look`
-tells of flows that have come to wait for ever.
+by what was heard; where nothing has stopped (a passive task failed), nothing is told. After everything that was told to
+the engine, `look` tells of flows that have come to wait for ever.
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -38,34 +38,46 @@ class Explainer:
         tables: Mapping[str, Table],
         positions: Callable[[], Sequence[Position]],
         tell: Callable[[event.Event], None],
-        began_ns: int,
     ) -> None:
-        self.history = History(tables, began_ns=began_ns)
+        self._tables = tables
+        self._history = History(tables)
         self.drives: dict[str, str] = {}
         """By device, the state of its drive in words, where somebody tells it; else what its module says counts."""
         self._prepared = prepared
         self._positions = positions
         self._tell = tell
-        self._began = began_ns
+        self._began = 0
+        self._watching = 0
+        self._has_moved = False
         self._told = 0
         self._stuck: frozenset[Cause] = frozenset()
         self._is_over = False
 
+    def begin(self, now: int) -> None:
+        """The run begins: all times count from here."""
+        self._began = now
+        self._history = History(self._tables, began_ns=now)
+
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
-        return None if self._is_over else self.history.wake_at()
+        return None if self._is_over else self._history.wake_at()
 
     def tick(self, now: int) -> None:
         """Let time pass; to be called with all that is heard of a task, too."""
         if not self._is_over:
-            self.history.tick(now)
+            self._history.tick(now)
 
     @contextmanager
     def watch(self, why: Why, now: int) -> Iterator[None]:
-        """What is told to the engine meanwhile is told because of this; of two within each other the inner one counts."""
+        """What is told to the engine meanwhile is told because of this; of two, one in the other, the inner counts."""
         before, told = self._positions(), self._told
-        yield
+        self._watching += 1
+        try:
+            yield
+        finally:
+            self._watching -= 1
         after = self._positions()
+        self._has_moved = True
         if self._told == told and not _is_over(before):
             found = self._cause(why)
             if _is_over(after):
@@ -75,8 +87,15 @@ class Explainer:
                 self._stuck = frozenset(causes(after))  # who waits for it is told with it
         self.look(now)
 
+    def moved(self) -> None:
+        """A flow has come into another state; `look` follows."""
+        self._has_moved = True
+
     def look(self, now: int) -> None:
-        """After a move of a flow: tell who waits for ever, if it is new."""
+        """Tell who has come to wait for ever; nothing, and quickly, where no flow has moved."""
+        if not self._has_moved or self._watching:
+            return
+        self._has_moved = False
         positions = self._positions()
         self._is_over = _is_over(positions)
         stuck = causes(positions)
@@ -87,9 +106,9 @@ class Explainer:
 
     def _explain(self, found: Cause, positions: Sequence[Position], now: int) -> None:
         self._told += 1
-        self.history.look(now)
+        self._history.look(now)
         at_s = round((now - self._began) * 1e-9, 9)
-        self._tell(explain(self._prepared, found, positions, self.history, at_s))
+        self._tell(explain(self._prepared, found, positions, self._history, at_s))
 
     def _cause(self, why: Why) -> Cause:
         match why:

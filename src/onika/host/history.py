@@ -39,10 +39,10 @@ class History:
         self._known = dict.fromkeys(tables, 0)
         self._at: deque[int] = deque(maxlen=self._kept)
         self._next = 0
-        self._stood = 0
+        self._stood = self._kept
 
     def wake_at(self) -> int | None:
-        """When `tick` has something to do; None while it sleeps."""
+        """When `tick` has something to do; None while it sleeps, as it does at first."""
         return None if self._stood >= self._kept else self._next
 
     def tick(self, now: int) -> None:

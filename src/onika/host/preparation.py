@@ -107,6 +107,9 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: 
     """Each action's trigger: the first in its configuration (decision 16)."""
     by_name = {one.name: one for one in wired}
     for index, action in enumerate(flow.actions):
+        if action.is_noop:
+            found.triggers[number, index] = None
+            continue
         present = [by_name[name] for name in action.tasks if name in by_name]
         triggers = [one.name for one in present if one.sheet.trigger]
         found.triggers[number, index] = triggers[0] if triggers else None

@@ -163,7 +163,14 @@ class Rtpu:
 
 def _may_wait(one: news.News) -> bool:
     """Whether it is the outcome of what was wanted, so that nobody waits for it to decide what follows."""
-    return isinstance(one, news.Cycled | news.Changed) or (isinstance(one, news.Finished) and one.switched > 0)
+    match one:
+        case news.Cycled():
+            return True
+        case news.Changed():
+            return not one.signal
+        case news.Finished():
+            return one.switched > 0
+    return False
 
 
 def preload() -> None:

@@ -11,6 +11,9 @@ from onika.engine import news as said
 from onika.engine import orders
 from onika.engine.engine import Engine
 from onika.host.births import Births
+from onika.host.cause import Cause, Kind
+from onika.host.explainer import Explainer
+from onika.host.herald import Herald
 from onika.host.judge import Judge
 from onika.host.outlook import Outlook
 from onika.host.preparation import Preparation
@@ -44,19 +47,20 @@ class Runner:
         self._subsystems = subsystems
         self._flows = {subsystem.name: number for number, subsystem in subsystems.items()}
         self._units = units
-        self._tell = tell
+        self._herald = Herald(prepared.plan, subsystems, tell)
         self._engine = self._make_engine(Judge(subsystems))
         self._switchboard = Switchboard(subsystems, units)
         self._outlook = Outlook(self._engine, subsystems, self._switchboard)
         self._births = Births(subsystems, prepared.code, units, begin.seed, self._refused)
         self._questions = Questions(begin, tell, self.answer, lambda cause: self._feed(said.Abort(cause)))
+        tables = {one.name: one.table for one in subsystems.values()}
+        self._explainer = Explainer(prepared, tables, self._engine.positions, tell)
         self._asking: set[tuple[int, str]] = set()
         self._together: list[orders.Switch] = []
         self._left_together = 0
         self._settle_at: int | None = None
         self._reports_open: set[str] = set()
         self._now = 0
-        self._began = 0
         self.tally = Tally(begin.watch)
         self.is_over = False
         self._is_aborting = False
@@ -72,17 +76,18 @@ class Runner:
 
     def start(self, now: int) -> None:
         """Begin the run."""
-        self._now = self._began = now
-        self.tally.began_at = now
+        self._now = self._herald.began = self.tally.began_at = now
+        self._explainer.begin(now)
         self._feed(said.Run())
         self._births.go_on()
 
-    def abort(self, cause: str, now: int) -> None:
+    def abort(self, cause: str, now: int, kind: Kind = Kind.USER) -> None:
         """End the run: tasks killed, devices in hold; harmless when it is over."""
         self._now = now
         self._is_aborting = True
         self._settle_at = None
-        self._feed(said.Abort(cause))
+        with self._explainer.watch(Cause(kind, cause), now):
+            self._feed(said.Abort(cause))
         self._outlook.free_all()
 
     def lost(self, rtpu: str, reason: str, now: int) -> None:
@@ -96,7 +101,7 @@ class Runner:
             if member.rtpu == rtpu
         ]
         if here or not rtpu:
-            self.abort(reason, now)
+            self.abort(reason, now, Kind.LOST)
         for flow, name in here:
             member = self._subsystems[flow].members[name]
             if member.state is not State.KILLED and member.is_sent:
@@ -142,11 +147,15 @@ class Runner:
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
-        return self._settle_at
+        sample = self._explainer.wake_at()
+        if self._settle_at is None or sample is None:
+            return sample if self._settle_at is None else self._settle_at
+        return min(self._settle_at, sample)
 
     def tick(self, now: int) -> None:
         """Let time pass: what has settled is read, then the statuses are asked for."""
         self._now = now
+        self._explainer.tick(now)
         if self._settle_at is None or now < self._settle_at:
             return
         self._settle_at = None
@@ -187,6 +196,7 @@ class Runner:
 
     def _hear_task(self, flow: int, heard: Any) -> None:
         task, at = heard.task, getattr(heard, "now_ns", self._now)
+        self._explainer.tick(self._now)
         match heard:
             case news.Initialised():
                 self._changed(flow, task, State.OFF)
@@ -194,7 +204,9 @@ class Runner:
             case news.Changed():
                 self._changed(flow, task, State(heard.state), heard.signal)
             case news.Cycled():
-                self._cycled(flow, heard.at_ns)
+                meeting = self.tally.first_cycle(flow, heard.at_ns)
+                if meeting is not None:
+                    self._herald.met(meeting, heard.at_ns)
             case news.Finished():
                 self.tally.finished(flow, at)
                 self._changed(flow, task, State.OFF, quietly=True)
@@ -202,23 +214,24 @@ class Runner:
             case news.Failed():
                 self._failed(flow, heard)
             case news.Warned():
-                self._tell(event.Warned(heard.subsystem, task, heard.text, self._seconds(at)))
+                self._herald.warned(flow, task, heard.text, at)
             case news.Signalled() if heard.kind in ("ILLEGAL", "SHUTDOWN"):
-                self._feed(said.Illegal(flow, task, f"{heard.kind}: {heard.text}"))
+                with self._explainer.watch(heard, at):
+                    self._feed(said.Illegal(flow, task, f"{heard.kind}: {heard.text}"))
             case news.Asked():
                 self._asked(flow, heard)
             case news.Refused() if heard.command in ("on", "spawn", "clear"):
-                self._feed(said.Refused(flow, task, f"{heard.command}: {heard.reason}"))
+                with self._explainer.watch(heard, at):
+                    self._feed(said.Refused(flow, task, f"{heard.command}: {heard.reason}"))
                 self._switchboard.settled(flow, task)
             case news.Refused():
-                text = f"{heard.command} is refused: {heard.reason}"
-                self._tell(event.Warned(heard.subsystem, task, text, self._seconds(at)))
+                self._herald.warned(flow, task, f"{heard.command} is refused: {heard.reason}", at)
 
     def _changed(self, flow: int, task: str, state: State, signal: str = "", quietly: bool = False) -> None:
         member = self._subsystems[flow].members[task]
         before, member.state = member.state, state
         self._asking.discard((flow, task))
-        self._tell(event.TaskState(self._subsystems[flow].name, task, state.value, self._seconds(self._now)))
+        self._herald.state(flow, task, state, self._now)
         if quietly:
             return
         if state is State.ON:
@@ -234,32 +247,24 @@ class Runner:
         elif signal == "OFF":
             self._feed(said.SwitchedOff(flow, task))
 
-    def _cycled(self, flow: int, at: int) -> None:
-        met = self.tally.first_cycle(flow, at)
-        if met is not None:
-            names = tuple(self._name(one) for one in met.flows)
-            self._tell(event.Met(met.tag, names, met.skew_us, self._seconds(at)))
-
     def _failed(self, flow: int, heard: news.Failed) -> None:
-        at = self._seconds(heard.now_ns)
-        text = f"{heard.entry}: {heard.text}"
-        where = (heard.path, heard.line, heard.traceback, at, heard.entry, heard.values)
-        self._tell(event.Failed(heard.subsystem, heard.task, text, *where))
+        self._herald.failed(heard)
         self._subsystems[flow].members[heard.task].state = State.ERROR
         self._asking.discard((flow, heard.task))
-        self._tell(event.TaskState(heard.subsystem, heard.task, State.ERROR.value, at))
+        self._herald.state(flow, heard.task, State.ERROR, heard.now_ns)
         line = f" ({heard.path}:{heard.line})" if heard.line else ""
-        self._feed(said.Failed(flow, heard.task, f"{text}{line}"))
+        with self._explainer.watch(heard, heard.now_ns):
+            self._feed(said.Failed(flow, heard.task, f"{heard.entry}: {heard.text}{line}"))
         self._switchboard.settled(flow, heard.task)
 
     def _asked(self, flow: int, heard: news.Asked) -> None:
         self._subsystems[flow].members[heard.task].state = State.ASKING
         self._asking.add((flow, heard.task))
         self._switchboard.settled(flow, heard.task)
-        at = self._seconds(heard.now_ns)
-        self._tell(event.TaskState(heard.subsystem, heard.task, State.ASKING.value, at))
+        self._herald.state(flow, heard.task, State.ASKING, heard.now_ns)
         self._feed(said.Asked(flow, heard.task, heard.reason))
-        self._questions.ask(heard, at)
+        with self._explainer.watch(heard, heard.now_ns):
+            self._questions.ask(heard, self._herald.seconds(heard.now_ns))
 
     def answer(self, subsystem: str, task: str, line: str) -> None:
         """The user's answer to an asking task."""
@@ -268,7 +273,8 @@ class Runner:
             self._send(flow, task, command.Answer(subsystem, task, line))
 
     def _refused(self, flow: int, task: str, reason: str) -> None:
-        self._feed(said.Refused(flow, task, reason))
+        with self._explainer.watch(news.Refused(self._herald.name(flow), task, "spawn", reason), self._now):
+            self._feed(said.Refused(flow, task, f"spawn: {reason}"))
 
     # Orders of the engine
 
@@ -277,6 +283,7 @@ class Runner:
             self._carry_out(order)
         if not self.is_over:
             self._outlook.look()
+            self._explainer.look(self._now)
 
     def _carry_out(self, order: orders.Order) -> None:
         match order:
@@ -289,9 +296,9 @@ class Runner:
             case orders.Switch():
                 self._switch(order)
             case orders.Off():
-                self._send(order.flow, order.task, command.Switch(self._name(order.flow), (order.task,), (), ()))
+                self._send(order.flow, order.task, command.Switch(self._herald.name(order.flow), (order.task,), (), ()))
             case orders.Clear():
-                self._send(order.flow, order.task, command.Clear(self._name(order.flow), order.task))
+                self._send(order.flow, order.task, command.Clear(self._herald.name(order.flow), order.task))
             case orders.Kill():
                 self._kill(order)
             case orders.Settle():
@@ -300,23 +307,14 @@ class Runner:
                 self.is_over = True
                 self.tally.end(order.completed, order.cause, self._now)
             case _:
-                self._tell_order(order)
+                self._told(order)
 
-    def _tell_order(self, order: orders.Began | orders.Done | orders.Moved | orders.Note) -> None:
-        at, name = self._seconds(self._now), self._name(order.flow)
-        match order:
-            case orders.Began():
-                flow = self._prepared.plan.flows[order.flow]
-                action = flow.actions[order.index]
-                self._tell(event.Began(order.flow, order.index, len(flow.actions), action.name, at))
-            case orders.Done():
-                self.tally.done += 1
-                self._tell(event.Done(order.flow, order.index, at))
-            case orders.Moved():
-                absent = tuple(self._name(one) for one in order.waits_for)
-                self._tell(event.Moved(name, order.state, order.index, at, order.tag, absent, order.text))
-            case orders.Note():
-                self._tell(event.Warned(name, "", order.text, at))
+    def _told(self, order: orders.Began | orders.Done | orders.Moved | orders.Note) -> None:
+        self._herald.order(order, self._now)
+        if isinstance(order, orders.Done):
+            self.tally.done += 1
+        elif isinstance(order, orders.Moved):
+            self._explainer.moved()
 
     def _switch(self, order: orders.Switch) -> None:
         """Send a switch out, alone or with the others that begin at the same instant."""
@@ -357,15 +355,9 @@ class Runner:
         self._switchboard.drop(order.flow)
         self._births.forget(order.flow, order.task)
         if member.is_sent and member.state is not State.KILLED:
-            self._send(order.flow, order.task, command.Kill(self._name(order.flow), order.task))
+            self._send(order.flow, order.task, command.Kill(self._herald.name(order.flow), order.task))
         else:
             self._changed(order.flow, order.task, State.KILLED)
 
     def _send(self, flow: int, task: str, order: command.Command) -> None:
         self._units.send(self._subsystems[flow].members[task].rtpu, order)
-
-    def _name(self, flow: int) -> str:
-        return self._subsystems[flow].name
-
-    def _seconds(self, now: int) -> float:
-        return round((now - self._began) * 1e-9, 9)

@@ -2,11 +2,10 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import NamedTuple
 
 from onika.model.onikon import Onikon
-from onika.model.syntax import Syntax, object_name, same_type
+from onika.model.syntax import Syntax, same_type
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,10 +86,18 @@ class Action(NamedTuple):
     targets: tuple[Icon | Hole, ...] = ()
 
     @property
+    def positions(self) -> tuple[int, ...]:
+        """The position of each of its targets; one hole may stand for several."""
+        at, found = self.position, []
+        for number, one in enumerate(self.targets):
+            at += not (number and isinstance(one, Hole) and one is self.targets[number - 1])
+            found.append(at)
+        return tuple(found)
+
+    @property
     def end(self) -> int:
         """The position behind its last step."""
-        again = sum(isinstance(one, Hole) and one is other for one, other in pairwise(self.targets))
-        return self.position + 1 + len(self.targets) - again
+        return (self.positions or (self.position,))[-1] + 1
 
 
 def actions(flow: AppFlow, syntax: Syntax) -> tuple[Action, ...]:
@@ -112,7 +119,7 @@ def wanted_targets(onikon: Onikon, syntax: Syntax) -> tuple[str, ...]:
     Empty for complete actions, for no-ops and for what is no action of a known type.
     """
     kind = syntax.find(onikon.type)
-    return (object_name(kind.name), *onikon.more_targets) if kind and kind.needs_target else ()
+    return (syntax.object_of(kind), *onikon.more_targets) if kind and kind.needs_target else ()
 
 
 def is_target(icon: Icon, syntax: Syntax) -> bool:

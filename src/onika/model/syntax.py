@@ -127,6 +127,17 @@ class Syntax:
         target = self.find(object_name(kind.name))
         return target.name if target else None
 
+    def object_of(self, kind: IconType) -> str:
+        """The type of the target behind an action of this type: by its words, else the only one whose edge fits.
+
+        Where the syntax has neither, the name that its words say (decision 32).
+        """
+        name = object_name(kind.name)
+        if found := self.find(name):
+            return found.name
+        fitting = [one.name for one in self.types if one.is_target and one.left_edge == kind.right_edge]
+        return fitting[0] if len(fitting) == 1 else name
+
     def edge(self, number: int) -> Edge | None:
         """The edge of this number."""
         return next((edge for edge in self.edges if edge.number == number), None)

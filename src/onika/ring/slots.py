@@ -135,8 +135,11 @@ class Ring:
 
     def rest(self) -> None:
         """Seal the present value and note the count: nobody writes the entry until a writer looks at it."""
-        self.seal()
-        self.words[_STRANGE] |= _rest(self.words[0]) << 32
+        words = self.words
+        count = words[0]
+        if count:
+            words[_SEALS + (count & 3)] = _seal(self._slots[count & 3], count)
+        words[_STRANGE] = words[_STRANGE] & _COUNTED | _rest(count) << 32
 
     def _use(self) -> None:
         self.words[_STRANGE] &= _COUNTED
@@ -189,7 +192,7 @@ class Ring:
 
         def look() -> None:
             nonlocal expected
-            self._use()
+            words[_STRANGE] &= _COUNTED  # as `_use`, without a call
             expected = words[0] + 1
 
         return Signed(publish, look)

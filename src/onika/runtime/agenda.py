@@ -44,7 +44,8 @@ class Agenda:
         What enters waits outside until `next_due` is asked, and then enters with the time of that: tasks that come on
         together enter together, and what the `on` of one took makes no other one late.
         """
-        self.leave(slot)
+        slot.epoch = self._epoch = self._epoch + 1  # as `leave`, without a call: a switch enters many
+        slot.is_listed = False
         self._coming[slot] = now
 
     def leave(self, slot: Slot) -> None:

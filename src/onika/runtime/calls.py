@@ -17,7 +17,7 @@ RAISED = (Exception, SystemExit, KeyboardInterrupt)
 
 
 class Calls:
-    """Runs code of modules on a unit. `watch` is told the task before its code runs, "" after."""
+    """Runs code of modules on a unit. `watch` is told the task before its code runs; the executive says "" after."""
 
     def __init__(self, unit: Unit, watch: Callable[[str], None] | None = None) -> None:
         self._unit = unit
@@ -42,9 +42,8 @@ class Calls:
                 raise
             self.fail(task, entry, wrong, now)
             return False
-        finally:
-            self.watch("")
-        self.warn(task, now)
+        if task.warnings:
+            self.warn(task, now)
         return True
 
     def trial(self, task: RunningTask, entry: str, now: int, call: Callable[[], None]) -> str:

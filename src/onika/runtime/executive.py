@@ -44,6 +44,7 @@ class Executive:
     def handle(self, order: command.Command, now: int) -> list[news.News]:
         """Carry out one command; what it led to comes back as news."""
         self._follow(order, now)
+        self._calls.watch("")
         return self._unit.take_news()
 
     @property
@@ -58,6 +59,7 @@ class Executive:
         for a gap. Its owner calls this when nothing is due; what finds no gap within 2 s is refused with the numbers.
         """
         self._postponed.work(now, self._follow)
+        self._calls.watch("")
         return self._unit.take_news()
 
     def next_release(self) -> int | None:
@@ -113,6 +115,7 @@ class Executive:
         if task is not None and task.is_on and task.is_synchronous:
             signal = self._calls.event(task, now)
             self._after_cycle(task, signal, now)
+            self._calls.watch("")
         return self._unit.take_news()
 
     # Inner

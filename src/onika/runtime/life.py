@@ -15,6 +15,8 @@ from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Address, Unit
 from onika.words.fault import Fault
 
+_ON, _OFF = State.ON.value, State.OFF.value
+
 
 class Life:
     """Carries out the commands that change what a task is in; what it led to is told to the unit."""
@@ -143,7 +145,7 @@ class Life:
         if signal.kind is SignalKind.OFF:
             self._unit.prepared.drop(address[0])  # it counts on who is ON
             if self._leave(task, Step.OFF, now):
-                self._unit.tell(news.Changed(*address, task.state.value, now, "OFF", run))
+                self._unit.tell(news.Changed(*address, _OFF, now, "OFF", run))
         else:
             self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, signal.text, now, run))
         return None
@@ -207,7 +209,7 @@ class Life:
         self._unit.enter(task, now)
         if task.is_synchronous:
             self._calls.attempt(task, "fileno", now, partial(self._unit.await_event, task))
-        self._unit.tell(news.Changed(*task.address, task.state.value, now, activation=task.activation))
+        self._unit.tell(news.Changed(*task.address, _ON, now, "", task.activation))
 
     def _ask(self, task: RunningTask, reason: str, now: int) -> None:
         task.step(Step.ASK)
@@ -216,10 +218,10 @@ class Life:
 
     def _off(self, address: Address, now: int) -> None:
         task = self._unit.tasks.get(address)
-        if task is None or task.state not in (State.ON, State.ASKING):
+        if task is None or not (task.state is State.ON or task.state is State.ASKING):
             return  # off already: turning off what is off harms nothing
         if self._leave(task, Step.OFF, now):
-            self._unit.tell(news.Changed(*address, task.state.value, now, activation=task.activation))
+            self._unit.tell(news.Changed(*address, _OFF, now, "", task.activation))
 
     def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""

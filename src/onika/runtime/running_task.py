@@ -157,7 +157,8 @@ class RunningTask:
     def on(self, now: int, inputs: SimpleNamespace) -> None:
         """All inputs in, own outputs preloaded, `on`, out."""
         self.begin(now, inputs)
-        self.publish()
+        self.binding.publish_changed()
+        self.is_first = True
 
     def begin(self, now: int, inputs: SimpleNamespace) -> None:
         """All of `on` but what others see of it."""
@@ -218,6 +219,8 @@ class RunningTask:
             raise TypeError(f"expected a signal or None from cycle, found {returned!r}")
         if returned.kind is SignalKind.FINISH and not self.trigger:
             raise TypeError("only a trigger finishes a job (dissertation §C.1)")
+        if type(returned.flow) is int and type(returned.loop) is bool and not returned.text and not returned.number:
+            return returned
         flow, number = index(returned.flow), index(returned.number)
         return Signal(returned.kind, flow, bool(returned.loop), number, str(returned.text))
 
@@ -231,8 +234,8 @@ class RunningTask:
 
     def hold(self) -> None:
         """Put the task's device in hold, whatever its module thinks."""
-        if self.device is not None:
-            self.device.hold()
+        if self.spawn.device is not None:
+            self.module.device.hold()
 
     def parse(self, line: str) -> SimpleNamespace:
         """The user input of an argument line; raises ValueError where it cannot be used."""

@@ -79,7 +79,7 @@ class Unit:
 
     def enter(self, task: RunningTask, now: int) -> None:
         """The task cycles from now on."""
-        task.counters.begin(now)
+        task.counters.on_since_ns = now
         if not task.is_synchronous:
             self.agenda.enter(task.slot, now)
 
@@ -97,7 +97,7 @@ class Unit:
 
     def forget_event(self, task: RunningTask) -> None:
         """Wait for the task's descriptor no more."""
-        if self.events:
+        if task.is_synchronous and self.events:
             self.events = {fd: address for fd, address in self.events.items() if address != task.address}
 
     # Variables

@@ -1,7 +1,7 @@
 """A program: an application with all that was found for it on a site (dissertation §5.9.2)."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from onika.files import appl, text
@@ -27,7 +27,9 @@ class Program:
     """Those that nested icons run."""
     faults: Faults
     unread: frozenset[str] = frozenset()
-    """Configurations and tasks that were found and are at fault."""
+    """Configurations, tasks and nested applications that were found and are at fault."""
+    files: Mapping[str, str] = field(default_factory=dict)
+    """The files of the nested applications."""
 
 
 def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults]:
@@ -60,6 +62,7 @@ class _Gathering:
         self._seen: set[tuple[str, str]] = set()
         self._faults: list[Fault] = []
         self._unread: set[str] = set()
+        self._files: dict[str, str] = {}
 
     def program(self, application: Application, faults: Faults) -> Program:
         self._faults += faults
@@ -68,16 +71,21 @@ class _Gathering:
         code = {module: path for module, path in paths.items() if path}
         found = tuple(self._faults)
         unread = frozenset(self._unread)
-        return Program(application, self._configurations, self._tasks, code, self._applications, found, unread)
+        return Program(
+            application, self._configurations, self._tasks, code, self._applications, found, unread, self._files
+        )
 
     def _enter(self, application: Application) -> None:
-        for _, flow in every_flow(application):
-            for _, icon, _ in actions(flow, self._syntax):
-                kind = self._syntax.acting(icon.onikon.type)
-                if kind and kind.is_job:
-                    self._configuration(icon.onikon.name)
-                elif kind and kind.is_application:
-                    self._application(icon.onikon.name)
+        """Read what an application needs, and what those nested in it do, however deep."""
+        waiting = [application]
+        while waiting:
+            for _, flow in every_flow(waiting.pop()):
+                for _, icon, _ in actions(flow, self._syntax):
+                    kind = self._syntax.acting(icon.onikon.type)
+                    if kind and kind.is_job:
+                        self._configuration(icon.onikon.name)
+                    elif kind and kind.is_application:
+                        waiting += self._application(icon.onikon.name)
 
     def _configuration(self, name: str) -> None:
         if self._is_new("conf", name):
@@ -90,13 +98,18 @@ class _Gathering:
             elif faults:
                 self._unread.add(name)
 
-    def _application(self, name: str) -> None:
-        if self._is_new("appl", name):
-            application, faults = self._site.application(name, self._syntax)
-            self._faults += faults
-            if application:
-                self._applications[name] = application
-                self._enter(application)
+    def _application(self, name: str) -> tuple[Application, ...]:
+        """The application `name`, the first time it is asked for and as far as it can be read."""
+        if not self._is_new("appl", name):
+            return ()
+        application, faults = self._site.application(name, self._syntax)
+        self._faults += faults
+        if application is None:
+            self._unread |= {name} if faults else set()
+            return ()
+        self._applications[name] = application
+        self._files[name] = str(self._site.application_file(name))
+        return (application,)
 
     def _task(self, name: str) -> None:
         if self._is_new("module", name):

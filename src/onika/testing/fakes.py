@@ -14,6 +14,7 @@ from onika.engine.engine import Engine
 from onika.engine.news import (
     Abort,
     Asked,
+    Cleared,
     Failed,
     Finished,
     Killed,
@@ -25,7 +26,21 @@ from onika.engine.news import (
     SwitchedOff,
     TurnedOn,
 )
-from onika.engine.orders import Began, Done, End, Kill, Note, Order, Settle, Spawn, Switch
+from onika.engine.orders import (
+    Began,
+    Clear,
+    Done,
+    End,
+    Kill,
+    Moved,
+    Note,
+    Off,
+    Order,
+    Settle,
+    Spawn,
+    Switch,
+    Together,
+)
 
 Address = tuple[int, str]
 """A flow's number and the name of a task."""
@@ -120,6 +135,11 @@ class FakeRuntime:
                 self._say((order.flow, order.task), Spawned(order.flow, order.task))
             case Switch():
                 self._switch(order)
+            case Off():
+                self.on.discard((order.flow, order.task))
+            case Clear():
+                self._in_error.discard((order.flow, order.task))
+                self._say((order.flow, order.task), Cleared(order.flow, order.task))
             case Began():
                 self._begin(order.flow, order.index)
             case Kill():
@@ -128,7 +148,7 @@ class FakeRuntime:
                 self._say(None, Settled())
             case End():
                 _demand(not self.living, f"the end was said while {sorted(self.living)} live")
-            case Done() | Note():
+            case Together() | Done() | Moved() | Note():
                 pass
 
     def _switch(self, order: Switch) -> None:

@@ -10,8 +10,9 @@ from collections.abc import Iterable
 from typing import Self, TypeVar
 
 from onika.engine.engine import Engine
-from onika.engine.news import News
-from onika.engine.orders import Order
+from onika.engine.news import News, Steering
+from onika.engine.orders import Case, Order
+from onika.wire.steer import Position
 
 Line = TypeVar("Line", News, Order)
 
@@ -38,6 +39,23 @@ class Play:
                 raise AssertionError(self._tell(f"expected {each}", f"found    {found or 'no order'}"))
             self._story.append(f"<< {each}")
         return self
+
+    def refuses(self, news: Steering, why: str) -> Self:
+        """The user cannot do this now, for a reason that has these words in it; said all the same it is not done."""
+        found = self._engine.refusal(news)
+        if not found or why not in found:
+            raise AssertionError(self._tell(f"expected {news} refused: {why}", f"found    {found or 'no refusal'}"))
+        return self >> news
+
+    def cases(self, flow: int) -> list[Case]:
+        """What is ready for the end of the current action of a flow."""
+        self._demand_all_told()
+        return self._engine.cases(flow)
+
+    def position(self, flow: int) -> Position:
+        """Where a flow is."""
+        self._demand_all_told()
+        return self._engine.positions()[flow]
 
     def __bool__(self) -> bool:
         self._demand_all_told()

@@ -7,7 +7,7 @@ from onika.model.picture import blank
 from onika.model.rules.readiness import faults
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task
-from onika.words.fault import Place
+from onika.words.fault import Place, parted
 
 KINDS = {
     "Application start": (0, 0),
@@ -52,7 +52,11 @@ def found(
 ) -> list[str]:
     application = Application("work", len(flows) > 1, tuple(map(AppFlow, flows)))
     given = faults(application, SYNTAX, configurations, tasks, PLACE, applications=applications)
-    assert all(fault.place == PLACE and fault.instead == "the application is not run" for fault in given)
+    wrong, notes = parted(given)
+    assert notes == ()
+    assert all(fault.instead == "the application is not run" for fault in wrong)
+    files = {fault.place.file for fault in wrong}
+    assert files <= {PLACE.file, *(f"{name}.appl" for name in applications or {})}
     return [f"{fault.expected}: {fault.found}" for fault in given]
 
 
@@ -77,11 +81,11 @@ def test_every_fault_is_named_at_once() -> None:
     strange = icon("there", "Strange object")  # R-E01
     lost = icon("lost", "Complete job")
     assert found((MOVE, Hole(), lost, strange), (THERE, CLOSE)) == [
-        "an application without holes: a hole at step 1 of flow 0",
+        "an application without holes: a hole, step 1 of flow 0",
         "a type the syntax defines: Strange object of `there`, step 3 of flow 0",
-        "the configuration lost: none for `lost`, step 2 of flow 0",
         "an action that takes this target: none before `there`, step 0 of flow 1",
         "edges that fit: `there` (Joint object) behind Application start, at step 0 of flow 1",
+        "the configuration lost: none for `lost`, step 2 of flow 0",
     ]
 
 
@@ -104,18 +108,18 @@ def test_the_first_and_the_last_icon_must_fit_start_and_end() -> None:
 
 
 def test_a_missing_task_is_named() -> None:
-    assert found((MOVE, THERE), tasks={}) == ["the task jmove: none for `move`, used in flow 0"]
+    assert found((MOVE, THERE), tasks={}) == ["the task jmove: none for `move`, step 0 of flow 0"]
 
 
 def test_a_configuration_without_tasks_is_named() -> None:
-    assert found((CLOSE,), configurations={"close": conf("close")}) == ["tasks: none in `close`, used in flow 0"]
+    assert found((CLOSE,), configurations={"close": conf("close")}) == ["tasks: none in `close`, step 0 of flow 0"]
 
 
 def test_conflicts_within_a_configuration_are_named() -> None:
     tasks = {**TASKS, "hold": Task("hold", "hold", outvar=("GRIP",))}  # decision 1
     (fault,) = found((CLOSE,), configurations={"close": conf("close", "grip", "hold")}, tasks=tasks)
     assert fault == (
-        "tasks that may stand together: `hold` in `close`, used in flow 0: writes GRIP, which `grip` already writes"
+        "tasks that may stand together: `hold` in `close`, step 0 of flow 0: writes GRIP, which `grip` already writes"
     )
 
 
@@ -123,17 +127,17 @@ def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> No
     tasks = {**TASKS, "other": Task("other", "grip")}  # decision 1, law 9
     configurations = {**CONFIGURATIONS, "open": conf("open", "other")}
     opened = icon("open", "Complete job")
-    expected = "every module once in a flow: grip in `grip` and `other` of flow 0"
+    expected = "every module once in a flow: grip in `grip` (in `close`, step 0) and `other` (in `open`, step 1) of flow 0"
     assert found((CLOSE, opened), configurations=configurations, tasks=tasks) == [expected]
     assert found((CLOSE,), (opened,), configurations=configurations, tasks=tasks) == []
 
 
 def test_a_trigger_changed_after_the_job_was_made_is_found() -> None:
     tasks = {"jmove": Task("jmove", "jmove", object_type="Cartesian job")}  # decision 36
-    expected = "a Cartesian job, as its trigger says: Joint job for `move`, step 0 of flow 0"
+    expected = "a Cartesian job, as its trigger `jmove` says: Joint job for `move`, step 0 of flow 0"
     assert found((MOVE, THERE), tasks=tasks) == [expected]
     without = {"jmove": Task("jmove", "jmove")}
-    assert found((MOVE, THERE), tasks=without) == ["a task with OBJECT Joint job in `move`: none"]
+    assert found((MOVE, THERE), tasks=without) == ["a task with OBJECT Joint job in `move`: none at `move`, step 0 of flow 0"]
 
 
 def test_a_job_of_unknown_type_acts_as_a_complete_one() -> None:
@@ -143,23 +147,18 @@ def test_a_job_of_unknown_type_acts_as_a_complete_one() -> None:
 
 def test_malformed_loops_are_named() -> None:
     looped = Icon(CLOSE.onikon, while_tag="a", while_test=True)
-    assert found((looped, CLOSE)) == ["the loop tag a twice in flow 0: 1 times"]
+    assert found((looped, CLOSE)) == ["the loop tag a twice in flow 0: 1 times, last at `close`, step 0"]
 
 
 PART = icon("part", "Complete application")
-
-
-def test_nested_applications_can_be_declared_not_yet_executable() -> None:
-    expected = ["jobs, as nested applications are not yet executable: `part`, step 0 of flow 0"]
-    assert found((PART, CLOSE)) == expected
 
 
 def test_nested_applications_are_checked_with_their_contents() -> None:
     part = Application("part", False, (AppFlow((icon("lost", "Complete job"), Hole())),))  # R-E06
     assert found((PART,), applications={}) == ["the application part: none for `part`, step 0 of flow 0"]
     assert found((PART,), applications={"part": part}) == [
-        "an application without holes: a hole at step 1 of flow 0 of `part` in flow 0",
-        "the configuration lost: none for `lost`, step 0 of flow 0 of `part` in flow 0",
+        "an action in place of a hole: a hole, step 1 of flow 0 of `part`",
+        "the configuration lost: none for `lost`, step 0 of flow 0 of `part`",
     ]
 
 

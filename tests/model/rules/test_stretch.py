@@ -44,8 +44,8 @@ def test_the_flows_that_are_begun_on_the_way_are_told_with_their_choices():  # R
     flow = planned((Act(), Pick(((Side(((), (MEET,))),), ())))).flows[0]
     found = ways(flow, flow.program, 0, Value.NONE)
     assert found == (
-        Way(IDLE, (), ("takes flow 1 of a branch",)),
         Way(Stop(3, Value.ANY), ((1, 0),), ("takes flow 0 of a branch",)),
+        Way(IDLE, (), ("takes flow 1 of a branch",)),
     )
 
 

@@ -1,38 +1,23 @@
 import pytest
 
-from onika.model.application import AppFlow, Application, Icon
 from onika.model.configuration import Configuration, Placed
-from onika.model.onikon import Onikon
-from onika.model.picture import blank
-from onika.model.rules.union import configurations_of, conflicts, tasks_of
-from onika.model.syntax import IconType, Syntax
+from onika.model.rules.union import Source, conflicts, tasks_of, variables
 from onika.model.task import LocalLine, Task
 from onika.words.fault import Place
-
-SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in ("Complete job", "Complete application", "Complete NOP")), ())
-
-
-def icon(name: str, kind: str = "Complete job") -> Icon:
-    return Icon(Onikon(name, kind, "", (), blank()))
-
 
 def conf(name: str, *tasks: str) -> Configuration:
     return Configuration(name, tuple(map(Placed, tasks)))
 
 
-def test_every_configuration_and_task_counts_once_in_the_order_of_the_file() -> None:
-    found = {"b": conf("b", "y", "x"), "a": conf("a", "x", "z", "lost")}  # R-E02
-    flow = AppFlow((icon("b"), icon("a"), icon("b"), icon("nop", "Complete NOP"), icon("missing")))
-    used = configurations_of(flow, SYNTAX, found, {})
-    assert used == (found["b"], found["a"])
-    tasks = {name: Task(name, name) for name in "xyz"}
+def test_every_task_counts_once_in_the_order_of_the_files() -> None:
+    tasks = {name: Task(name, name) for name in "xyz"}  # R-E02
+    used = (conf("b", "y", "x"), conf("a", "x", "z", "lost"))
     assert [task.name for task in tasks_of(used, tasks)] == ["y", "x", "z"]
 
 
-def test_nested_applications_are_entered_and_recursion_ends() -> None:
-    inner = Application("inner", False, (AppFlow((icon("b"), icon("inner", "Complete application"))),))  # R-E06
-    flow = AppFlow((icon("inner", "Complete application"),))
-    assert configurations_of(flow, SYNTAX, {"b": conf("b")}, {"inner": inner}) == (conf("b"),)
+def test_the_variables_of_tasks_are_all_they_read_and_write() -> None:
+    tasks = [Task("a", "m", invar=("X",), outconst=("Y",), aliases=(("X", "Z"),)), Task("b", "n", outvar=("X",))]
+    assert variables(tasks) == {"X", "Y", "Z"}
 
 
 def device(name: str) -> tuple[LocalLine, ...]:
@@ -71,3 +56,13 @@ def test_joint_and_cartesian_moves_may_write_the_same_reference() -> None:
 def test_an_inboth_needs_no_supplier_of_the_constant() -> None:
     both = Task("r", "r", inconst=("X",), invar=("X",))  # decision 6
     assert conflicts([both, Task("w", "w", outvar=("X",))], "flow 0", Place("a.appl")) == ()
+
+
+def test_a_task_is_beside_the_first_only_and_its_icon_is_named() -> None:
+    tasks = [Task(name, "m") for name in "abc"]  # law 9, R-E01
+    sources = {"a": Source(Place("a.appl", 3), "in `open`, step 0"), "c": Source(Place("a.appl", 9), "in `x`, step 2")}
+    told = conflicts(tasks, "flow 0", Place("a.appl"), sources)
+    assert [(fault.place.line, fault.found) for fault in told] == [
+        (0, "m in `a` (in `open`, step 0) and `b` of flow 0"),
+        (9, "m in `a` (in `open`, step 0) and `c` (in `x`, step 2) of flow 0"),
+    ]

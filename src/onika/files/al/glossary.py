@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 
 from onika.files.al import word
+from onika.files.flow import HEADS
 from onika.files.icon import SLOTS, read_icon, write_icon
 from onika.files.line import Line, Reading, Slot, row, split
 from onika.model.onikon import Onikon
@@ -135,8 +136,9 @@ def _hole(block: Sequence[Line], glossary: Glossary, _: Syntax, reading: Reading
     number = _number(block[0].rest, block[0], reading)
     if number in glossary.holes:
         reading.fault(block[0].number, "every hole once", f"{block[0]} again")
-    if len(block) == 1:
-        reading.fault(block[0].number, "the lines that the hole keeps", "none")
+    heads = [line.keyword for line in block[1:] if line.keyword in HEADS]
+    if heads != ["ROUTINE"] or block[1].keyword != "ROUTINE":
+        reading.fault(block[0].number, "ROUTINE and the lines of a target behind it", " ".join(heads) or "none")
     glossary.holes[number] = "".join(row(line.keyword, line.rest) for line in block[1:])
 
 

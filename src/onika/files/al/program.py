@@ -117,6 +117,8 @@ class Program:
 
     def _unclosed(self, block: Block, number: int, found: str) -> None:
         self._check_waiting(block)
+        if block.kind == "BEGIN" and self._open:
+            self._open[-1].flows.append(block.flow())
         if not block.is_implied:
             self._reading.fault(number, f"{ENDS[block.kind]} for {block.opened} of line {block.opened.number}", found)
 
@@ -174,8 +176,12 @@ class Program:
             condition = phrase.condition() if phrase.takes("NOT") else ""
             if not condition and not phrase.takes("DONE"):
                 raise ValueError(f"expected DONE or NOT and a condition behind UNTIL, found {phrase.rest()}")
+            if len(block.items) < 2:
+                expected = f"two actions in the loop {block.tag}, of which NOP may be one"
+                self._reading.fault(block.opened.number, expected, f"{len(block.items)} statements")
+                return block.items
             self._mark(block.items, 0, block, "first")
-            self._mark(block.items, -1, block, "last, behind the first", is_test=True, condition=condition)
+            self._mark(block.items, -1, block, "last", is_test=True, condition=condition)
             return block.items
         if not block.is_last:
             raise ValueError(f"expected DO before END WHILE, found {sentence}")
@@ -184,7 +190,7 @@ class Program:
             self._reading.fault(block.opened.number, expected, f"{len(block.tests)} statements")
         else:
             self._mark(block.tests, 0, block, "first", is_test=True, condition=block.condition)
-        self._mark(block.items, -1, block, "last, behind the DO")
+        self._mark(block.items, -1, block, "last behind the DO")
         return [*block.tests, *block.items]
 
     def _mark(

@@ -33,7 +33,7 @@ def read(
         return None, reading.faults
     application = Application(name, program.is_parallel, flows)
     settled, faults = appl.read(appl.write(application), name, place_file, syntax)
-    for fault in faults:
-        if not fault.is_note:
+    if settled is None:
+        for fault in faults:
             reading.fault(0, fault.expected, fault.found)
     return settled, reading.faults

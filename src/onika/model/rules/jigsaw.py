@@ -1,8 +1,18 @@
-"""Which onikon may follow which, Equation (7), and what holes that opens and closes (dissertation §5.5.3, §5.5.4)."""
+"""Which onikon may follow which, Equation (7), and what holes that opens and closes (dissertation §5.5.3, §5.5.4).
 
-from onika.model.application import AppFlow, Hole, Icon, Step
-from onika.model.syntax import END, START, IconType, Syntax
+Behind a target that is not the last one of its action stands the next one, whatever the edge of its own type; a branch
+has the edges of a no-op outside, and start and end icons in each of its flows (requirement D13).
+"""
+
+from dataclasses import replace
+from itertools import pairwise
+
+from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, wanted_targets
+from onika.model.syntax import COMPLETE_NOP, END, START, IconType, Syntax
 from onika.words.fault import Refusal
+
+_Kinds = list[IconType | None]
+"""The types of a flow's steps between those of its start and end icon; None fits everything."""
 
 
 def fits(left: IconType, right: IconType) -> bool:
@@ -10,28 +20,29 @@ def fits(left: IconType, right: IconType) -> bool:
     return right.left_edge == left.right_edge
 
 
-def refusals(flow: AppFlow, after: int, icon: Icon, syntax: Syntax) -> tuple[Refusal, ...]:
-    """Why `icon` may not be inserted behind step `after` (-1: the start icon); empty: it may.
+def refusals(flow: AppFlow, after: int, step: Icon | Branch, syntax: Syntax) -> tuple[Refusal, ...]:
+    """Why `step` may not be inserted behind step `after` (-1: the start icon); empty: it may.
 
     A hole stands for its left neighbour (decision 33). Raises IndexError where there is no such step.
     """
-    left, right = _type_at(flow, _solid(flow, after), syntax), syntax.acting(icon.onikon.type)
-    if right is None or not (right.is_action or right.is_target):
-        return (Refusal(f"`{icon.onikon.name}` is of the type {icon.onikon.type}, which stands in no flow"),)
-    if left is None or fits(left, right):
+    left, right = _kinds(flow, syntax)[_solid(flow, after) + 1], _kind(step, syntax)
+    if isinstance(step, Icon) and (right is None or not (right.is_action or right.is_target)):
+        return (Refusal(f"`{step.onikon.name}` is of the type {step.onikon.type}, which stands in no flow"),)
+    if left is None or right is None or fits(left, right):
         return ()
     fitting = tuple(f"insert a {kind.name}" for kind in syntax.types if _stands_in_flow(kind) and fits(left, kind))
-    return (Refusal(f"a {right.name} does not fit behind a {left.name}", fitting),)
+    shown = right.name if isinstance(step, Icon) else "branch"
+    return (Refusal(f"a {shown} does not fit behind a {left.name}", fitting),)
 
 
-def insert(flow: AppFlow, after: int, icon: Icon, syntax: Syntax) -> AppFlow:
-    """The flow with `icon` behind step `after`; it fills the hole there, or leaves or opens one where the next
+def insert(flow: AppFlow, after: int, step: Icon | Branch, syntax: Syntax) -> AppFlow:
+    """The flow with `step` behind step `after`; it fills the hole there, or leaves or opens one where the next
     icon does not fit (requirements D03, D19). Raises ValueError where `refusals` has reasons."""
-    reasons = refusals(flow, after, icon, syntax)
+    reasons = refusals(flow, after, step, syntax)
     if reasons:
         raise ValueError(f"expected an icon that fits, found: {reasons[0]}")
     at = _solid(flow, after) + 1
-    return _joined((*flow.steps[:at], icon), flow.steps[at:], syntax)
+    return _joined((*flow.steps[:at], step), flow.steps[at:], syntax)
 
 
 def delete(flow: AppFlow, position: int, syntax: Syntax) -> AppFlow:
@@ -44,25 +55,32 @@ def delete(flow: AppFlow, position: int, syntax: Syntax) -> AppFlow:
 def misfits(flow: AppFlow, syntax: Syntax) -> tuple[int, ...]:
     """The positions whose icon does not fit the icon before it; the end icon's position is the number of steps.
 
-    Holes fit everything, and so do icons of unknown type.
+    Holes fit everything, and so do icons of unknown type. Flows of branches are not looked into.
     """
-    positions = range(len(flow.steps) + 1)
-    return tuple(at for at in positions if not _fits_at(flow, at, syntax))
+    pairs = enumerate(pairwise(_kinds(flow, syntax)))
+    return tuple(at for at, (left, right) in pairs if left and right and not fits(left, right))
 
 
 def _fits_at(flow: AppFlow, position: int, syntax: Syntax) -> bool:
-    left, right = _type_at(flow, position - 1, syntax), _type_at(flow, position, syntax)
+    left, right = _kinds(flow, syntax)[position : position + 2]
     return left is None or right is None or fits(left, right)
 
 
-def _type_at(flow: AppFlow, position: int, syntax: Syntax) -> IconType | None:
-    """The type at a position, start and end icon included; None for holes and unknown types."""
-    if position < 0:
-        return syntax.find(START)
-    if position == len(flow.steps):
-        return syntax.find(END)
-    step = flow.steps[position]
-    return syntax.acting(step.onikon.type) if isinstance(step, Icon) else None
+def _kinds(flow: AppFlow, syntax: Syntax) -> _Kinds:
+    kinds = [syntax.find(START), *(_kind(step, syntax) for step in flow.steps), syntax.find(END)]
+    for action in actions(flow, syntax):
+        following = wanted_targets(action.icon.onikon, syntax)[1:]
+        for position, wanted in zip(action.positions, following, strict=False):
+            kind, after = kinds[position + 1], syntax.find(wanted)
+            if kind:
+                kinds[position + 1] = replace(kind, right_edge=after.left_edge) if after else None
+    return kinds
+
+
+def _kind(step: Step, syntax: Syntax) -> IconType | None:
+    if isinstance(step, Icon):
+        return syntax.acting(step.onikon.type)
+    return syntax.find(COMPLETE_NOP) if isinstance(step, Branch) else None
 
 
 def _solid(flow: AppFlow, position: int) -> int:
@@ -80,7 +98,32 @@ def _joined(left: tuple[Step, ...], right: tuple[Step, ...], syntax: Syntax) -> 
     while right and isinstance(right[0], Hole):
         gap, right = right[0] if not gap.kept else gap, right[1:]
     whole = AppFlow(left + right)
-    return whole if _fits_at(whole, len(left), syntax) else AppFlow((*left, gap, *right))
+    joined = whole if _fits_at(whole, len(left), syntax) else AppFlow((*left, gap, *right))
+    return _settled(joined, len(left), syntax)
+
+
+def _settled(flow: AppFlow, seam: int, syntax: Syntax) -> AppFlow:
+    """Where the seam lies in an action of several targets, their edges are others now: its holes are found anew."""
+    for action in actions(flow, syntax):
+        if action.position < seam <= action.end and len(wanted_targets(action.icon.onikon, syntax)) > 1:
+            return _found_anew(flow, action.position + 1, action.end, syntax)
+    return flow
+
+
+def _found_anew(flow: AppFlow, start: int, end: int, syntax: Syntax) -> AppFlow:
+    """A flow with holes exactly where they must be from `start` to behind `end`; those with something in them stay."""
+    while end < len(flow.steps) and isinstance(flow.steps[end], Hole):
+        end += 1
+    kept = [step for step in flow.steps[start:end] if isinstance(step, Hole) and step.kept]
+    steps = flow.steps[:start]
+    for step in (*(one for one in flow.steps[start:end] if not isinstance(one, Hole)), *flow.steps[end : end + 1]):
+        if not _fits_at(AppFlow((*steps, step)), len(steps), syntax):
+            steps += (kept.pop(0) if kept else Hole(),)
+        steps += (step,)
+    rest = flow.steps[end + 1 :]
+    if end >= len(flow.steps) and not _fits_at(AppFlow(steps), len(steps), syntax):
+        steps += (kept.pop(0) if kept else Hole(),)
+    return AppFlow(steps + rest)
 
 
 def _stands_in_flow(kind: IconType) -> bool:

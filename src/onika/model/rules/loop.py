@@ -1,77 +1,132 @@
 """Whether the loops of a flow are well formed (requirement E01, decision 23)."""
 
-from collections.abc import Iterator
-from itertools import combinations
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 
-from onika.model.application import AppFlow, Icon, Step, actions
+from onika.model.application import Action, AppFlow, Icon, actions
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault, Place
 
 
-def faults(flow: AppFlow, syntax: Syntax, where: str, place: Place) -> tuple[Fault, ...]:
+@dataclass(frozen=True, slots=True)
+class Loop:
+    """A well-formed loop: the positions of its first and last action; the test is one of them, the anchor the other."""
+
+    tag: str
+    start: int
+    end: int
+    test: int
+
+    @property
+    def is_top(self) -> bool:
+        """Whether the test comes first."""
+        return self.test == self.start
+
+
+@dataclass(frozen=True, slots=True)
+class _Mark:
+    """A tag at an action, whichever of its icons bears it."""
+
+    position: int
+    icon: Icon
+
+
+_Marks = dict[str, list[_Mark]]
+
+
+def faults(
+    flow: AppFlow, syntax: Syntax, where: str, place: Place, every: Sequence[Action] | None = None
+) -> tuple[Fault, ...]:
     """What is wrong with the loop tags of a flow; `where` names it in the text.
 
     A tag stands at exactly two different actions of the flow, exactly one of them the test; loops are apart or one
-    within the other. A mark on a target counts for its action, which bears one (decision 24, requirement D06).
+    within the other. A mark on a target counts for its action, which bears one (decision 24, requirement D06). The
+    condition of a loop stands at its test. Flows of branches are not looked into. `every` are the actions of the flow,
+    where they are known already.
     """
-    marked = _marked(flow, syntax)
-    found = (*_counts(marked, where), *_shared(marked, where), *_crossings(marked, where))
-    return tuple(_fault(place, *fault) for fault in found)
+    marked = _marked(flow, actions(flow, syntax) if every is None else every)
+    told = (*_counts(marked, where), *_shared(marked, where), *_crossings(marked, where))
+    return tuple(
+        Fault(Place(place.file, mark.icon.line), expected, found, "the application is not run")
+        for mark, expected, found in told
+    )
 
 
-_Marks = dict[str, list[tuple[int, bool]]]
+def loops(flow: AppFlow, every: Sequence[Action]) -> tuple[Loop, ...]:
+    """The loops of a flow whose actions are `every`; none where one of them is not well formed."""
+    marked = _marked(flow, every)
+    broken = (*_counts(marked, ""), *_shared(marked, ""), *_crossings(marked, ""))
+    return () if broken else tuple(_whole(marked).values())
 
 
-def _marked(flow: AppFlow, syntax: Syntax) -> _Marks:
-    """For every tag the positions of the actions that bear it, each with whether it is the test."""
-    owners: dict[int, int] = {}
-    for action in actions(flow, syntax):
-        owners |= dict.fromkeys(range(action.position, action.end), action.position)
+_Told = Iterator[tuple[_Mark, str, str]]
+
+
+def _marked(flow: AppFlow, every: Sequence[Action]) -> _Marks:
+    """For every tag the marks that bear it, in the order of the flow."""
+    owners = {at: action.position for action in every for at in range(action.position, action.end)}
     marked: _Marks = {}
     for at, step in enumerate(flow.steps):
-        tag = _tag(step)
-        if isinstance(step, Icon) and tag is not None:
-            marked.setdefault(tag, []).append((owners.get(at, at), step.while_test))
+        if isinstance(step, Icon) and step.while_tag is not None:
+            marked.setdefault(step.while_tag, []).append(_Mark(owners.get(at, at), step))
     return marked
 
 
-def _tag(step: Step) -> str | None:
-    return step.while_tag if isinstance(step, Icon) else None
+def _at(mark: _Mark) -> str:
+    return f"`{mark.icon.onikon.name}`, step {mark.position}"
 
 
-def _counts(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
+def _counts(marked: _Marks, where: str) -> _Told:
     for tag, marks in marked.items():
-        places = {position for position, _ in marks}
-        tests = {position for position, is_test in marks if is_test}
+        places = {mark.position for mark in marks}
+        tests = {mark.position for mark in marks if mark.icon.while_test}
         if len(places) == 1 and len(marks) == 2:
-            yield f"the loop tag {tag} at two actions of {where}", "it twice at one"
+            yield marks[0], f"the loop tag {tag} at two actions of {where}", f"it twice at one, {_at(marks[0])}"
         elif len(places) != 2:
-            yield f"the loop tag {tag} twice in {where}", f"{len(places)} times"
+            yield marks[-1], f"the loop tag {tag} twice in {where}", f"{len(places)} times, last at {_at(marks[-1])}"
         if len(tests) != 1:
-            yield f"exactly one test icon of the loop {tag} in {where}", f"{len(tests)}"
+            expected = f"exactly one test icon of the loop {tag} in {where}"
+            yield marks[-1], expected, f"{len(tests)}, the last icon being {_at(marks[-1])}"
+        for mark in marks:
+            if mark.icon.while_if and mark.position not in tests:
+                yield mark, f"the condition of the loop {tag} at its test in {where}", f"it at {_at(mark)}"
 
 
-def _shared(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
+def _shared(marked: _Marks, where: str) -> _Told:
     """Actions whose job bears one tag and whose target another: an action keeps one mark only."""
-    tags: dict[int, list[str]] = {}
+    tags: dict[int, dict[str, _Mark]] = {}
     for tag, marks in marked.items():
-        for position in {position for position, _ in marks}:
-            tags.setdefault(position, []).append(tag)
-    for position, several in sorted(tags.items()):
+        for mark in marks:
+            tags.setdefault(mark.position, {}).setdefault(tag, mark)
+    for _, several in sorted(tags.items()):
         if len(several) > 1:
-            yield f"one loop tag at an action of {where}", f"{' and '.join(several)} at step {position}"
+            last = list(several.values())[-1]
+            yield last, f"one loop tag at an action of {where}", f"{' and '.join(several)} at {_at(last)}"
 
 
-def _crossings(marked: _Marks, where: str) -> Iterator[tuple[str, str]]:
-    spans = {tag: sorted({position for position, _ in marks}) for tag, marks in marked.items()}
-    whole = {tag: span for tag, span in spans.items() if len(span) == 2}
-    for (tag, (start, end)), (other, (start2, end2)) in combinations(whole.items(), 2):
-        if start < start2 <= end < end2 or start2 < start <= end2 < end:
-            yield (
-                f"loops that do not cross in {where}",
-                f"{tag} (steps {start} to {end}) and {other} ({start2} to {end2})",
-            )
+def _whole(marked: _Marks) -> dict[str, Loop]:
+    """The loops whose tag stands at two actions, by tag."""
+    found = {}
+    for tag, marks in marked.items():
+        places = sorted({mark.position for mark in marks})
+        tests = [mark.position for mark in marks if mark.icon.while_test]
+        if len(places) == 2:
+            found[tag] = Loop(tag, places[0], places[1], tests[0] if tests else places[1])
+    return found
 
 
-def _fault(place: Place, expected: str, found: str) -> Fault:
-    return Fault(place, expected, found, "the application is not run")
+def _crossings(marked: _Marks, where: str) -> _Told:
+    """Loops are opened and closed like brackets: what is open above one that closes crosses it."""
+    spans = _whole(marked)
+    opened = sorted(spans.values(), key=lambda loop: (loop.start, -loop.end))
+    closed = sorted(spans.values(), key=lambda loop: (loop.end, -loop.start))
+    is_open: list[Loop] = []
+    for loop in closed:
+        while opened and opened[0].start <= loop.end:
+            is_open.append(opened.pop(0))
+        at = is_open.index(loop)
+        for other in is_open[at + 1 :]:
+            if loop.start < other.start:
+                spanned = (f"{one.tag} (steps {one.start} to {one.end})" for one in (loop, other))
+                yield marked[other.tag][0], f"loops that do not cross in {where}", " and ".join(spanned)
+        del is_open[at]

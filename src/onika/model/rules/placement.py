@@ -36,7 +36,17 @@ def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]
 
 def meets_constant(writer: Task, reader: Task) -> frozenset[str]:
     """O_V(writer) ∩ I_C(reader) of Equation (3): given only while it runs, needed at initialisation."""
-    return _pure(writer, writer.outvar, writer.outconst) & _pure(reader, reader.inconst, reader.invar)
+    return given_while_running(writer) & needed_at_start(reader)
+
+
+def given_while_running(task: Task) -> frozenset[str]:
+    """O_V of a task: the variables of its pure OUTVARs."""
+    return _pure(task, task.outvar, task.outconst)
+
+
+def needed_at_start(task: Task) -> frozenset[str]:
+    """I_C of a task: the variables of its pure INCONSTs."""
+    return _pure(task, task.inconst, task.invar)
 
 
 def _between(task: Task, other: Task) -> list[Refusal]:

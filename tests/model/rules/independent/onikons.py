@@ -121,3 +121,32 @@ def loops_are_well_formed(
         return False
     spans = [(each[0][0], each[1][0]) for each in marks.values()]
     return not any(a < c <= b < d or c < a <= d < b for (a, b), (c, d) in combinations(spans, 2))
+
+
+def loops_take_time(
+    groups: Sequence[tuple[int, ...]], line: Line, tags: Mapping[int, str], tests: Mapping[int, bool]
+) -> bool:
+    """Whether no way leads round without a job; the loops are well formed. A no-op as test always goes on (D11)."""
+    is_noop = ["nop" in words(line[group[0]] or "") for group in groups]
+    marks: dict[str, list[int]] = {}
+    for number, group in enumerate(groups):
+        for tag in {tags[at] for at in group if at in tags}:
+            marks.setdefault(tag, []).append(number)
+    ways = {number: {number + 1} for number in range(len(groups))}
+    for first, last in marks.values():
+        is_top = any(tests[at] for at in groups[first] if at in tags)
+        if is_top:
+            ways[last] = {first}
+            ways[first] = {first + 1} if is_noop[first] else {first + 1, last + 1}
+        else:
+            ways[last] = {first} if is_noop[last] else {first, last + 1}
+    for start in range(len(groups)):
+        reached, waiting = set[int](), [start] if is_noop[start] else []
+        while waiting:
+            for number in ways[waiting.pop()] - reached:
+                if number == start:
+                    return False
+                if number < len(groups) and is_noop[number]:
+                    reached.add(number)
+                    waiting.append(number)
+    return True

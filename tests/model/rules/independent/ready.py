@@ -16,7 +16,7 @@ from .onikons import Edges, Line
 def is_ready(
     application: Application, edges: Edges, configurations: Mapping[str, Configuration], known: Mapping[str, Task]
 ) -> bool:
-    """No nested applications: they are not executed yet."""
+    """No nested applications here."""
     return bool(application.flows) and all(_is_ready(flow, edges, configurations, known) for flow in application.flows)
 
 
@@ -29,6 +29,8 @@ def _is_ready(
     tags = {at: step.while_tag for at, step in enumerate(flow.steps) if isinstance(step, Icon) and step.while_tag}
     tests = {at: step.while_test for at, step in enumerate(flow.steps) if isinstance(step, Icon)}
     if not onikons.loops_are_well_formed(onikons.actions(line, edges), tags, tests):
+        return False
+    if not onikons.loops_take_time(onikons.actions(line, edges), line, tags, tests):
         return False
     union: dict[str, Task] = {}
     for step in flow.steps:

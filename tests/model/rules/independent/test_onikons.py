@@ -117,7 +117,7 @@ def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> Non
 
     assert told(["a", "a", "a", None], [True, True, False, False]) == []
     assert told(["a", "a", "a", None], [False, True, False, False]) == []
-    assert told(["a", "b", "b", "a"], [True, True, False, False]) == ["a and b at step 0"]
+    assert told(["a", "b", "b", "a"], [True, True, False, False]) == ["a and b at `it`, step 0"]
 
 
 @pytest.mark.slow

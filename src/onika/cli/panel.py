@@ -1,0 +1,149 @@
+"""The panel at the bottom of a terminal while a run goes on: flows, tasks, keys (requirements E07, E11, X03)."""
+
+from dataclasses import dataclass, field
+from time import monotonic
+
+from rich.columns import Columns
+from rich.console import Group, RenderableType
+from rich.progress_bar import ProgressBar
+from rich.table import Table
+from rich.text import Text
+
+from onika.cli.wheel import KEYS, Wheel
+from onika.desk.cast import Cast
+from onika.desk.positions import waits
+from onika.desk.whereabouts import Spot, Whereabouts
+from onika.wire import event
+from onika.wire.steer import Position
+
+MARKS = {
+    "ON": ("▶", "cyan"),
+    "OFF": ("○", "bright_black"),
+    "WAITING": ("⧗", "bright_black"),
+    "ASKING": ("?", "magenta"),
+    "ERROR": ("✕", "bold red"),
+}
+"""How a task's state is shown."""
+
+FLOWS = {
+    "ready": ("○", "bright_black"),
+    "spawning": ("○", "bright_black"),
+    "running": ("▶", "cyan"),
+    "waiting": ("⧗", "yellow"),
+    "joining": ("⧗", "yellow"),
+    "paused": ("‖", "bold yellow"),
+    "stopped": ("✕", "bold red"),
+    "clearing": ("↻", "magenta"),
+    "done": ("✓", "green"),
+    "killing": ("○", "bright_black"),
+    "ended": ("✓", "bright_black"),
+}
+"""How a flow's state is shown."""
+
+_BAR = 24
+
+
+@dataclass(slots=True)
+class Panel:
+    """What is shown; it is told what happens and drawn whenever somebody looks."""
+
+    name: str = ""
+    cast: Cast = field(default_factory=lambda: Cast(()))
+    where: Whereabouts = field(default_factory=lambda: Whereabouts(Cast(())))
+    wheel: Wheel = field(default_factory=Wheel)
+    has_keys: bool = False
+    said: str = ""
+    """What came of the last key, where it came to nothing."""
+    since: float = field(default_factory=monotonic)
+    _positions: dict[str, Position] = field(default_factory=dict)
+    _states: dict[tuple[str, str], str] = field(default_factory=dict)
+
+    def begins(self, name: str, cast: Cast) -> None:
+        """A run of these flows begins."""
+        self.name, self.cast, self.where = name, cast, Whereabouts(cast)
+        self.wheel = Wheel(cast.subsystems)
+        self.since = monotonic()
+
+    def happens(self, one: event.Event) -> None:
+        """Remember what is shown."""
+        self.where.hear(one)
+        if isinstance(one, event.TaskState):
+            self._states[one.subsystem, one.task] = one.state
+
+    def place(self, positions: tuple[Position, ...]) -> None:
+        """What the runtime says of its flows."""
+        self.where.place(positions)
+        self._positions = {one.subsystem: one for one in positions}
+
+    def draw(self) -> RenderableType:
+        """As it is now."""
+        if not self.cast.parts:
+            return Text("preparing …", style="bright_black")
+        rows: list[RenderableType] = [Text(), self._flows(), self._tasks()]
+        if self.said:
+            rows.append(Text(self.said, style="red"))
+        if self.wheel.typed is not None:
+            rows.append(Text(f": {self.wheel.typed}▏", style="bold"))
+        elif self.has_keys:
+            rows.append(self._keys())
+        return Group(*rows)
+
+    def _flows(self) -> Table:
+        grid = Table.grid(padding=(0, 2))
+        several = len(self.cast.parts) > 1
+        for number, subsystem in enumerate(self.cast.subsystems):
+            head = Text(self.name if not number else "", style="bold", no_wrap=True)
+            clock = Text(f"{monotonic() - self.since:6.1f} s" if not number else "")
+            grid.add_row(head, *self._flow(number, subsystem, several), clock)
+        return grid
+
+    def _flow(self, number: int, subsystem: str, several: bool) -> tuple[RenderableType, ...]:
+        spot, count = self.where.spots[subsystem], max(self.cast.count(subsystem), 1)
+        mark, style = FLOWS.get(spot.state, ("·", ""))
+        is_chosen = self.wheel.chosen == number
+        label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else ""
+        position = self._positions.get(subsystem)
+        return (
+            Text(label, style="bold" if is_chosen else "", no_wrap=True),
+            ProgressBar(total=count, completed=max(spot.action, 0) + (spot.state in ("done", "ended")), width=_BAR),
+            Text(f"{max(spot.action + 1, 0):>3}/{count}", no_wrap=True),
+            Text(f"{mark} {_state(spot, position)}", style=style, no_wrap=True),
+            Text(_doing(self.cast, subsystem, spot, position), style="bold cyan" if spot.state == "running" else ""),
+        )
+
+    def _tasks(self) -> Columns:
+        several = len({subsystem for subsystem, _ in self._states}) > 1
+        return Columns(
+            [
+                Text(
+                    f"{MARKS[state][0]} {subsystem + '/' if several else ''}{task}",
+                    style=MARKS[state][1],
+                    no_wrap=True,
+                )
+                for (subsystem, task), state in sorted(self._states.items())
+                if state != "KILLED"
+            ],
+            padding=(0, 2),
+        )
+
+    def _keys(self) -> Text:
+        if not self.wheel.has_help:
+            short = "p pause  c continue  s step  n next  e clear  a abort  ? more"
+            return Text(short, style="bright_black")
+        words = [f"{key} {text}" for key, (_, text) in KEYS.items()]
+        words += ["b N break after action N", ": any line, as in `skip 3`"]
+        words += ["0-9 choose a flow, again: all"] * (len(self.cast.parts) > 1)
+        return Text("   ".join([*words, "? less"]), style="bright_black")
+
+
+def _state(spot: Spot, position: Position | None) -> str:
+    is_pausing = position is not None and position.is_pausing and spot.state == "running"
+    return "will pause" if is_pausing else spot.state
+
+
+def _doing(cast: Cast, subsystem: str, spot: Spot, position: Position | None) -> str:
+    """What it does, or whom it waits for, and the loops it is in."""
+    loops = "" if position is None or not position.loops else f"  ↺ {' ↺ '.join(position.loops)}"
+    if spot.state in ("waiting", "joining"):
+        return waits(spot.tag, spot.waits_for) + loops
+    return (cast.name(subsystem, spot.action) if spot.state not in ("killing", "ended") else "") + loops

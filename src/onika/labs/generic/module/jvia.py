@@ -1,0 +1,78 @@
+"""Joint path to the target through a point on the way."""
+
+import numpy as np
+
+from onika.laws.via import Via
+from onika.module import InConst, Input, InVar, Local, Module, OutVar, finish
+
+NEAR = 1e-3  # rad
+STILL = 0.01  # rad/s
+
+
+class Jvia(Module):
+    """Joint path to the target through a point on the way, which is passed without a stop.
+
+    Kind     trigger, periodic, 20..1000 Hz
+    Ports    INCONST  NDOF    int           -      number of joints
+             INCONST  QMIN    double[NDOF]  rad    lower joint limits
+             INCONST  QMAX    double[NDOF]  rad    upper joint limits
+             INCONST  Q^_MAX  double[NDOF]  rad/s  highest joint speeds
+             INVAR    Q_MEZ   double[NDOF]  rad    measured position; the start where no reference is in force
+             OUTVAR   Q_REF   double[NDOF]  rad    reference position; preloaded at `on`, it is the start
+             OUTVAR   Q^_REF  double[NDOF]  rad/s  reference speed
+    Local    SPEED            double        -      share of Q^_MAX that a motion may peak at
+             SETTLE           double        s      how long the arm may take to come to rest
+    Input    via              double[NDOF]  rad    QMIN..QMAX
+             first            double        s      0.1..600
+             endpoint         double[NDOF]  rad    QMIN..QMAX
+             second           double        s      0.1..600
+    Finish   flow 0, loop FALSE, when the time is over and the arm stands at the target, or SETTLE later
+    Errors   out of reach      via or endpoint beyond QMIN..QMAX: asks again, stays OFF
+             too fast          times too short for SPEED: warns and takes as long as it needs
+    Get/Set  progress 0..1 / -
+    Source   dissertation §4.2.1, §7; Craig, Introduction to Robotics, §7.3
+    """
+
+    trigger = True
+
+    NDOF = InConst("int", "-", "number of joints")
+    QMIN = InConst("double[NDOF]", "rad", "lower joint limits")
+    QMAX = InConst("double[NDOF]", "rad", "upper joint limits")
+    Qd_MAX = InConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
+    Q_MEZ = InVar("double[NDOF]", "rad", "measured position; the start where no reference is in force")
+    Q_REF = OutVar("double[NDOF]", "rad", "reference position; preloaded at `on`, it is the start")
+    Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
+
+    SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
+
+    via = Input("double[NDOF]", "rad", "where to pass", low="QMIN", high="QMAX")
+    first = Input("double", "s", "how long it takes to there", low=0.1, high=600.0)
+    endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
+    second = Input("double", "s", "how long it takes from there", low=0.1, high=600.0)
+
+    def on(self, inputs):
+        start = (self.Q_REF if self.continues("Q_REF") else self.Q_MEZ).copy()
+        times = (inputs.first, inputs.second)
+        self._path = Via(start, inputs.via, inputs.endpoint, times, self.SPEED * self.Qd_MAX)
+        if self._path.stretch > 1.0 + 1e-9:
+            self.warn(f"{sum(times):g} s is too short for the joint speeds; it takes {self._path.duration:.2f} s")
+        self._end, self._time = inputs.endpoint.copy(), 0.0
+        self._last = self.Q_MEZ.copy()
+        self.Q_REF = start
+        self.Qd_REF = 0.0
+
+    def cycle(self):
+        self._time += self.dt
+        self.Q_REF, self.Qd_REF = self._path.at(self._time)
+        over = self._time - self._path.duration
+        rests = self._rests()
+        return finish() if over >= self.SETTLE or (over >= 0.0 and rests) else None
+
+    def get(self, name):
+        return min(self._time / self._path.duration, 1.0) if name == "progress" else super().get(name)
+
+    def _rests(self):
+        moved = np.abs(self.Q_MEZ - self._last).max()
+        self._last[:] = self.Q_MEZ
+        return moved < STILL * self.dt and np.abs(self.Q_MEZ - self._end).max() < NEAR

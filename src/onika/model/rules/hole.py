@@ -1,0 +1,71 @@
+"""What is missing at the holes of an application: targets of some type, or else an action (decisions 32 and 33)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from onika.model.application import Action, Hole, wanted_targets
+from onika.model.rules.outline import Outline, Passage
+from onika.model.syntax import Syntax, same_type
+from onika.words.fault import Fault
+
+
+@dataclass(frozen=True, slots=True)
+class OpenHole:
+    """A hole, and the types of the targets that are missing in it; none where an action is."""
+
+    passage: Passage
+    position: int
+    types: tuple[str, ...]
+
+
+def holes(outline: Outline, syntax: Syntax) -> Iterator[OpenHole]:
+    """The holes of an application in order."""
+    for passage in outline.passages:
+        missing: dict[int, list[str]] = {}
+        for action in passage.actions:
+            wanted = wanted_targets(action.icon.onikon, syntax)
+            for position, kind in zip(action.positions, wanted, strict=False):
+                missing.setdefault(position, []).append(kind)
+        for position, step in enumerate(passage.flow.steps):
+            if isinstance(step, Hole):
+                yield OpenHole(passage, position, tuple(missing.get(position, ())))
+
+
+def open_types(outline: Outline, syntax: Syntax) -> tuple[str, ...]:
+    """The types of the targets missing in all flows together, each once, in the order of their holes."""
+    found: dict[str, str] = {}
+    for hole in holes(outline, syntax):
+        for kind in hole.types:
+            found.setdefault(kind.lower(), kind)
+    return tuple(found.values())
+
+
+def faults(outline: Outline, syntax: Syntax) -> Iterator[Fault]:
+    """Every hole of an application that is run by itself; of a nested one those that no target can fill."""
+    for hole in holes(outline, syntax):
+        step = hole.passage.flow.steps[hole.position]
+        if not outline.is_nested:
+            yield outline.fault(step, "an application without holes", outline.at(hole.passage, hole.position))
+        elif not hole.types:
+            yield outline.fault(step, "an action in place of a hole", outline.at(hole.passage, hole.position))
+
+
+def fillings(outline: Outline, inner: Outline, use: tuple[Passage, Action], syntax: Syntax) -> Iterator[Fault]:
+    """Whether the targets of the action at `use` fill the holes of the application `inner` it runs (requirement D09).
+
+    A target fills every hole of its type; one that fills none is noted.
+    """
+    passage, action = use
+    wanted = wanted_targets(action.icon.onikon, syntax)
+    missing = open_types(inner, syntax)
+    at, name = outline.at(passage, action.position), inner.application.name
+    for kind in missing:
+        if not any(same_type(kind, one) for one in wanted):
+            yield outline.fault(action.icon, f"a {kind} for the holes of `{name}`", f"none behind {at}")
+    for number, kind in enumerate(wanted):
+        if not any(same_type(kind, one) for one in missing):
+            expected = f"only targets for the holes of `{name}`"
+            yield outline.note(action.icon, expected, f"a {kind} behind {at}", "it is not used")
+        elif any(same_type(kind, one) for one in wanted[:number]):
+            expected = f"one {kind} for the holes of `{name}`"
+            yield outline.note(action.icon, expected, f"another behind {at}", "the first one fills them")

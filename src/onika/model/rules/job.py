@@ -1,0 +1,88 @@
+"""The configurations behind jobs: they are there, whole, and of the type their icons say (E01, decision 36)."""
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations
+
+from onika.model.application import Action, wanted_targets
+from onika.model.configuration import Configuration
+from onika.model.rules import placement
+from onika.model.rules.outline import Outline, Passage
+from onika.model.rules.union import tasks_of
+from onika.model.syntax import Syntax, same_type
+from onika.model.task import Task
+from onika.words.fault import Fault
+
+
+def faults(
+    outline: Outline,
+    syntax: Syntax,
+    configurations: Mapping[str, Configuration],
+    tasks: Mapping[str, Task],
+    unread: frozenset[str],
+) -> Iterator[Fault]:
+    """What is wrong with the jobs of an application; `unread` names what is there and at fault itself."""
+    for passage, action in outline.actions():
+        kind = syntax.acting(action.icon.onikon.type)
+        name = action.icon.onikon.name
+        if not kind or not kind.is_job:
+            continue
+        if configuration := configurations.get(name):
+            yield from _type(outline, passage, action, configuration, syntax, tasks)
+        elif name not in unread:
+            at = outline.at(passage, action.position)
+            yield outline.fault(action.icon, f"the configuration {name}", f"none for {at}")
+
+
+def whole(
+    configuration: Configuration, tasks: Mapping[str, Task], unread: frozenset[str], use: tuple[Outline, Passage, int]
+) -> Iterator[Fault]:
+    """Whether a configuration has tasks, which are there and may stand together, Equations (2) and (3).
+
+    `use` is the icon that is named: where it is used first.
+    """
+    outline, passage, position = use
+    icon, name = passage.flow.steps[position], configuration.name
+    at = f"`{name}`, step {position} of {outline.where(passage)}"
+    if not configuration.placed:
+        yield outline.fault(icon, "tasks", f"none in {at}")
+    for placed in configuration.placed:
+        if placed.task not in tasks and placed.task not in unread:
+            yield outline.fault(icon, f"the task {placed.task}", f"none for {at}")
+    for one, other in combinations(tasks_of([configuration], tasks), 2):
+        for refusal in placement.refusals(other, [one]):
+            yield outline.fault(icon, "tasks that may stand together", f"`{other.name}` in {at}: {refusal.reason}")
+
+
+def _type(
+    outline: Outline,
+    passage: Passage,
+    action: Action,
+    configuration: Configuration,
+    syntax: Syntax,
+    tasks: Mapping[str, Task],
+) -> Iterator[Fault]:
+    """The type of an icon is that of its trigger, with all its targets; one of unknown type is not judged."""
+    placed = tasks_of([configuration], tasks)
+    trigger = next((task for task in placed if task.object_type), None)
+    known = syntax.find(action.icon.onikon.type)
+    if known is None:
+        return
+    at = outline.at(passage, action.position)
+    if trigger is None:
+        if known.needs_target and len(placed) == len(configuration.placed):
+            yield outline.fault(
+                action.icon, f"a task with OBJECT {known.name} in `{configuration.name}`", f"none at {at}"
+            )
+        return
+    wanted = syntax.find(trigger.object_type or "")
+    if wanted is None:
+        return
+    has, needs = wanted_targets(action.icon.onikon, syntax)[1:], trigger.more_targets
+    is_alike = len(has) == len(needs) and all(map(same_type, has, needs))
+    if wanted.name != known.name or not is_alike:
+        expected = f"a {_shown(wanted.name, needs)}, as its trigger `{trigger.name}` says"
+        yield outline.fault(action.icon, expected, f"{_shown(known.name, has)} for {at}")
+
+
+def _shown(name: str, more: tuple[str, ...]) -> str:
+    return " with ".join([name, *more]) if len(more) < 2 else f"{name} with {', '.join(more[:-1])} and {more[-1]}"

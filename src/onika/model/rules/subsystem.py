@@ -1,0 +1,123 @@
+"""Which flows share a subsystem, with nested applications in line; what must hold among their tasks (E01, law 9)."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from onika.model.application import Branch, Icon
+from onika.model.configuration import Configuration
+from onika.model.rules import union
+from onika.model.rules.nesting import Nest
+from onika.model.rules.outline import Outline, Passage, shown
+from onika.model.syntax import Syntax
+from onika.model.task import Task
+from onika.words.condition import Condition
+from onika.words.fault import Fault
+
+
+@dataclass(slots=True)
+class Subsystem:
+    """One subsystem: the passages that run on it and its configurations, each with the icon that uses it first."""
+
+    name: str
+    passages: list[tuple[Outline, Passage]] = field(default_factory=list)
+    uses: dict[str, tuple[Outline, Passage, int]] = field(default_factory=dict)
+    variables: frozenset[str] = frozenset()
+    is_known: bool = True
+    """Whether all its tasks are there, so that `variables` are all there are."""
+
+
+def subsystems(nest: Nest, syntax: Syntax) -> dict[str, Subsystem]:
+    """The subsystems of an application by name: `flow0`, `flow1`, …
+
+    The first flow of a nested parallel application runs where that stands, the others on `flow0.1` and so on; all
+    flows of a nested conditional one run where that stands.
+    """
+    found: dict[str, Subsystem] = {}
+    seen: set[tuple[str, str, int]] = set()
+    ways = [(f"flow{at}", nest.top, at) for at in reversed(range(len(nest.top.application.flows)))]
+    while ways:
+        way = ways.pop()
+        name, outline, number = way
+        if (name, outline.application.name, number) in seen:
+            continue
+        seen.add((name, outline.application.name, number))
+        subsystem = found.setdefault(name, Subsystem(name))
+        inner = [
+            way for passage in outline.of_flow(number) for way in _enter(subsystem, outline, passage, nest, syntax)
+        ]
+        ways += reversed(inner)
+    return found
+
+
+def faults(
+    found: Mapping[str, Subsystem],
+    configurations: Mapping[str, Configuration],
+    tasks: Mapping[str, Task],
+) -> Iterator[Fault]:
+    """Conflicts among the tasks of each subsystem, and conditions on variables that none of them has."""
+    for subsystem in found.values():
+        used = [configurations[name] for name in subsystem.uses if name in configurations]
+        own = union.tasks_of(used, tasks)
+        subsystem.variables = union.variables(own)
+        placed = {one.task for configuration in used for one in configuration.placed}
+        subsystem.is_known = len(used) == len(subsystem.uses) and placed <= tasks.keys()
+        outline, passage = subsystem.passages[0]
+        sources = _sources(subsystem, configurations)
+        yield from union.conflicts(own, passage.path, outline.place(), sources)
+    for subsystem in found.values():
+        yield from _conditions(subsystem, found)
+
+
+def _enter(
+    subsystem: Subsystem, outline: Outline, passage: Passage, nest: Nest, syntax: Syntax
+) -> Iterator[tuple[str, Outline, int]]:
+    """Take in a passage; gives the flows nested in it, each with the name of its subsystem."""
+    subsystem.passages.append((outline, passage))
+    for action in passage.actions:
+        kind, name = syntax.acting(action.icon.onikon.type), action.icon.onikon.name
+        inner = nest.runs(outline, action, syntax)
+        if inner is not None:
+            for number in range(len(inner.application.flows)):
+                apart = f".{number}" if number and inner.application.is_parallel else ""
+                yield subsystem.name + apart, inner, number
+        elif kind and kind.is_job:
+            subsystem.uses.setdefault(name, (outline, passage, action.position))
+
+
+def _sources(subsystem: Subsystem, configurations: Mapping[str, Configuration]) -> dict[str, union.Source]:
+    found: dict[str, union.Source] = {}
+    for name, (outline, passage, position) in subsystem.uses.items():
+        place = outline.place(passage.flow.steps[position])
+        inside = f" of {outline.where(passage)}" if outline.is_nested or passage.is_inner else ""
+        for placed in configurations[name].placed if name in configurations else ():
+            found.setdefault(placed.task, union.Source(place, f"in `{name}`, step {position}{inside}"))
+    return found
+
+
+def _conditions(subsystem: Subsystem, every: Mapping[str, Subsystem]) -> Iterator[Fault]:
+    for outline, passage in subsystem.passages:
+        for position, step in enumerate(passage.flow.steps):
+            given: tuple[str, ...] = ()
+            if isinstance(step, Icon):
+                given = tuple(filter(None, (step.marker_if, step.while_if)))
+            elif isinstance(step, Branch):
+                given = step.conditions
+            for text in given:
+                if wrong := _condition(text, subsystem, every):
+                    at = f"{shown(step)}, step {position} of {outline.where(passage)}"
+                    yield outline.fault(step, wrong, f"`{text}` at {at}")
+
+
+def _condition(text: str, subsystem: Subsystem, every: Mapping[str, Subsystem]) -> str:
+    """What a condition should be, where it is not."""
+    try:
+        condition = Condition.parse(text)
+    except ValueError as error:
+        return str(error).removeprefix("expected ").partition(", found ")[0]
+    *named, variable = condition.address.split("/")
+    meant = every.get(named[0]) if named else subsystem
+    if meant is None:
+        return f"a condition on a variable of {', '.join(every)}"
+    if meant.is_known and variable not in meant.variables:
+        return f"a condition on a variable that a task of {meant.name} has"
+    return ""

@@ -1,0 +1,29 @@
+"""Whether the synchronisation tags of an application have a meaning (requirement E04, decisions 26 and 27)."""
+
+from collections.abc import Iterator
+
+from onika.model.rules.outline import Outline, Passage
+from onika.words.fault import Fault
+
+_Marks = dict[str, dict[int, tuple[Passage, int]]]
+"""For every tag, the flows it stands in, each with its first place there."""
+
+
+def faults(outline: Outline) -> Iterator[Fault]:
+    """A tag in one flow of a parallel application only; where nothing is parallel, a note that it is ignored.
+
+    A tag in a branch stands in the flow of that branch.
+    """
+    marks: _Marks = {}
+    for passage, action in outline.actions():
+        if action.icon.synch_tag is not None:
+            flows = marks.setdefault(action.icon.synch_tag, {})
+            flows.setdefault(passage.number, (passage, action.position))
+    for tag, flows in marks.items():
+        passage, position = next(iter(flows.values()))
+        icon, at = passage.flow.steps[position], outline.at(passage, position)
+        if not outline.application.is_parallel:
+            yield outline.note(icon, f"a parallel application for the tag {tag}", f"it at {at}", "it is ignored")
+        elif len(flows) == 1:
+            expected = f"the synchronisation tag {tag} in two flows of `{outline.application.name}` or more"
+            yield outline.fault(icon, expected, f"it only at {at}")

@@ -1,0 +1,152 @@
+import pytest
+from tests.files.models import TYPES
+
+from onika.files.al.glossary import Glossary
+from onika.files.al.program import Program
+from onika.files.al.sentence import sentences
+from onika.files.line import Reading
+from onika.model.application import AppFlow, Branch, Hole, Step
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+
+KNOWN = {name: Onikon(name, "Complete job", "", (), blank()) for name in "abcdefg"}
+
+
+def run(text: str) -> tuple[Program, tuple[AppFlow, ...] | None, list[str]]:
+    """A program after all its sentences, `/` standing for the end of a line; its flows and faults."""
+    reading = Reading("f", "nothing")
+    found, _ = sentences(text.replace(" / ", "\n"), reading)
+    program = Program(TYPES, Glossary(KNOWN.get), reading)
+    for one in found:
+        program.take(one)
+    flows = program.end()
+    return program, flows, [f"{one.place.line}: {one.expected} / {one.found}" for one in reading.faults]
+
+
+def shown(step: Step) -> str:
+    """A step in short: `a@meet` a synch tag, `a+t` an anchor, `a?t` a test, `a!` a breakpoint."""
+    if isinstance(step, Hole):
+        return "_"
+    if isinstance(step, Branch):
+        inner = [" ".join(map(shown, flow.steps)) for flow in step.flows]
+        return f"[{' | '.join(inner)}{''.join(f' ; {one}' for one in step.conditions)}]"
+    synch = f"@{step.synch_tag}" if step.synch_tag else ""
+    loop = f"{'?' if step.while_test else '+'}{step.while_tag}" if step.while_tag else ""
+    conditions = "".join(f"<{one}>" for one in (step.while_if, step.marker_if) if one)
+    return step.onikon.name + synch + loop + "!" * step.marker + conditions
+
+
+def flow(text: str) -> str:
+    """The single flow of statements."""
+    _, flows, faults = run(f"BEGIN / {text} / END")
+    assert faults == []
+    assert flows
+    return " ".join(map(shown, flows[0].steps))
+
+
+@pytest.mark.parametrize(
+    ("text", "steps"),
+    [
+        ("DO a / DO b", "a b"),
+        ("SYNCH meet / DO a / BREAK / DO b / BREAK IF L == 1", "a@meet! b!<L == 1>"),
+        ("DO a / BREAK OFF IF L == 1", "a<L == 1>"),
+        ("REPEAT t / DO a / HOLE / DO b / UNTIL DONE", "a+t _ b?t"),
+        ("REPEAT t / DO a / DO b / UNTIL NOT L == 1", "a+t b?t<L == 1>"),
+        ("WHILE t / DO a / DO / DO b / DO c / END WHILE", "a?t b c+t"),
+        ("WHILE t / DO a / BREAK / DO IF L == 1 / DO b / END WHILE / DO c", "a?t!<L == 1> b+t c"),
+        ("REPEAT t / DO a / REPEAT u / DO b / DO c / UNTIL DONE / DO d / UNTIL DONE", "a+t b+u c?u d?t"),
+        (
+            "TAG t / DO a / TAG u / SYNCH m / DO b / TAG t TEST / DO c / TAG u TEST IF L == 1 / DO d",
+            "a+t b@m+u c?t d?u<L == 1>",
+        ),
+        ("IF L == 1 THEN / DO a / END IF", "[a |  ; L == 1]"),
+        ("IF L == 1 THEN / ELSEIF L == 2 THEN / DO b / ELSE / DO c / END IF", "[ | b | c ; L == 1 ; L == 2]"),
+        ("DO a / CASE OF / BEGIN / DO b / END / BEGIN / END / END CASE / DO c", "a [b | ] c"),
+        ("IF L == 1 THEN / CASE OF / BEGIN / HOLE / END / END CASE / ELSE / END IF", "[[_] |  ; L == 1]"),
+    ],
+)
+def test_every_construct_is_its_steps(text: str, steps: str) -> None:
+    assert flow(text) == steps  # R-D14, R-D13, R-E05
+
+
+@pytest.mark.parametrize(
+    ("text", "is_parallel", "count"),
+    [
+        ("BEGIN / END", False, 1),
+        ("COBEGIN / BEGIN / END / COEND", True, 1),
+        ("COBEGIN / BEGIN / END / BEGIN / DO a / END / COEND", True, 2),
+        ("CASE OF / BEGIN / END / BEGIN / END / END CASE", False, 2),
+    ],
+)
+def test_blocks_that_stand_outermost_are_the_flows(text: str, is_parallel: bool, count: int) -> None:
+    program, flows, faults = run(text)
+    assert faults == []
+    assert flows
+    assert (program.is_parallel, len(flows)) == (is_parallel, count)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", ["1: BEGIN, COBEGIN or CASE OF / an empty text"]),
+        ("DO a", ["1: BEGIN, COBEGIN or CASE OF / 'DO a'"]),
+        ("BEGIN", ["1: END for 'BEGIN' of line 1 / the end of the program"]),
+        ("BEGIN / END / DO a / DO b", ["3: nothing behind the program but WHERE / 'DO a'"]),
+        ("COBEGIN / DO a / COEND", ["2: BEGIN / 'DO a'"]),
+        ("COBEGIN / COEND", ["2: BEGIN and END within COBEGIN / none"]),
+        ("BEGIN / BEGIN / END", ["2: BEGIN only at the begin or within COBEGIN or CASE OF / 'BEGIN'"]),
+        ("BEGIN / COBEGIN / END", ["2: COBEGIN only at the begin / 'COBEGIN'"]),
+        ("BEGIN / END IF / END", ["2: IF before END IF / none open"]),
+        ("BEGIN / IF L == 1 THEN / END", ["3: END IF for 'IF L == 1 THEN' of line 2 / 'END'"]),
+        ("BEGIN / IF L THEN / END IF / END", ["2: an address, a comparison and a number, as in 'LAMP == 1' / 'L'"]),
+        ("BEGIN / IF L == 1 THEN / ELSE / ELSE / END IF / END", ["4: END IF / 'ELSE'"]),
+        ("BEGIN / SYNCH m / HOLE / END", ["2: an action on the next line / none behind 'SYNCH m'"]),
+        ("BEGIN / TAG t / END", ["2: an action on the next line / none behind 'TAG t'"]),
+        ("BEGIN / SYNCH m / SYNCH n / DO a / END", ["3: one SYNCH before an action / 'SYNCH n'"]),
+        ("BEGIN / TAG m / TAG n / DO a / END", ["3: one TAG before an action / 'TAG n'"]),
+        ("BEGIN / BREAK / END", ["2: an action before BREAK / 'BREAK'"]),
+        ("BEGIN / DO a / BREAK / BREAK / END", ["4: an action before BREAK / 'BREAK'"]),
+        ("BEGIN / DO a / BREAK OFF / END", ["3: IF and a condition behind BREAK OFF / 'BREAK OFF'"]),
+        ("BEGIN / REPEAT / DO a / DO b / UNTIL DONE / END", ["2: a tag of one word / the end of the line"]),
+        (
+            "BEGIN / REPEAT t / DO a / UNTIL DONE / END",
+            ["2: two actions in the loop t, of which NOP may be one / 1 statements"],
+        ),
+        (
+            "BEGIN / REPEAT t / DO a / HOLE / UNTIL DONE / END",
+            ["2: an action without a tag as the last in the loop t / a hole"],
+        ),
+        (
+            "BEGIN / REPEAT t / DO a / DO b / UNTIL / END",
+            ["5: DONE or NOT and a condition behind UNTIL / the end of the line"],
+        ),
+        ("BEGIN / WHILE t / DO a / END WHILE / END", ["4: DO before END WHILE / 'END WHILE'"]),
+        (
+            "BEGIN / WHILE t / DO / DO a / END WHILE / END",
+            ["2: one action between WHILE and DO of the loop t / 0 statements"],
+        ),
+        (
+            "BEGIN / WHILE t / DO a / DO / END WHILE / END",
+            ["2: an action without a tag as the last behind the DO in the loop t / nothing"],
+        ),
+        ("BEGIN / DO h / BREAK / END", ["2: an icon `h` in the dictionary or under WHERE / none"]),
+    ],
+)
+def test_each_wrong_sentence_is_told_once(text: str, told: list[str]) -> None:
+    assert run(text)[2] == told  # R-B07
+
+
+def test_an_unknown_word_is_told_with_the_known_ones() -> None:
+    (told,) = run("BEGIN / go a / END")[2]
+    assert told.startswith("2: a word of the language (DRIVE MOVE ")
+    assert told.endswith("/ 'go a'")
+
+
+def test_branches_nest_as_deep_as_a_file_may_have_them_and_no_deeper() -> None:
+    def nested(depth: int) -> str:
+        return " / ".join(["BEGIN", *["IF L == 1 THEN"] * depth, *["END IF"] * depth, "END"])
+
+    assert run(nested(100))[2] == []
+    assert run(nested(3000))[2] == ["102: at most 100 branches within each other / one more"]
+    loops = [f"REPEAT t{at} / DO a" for at in range(300)] + ["DO a / UNTIL DONE"] * 300
+    assert run(" / ".join(["BEGIN", *loops, "END"]))[2] == []
