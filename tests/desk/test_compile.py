@@ -91,10 +91,11 @@ def test_only_a_parallel_application_has_several_flows(laboratory):  # R-E04, R-
     assert len(compiled(laboratory.application("twice", *flows))[1].flows) == 1
 
 
-def test_no_ops_and_what_is_missing_are_no_actions(laboratory):  # R-D11
+def test_no_ops_have_no_tasks_and_what_is_missing_is_said_to_be(laboratory):  # R-D11
     flow = [job("noop", "Complete NOP"), job("nowhereC"), HOLE, job("winkC")]
     compiler, plan = compiled(laboratory.application("twice", flow))
-    assert [one.name for one in plan.flows[0].actions] == ["winkC"]
+    said = [(one.name, one.is_noop, one.lacks_tasks, bool(one.tasks)) for one in plan.flows[0].actions]
+    assert said == [("noop", True, False, False), ("nowhereC", False, True, False), ("winkC", False, False, True)]
     assert compiler.faults == []
 
 

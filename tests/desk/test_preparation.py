@@ -50,7 +50,7 @@ def test_everything_wrong_is_there_at_once_and_the_rest_is_compiled(laboratory, 
     said = [f"{fault.expected} | {fault.found}" for fault in prepared.faults]
     for words in ("the task nobody", "the configuration nowhereC", "without holes"):
         assert any(words in one for one in said)
-    assert [action.job for action in prepared.plan.flows[0].actions] == ["lonelyC", "jmoveC"]
+    assert [action.job for action in prepared.plan.flows[0].actions] == ["lonelyC", "nowhereC", "jmoveC"]
     assert len(prepared.targets) == 1
 
 

@@ -2,22 +2,29 @@ import pytest
 
 from onika.engine.flow import TABLE, FlowEvent, FlowState, after, diagram
 
-EXPECTED = {
-    ("ready", "spawn"): "spawning",
-    ("ready", "kill"): "killing",
-    ("spawning", "begin"): "running",
-    ("spawning", "hold"): "waiting",
-    ("spawning", "complete"): "done",
-    ("spawning", "kill"): "killing",
-    ("running", "begin"): "running",
-    ("running", "hold"): "waiting",
-    ("running", "complete"): "done",
-    ("running", "kill"): "killing",
-    ("waiting", "begin"): "running",
-    ("waiting", "kill"): "killing",
-    ("done", "kill"): "killing",
-    ("killing", "gone"): "ended",
+ON_ITS_WAY = {
+    "begin": "running",
+    "hold": "waiting",
+    "join": "joining",
+    "rest": "paused",
+    "complete": "done",
+    "kill": "killing",
 }
+FAILS = {"fail": "stopped"}
+STATES = {
+    "ready": {"spawn": "spawning", "kill": "killing"},
+    "spawning": ON_ITS_WAY,
+    "running": ON_ITS_WAY | FAILS,
+    "waiting": ON_ITS_WAY | FAILS,
+    "joining": ON_ITS_WAY | FAILS,
+    "paused": ON_ITS_WAY | FAILS,
+    "stopped": {"fail": "stopped", "recover": "clearing", "kill": "killing"},
+    "clearing": ON_ITS_WAY | FAILS,
+    "done": ON_ITS_WAY | FAILS,
+    "killing": {"gone": "ended"},
+    "ended": {},
+}
+EXPECTED = {(state, event): following for state, events in STATES.items() for event, following in events.items()}
 
 
 @pytest.mark.parametrize("state", FlowState)
@@ -46,3 +53,8 @@ def test_the_diagram_has_one_arrow_for_every_line_of_the_table():
     arrows = [line.strip() for line in diagram().splitlines() if "-->" in line and "[*]" not in line]
     expected = [f"{state} --> {following}: {event}" for (state, event), following in EXPECTED.items()]
     assert sorted(arrows) == sorted(expected)
+
+
+def test_a_flow_in_error_does_nothing_before_its_error_is_cleared():  # R-E08
+    assert FlowEvent.BEGIN not in TABLE[FlowState.STOPPED]
+    assert {state for state, events in TABLE.items() if FlowState.CLEARING in events.values()} == {FlowState.STOPPED}

@@ -1,49 +1,81 @@
 from onika.engine.meeting import Meetings
-from onika.engine.progress import Progress
-from onika.engine.step import steps
+from onika.engine.program import Program
 from onika.testing import build
+from onika.wire.plan import Do, Halt, Meet
 
-MEET = build.job("b", trigger="b", synch_tag="meet")
 FREE = build.job("a", trigger="a")
 
 
-def begun(*flows):
-    """The flows of a plan, all spawned, and their meetings."""
-    plan = build.plan(*flows)
-    made = []
-    for number, (planned, jobs) in enumerate(zip(plan.flows, flows, strict=True)):
-        ranks = {name: place for place, name in enumerate(build.names(jobs))}
-        ready = steps(planned, {index: job.trigger for index, job in enumerate(jobs)}, set(), ranks)
-        made.append(Progress(number, planned, ready, ranks))
-        made[-1].spawn()
-    return Meetings(plan.flows), made
+def meetings(*tags):
+    """Meetings of flows that each have these tags, in this order."""
+    programs = []
+    for own in tags:
+        script = [*(Meet(tag) for tag in own.split()), Do(0), Halt()]
+        programs.append(Program(build.plan(build.flow([FREE], script)).flows[0]))
+    return Meetings(programs)
 
 
-def test_all_flows_that_contain_a_tag_are_its_parties():  # R-E04, decision 26
-    meetings, _ = begun([MEET], [FREE], [FREE, MEET, MEET], [MEET])
-    assert list(meetings.parties("meet")) == [0, 2, 3]
+def test_a_flow_waits_for_all_others_in_whose_programs_the_tag_stands():  # R-E04, decision 26
+    made = meetings("meet", "", "meet meet", "meet")
+    assert made.arrive(3, "meet") == []
+    assert made.absent(3) == [0, 2]
+    assert made.waits_at(3) == "meet"
+    assert made.waits_at(0) == ""
 
 
-def test_a_flow_is_absent_until_it_waits_at_the_tag():  # R-E04
-    meetings, flows = begun([MEET], [FREE, MEET])
-    assert meetings.absent("meet", flows) == [0, 1]
-    flows[0].hold()
-    assert meetings.absent("meet", flows) == [1]
-    flows[1].begin()
-    assert meetings.absent("meet", flows) == [1]
-    flows[1].hold()
-    assert meetings.absent("meet", flows) == []
+def test_the_last_to_come_takes_all_with_it_in_their_order():  # R-E04
+    made = meetings("meet", "meet", "meet")
+    assert made.arrive(2, "meet") == []
+    assert made.arrive(0, "meet") == []
+    assert made.absent(2) == [1]
+    assert made.arrive(1, "meet") == [0, 1, 2]
+    assert [made.waits_at(flow) for flow in range(3)] == ["", "", ""]
+
+
+def test_a_tag_of_one_flow_holds_nobody():  # decision 27
+    assert meetings("meet", "").arrive(0, "meet") == [0]
 
 
 def test_a_flow_at_another_tag_is_absent():
-    meetings, flows = begun([MEET], [build.job("b", synch_tag="other"), MEET])
-    flows[0].hold()
-    flows[1].hold()
-    assert meetings.absent("meet", flows) == [1]
+    made = meetings("meet later", "later meet")
+    assert made.arrive(0, "meet") == []
+    assert made.arrive(1, "later") == []
+    assert (made.absent(0), made.absent(1)) == ([1], [0])
 
 
-def test_those_that_wait_for_an_ended_flow_are_deserted():  # decision 26
-    meetings, flows = begun([MEET], [MEET], [FREE])
-    flows[0].hold()
-    assert meetings.deserted(1, flows) == [(flows[0], "meet")]
-    assert meetings.deserted(2, flows) == []
+def test_the_second_visit_of_one_meets_the_second_of_the_other():  # decision 26
+    made = meetings("meet", "meet")
+    made.arrive(0, "meet")
+    made.let_pass(0)
+    assert made.arrive(0, "meet") == []
+    assert made.arrive(1, "meet") == [1]
+    assert made.absent(0) == [1]
+    assert made.arrive(1, "meet") == [0, 1]
+
+
+def test_who_was_let_pass_has_been_there():  # decision 26
+    made = meetings("meet", "meet")
+    made.arrive(0, "meet")
+    made.let_pass(0)
+    assert made.waits_at(0) == ""
+    assert made.arrive(1, "meet") == [1]
+
+
+def test_who_was_withdrawn_has_not_been_there():  # decision 26
+    made = meetings("meet", "meet")
+    made.arrive(0, "meet")
+    made.withdraw(0)
+    assert made.waits_at(0) == ""
+    assert made.arrive(1, "meet") == []
+    assert made.arrive(0, "meet") == [0, 1]
+
+
+def test_the_visits_of_a_nested_application_are_counted_anew_each_time_and_those_of_others_are_not():
+    made = meetings("nested other", "nested other")
+    for tag in ("nested", "other"):
+        made.arrive(0, tag)
+        made.let_pass(0)
+    made.begin_anew(["nested"])
+    assert made.arrive(1, "nested") == []
+    made.withdraw(1)
+    assert made.arrive(1, "other") == [1]

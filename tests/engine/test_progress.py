@@ -1,170 +1,174 @@
 import pytest
 
-from onika.engine.flow import FlowState
-from onika.engine.orders import Began, Done, Kill, Note, Spawn, Start, Switch
+from onika.engine.flow import FlowEvent, FlowState
+from onika.engine.orders import Began, Done, Moved, Note, Start, Switch
+from onika.engine.program import Program
 from onika.engine.progress import Progress
 from onika.engine.step import steps
+from onika.engine.walk import Value
 from onika.testing import build
+from onika.testing.script import bottom, program, top
+from onika.wire.plan import Do, Halt
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 GRASP = build.job("grip", "puma", trigger="grip")
+ALONE = build.job("move", trigger="move")
 
 
-def progress(*jobs, others=(), ranks=None):
-    planned = build.plan(jobs).flows[0]
-    ranks = ranks or {name: place for place, name in enumerate(build.names(jobs))}
-    return Progress(
-        0, planned, steps(planned, {i: job.trigger for i, job in enumerate(jobs)}, set(others), ranks), ranks
-    )
+def progress(*jobs, others=(), script=(), parent=None, judge=lambda _condition: False):
+    planned = build.plan(build.flow(jobs, script, parent)).flows[0]
+    ranks = {name: place for place, name in enumerate(build.names(jobs))}
+    triggers = {index: job.trigger for index, job in enumerate(jobs)}
+    return Progress(0, planned, Program(planned), steps(planned, triggers, set(others), ranks), ranks, judge)
 
 
-def running(*jobs, others=()):
+def running(*jobs, others=(), script=(), judge=lambda _condition: False):
     """A flow in its first action, all of whose tasks have said that they are ON."""
-    flow = progress(*jobs, others=others)
-    flow.spawn()
+    flow = progress(*jobs, others=others, script=script, judge=judge)
+    flow.enter(FlowEvent.SPAWN)
+    flow.crew.spawn()
     flow.begin()
     for name in jobs[0].tasks:
-        flow.turned_on(name)
+        flow.crew.turned_on(name)
     return flow
 
 
-def test_spawning_orders_the_union_of_the_tasks_once_each():  # R-E02
-    flow = progress(REACH, GRASP, REACH)
-    assert flow.spawn() == [Spawn(0, "move"), Spawn(0, "puma"), Spawn(0, "grip")]
-
-
-def test_a_flow_is_spawned_when_no_task_is_awaited():
+def test_a_flow_is_ready_at_its_first_instruction():
     flow = progress(REACH)
-    flow.spawn()
-    flow.spawned("puma")
-    assert not flow.is_spawned
-    assert flow.is_unborn("move")
-    flow.spawned("move")
-    assert flow.is_spawned
+    assert (flow.state, flow.current, flow.step, flow.next) == (FlowState.READY, -1, None, Do(0))
 
 
-def test_the_first_action_turns_all_its_tasks_on():
+def test_a_nested_flow_stands_at_its_end_until_it_is_begun():  # R-D13
+    assert progress(ALONE, ALONE, script=(Do(0), Halt(), Do(1), Halt()), parent=0).place == 3
+
+
+def test_beginning_switches_and_tells():
     flow = progress(REACH)
-    flow.spawn()
+    flow.enter(FlowEvent.SPAWN)
+    flow.crew.spawn()
     assert flow.begin() == [Switch(0, (), (Start("move", "1 2", 100.0), Start("puma", "", 100.0))), Began(0, 0)]
+    assert (flow.state, flow.current, flow.next) == (FlowState.RUNNING, 0, Halt())
 
 
-def test_the_next_action_leaves_common_tasks_alone():  # R-E02, law 6
-    flow = running(REACH, GRASP)
-    assert flow.finished("move") == [Done(0, 0)]
-    assert flow.begin() == [Switch(0, (), (Start("grip", "", 100.0),)), Began(0, 1)]
-
-
-def test_a_trigger_that_is_still_on_is_turned_off_and_on_again():
-    flow = running(build.job("a", "b", trigger="a"), build.job("b", trigger="b", arguments="7"), others=["b"])
-    flow.finished("a")
-    assert flow.begin() == [Switch(0, ("b",), (Start("b", "7", 100.0),)), Began(0, 1)]
-
-
-def test_a_kept_task_gets_the_rate_of_the_new_action_and_its_own_back_after_it():  # decision 13
-    flow = running(REACH, build.job("grip", "puma", trigger="grip", rates={"puma": 50.0}), REACH)
-    flow.finished("move")
-    switch, _ = flow.begin()
-    assert switch.kept_rates == (("puma", 50.0),)
-    flow.turned_on("grip")
-    flow.finished("grip")
-    switch, _ = flow.begin()
-    assert switch.kept_rates == (("puma", 100.0),)
-
-
-def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # decision 16
-    assert running(REACH).finished("puma") is None
-
-
-def test_a_trigger_that_has_not_said_that_it_is_on_does_not_end_the_action():
-    flow = running(REACH, REACH)
-    flow.finished("move")
-    flow.begin()
-    assert flow.finished("move") is None
-    flow.turned_on("move")
-    assert flow.finished("move") == [Done(0, 1)]
-
-
-def test_a_waiting_flow_takes_no_finish():
-    flow = running(REACH, GRASP, others=["puma"])
-    flow.finished("move")
-    flow.hold()
-    assert flow.finished("puma") is None
-
-
-def test_a_task_that_went_off_comes_on_with_the_next_action_that_needs_it():
-    flow = running(REACH, GRASP)
-    assert flow.switched_off("puma")
-    flow.finished("move")
-    switch, _ = flow.begin()
-    assert [start.task for start in switch.on] == ["puma", "grip"]
-
-
-def test_a_task_that_was_kept_on_is_believed_when_it_goes_off():
-    flow = running(build.job("a", "see", trigger="a"), build.job("a", "see", trigger="a"))
-    flow.finished("a")
-    flow.begin()
-    assert flow.switched_off("see")
-
-
-def test_late_word_of_a_task_that_went_off_before_it_came_on_again_is_not_believed():
-    flow = running(build.job("a", "see", trigger="a"), build.job("a", trigger="a"), build.job("a", "see", trigger="a"))
-    for _ in range(2):
-        flow.turned_on("a")
-        flow.finished("a")
+def test_only_an_action_can_begin():
+    flow = progress()
+    with pytest.raises(ValueError, match="expected a Do to begin, found Halt"):
         flow.begin()
-    assert not flow.switched_off("see")
-    flow.turned_on("see")
-    assert flow.switched_off("see")
 
 
-def test_a_failed_task_stays_off():  # decision 17
-    flow = running(build.job("move", "view", trigger="move"), build.job("move", "view", trigger="move"))
-    flow.failed("view")
-    flow.finished("move")
-    assert flow.begin() == [Switch(0, (), (Start("move", "", 100.0),)), Began(0, 1)]
+def test_a_flow_that_begins_again_after_it_has_stood_tells_that_it_runs():
+    flow = running(REACH, GRASP)
+    flow.enter(FlowEvent.REST)
+    assert flow.begin()[-1] == Moved(0, "running", 1)
 
 
 def test_a_job_without_a_trigger_is_noted():
     flow = progress(build.job("puma"))
-    flow.spawn()
+    flow.enter(FlowEvent.SPAWN)
+    flow.crew.spawn()
     note = flow.begin()[-1]
     assert isinstance(note, Note)
     assert "no trigger" in note.text
 
 
-def test_all_living_tasks_are_killed_in_the_order_of_their_ranks():
-    flow = progress(REACH, GRASP, ranks={"puma": 0, "move": 1, "grip": 2})
-    flow.spawn()
-    flow.gone("move")
-    assert flow.kill() == [Kill(0, "puma"), Kill(0, "grip")]
+def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # decision 16
+    assert not running(REACH).finished("puma")
 
 
-def test_a_flow_ends_when_its_last_task_is_gone():
-    flow = running(REACH)
-    flow.kill()
-    flow.gone("move")
-    assert flow.state is FlowState.KILLING
-    flow.gone("puma")
-    assert flow.state is FlowState.ENDED
+def test_a_trigger_that_has_not_said_that_it_is_on_does_not_end_the_action():
+    flow = running(REACH, REACH)
+    assert flow.finished("move")
+    flow.begin()
+    assert not flow.finished("move")
+    flow.crew.turned_on("move")
+    assert flow.finished("move")
 
 
-def test_a_flow_without_living_tasks_ends_at_once():
-    flow = progress(REACH)
-    assert flow.kill() == []
-    assert flow.state is FlowState.ENDED
+def test_a_flow_that_does_not_run_takes_no_finish():
+    flow = running(REACH, GRASP, others=["puma"])
+    assert flow.finished("move")
+    flow.enter(FlowEvent.HOLD)
+    assert not flow.finished("puma")
 
 
 def test_a_flow_that_is_killed_begins_nothing():
     flow = running(REACH, GRASP)
-    flow.kill()
+    flow.enter(FlowEvent.KILL)
     with pytest.raises(ValueError, match="killing"):
         flow.begin()
 
 
 def test_messages_say_the_parameter_file_before_the_first_action_and_the_action_then():
     flow = progress(REACH)
-    flow.spawn()
     assert flow.where("puma") == "puma.rmod: puma"
+    flow.enter(FlowEvent.SPAWN)
+    flow.crew.spawn()
     flow.begin()
     assert flow.where("puma") == "test.appl flow 0 action 0: puma"
+
+
+def test_the_value_of_an_action_leads_the_next_walk():
+    flow = running(ALONE, ALONE, script=program(bottom("round", Do(0)), Do(1)))
+    assert flow.ends_with(Value(0, loop=True)) == Done(0, 0)
+    flow.walk()
+    assert flow.next == Do(0)
+
+
+def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there():  # decisions 21 and 22
+    flow = running(ALONE, ALONE, ALONE, script=program(bottom("outer", Do(0), bottom("inner", Do(1))), Do(2)))
+    flow.ends_with(Value(0, loop=True))
+    flow.leaving = frozenset({"outer", "inner"})
+    flow.go(0)
+    assert (flow.next, flow.leaving) == (Do(0), {"outer"})
+    flow.go(2)
+    assert (flow.next, flow.leaving) == (Do(2), frozenset())
+
+
+def test_no_ops_on_the_way_are_told_and_what_is_on_still_belongs_to_the_job_before():  # R-D11
+    flow = running(REACH, build.noop(), GRASP)
+    flow.ends_with(Value())
+    way, told = flow.walk()
+    assert told == [Began(0, 1), Done(0, 1)]
+    assert (way.passed, flow.current, flow.step.name) == ((1,), 1, "action 0")
+
+
+def test_the_place_of_a_flow_is_that_of_its_action_while_it_runs_and_the_next_one_else():
+    flow = running(ALONE, ALONE)
+    assert flow.place == 0
+    flow.enter(FlowEvent.REST)
+    assert flow.place == 1
+
+
+@pytest.mark.parametrize(("condition", "holds", "rests"), [("", False, True), ("X", True, True), ("X", False, False)])
+def test_a_breakpoint_counts_always_or_while_its_condition_holds(condition, holds, rests):
+    flow = running(ALONE, judge=lambda _condition: holds)
+    assert not flow.rests_after(0)
+    flow.breakpoints[0] = condition
+    assert flow.rests_after(0) is rests
+
+
+def test_whatever_changes_what_comes_next_changes_the_revision():
+    flow = running(ALONE, ALONE, script=program(top("round", Do(0), Do(1))))
+    before = flow.revision
+    flow.ends_with(Value())
+    assert flow.revision > before
+    before = flow.revision
+    flow.enter(FlowEvent.REST)
+    assert flow.revision > before
+
+
+def test_the_cases_are_those_of_all_ways_the_action_may_end():
+    flow = running(REACH, GRASP, script=program(bottom("round", Do(0)), Do(1)))
+    cases = [(case.task, case.choice, case.loop, case.switch.on) for case in flow.cases()]
+    assert cases == [
+        ("move", None, False, (Start("grip", "", 100.0),)),
+        ("move", None, True, (Start("move", "1 2", 100.0),)),
+    ]
+
+
+def test_asking_for_cases_changes_nothing():
+    flow = running(REACH, GRASP)
+    before = (flow.revision, flow.place, flow.current)
+    assert flow.cases() == flow.cases()
+    assert (flow.revision, flow.place, flow.current) == before
+    assert flow.begin()[0] == Switch(0, ("move",), (Start("grip", "", 100.0),))

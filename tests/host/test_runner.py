@@ -1,5 +1,6 @@
 import pytest
 
+from onika.engine import news as said
 from onika.host.preparation import prepare
 from onika.host.runner import Runner
 from onika.ring.segment import Segment
@@ -351,3 +352,42 @@ def test_two_flows_begin_and_end_together_on_their_own_subsystems():  # R-E04, R
     assert bench.runner.wake_at() is None
     bench.finished("bell", "flow1")
     assert bench.runner.wake_at() is not None
+
+
+def test_flows_that_meet_begin_by_one_command_where_they_share_a_unit():  # R-E04
+    bench = Bench([action("bell")], [action("bell")]).start()
+    bench.born("bell").born("bell", subsystem="flow1")
+    (together,) = [order for _, order in bench.units.take(command.Together)]
+    assert [(one.subsystem, [launch.task for launch in one.on]) for one in together.switches] == [
+        ("flow0", ["bell"]),
+        ("flow1", ["bell"]),
+    ]
+
+
+def test_the_switch_that_was_prepared_is_not_sent_again():
+    bench = Bench([action("bell"), action("bell", "show")]).start().born("bell", "show").on("bell")
+    ((_, prepared),) = bench.units.take(command.Prepared)
+    assert [one.task for one in prepared.cases[0].switch.on] == ["bell", "show"]
+    bench.units.take(command.Switch)
+    bench.hear(news.Finished("flow0", "bell", 0, False, bench.now, prepared.activation, 1))
+    assert bench.units.take(command.Switch) == []
+    assert [(one.index, one.action) for one in bench.of(event.Began)][-1][0] == 1
+    late = prepared.activation  # a word about the activation before says nothing any more
+    bench.hear(news.Finished("flow0", "bell", 0, False, bench.now, late, 0))
+    assert len(bench.of(event.Done)) == 1
+
+
+def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides():  # R-E08
+    bench = Bench([action("bell", "arm", "go")], begin=Begin(on_error="wait")).start()
+    bench.born("arm", "bell", "go").on("bell", "arm", "go")
+    bench.units.sent.clear()
+    bench.hear(news.Failed("flow0", "arm", "cycle", "panic", "", 0, "", bench.now))
+    assert ("bell",) in [order.off for _, order in bench.units.take(command.Switch)]  # its trigger waits for nobody
+    answers = []
+    bench.runner.steer(said.Recover(0), bench.now, answers.append)
+    assert answers == [""]
+    assert [order.task for _, order in bench.units.take(command.Clear)] == ["arm"]
+    bench.hear(news.Changed("flow0", "arm", "OFF", bench.now))
+    ons = [launch.task for _, order in bench.units.take(command.Switch) for launch in order.on]
+    assert "arm" in ons
+    assert [one.state for one in bench.of(event.Moved)] == ["stopped", "clearing", "running"]

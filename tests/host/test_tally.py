@@ -83,3 +83,22 @@ def test_figures_add_up_whoever_asks_for_statuses_meanwhile():  # R-A17
 def test_values_travel_as_plain_lists_and_numbers():
     assert plain(np.array([[1.0, 2.0]])) == [[1.0, 2.0]]
     assert plain("word") == "word"
+
+
+def test_flows_that_begin_together_are_told_when_the_last_of_them_has_cycled():  # R-X03
+    tally = Tally(())
+    tally.meets("meet", (0, 2))
+    assert tally.first_cycle(2, 5_000) is None
+    assert tally.first_cycle(1, 6_000) is None
+    met = tally.first_cycle(0, 17_500)
+    assert (met.tag, met.flows, met.skew_us) == ("meet", (0, 2), 12.5)
+    assert tally.first_cycle(0, 20_000) is None
+    assert tally.result(1, 0.0, "").skews_us == (12.5,)
+
+
+def test_who_has_waited_has_not_switched():  # R-X03
+    tally = Tally(())
+    tally.finished(0, 1_000)
+    tally.meets("meet", (0, 1))
+    tally.first_cycle(0, 9_000)
+    assert tally.result(1, 0.0, "").switches_us == ()

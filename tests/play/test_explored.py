@@ -114,6 +114,7 @@ class Explorer:
     def acts(self):
         """All that the user may do now."""
         for flow, one in enumerate(self.plan.flows):
+            if any(isinstance(w, told.TurnedOn) for (f,_),t in self.theatre.tasks.items() if f == flow for w in t.mail): continue
             every = [told.Pause(flow), told.Resume(flow), told.Step(flow), told.Skip(flow), told.Pass(flow)]
             every += [told.Leave(flow), told.Recover(flow)]
             every += [told.Skip(flow, index) for index in range(len(one.actions))]
@@ -189,7 +190,7 @@ class Explorer:
                     theatre.feed(told.Leave(flow))  # endless loops are left by the user
             if not theatre.has_news:
                 self.help()
-        raise AssertionError("\n".join(["the story went", *theatre.story, "and comes to no end"]))
+        raise AssertionError(f"{theatre.story}\nand comes to no end")
 
     def help(self):
         for flow, one in enumerate(self.theatre.engine.positions()):

@@ -2,8 +2,21 @@
 
 import pytest
 
-from onika.engine.news import Cleared, Failed, Pass, Pause, Recover, Resume, Run, Skip, Spawned, TurnedOn
-from onika.engine.orders import Clear, Done, Moved, Note, Order, Settle, Together
+from onika.engine.news import (
+    Cleared,
+    Failed,
+    Killed,
+    Pass,
+    Pause,
+    Recover,
+    Resume,
+    Run,
+    Settled,
+    Skip,
+    Spawned,
+    TurnedOn,
+)
+from onika.engine.orders import Clear, Done, End, Kill, Moved, Note, Off, Order, Settle, Together
 from onika.testing import build
 from onika.testing.play import Play
 from onika.testing.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
@@ -108,8 +121,6 @@ def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  #
     play = opened(flow, child(JOB, JOB, script=MEETS)) >> Spawned(1, "move")
     play = play << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
     skipped = Note(1, "test.appl flow 1 action 0: left by the user")
-    from onika.engine.orders import Off
-
     assert (
         play
         >> ends(0) << Done(0, 0) << Moved(0, "waiting", 0, "meet a", (1,))
@@ -174,9 +185,6 @@ def test_a_nested_application_of_no_ops_takes_no_time():  # R-D13, R-D11
 
 
 def test_a_flow_that_is_never_begun_is_killed_with_the_others():  # R-E02, R-E14
-    from onika.engine.news import Killed, Settled
-    from onika.engine.orders import End, Kill
-
     never = build.flow([JOB, JOB], (Do(0), Halt(), *program(nested([(1, 0)], Do(1)))), None)
     assert (
         started(never, child())
@@ -271,8 +279,6 @@ def test_nobody_is_sent_to_a_stretch_that_the_flow_above_begins():  # R-E13
 
 
 def test_the_next_action_of_a_flow_may_be_the_end_of_a_nested_application():  # R-E07
-    from onika.engine.orders import Off
-
     play = started(SIMPLE, child()) >> ends(0) << Done(0, 0) << forked(0, 1, 1) >> TurnedOn(0, "move")
     left = Note(0, "test.appl flow 0 action 1: left by the user")
     assert play >> Skip(0) << left << Off(0, "move") << joining(0, 1, 1)

@@ -1,10 +1,11 @@
-"""Stories of cases that are prepared, so that an action is followed at once by the next (§5.9.2, R-E02, decision 19)."""
+"""Stories of cases that are prepared, so that the next action follows at once (§5.9.2, R-E02, decision 19)."""
 
 import pytest
 
 from onika.engine.news import Asked, Finished, Leave, Mark, Pause, Resume, Run, Skip, Spawned, TurnedOn
 from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
 from onika.testing import build
+from onika.testing.play import Play
 from onika.testing.scene import JOB, NOOP, ends, opened, passes, started
 from onika.testing.script import bottom, branch, nested, program, top
 from onika.wire.plan import Do, Rest
@@ -22,11 +23,10 @@ def jobs(*told):
 
 
 def begun(flow, **given):
-    """A run in its first action, whatever it is told."""
-    engine_play = opened(flow, **given)
+    """A run in its first action, all ON, whatever its trigger is told."""
     first = flow.jobs[0] if isinstance(flow, build.Flow) else flow[0]
     switch = Switch(0, (), (Start("move", first.arguments, 100.0),))
-    return engine_play >> Spawned(0, "move") << switch << Began(0, 0)
+    return opened(flow, **given) >> Spawned(0, "move") << switch << Began(0, 0) >> TurnedOn(0, "move")
 
 
 def test_what_follows_whatever_is_returned_is_one_case():
@@ -47,7 +47,7 @@ def test_a_top_test_has_a_case_for_each_answer_and_its_body_one():  # R-E05
     play = begun(build.flow(jobs("1", "2", "3"), program(top("round", Do(0), Do(1)), Do(2))))
     assert play.cases(0) == [case(None, False, "3"), case(None, True, "2")]
     play = play >> ends(0, loop=True) << Done(0, 0) << Switch(0, (), (Start("move", "2", 100.0),)) << Began(0, 1)
-    assert play.cases(0) == [case(None, None, "1")]
+    assert (play >> TurnedOn(0, "move")).cases(0) == [case(None, None, "1")]
 
 
 def test_a_branch_has_a_case_for_each_of_its_flows_but_none_for_a_value_beyond_them():  # R-D10, decision 20
@@ -105,11 +105,9 @@ SCRIPTS = {
 @pytest.mark.parametrize("before", SCRIPTS)
 def test_what_cannot_be_foreseen_is_not_prepared(before):
     more, script = SCRIPTS[before]
-    flow = build.flow([*jobs("1"), *more], script)
     child = build.flow([JOB], program(Do(0)), 0)
-    play = started(build.flow([JOB, *more], script), child)
+    play = started(build.flow([JOB, *more], script), child) >> TurnedOn(0, "move")
     assert play.cases(0) == []
-    assert len(flow.jobs) == len(more) + 1
 
 
 def test_a_flow_that_will_pause_has_no_case_until_the_pause_is_taken_back():  # R-E07
@@ -125,7 +123,16 @@ def test_a_breakpoint_set_in_the_run_takes_the_case_away():  # R-E07
 def test_a_flow_that_does_not_run_has_no_case():
     play = begun(jobs("1", "2")) >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
     assert (play >> ends(0) << Done(0, 0) << Moved(0, "paused", 0)).cases(0) == []
-    assert opened(jobs("1")).cases(0) == []
+    assert opened(jobs("1", "2")).cases(0) == []
+
+
+def test_nothing_is_prepared_before_everybody_is_on():
+    job = build.job("move", "puma", trigger="move")
+    play = Play(build.engine([job, job])) >> Run() << build.spawns([job]) >> Spawned(0, "move")
+    switch = Switch(0, (), (Start("move", "", 100.0), Start("puma", "", 100.0)))
+    play = play >> Spawned(0, "puma") << switch << Began(0, 0) >> TurnedOn(0, "puma")
+    before = play.cases(0)
+    assert (before, (play >> TurnedOn(0, "move")).cases(0)) == ([], [Case("move", None, None, NEXT)])
 
 
 def test_an_action_with_several_triggers_or_none_has_no_case():  # decision 16
@@ -133,7 +140,8 @@ def test_an_action_with_several_triggers_or_none_has_no_case():  # decision 16
     engine = build.engine([job, job], other_triggers=[(0, "timer")])
     hold = build.engine([build.job("puma"), JOB])
     for each, tasks in ((engine, ("move", "timer")), (hold, ("puma", "move"))):
-        for news in (Run(), *(Spawned(0, task) for task in tasks)):
+        first = [TurnedOn(0, task) for task in tasks if task != "move" or "timer" in tasks]
+        for news in (Run(), *(Spawned(0, task) for task in tasks), *first):
             each.feed(news)
         assert each.positions()[0].state == "running"
         assert each.cases(0) == []
@@ -146,11 +154,11 @@ def test_a_case_takes_the_trigger_for_off_and_leaves_the_others_alone():  # law 
             build.job("grip", "puma", trigger="grip", rates={"puma": 50.0}),
         ]
     )
-    for news in (Run(), *(Spawned(0, task) for task in ("move", "puma", "pd", "grip"))):
+    spawned = (Spawned(0, task) for task in ("move", "puma", "pd", "grip"))
+    for news in (Run(), *spawned, *(TurnedOn(0, task) for task in ("move", "puma", "pd"))):
         engine.feed(news)
     switch = Switch(0, ("pd",), (Start("grip", "", 100.0),), (("puma", 50.0),))
     assert engine.cases(0) == [Case("move", None, None, switch)]
-    engine.feed(TurnedOn(0, "move"))
     done, carried_out, began = engine.feed(Finished(0, "move", switched=3))
     assert (done, began) == (Done(0, 0), Began(0, 1))
     assert carried_out == Switch(0, switch.off, switch.on, switch.kept_rates, number=3)
@@ -201,7 +209,7 @@ def test_the_revision_changes_with_everything_that_may_change_the_cases():
 
 def test_what_changes_nothing_leaves_the_revision_as_it_is():
     engine = build.engine(jobs("1", "2"))
-    for news in (Run(), Spawned(0, "move")):
+    for news in (Run(), Spawned(0, "move"), TurnedOn(0, "move")):
         engine.feed(news)
     before = engine.revision(0)
     for news in (TurnedOn(0, "move"), Asked(0, "move", "how far?"), Finished(0, "ghost")):

@@ -28,7 +28,7 @@ def begins(flow, index):
 
 def together(index, *flows):
     """All go on at the tag; the last one to come has not waited."""
-    *waiting, last = flows
+    waiting = flows[:-1]
     switches = {flow: begins(flow, index) for flow in flows}
     for flow in waiting:
         switches[flow].append(Moved(flow, "running", index))
@@ -189,3 +189,9 @@ def met(*flows):
         >> Finished(1, "move") << Done(1, 0) << together(1, 0, 1)
         >> [TurnedOn(0, "move"), TurnedOn(1, "move")]
     )  # fmt: skip
+
+
+def test_a_flow_that_waited_and_is_killed_waits_for_nobody():  # R-X03
+    play = started([FREE, MEET], [FREE, MEET]) >> Finished(0, "move") << Done(0, 0) << waits(0, 1)
+    position = (play >> Abort("stop") << Kill(0, "move") << Kill(1, "move")).position(0)
+    assert (position.state, position.tag, position.waits_for) == ("killing", "", ())

@@ -135,7 +135,7 @@ def test_what_it_names_and_is_still_to_come_comes_on_when_it_is_there():  # law 
         switch(),
         command.Together((switch(),)),
         command.Kill(HOME, "next"),
-        command.Kill(HOME, "beside"),
+        command.Kill(HOME, "other"),
         command.Fail("the server is gone"),
     ],
     ids=lambda one: f"{type(one).__name__} {getattr(one, 'task', '')}",
@@ -146,7 +146,7 @@ def test_what_was_prepared_is_forgotten_with(order):  # law 6
 
 
 @pytest.mark.parametrize(
-    "order", [switch(subsystem="other"), command.Kill(HOME, "other"), command.Report(), prepared(case(1))]
+    "order", [switch(subsystem="other"), command.Kill("other", "next"), command.Report(), prepared(case(1))]
 )
 def test_what_was_prepared_stays_with(order):
     rig = rig_of().do(prepared()).do(order).run(50 * MS)
@@ -160,13 +160,25 @@ def test_after_a_stop_and_a_reset_nothing_comes_on_by_what_was_prepared():  # la
     assert rig.task("next").state is State.OFF
 
 
-@pytest.mark.parametrize(("name", "number"), [("beside", 0), ("other", 1)])
-def test_a_task_that_fails_takes_with_it_what_was_prepared_with_it(name, number):  # R-E08
+@pytest.mark.parametrize("name", ["beside", "other"])
+def test_a_task_that_fails_takes_with_it_what_was_prepared(name):  # R-E08
     rig = rig_of().spawn("other", COUNTER, aliases={"N": "N_OTHER"}).switch(on=["other"]).do(prepared())
     rig.task(name).module.cycle = lambda: 1 / 0
     rig.run(50 * MS)
     assert rig.heard(news.Failed)[0].task == name
-    assert rig.heard(news.Finished)[0].switched == number
+    assert rig.heard(news.Finished)[0].switched == 0
+
+
+def test_a_task_that_switches_itself_off_takes_with_it_what_was_prepared():  # R-A08
+    rig = rig_of().spawn("quiet", cycle("return off()", passive=True)).switch(on=["quiet"]).do(prepared())
+    rig.run(50 * MS)
+    assert rig.heard(news.Finished)[0].switched == 0
+
+
+def test_that_nothing_is_prepared_any_more_is_told_behind_what_was_carried_out():
+    rig = rig_of().do(prepared()).run(20 * MS).do(command.Prepared(HOME, "end", 7, ()))
+    assert rig.heard(news.Finished)[0].switched == 1
+    assert rig.news[-1][1] == news.Unprepared(HOME)
 
 
 def test_a_trigger_that_fails_on_its_way_out_leads_to_nothing():  # R-A09

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.engine.news import Run, Spawned
+from onika.engine.news import Pass, Pause, Run, Spawned, TurnedOn
 from onika.engine.orders import Began, Spawn, Start, Switch
 from onika.testing import build
 from onika.testing.play import Play
@@ -40,3 +40,31 @@ def test_an_order_that_is_not_told_is_named_at_the_next_news():
 def test_an_order_that_is_not_told_is_named_at_the_end():
     with pytest.raises(AssertionError, match="expected no further order\nfound    Spawn"):
         bool(play() >> Run())
+
+
+def begun():
+    job = build.job("move", trigger="move")
+    switch = Switch(0, (), (Start("move", "", 100.0),))
+    return (
+        Play(build.engine([job, job]))
+        >> Run() << Spawn(0, "move")
+        >> Spawned(0, "move") << [switch, Began(0, 0)]
+        >> TurnedOn(0, "move")
+    )  # fmt: skip
+
+
+def test_what_is_refused_is_refused_with_its_reason():
+    assert begun().refuses(Pass(0), "expected flow 0 to be waiting")
+    with pytest.raises(AssertionError, match=r"expected .* refused: because\nfound    expected flow 0 to be waiting"):
+        begun().refuses(Pass(0), "because")
+    with pytest.raises(AssertionError, match="found    no refusal"):
+        begun().refuses(Pause(0), "because")
+
+
+def test_the_place_and_the_cases_of_a_flow_can_be_asked_once_all_is_told():
+    play = begun()
+    assert (play.position(0).action, [case.task for case in play.cases(0)]) == (0, ["move"])
+    untold = begun() >> Pause(0)
+    for ask in (untold.position, untold.cases):
+        with pytest.raises(AssertionError, match="expected no further order\nfound    Moved"):
+            ask(0)

@@ -4,7 +4,7 @@ import argparse
 import sys
 
 from onika import __version__
-from onika.cli import check, console, doctor, new, run, runtime, text
+from onika.cli import check, console, doctor, icon, new, run, runtime, text
 from onika.link.lost import LinkLost
 
 _COMMANDS = {
@@ -13,6 +13,7 @@ _COMMANDS = {
     "console": console,
     "check": check,
     "new": new,
+    "icon": icon,
     "text": text,
     "doctor": doctor,
 }

@@ -15,6 +15,7 @@ from onika.desk import positions as places
 from onika.desk.cast import Cast
 from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun
+from onika.desk.running import LINE
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault
@@ -87,7 +88,6 @@ class Live:
     def wishes(self) -> list[str]:
         """What the keys want."""
         for key in self._keyboard.pressed():
-            self._panel.said = ""
             self._panel.wheel.press(key)
         return self._panel.wheel.take()
 
@@ -109,8 +109,8 @@ class Live:
         for text in places.lines(positions, self._panel.cast) if positions else ():
             self._console.print(Text(text))
         for fault in faults:
-            self._panel.said = f"{line}: {fault.found}"
-            self._console.print(Text(str(fault), style="red"))
+            text = str(fault)
+            self._console.print(Text(text.partition(": ")[2] if fault.place == LINE else text, style="red"))
 
     def ended(self, outcome: Outcome, drawn: str) -> None:
         """The summary."""

@@ -52,8 +52,6 @@ class Panel:
     where: Whereabouts = field(default_factory=lambda: Whereabouts(Cast(())))
     wheel: Wheel = field(default_factory=Wheel)
     has_keys: bool = False
-    said: str = ""
-    """What came of the last key, where it came to nothing."""
     since: float = field(default_factory=monotonic)
     _positions: dict[str, Position] = field(default_factory=dict)
     _states: dict[tuple[str, str], str] = field(default_factory=dict)
@@ -80,8 +78,6 @@ class Panel:
         if not self.cast.parts:
             return Text("preparing …", style="bright_black")
         rows: list[RenderableType] = [Text(), self._flows(), self._tasks()]
-        if self.said:
-            rows.append(Text(self.said, style="red"))
         if self.wheel.typed is not None:
             rows.append(Text(f": {self.wheel.typed}▏", style="bold"))
         elif self.has_keys:

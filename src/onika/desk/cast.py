@@ -41,7 +41,8 @@ class Cast:
     @classmethod
     def seen(cls, positions: Iterable[Position]) -> "Cast":
         """Those that a runtime told of: what their actions are called is not known."""
-        return cls(tuple(Part(one.subsystem) for one in positions))
+        names = [one.subsystem for one in positions]
+        return cls(tuple(Part(name, is_nested=name.rpartition(".")[0] in names) for name in names))
 
     @property
     def subsystems(self) -> tuple[str, ...]:

@@ -89,10 +89,12 @@ def _table(courses: Sequence[event.Course], width: int) -> list[str]:
     found = [(one, *_element(one.values)) for one in courses]
     names = max(len(_name(one, index)) for one, index, _ in found)
     columns = min(max(width - _LABEL - names - _NUMBERS - 2, 8), 40)
-    return [
-        f"{_name(one, index):<{names}} {_curve(values, columns)} {_numbers(values, _unit(one.unit, index))}".rstrip()
-        for one, index, values in found
-    ]
+    room = width - _LABEL - names - columns - 2
+    rows = []
+    for one, index, values in found:
+        numbers = _numbers(values, _unit(one.unit, index), room)
+        rows.append(f"{_name(one, index):<{names}} {_curve(values, columns)} {numbers}")
+    return rows
 
 
 def _name(one: event.Course, index: Sequence[int]) -> str:
@@ -137,16 +139,18 @@ def _curve(values: Sequence[float], columns: int) -> str:
 def _bar(value: float, low: float, high: float) -> str:
     if not math.isfinite(value):
         return "×"
-    if high <= low:
+    half = high / 2 - low / 2  # the whole may be too great for a number
+    if half <= 0:
         return "─"
-    return _BARS[min(int((value - low) / (high - low) * len(_BARS)), len(_BARS) - 1)]
+    return _BARS[min(int((value / 2 - low / 2) / half * len(_BARS)), len(_BARS) - 1)]
 
 
-def _numbers(values: Sequence[float], unit: str) -> str:
-    """First and last, and between which values it went if it was beyond them."""
+def _numbers(values: Sequence[float], unit: str, room: int) -> str:
+    """First and last, and between which values it went if it was beyond them and there is room for that."""
     first, last = values[0], values[-1]
     finite = [one for one in values if math.isfinite(one)]
-    ends = f"{first:.3g}" if first == last else f"{first:.3g} to {last:.3g}"
+    ends = f"{first:.4g}" if first == last else f"{first:.4g} to {last:.4g}"
+    whole = ends
     if finite and (min(finite) < min(first, last) or max(finite) > max(first, last)):
-        ends += f" ({min(finite):.3g}..{max(finite):.3g})"
-    return f"{ends} {unit}".rstrip()
+        whole += f" ({min(finite):.4g}..{max(finite):.4g})"
+    return f"{whole if len(whole) + len(unit) < room else ends} {unit}".rstrip()

@@ -3,6 +3,7 @@
 It has neither clock nor link. It is fed news, one at a time and in the order in which each task spoke, and
 answers with orders, to be carried out in their order. All tasks are spawned first; then each action of each flow
 is one switch, begun by the trigger that finished the one before; at the end, or at an abort, all tasks are killed.
+Whoever carries the orders out counts the activations of each task and keeps from it what is said of an earlier one.
 """
 
 from collections.abc import Callable, Mapping, Set

@@ -152,11 +152,12 @@ class Itinerary:
 
     def position(self, flow: Progress) -> Position:
         """Where a flow is."""
+        is_waiting = flow.state is FlowState.WAITING
         return Position(
             subsystem=self._names[flow.flow],
             state=flow.state.value,
             action=flow.current,
-            tag=self.meetings.waits_at(flow.flow),
+            tag=self.meetings.waits_at(flow.flow) if is_waiting else "",
             waits_for=tuple(self._names[number] for number in self.waits_for(flow)),
             is_pausing=flow.is_pausing,
             loops=tuple(loop.name for loop in flow.program.loops_at(flow.place)),

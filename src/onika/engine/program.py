@@ -100,6 +100,8 @@ class Program:
                 if not open_forks:
                     raise ValueError(f"expected a Fork before the Join at {place}, found none")
                 found.append((open_forks.pop(), place))
+        if open_forks:
+            raise ValueError(f"expected a Join for the Fork at {open_forks[0]}, found none")
         return found
 
     def _check(self, actions: int) -> None:

@@ -98,8 +98,9 @@ def _choice(one: Choose, value: Value | None, judge: Judge) -> tuple[int, str]:
     if one.conditions:
         last = len(one.to) - 1
         return next((at for at, condition in enumerate(one.conditions) if judge(condition)), last), ""
-    wanted = 0 if value is None else value.choice
-    if wanted < len(one.to):
-        return wanted, ""
-    several = f"{one.name or 'the branch'} has {len(one.to)} flows and the action before it asks for flow {wanted}"
-    return 0, "" if len(one.to) == 1 else f"{several}: flow 0 is taken"
+    if value is None or len(one.to) == 1:
+        return 0, ""
+    if value.choice < len(one.to):
+        return value.choice, ""
+    asked = f"{one.name or 'the branch'} has {len(one.to)} flows and the action before it asks for flow {value.choice}"
+    return 0, f"{asked}: flow 0 is taken"

@@ -57,10 +57,10 @@ class Cause:
     """Whether the run ends by it: then nothing can be done any more."""
 
 
-def of_failure(heard: news.Failed, is_hardware: bool = False, drive: str = "") -> Cause:
-    """A task is in ERROR; `drive` is the state of its device's drive in words, where somebody knows it."""
+def of_failure(heard: news.Failed, is_hardware: bool = False) -> Cause:
+    """A task is in ERROR; of a hardware task what its module says tells whether its drive is the reason."""
     text = f"{heard.entry}: {heard.text}" if heard.entry else heard.text
-    kind = _of_drive(drive, heard.text) if is_hardware else Kind.ERROR
+    kind = _of_drive(heard.text) if is_hardware else Kind.ERROR
     return Cause(kind, text, heard.subsystem, heard.task, heard.path, heard.line, heard.entry, heard.values)
 
 
@@ -97,11 +97,7 @@ def of_user(text: str) -> Cause:
     return Cause(Kind.USER, text)
 
 
-def _of_drive(drive: str, text: str) -> Kind:
-    """Why a hardware task has failed: its drive's state, else what its module says, else an error like others."""
-    said = f"{drive} {text}".lower()
-    if drive.upper() == "PRESSED" or "panic button" in said:
+def _of_drive(text: str) -> Kind:
+    if "panic button" in text:
         return Kind.PRESSED
-    if drive.upper() == "TRIPPED" or "tripped" in said:
-        return Kind.TRIPPED
-    return Kind.ERROR
+    return Kind.TRIPPED if "tripped" in text else Kind.ERROR

@@ -58,8 +58,10 @@ def _stuck(cause: Cause, positions: Sequence[Position]) -> list[str]:
 
 def _of_stopped(flow: PlannedFlow, at: Position, cause: Cause, is_one_of_several: bool) -> list[Choice]:
     whom = f" {flow.subsystem}" if is_one_of_several else ""
-    clears = f"clears {' and '.join(at.failed) or cause.task}" if cause.kind is not Kind.REFUSED else "tries again"
-    before = _BEFORE.get(cause.kind, "")
+    failed = at.failed or ((cause.task,) if cause.kind is not Kind.REFUSED and cause.task else ())
+    clears = f"clears {' and '.join(failed)}" if failed else "tries again"
+    is_pressed = cause.kind is Kind.REFUSED and "panic button" in cause.text
+    before = _BEFORE.get(Kind.PRESSED if is_pressed else cause.kind, "")
     if not 0 <= at.action < len(flow.actions):
         return [(f"clear{whom}", f"{before}{clears} and goes on")]
     name = flow.actions[at.action].name

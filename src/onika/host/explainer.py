@@ -16,7 +16,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from onika.host import cause
-from onika.host.cause import Cause
+from onika.host.cause import Cause, Kind
 from onika.host.explanation import explain
 from onika.host.history import History
 from onika.host.preparation import Preparation
@@ -41,8 +41,6 @@ class Explainer:
     ) -> None:
         self._tables = tables
         self._history = History(tables)
-        self.drives: dict[str, str] = {}
-        """By device, the state of its drive in words, where somebody tells it; else what its module says counts."""
         self._prepared = prepared
         self._positions = positions
         self._tell = tell
@@ -113,22 +111,23 @@ class Explainer:
     def _cause(self, why: Why) -> Cause:
         match why:
             case news.Failed():
-                device = self._device(why.subsystem, why.task)
-                return cause.of_failure(why, bool(device), self.drives.get(device, ""))
+                return cause.of_failure(why, self._is_hardware(why.subsystem, why.task))
             case news.Signalled():
                 return cause.of_signal(why)
             case news.Refused():
                 return cause.of_refusal(why)
             case news.Asked():
                 return cause.of_question(why)
+            case Cause(kind=Kind.LOST, task=""):
+                tasks = ((flow.subsystem, task.name) for flow in self._prepared.plan.flows for task in flow.tasks)
+                return cause.of_loss(why.text, tasks)
             case _:
                 return why
 
-    def _device(self, subsystem: str, task: str) -> str:
-        """The device of a hardware task; empty: it has none."""
+    def _is_hardware(self, subsystem: str, task: str) -> bool:
         flows = zip(self._prepared.plan.flows, self._prepared.flows, strict=True)
         wired = (one for planned, flow in flows if planned.subsystem == subsystem for one in flow)
-        return next((one.device or "" for one in wired if one.name == task and one.sheet.hardware), "")
+        return any(one.name == task and one.sheet.hardware for one in wired)
 
 
 def _is_over(positions: Sequence[Position]) -> bool:

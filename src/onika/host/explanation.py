@@ -3,6 +3,7 @@
 It decides nothing and changes nothing; `host.explainer` says when there is something to explain.
 """
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -21,6 +22,7 @@ from onika.wire.plan import PlannedAction
 from onika.wire.steer import Position
 from onika.words.fault import Place
 
+_FIRST = re.compile(r"first written by task ([^\s,]+)")
 MOST_COURSES = 8
 """Variables that are shown: more than anybody reads would hide the ones that matter."""
 MOST_NUMBERS = 6000
@@ -36,13 +38,16 @@ def explain(
     """
     scene = _scene(prepared, cause, positions)
     suspected = _suspicion(scene, cause, history)
+    seen = _seen_first(scene, cause)
+    is_known = not seen or any(writer == seen for _, writer in suspected.trail)  # then the trail goes as far, or on
+    suspect = suspected.task if is_known else seen
     return event.Explained(
         subsystem=cause.subsystem,
         task=cause.task,
         action="" if scene.action is None else scene.action.name,
         index=scene.index,
         place=_place(scene),
-        text="; ".join(part for part in (cause.text, str(suspected)) if part),
+        text=cause.text if suspect in ("", seen) else f"{cause.text}; {suspected}",
         path=cause.path,
         line=cause.line,
         waiting=waiting_for(cause.subsystem, positions) if cause.subsystem else (),
@@ -50,7 +55,7 @@ def explain(
         choices=choices(cause, prepared.plan.flows, positions),
         at_s=at_s,
         kind=cause.kind.value,
-        suspect=suspected.task,
+        suspect=suspect,
     )
 
 
@@ -95,6 +100,12 @@ def _suspicion(scene: _Scene, cause: Cause, history: History) -> Suspicion:
         return course is not None and is_no_number(course.values[-1])
 
     return suspicion(scene.task, scene.beside, is_wrong)
+
+
+def _seen_first(scene: _Scene, cause: Cause) -> str:
+    """Who was first to write what was no number at that instant, among the tasks of the failed one's own unit (law 5)."""
+    said = _FIRST.search(cause.text)
+    return said[1] if said and any(one.name == said[1] for one in scene.beside) else ""
 
 
 def _as_failed(task: WiredTask, cause: Cause) -> dict[str, Any]:

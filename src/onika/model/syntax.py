@@ -153,6 +153,11 @@ def object_name(name: str) -> str:
     return " ".join("object" if word.lower() in ("job", "application") else word for word in name.split())
 
 
+def application_name(name: str) -> str:
+    """The name of the type of application that takes a target of this type."""
+    return " ".join("application" if word.lower() == "object" else word for word in name.split())
+
+
 def same_type(one: str, other: str) -> bool:
     """Whether two names mean one type: without case (decision 37)."""
     return _words(one) == _words(other)

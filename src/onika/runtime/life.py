@@ -209,7 +209,8 @@ class Life:
         self._unit.enter(task, now)
         if task.is_synchronous:
             self._calls.attempt(task, "fileno", now, partial(self._unit.await_event, task))
-        self._unit.tell(news.Changed(*task.address, _ON, now, "", task.activation))
+        state = _ON if task.state is State.ON else task.state.value
+        self._unit.tell(news.Changed(*task.address, state, now, "", task.activation))
 
     def _ask(self, task: RunningTask, reason: str, now: int) -> None:
         task.step(Step.ASK)

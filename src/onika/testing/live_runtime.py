@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from onika.model.lifecycle import IllegalTransition, State, Step, after
-from onika.wire import event, live, request
+from onika.wire import event, live, request, steer
 from onika.wire.plan import PlannedTask
 
 
@@ -60,6 +60,8 @@ class LiveRuntime:
         self.findings: dict[str, tuple[str, ...]] = {}
         self.refusals: dict[str, str] = {}
         """Kinds of requests that are refused, by their class's name, with the reason."""
+        self.positions: tuple[steer.Position, ...] = ()
+        """Where flows are said to be; an application runs in them."""
         self.faults: tuple[request.FaultText, ...] = ()
         """What the next code or plan is found to be wrong with."""
 
@@ -90,6 +92,8 @@ class LiveRuntime:
                 return self._parameter(asked)
             case live.Survey() | live.Status() | live.Read() | live.Check():
                 return self._look(asked)
+            case steer.Who():
+                return steer.Positions(self.positions)
             case request.Prepare():
                 self._prepared = asked.plan.application
                 return request.Prepared(self.faults)
@@ -120,6 +124,7 @@ class LiveRuntime:
             )
             for home, lives in self.lives.items()
         )
+        subsystems += tuple(live.SubsystemStanding(one.subsystem, "", "played", ()) for one in self.positions)
         rtpus = tuple(live.RtpuStanding(name, False, 0.25) for name in self._rtpus)
         return live.Standing(subsystems, rtpus, (), self._is_virtual, self.is_stopped, self.now_s)
 

@@ -5,7 +5,7 @@ engine must never do, is an AssertionError with the story so far. It can be put 
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from onika.engine import news as told
@@ -35,6 +35,10 @@ RUNTIME: Address = (-1, "")
 """Who says that everything has settled."""
 
 
+Story = tuple[str, "Story"] | None
+"""What was told, the latest line first; so that stories with one beginning share it."""
+
+
 @dataclass(frozen=True, slots=True)
 class Task:
     """A simulated task."""
@@ -56,7 +60,7 @@ class Scene:
     tasks: tuple[tuple[Address, Task], ...]
     open: tuple[int | None, ...]
     excused: tuple[bool, ...]
-    has_ended: bool
+    end: End | None
 
 
 @dataclass
@@ -66,7 +70,7 @@ class Theatre:
     plan: Plan
     engine: Engine
     passive: frozenset[Address] = frozenset()
-    story: list[str] = field(default_factory=list)
+    _story: Story = None
 
     def __post_init__(self) -> None:
         self._memory = EngineMemory(self.engine)
@@ -78,27 +82,38 @@ class Theatre:
         self._announced: tuple[int, ...] = ()
         self._switched: set[Address] = set()
 
+    @property
+    def story(self) -> str:
+        """All that has happened, a line for each."""
+        lines, rest = [], self._story
+        while rest is not None:
+            line, rest = rest
+            lines.append(line)
+        return "\n".join(["the story went", *reversed(lines)])
+
+    def _tell(self, line: str) -> None:
+        self._story = (line, self._story)
+
     # As it was
 
-    def take(self) -> tuple[Memory, Scene, int]:
+    def take(self) -> tuple[Memory, Scene, Story]:
         """Everything as it is now."""
-        return self._memory.take(), self._scene(), len(self.story)
+        return self._memory.take(), self._scene(), self._story
 
-    def put_back(self, taken: tuple[Memory, Scene, int]) -> None:
+    def put_back(self, taken: tuple[Memory, Scene, Story]) -> None:
         """As it was when that was taken."""
-        memory, scene, length = taken
+        memory, scene, self._story = taken
         self._memory.put_back(memory)
         self.tasks = dict(scene.tasks)
         self.open, self._excused = list(scene.open), list(scene.excused)
-        self.end = self.end if scene.has_ended else None
-        del self.story[length:]
+        self.end = scene.end
 
     def key(self) -> tuple[Any, ...]:
         """Equal where the same can happen from now on."""
         return self._memory.key(), self._scene()
 
     def _scene(self) -> Scene:
-        return Scene(tuple(self.tasks.items()), tuple(self.open), tuple(self._excused), self.end is not None)
+        return Scene(tuple(self.tasks.items()), tuple(self.open), tuple(self._excused), self.end)
 
     # What can happen
 
@@ -135,12 +150,13 @@ class Theatre:
 
     def feed(self, news: News) -> list[Order]:
         """The engine hears it, and what it orders is done."""
-        self.story.append(f">> {news}")
+        self._tell(f">> {news}")
         if isinstance(news, told.Skip | told.Recover) and not self.engine.refusal(news):
             self._excused[news.flow] = isinstance(news, told.Recover)
             self.open[news.flow] = self.open[news.flow] if isinstance(news, told.Recover) else None
         orders = self.engine.feed(news)
-        self.story += [f"<< {order}" for order in orders]
+        for order in orders:
+            self._tell(f"<< {order}")
         for order in orders:
             self._carry_out(order)
         self._demand(not self._announced, f"switches of {self._announced} after Together")
@@ -169,7 +185,7 @@ class Theatre:
 
     def say(self, address: Address, news: News, life: str) -> None:
         """A task does something by itself, and says so."""
-        self.story.append(f"   {address} is {life}: {type(news).__name__}")
+        self._tell(f"   {address} is {life}: {type(news).__name__}")
         task = self.tasks[address]
         fell = task.fell or (life != "on" and not isinstance(news, told.Finished))
         self.tasks[address] = replace(task, life=life, mail=(*task.mail, news), fell=fell)
@@ -279,4 +295,4 @@ class Theatre:
 
     def _demand(self, truth: bool, otherwise: str) -> None:
         if not truth:
-            raise AssertionError("\n".join(["the story went", *self.story, "and then", otherwise]))
+            raise AssertionError("\n".join([self.story, "and then", otherwise]))

@@ -66,8 +66,8 @@ def test_what_does_not_come_is_given_up_with_what_there_is_instead(sit):
 @pytest.mark.parametrize(
     ("line", "expected"),
     [
-        ("wait LAMP", "seconds, `run`, `TASK STATE` or a comparison"),
-        ("wait __import__('os') == 1", "seconds, `run`, `TASK STATE` or a comparison"),
+        ("wait LAMP", "seconds, `run`, `TASK STATE`, `FLOW STATE` or a comparison"),
+        ("wait __import__('os') == 1", "seconds, `run`, `TASK STATE`, `FLOW STATE` or a comparison"),
         ("wait LAMP == 1 within soon", "seconds after `within`"),
         ("wait LAMP == 1", "a variable of main"),
         ("wait diff off", "a living task of main (puma)"),

@@ -46,7 +46,7 @@ def test_a_run_is_aborted(sit):
     one.does("abort it is late")
     assert one.asked(request.Abort) == [request.Abort("it is late")]
     assert any("run aborted, 0 of 1 actions: it is late" in line for line in one.lines)
-    assert one.fails("abort").expected == "an application that this console runs"
+    assert one.fails("abort").expected == "an application that runs"
     assert "aborted: it is late" in one.fails("wait run").found
 
 

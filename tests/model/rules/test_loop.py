@@ -59,7 +59,9 @@ def test_every_malformed_loop_is_named(marks: str, expected: list[str]) -> None:
 
 def test_both_tags_on_one_action_are_no_loop() -> None:
     flow = AppFlow((icon("a", "Joint job"), icon("a?", "Joint object")))  # decision 24
-    assert [fault.found for fault in faults(flow, SYNTAX, "flow 0", Place("a.appl"))] == ["it twice at one, `x`, step 0"]
+    assert [fault.found for fault in faults(flow, SYNTAX, "flow 0", Place("a.appl"))] == [
+        "it twice at one, `x`, step 0"
+    ]
 
 
 def test_a_tag_on_a_target_counts_for_its_job() -> None:

@@ -127,7 +127,9 @@ def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> No
     tasks = {**TASKS, "other": Task("other", "grip")}  # decision 1, law 9
     configurations = {**CONFIGURATIONS, "open": conf("open", "other")}
     opened = icon("open", "Complete job")
-    expected = "every module once in a flow: grip in `grip` (in `close`, step 0) and `other` (in `open`, step 1) of flow 0"
+    expected = (
+        "every module once in a flow: grip in `grip` (in `close`, step 0) and `other` (in `open`, step 1) of flow 0"
+    )
     assert found((CLOSE, opened), configurations=configurations, tasks=tasks) == [expected]
     assert found((CLOSE,), (opened,), configurations=configurations, tasks=tasks) == []
 
@@ -137,7 +139,9 @@ def test_a_trigger_changed_after_the_job_was_made_is_found() -> None:
     expected = "a Cartesian job, as its trigger `jmove` says: Joint job for `move`, step 0 of flow 0"
     assert found((MOVE, THERE), tasks=tasks) == [expected]
     without = {"jmove": Task("jmove", "jmove")}
-    assert found((MOVE, THERE), tasks=without) == ["a task with OBJECT Joint job in `move`: none at `move`, step 0 of flow 0"]
+    assert found((MOVE, THERE), tasks=without) == [
+        "a task with OBJECT Joint job in `move`: none at `move`, step 0 of flow 0"
+    ]
 
 
 def test_a_job_of_unknown_type_acts_as_a_complete_one() -> None:

@@ -5,6 +5,7 @@ from onika.model.rules.union import Source, conflicts, tasks_of, variables
 from onika.model.task import LocalLine, Task
 from onika.words.fault import Place
 
+
 def conf(name: str, *tasks: str) -> Configuration:
     return Configuration(name, tuple(map(Placed, tasks)))
 

@@ -1,8 +1,8 @@
 """What an application does, read a second time: a plain interpreter of lists of actions, without orders or lifecycles.
 
 Written from §5.5.4, §5.9.2, Table 9, E02, E04 and decisions 16, 17, 26 and 28 of the specification and house
-decision 4; it shares no code with the engine. An error that is not a passive task's ends the run, while there is no
-clear and continue (E08).
+decision 4; it shares no code with the engine. There is nobody to decide, so that an error that is not a passive
+task's ends the run (E08).
 """
 
 from dataclasses import dataclass, field
@@ -23,6 +23,8 @@ class Flow:
     at: int = -1
     waits: str | None = None
     is_done: bool = False
+    was_waiting: bool = False
+    """Whether it has said that it waits since it last began."""
     on: set[str] = field(default_factory=set)
     said_so: set[str] = field(default_factory=set)
     """Of those ON: who has said that it is, since it was last turned on."""
@@ -46,7 +48,7 @@ class Performance:
         self.is_over = False
 
     def begin(self) -> list[Event]:
-        return [event for number in range(len(self.flows)) for event in self._go_on(number)]
+        return self._go_on(*range(len(self.flows)))
 
     def turned_on(self, number: int, task: str) -> list[Event]:
         if task in self.flows[number].on:
@@ -78,26 +80,42 @@ class Performance:
         self.is_over = True
         return [("ends",)]
 
-    def _go_on(self, number: int) -> list[Event]:
-        flow = self.flows[number]
-        if flow.at + 1 == len(flow.actions):
-            flow.is_done = True
-            if all(other.is_done for other in self.flows):
-                self.is_over = True
-                return [("all done",)]
-            return [
-                ("waits", other, waiting.waits, number, "ended")
-                for other, waiting in enumerate(self.flows)
-                if waiting.waits is not None and number in self._parties(waiting.waits)
-            ]
-        flow.waits = flow.actions[flow.at + 1].tag
-        if flow.waits is None:
-            return self._start(number)
-        tag = flow.waits
-        absent = [other for other in self._parties(tag) if self.flows[other].waits != tag]
-        if absent:
-            return [("waits", number, tag, other, "ended" if self.flows[other].is_done else "") for other in absent]
-        return [event for other in self._parties(tag) for event in self._start(other)]
+    def _go_on(self, *numbers: int) -> list[Event]:
+        """What is said at this instant, then who begins together, then each who begins."""
+        told: list[Event] = []
+        starting: list[int] = []
+        tag = ""
+        for number in numbers:
+            flow = self.flows[number]
+            if flow.at + 1 == len(flow.actions):
+                told += self._complete(number)
+                continue
+            flow.waits = flow.actions[flow.at + 1].tag
+            if flow.waits is None:
+                starting.append(number)
+            elif self._absent(flow.waits):
+                told.append(self._waits(number))
+                flow.was_waiting = True
+            else:
+                tag = flow.waits
+                starting += self._parties(tag)
+        together: list[Event] = [("together", tag, sorted(starting))] if len(starting) > 1 else []
+        begun = [event for number in sorted(starting) for event in self._start(number)]
+        self.is_over = all(flow.is_done for flow in self.flows)
+        return told + together + begun + ([("all done",)] if self.is_over else [])
+
+    def _complete(self, number: int) -> list[Event]:
+        self.flows[number].is_done = True
+        waiting = [other for other, flow in enumerate(self.flows) if flow.waits and number in self._parties(flow.waits)]
+        return [("is done", number), *(self._waits(other) for other in waiting)]
+
+    def _waits(self, number: int) -> Event:
+        tag = self.flows[number].waits or ""
+        absent = self._absent(tag)
+        return ("waits", number, tag, absent, [other for other in absent if self.flows[other].is_done])
+
+    def _absent(self, tag: str) -> list[int]:
+        return [other for other in self._parties(tag) if self.flows[other].waits != tag]
 
     def _parties(self, tag: str) -> list[int]:
         return [number for number, flow in enumerate(self.flows) if tag in [action.tag for action in flow.actions]]
@@ -105,9 +123,11 @@ class Performance:
     def _start(self, number: int) -> list[Event]:
         flow = self.flows[number]
         flow.at, flow.waits = flow.at + 1, None
+        had_waited, flow.was_waiting = flow.was_waiting, False
         action = flow.actions[flow.at]
         wanted = set(action.tasks) - flow.broken
         untouched = flow.on & wanted - set(action.triggers)
         off, on = flow.on - untouched, wanted - untouched
         flow.on, flow.said_so = wanted, flow.said_so & untouched
-        return [("switches", number, sorted(off), sorted(on)), ("begins", number, flow.at)]
+        begun: list[Event] = [("switches", number, sorted(off), sorted(on)), ("begins", number, flow.at)]
+        return [*begun, ("runs again", number)] if had_waited else begun

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
-from onika.engine.orders import Began, Done, Kill, Note, Order, Settle, Switch
+from onika.engine.orders import Began, Done, Kill, Moved, Note, Order, Settle, Spawn, Switch, Together
 from onika.testing import build
 
 from .performance import Action, Event, Performance
@@ -19,7 +19,7 @@ PASSIVE = "view"
 FURTHER = "timer"
 """A trigger that takes no target."""
 
-WAITS = re.compile(r"waits at (\w+) for flow (\d+)(, which has (ended))?\Z")
+ENDED = re.compile(r"flow ([\d, ]+) has ended and will not come\Z")
 TELLS = {
     "has finished, which ends no action now": "ignored",
     "has switched itself off": "fell silent",
@@ -48,7 +48,8 @@ class Stage:
         """Who has come ON since it was last told to; what others say is of an activation before."""
 
     def begin(self, plan: Plan) -> list[Event]:
-        self.engine.feed(Run())
+        for order in self.engine.feed(Run()):
+            assert isinstance(order, Spawn)
         births = [Spawned(number, task) for number, flow in enumerate(plan) for task in build.names(flow)]
         return [event for birth in births for event in self.hear(birth)]
 
@@ -60,7 +61,7 @@ class Stage:
         ):
             self.on[news.flow].discard(news.task)
             self._awake[news.flow].discard(news.task)
-        orders = self.engine.feed(news)
+        orders = _by_flow(self.engine.feed(news))
         if any(isinstance(order, Kill) for order in orders):
             assert all(isinstance(order, Kill) for order in orders)
             return [("ends",)]
@@ -80,12 +81,27 @@ class Stage:
                 return [("done", order.flow, order.index)]
             case Settle():
                 return [("all done",)]
-            case Note() if waits := WAITS.match(order.text):
-                return [("waits", order.flow, waits[1], int(waits[2]), waits[4] or "")]
+            case Together():
+                return [("together", order.tag, sorted(order.flows))]
+            case Moved(state="waiting"):
+                ended = ENDED.match(order.text)
+                assert bool(ended) is bool(order.text)
+                gone = [int(number) for number in ended[1].split(", ")] if ended else []
+                return [("waits", order.flow, order.tag, list(order.waits_for), gone)]
+            case Moved(state="running"):
+                return [("runs again", order.flow)]
+            case Moved(state="done"):
+                return [("is done", order.flow)]
             case Note() if not isinstance(news, Run | Abort):
                 return [(next(what for text, what in TELLS.items() if text in order.text), order.flow, news.task)]
             case _:
                 raise AssertionError(f"expected no {order} while the application runs")
+
+
+def _by_flow(orders: list[Order]) -> list[Order]:
+    """Switches of one instant may be ordered in any order of the flows."""
+    first = next((place for place, order in enumerate(orders) if isinstance(order, Together)), len(orders)) + 1
+    return orders[:first] + sorted(orders[first:], key=lambda order: order.flow)
 
 
 def said(naive: Performance, news: News) -> list[Event]:

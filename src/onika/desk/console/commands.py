@@ -1,8 +1,9 @@
 """The commands of a console by groups, as `help` shows them."""
 
-from onika.desk.console import holding, life, log, look, passing, running, touching, tuning
+from onika.desk.console import holding, life, log, look, passing, running, steering, touching, tuning
 from onika.desk.console.command import Command
 from onika.desk.console.session import Faults, Session
+from onika.desk.steering import VERBS
 
 Words = tuple[str, ...]
 
@@ -37,7 +38,16 @@ TASKS = (
         "off", "off [TASK… | all]", "turn tasks OFF, all of the subsystem where none is named", life.off, ("task",)
     ),
     Command("kill", "kill TASK…  |  kill all", "end tasks", life.kill, ("task",), 1),
-    Command("clear", "clear [TASK]", "bring a task, or all, out of ERROR", life.clear, ("task",), 0, 1),
+    Command(
+        "clear",
+        "clear [TASK | FLOW]",
+        "bring a task, or all, out of ERROR; of a flow: clear and continue\n"
+        "A flow that has stopped repeats its action with the same target.",
+        steering.clear,
+        ("task",),
+        0,
+        1,
+    ),
     Command(
         "config",
         "config NAME [ARGUMENTS | @TARGET]",
@@ -127,6 +137,18 @@ LOOKS = (
     Command("check", "check [SUBSYSTEM…]", "check the memory of variables", look.check, ("subsystem",)),
 )
 
+
+def _verb(name: str) -> Command:
+    """A word of steering, as scripts of runs have it."""
+    return Command(name, VERBS[name].usage, VERBS[name].text, steering.verb(name), ("flow", ""))
+
+
+FLOWS = (
+    Command("runs", "runs", "the applications that run, and where their flows are", steering.runs, most=0),
+    Command("who", "who", "where every flow is, and who waits for whom", steering.who, most=0),
+    *(_verb(name) for name in ("pause", "continue", "step", "next", "skip", "pass", "leave", "break", "unbreak")),
+)
+
 WHOLE = (
     Command(
         "run",
@@ -134,6 +156,15 @@ WHOLE = (
         "run an application\nIn a script the next line waits for its end, or for a question, which it may answer."
         "\nThen `wait run` waits for the end.",
         running.run,
+        ("application",),
+        1,
+        1,
+    ),
+    Command(
+        "begin",
+        "begin APPLICATION",
+        "run an application, and go on with the next line at once",
+        running.begin,
         ("application",),
         1,
         1,
@@ -173,7 +204,8 @@ WHOLE = (
         "wait",
         "wait SECONDS  |  wait CONDITION [within SECONDS]",
         "wait, in the runtime's time\n"
-        "Conditions: `run` (its end), `TASK STATE` as in `jtraj off`, a comparison as in `Q_MEZ[0] > 0.5`.\n"
+        "Conditions: `run` (its end), `TASK STATE` as in `jtraj off`, `FLOW STATE` as in `flow0 paused`,\n"
+        "a comparison as in `Q_MEZ[0] > 0.5`.\n"
         "60 s where nothing is said; then the line fails.",
         passing.wait,
         ("task", "state"),

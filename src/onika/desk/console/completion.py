@@ -6,6 +6,7 @@ from pathlib import Path
 from onika.desk.console.command import Command, find
 from onika.desk.console.library import Library
 from onika.desk.console.session import Session
+from onika.desk.console.steering import where
 from onika.model.lifecycle import State
 from onika.wire import live
 
@@ -94,6 +95,7 @@ _KINDS: dict[str, Callable[[Session, Sequence[Command], str], list[str]]] = {
     "configuration": lambda session, commands, typed: list(_library(session).configurations),
     "application": lambda session, commands, typed: list(_library(session).applications),
     "subsystem": lambda session, commands, typed: [one.name for one in session.standing().subsystems],
+    "flow": lambda session, commands, typed: [one.subsystem for one in where(session)],
     "command": lambda session, commands, typed: [one.name for one in commands],
     "state": lambda session, commands, typed: [one.value.lower() for one in State],
     "file": lambda session, commands, typed: _files(typed),

@@ -149,6 +149,7 @@ class Console:
             ("tasks", commands.TASKS),
             ("a living task", (*commands.CHANGES, follow)),
             ("looking", (*commands.LOOKS, watch)),
+            ("applications that run", commands.FLOWS),
             ("the whole", commands.WHOLE),
             ("this console", own),
         ]

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from onika.desk.console.life import missing, positive
 from onika.desk.console.look import value
 from onika.desk.console.session import Faults, Session
+from onika.desk.console.steering import where
 from onika.model.lifecycle import State
 from onika.wire import live, request
 from onika.words.condition import Condition
@@ -15,6 +16,7 @@ _WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
 _USUAL_S = 60.0
 _SLICE_S = 0.25
 """Of virtual time: between two slices events are told and Ctrl-C is heard."""
+_FLOW_STATES = ("paused", "waiting", "stopped", "running", "done")
 _STEP_S = 0.02
 """How often a condition is looked at."""
 
@@ -42,12 +44,14 @@ def wait(session: Session, words: Words) -> Faults:
     if condition == "run":
         return ended(session, None if found is None else limit)
     parts = condition.split()
+    if len(parts) == 2 and parts[1] in _FLOW_STATES:
+        return _flow(session, parts[0], parts[1], limit)
     if len(parts) == 2 and parts[1].upper() in State.__members__:
         return _state(session, parts[0], parts[1].upper(), limit)
     try:
         expectation = Condition.parse(condition)
     except ValueError:
-        expected = "seconds, `run`, `TASK STATE` or a comparison such as `LAMP == 1`, each with `within SECONDS` or not"
+        expected = "seconds, `run`, `TASK STATE`, `FLOW STATE` or a comparison such as `LAMP == 1`, or so `within S`"
         return session.no(expected, repr(text))
     return _variable(session, expectation, limit)
 
@@ -84,6 +88,15 @@ def _state(session: Session, address: str, state: str, limit: float) -> Faults:
         return State.KILLED.value if task is None else task.state
 
     return _until(session, lambda: now() == state, limit, f"{address} {state}", now)
+
+
+def _flow(session: Session, name: str, state: str, limit: float) -> Faults:
+    def now() -> str:
+        return next((one.state for one in where(session) if one.subsystem == name), "gone")
+
+    if now() == "gone":
+        return session.no("a flow of an application that runs", repr(name))
+    return _until(session, lambda: now() == state, limit, f"{name} {state}", now)
 
 
 def _variable(session: Session, expectation: Condition, limit: float) -> Faults:

@@ -1,5 +1,6 @@
 """Lines that run applications: run, abort, home, calibrate (requirement A16, §E.1)."""
 
+from onika.desk.cast import Cast
 from onika.desk.console.face import Tone
 from onika.desk.console.library import Library
 from onika.desk.console.passing import ended, until_asked
@@ -14,6 +15,15 @@ CALIBRATE = "calibrate"
 
 def run(session: Session, words: Words) -> Faults:
     """Begin an application; in a script, go on to its end, or to a question, which the next line may answer."""
+    faults = begin(session, words)
+    if faults or not session.in_script:
+        return faults
+    faults = until_asked(session)
+    return faults if faults or session.running else ended(session)
+
+
+def begin(session: Session, words: Words) -> Faults:
+    """Begin an application, and go on with the next line at once, in a script too."""
     if session.running:
         return session.no("no application that runs", session.running)
     prepared = prepare_run(words[0], session.site)
@@ -22,25 +32,28 @@ def run(session: Session, words: Words) -> Faults:
     if prepared.faults or prepared.plan is None:
         return prepared.faults
     faults = session.order(request.Prepare(prepared.plan, prepared.targets))
-    faults = faults or session.order(request.Begin(may_ask=True))
+    on_error = "abort" if session.in_script else "wait"
+    faults = faults or session.order(request.Begin(may_ask=True, on_error=on_error))
     if faults:
         return faults
     session.running, session.result = prepared.name, None
+    session.cast = Cast.of(prepared.plan)
     session.running_in = frozenset(flow.subsystem for flow in prepared.plan.flows)
     total = sum(len(flow.actions) for flow in prepared.plan.flows)
     session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
-    if not session.in_script:
-        return ()
-    faults = until_asked(session)
-    return faults if faults or session.running else ended(session)
+    return ()
 
 
 def abort(session: Session, words: Words) -> Faults:
     """End the run: tasks off, drives in hold."""
-    if not session.running:
-        return session.no("an application that this console runs", "none")
+    is_there = session.running or any(one.application for one in session.look_again().subsystems)
+    if not is_there:
+        return session.no("an application that runs", "none")
     cause = " ".join(words) or "aborted by the user"
     faults = session.order(request.Abort(cause))
+    if not session.running:  # one that somebody left alone
+        session.hear()
+        return faults
     return faults or session.until(lambda: not session.running, "the end of the run")
 
 

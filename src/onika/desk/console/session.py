@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from typing import Protocol
 
+from onika.desk.cast import Cast
 from onika.desk.console import told
 from onika.desk.console.face import Face, Tone
 from onika.store.site import Site
@@ -67,6 +68,8 @@ class Session:
         """The application that this console runs."""
         self.running_in: frozenset[str] = frozenset()
         """Its subsystems."""
+        self.cast: Cast | None = None
+        """Its flows and their actions."""
         self.is_stopped = False
         self.result: event.Result | None = None
         """How the last run ended."""
@@ -217,7 +220,7 @@ class Session:
             case event.Stopped():
                 self.is_stopped = one.is_stopped
             case event.Result() if self._is_own(one):
-                self.running = ""
+                self.running, self.cast = "", None
                 self.result = one
 
     def _is_own(self, one: event.Result) -> bool:

@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 
+from onika.desk import explained
 from onika.desk.console.face import Tone
 from onika.desk.console.value import shown
+from onika.desk.positions import waits
 from onika.wire import event
 
 Line = tuple[str, Tone]
@@ -31,6 +33,8 @@ def lines(one: event.Event) -> Iterator[Line]:
             number = f" {one.number}" if one.kind in ("FINISH", "USER") else ""
             text = f": {one.text}" if one.text else ""
             yield f"{_at(one.at_s)}  {one.subsystem}/{one.task} signals {one.kind}{number}{text}", Tone.NOTE
+        case event.Moved() | event.Met() | event.Explained():
+            yield from _flows(one)
         case event.Lost():
             yield f"{_at(one.at_s)}  LOST {one.name}: {one.cause}", Tone.FAULT
         case event.Held():
@@ -53,6 +57,30 @@ def question(asked: event.Asked, item: event.Item) -> str:
     if item.default is not None:
         parts.append(f"else {' '.join(map(str, item.default))}")
     return f"{asked.subsystem}/{asked.task} asks for " + ", ".join(part for part in parts if part)
+
+
+def _flows(one: event.Moved | event.Met | event.Explained) -> Iterator[Line]:
+    """What flows do: where they wait, where they meet, why they stand still."""
+    match one:
+        case event.Moved():
+            yield from _moved(one)
+        case event.Met():
+            tag, names = one.tag.rpartition(" ")[2], " and ".join(one.subsystems)
+            yield f"{_at(one.at_s)}  {names} go on together at {tag}, {one.skew_us:.0f} us apart", Tone.DIM
+        case event.Explained():
+            for line in explained.lines(one):
+                yield line, Tone.FAULT if one.choices else Tone.NOTE
+
+
+def _moved(one: event.Moved) -> Iterator[Line]:
+    """What is worth a line; actions that begin, errors and the end have their own."""
+    said = one.text
+    if one.state in ("waiting", "joining"):
+        said = waits(one.tag, one.waits_for)
+    elif one.state == "paused":
+        said = f"is paused after {one.action + 1}" if one.action >= 0 else "is paused before its first action"
+    if said:
+        yield f"{_at(one.at_s)}  {one.subsystem} {said}", Tone.NOTE
 
 
 def _at(seconds: float) -> str:

@@ -44,7 +44,7 @@ class _Writing:
         self._glossary = glossary
         self._lines: list[str] = []
         self._depth = 0
-        self._described: set[Onikon] = set()
+        self._described: set[tuple[str, str]] = set()
 
     def text(self, application: Application) -> str:
         self._line(f"{{ {_remark(application.name)} }}")
@@ -139,9 +139,10 @@ class _Writing:
                 continue
             is_first = False
         icons = [step.onikon for step in statement.steps if isinstance(step, Icon)]
-        new = [one for one in dict.fromkeys(icons) if one not in self._described and one.description]
+        described = dict.fromkeys((one.name, one.description) for one in icons if one.description)
+        new = [one for one in described if one not in self._described]
         self._described.update(new)
-        remark = "; ".join(one.description for one in new)
+        remark = "; ".join(description for _, description in new)
         self._wrapped(words, f"{{ {_remark(remark)} }}" if remark else "")
 
     def _action(self, onikon: Onikon) -> str:

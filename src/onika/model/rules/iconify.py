@@ -1,0 +1,77 @@
+"""Which type the icon of a configuration or an application has (requirement D09, decision 31, §5.6.2, §5.6.4)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from onika.model.application import Application
+from onika.model.configuration import Configuration
+from onika.model.rules import hole, shape
+from onika.model.rules.outline import Outline
+from onika.model.rules.union import tasks_of
+from onika.model.syntax import COMPLETE_APPLICATION, COMPLETE_JOB, Syntax, application_name
+from onika.model.task import Task
+from onika.words.fault import Refusal
+
+
+@dataclass(frozen=True, slots=True)
+class ActionType:
+    """The type of an action and of the targets it takes beyond the one that this names."""
+
+    type: str
+    more_targets: tuple[str, ...] = ()
+
+
+def job_type(
+    configuration: Configuration, tasks: Mapping[str, Task], syntax: Syntax
+) -> ActionType | tuple[Refusal, ...]:
+    """The type of a job: that of the first of its tasks with OBJECT, else a complete one (decision 16, C29).
+
+    A type that the syntax lacks is kept; the icon acts as a complete one (requirement D16).
+    """
+    if not configuration.placed:
+        return (Refusal(f"`{configuration.name}` has no tasks", ("place some",)),)
+    missing = [placed.task for placed in configuration.placed if placed.task not in tasks]
+    if missing:
+        remedies = ("make it", f"remove it from `{configuration.name}`")
+        return tuple(Refusal(f"the task {name} of `{configuration.name}` is missing", remedies) for name in missing)
+    trigger = next((task for task in tasks_of([configuration], tasks) if task.object_type), None)
+    if trigger is None or trigger.object_type is None:
+        return ActionType(COMPLETE_JOB)
+    known = syntax.find(trigger.object_type)
+    targets = [(kind, syntax.find(kind)) for kind in trigger.more_targets]
+    unknown = [kind for kind, found in targets if found is None or not found.is_target]
+    if known and unknown:
+        reason = f"`{trigger.name}` takes a target of the type {{}}, which the syntax does not define"
+        return tuple(Refusal(reason.format(kind), ("define it in the syntax",)) for kind in unknown)
+    more = tuple(found.name if found else kind for kind, found in targets)
+    return ActionType(known.name if known else trigger.object_type, more)
+
+
+def application_type(application: Application, syntax: Syntax) -> ActionType | tuple[Refusal, ...]:
+    """The type of an application: complete without holes, else that of the targets its holes want.
+
+    Refused where a hole wants an action, where the syntax has no type for it, and where it is not whole otherwise.
+    """
+    outline = Outline.of(application, syntax, application.name)
+    found = [Refusal(f"expected {one.expected}, found {one.found}") for one in shape.faults(outline, syntax)]
+    for one in hole.holes(outline, syntax):
+        if not one.types:
+            at = outline.at(one.passage, one.position)
+            found.append(Refusal(f"{at}, is no place for a target", ("fill it with an action",)))
+    kinds = hole.open_types(outline, syntax)
+    found += [_no_type(kind, syntax) for kind in kinds[:1] if not syntax.find(application_name(kind))]
+    found += [_no_target(kind) for kind in kinds if not syntax.find(kind)]
+    if found:
+        return tuple(found)
+    kind = syntax.find(application_name(kinds[0])) if kinds else None
+    return ActionType(kind.name if kind else COMPLETE_APPLICATION, kinds[1:])
+
+
+def _no_type(kind: str, syntax: Syntax) -> Refusal:
+    names = " or ".join(one.name for one in syntax.types if one.is_application and not one.is_complete) or "none"
+    reason = f"its holes want a {kind}, and the syntax has no {application_name(kind)}, only {names}"
+    return Refusal(reason, ("fill the holes", "define it in the syntax"))
+
+
+def _no_target(kind: str) -> Refusal:
+    return Refusal(f"its holes want a {kind}, which the syntax does not define", ("define it in the syntax",))

@@ -1,0 +1,102 @@
+import pytest
+
+from onika.engine.program import Program
+from onika.engine.walk import NOOP, Value, walk
+from onika.testing import build
+from onika.testing.script import bottom, branch, program, top
+from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
+
+JOB = build.job("move", trigger="move")
+NOTHING = frozenset()
+
+
+def way(script, noops=(), pc=0, value=None, leaving=NOTHING, holding=(), rests=()):
+    actions = 1 + max(one.action for one in script if isinstance(one, Do))
+    jobs = [build.noop() if index in noops else JOB for index in range(actions)]
+    made = Program(build.plan(build.flow(jobs, script)).flows[0])
+    return walk(made, pc, value, frozenset(leaving), lambda one: one in holding, lambda one: one in rests)
+
+
+@pytest.mark.parametrize("one", [Do(0), Meet("a"), Fork(((1, 0),)), Halt(), Rest(-1)])
+def test_a_walk_ends_at_what_takes_time_or_needs_others(one):
+    script = (one, Do(0), *([Join((1,))] if isinstance(one, Fork) else []), Halt())
+    found = way(script)
+    assert (found.pc, found.passed, found.notes, found.rests, found.is_endless) == (0, (), (), False, False)
+
+
+def test_a_join_ends_a_walk():
+    assert way((Do(0), Fork(()), Join(()), Halt()), pc=2).pc == 2
+
+
+def test_a_breakpoint_of_an_action_is_passed_since_it_was_asked_for_at_its_end():
+    assert way((Do(0), Rest(0), Do(1), Halt()), pc=1).pc == 2
+
+
+@pytest.mark.parametrize(("holding", "pc"), [(["X"], 1), ([], 2)])
+def test_a_breakpoint_of_an_application_is_passed_unless_its_condition_holds(holding, pc):
+    assert way((Do(0), Rest(-1, "X"), Do(1), Halt()), pc=1, holding=holding).pc == pc
+
+
+def test_no_ops_are_passed_and_return_true_and_flow_0():  # R-D11
+    found = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], value=Value(2))
+    assert (found.pc, found.passed, found.value) == (2, (0, 1), NOOP)
+    assert Value(0, loop=True) == NOOP
+
+
+def test_a_flow_rests_behind_a_no_op_after_which_it_is_to_rest():  # decision 25
+    found = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], rests=[0])
+    assert (found.pc, found.passed, found.rests) == (1, (0,), True)
+
+
+def test_without_a_value_flow_0_is_taken_and_loops_are_left():  # decisions 21 and 22
+    assert way(program(branch([Do(0)], [Do(1)]))).pc == 1
+    assert way(program(bottom("round", Do(0)), Do(1)), pc=1).pc == 2
+    assert way(program(top("round", Do(0), Do(1)), Do(2)), pc=1).pc == 4
+
+
+def test_a_loop_that_was_left_need_not_be_left_again():  # R-E07
+    script = program(bottom("round", Do(0)), Do(1))
+    found = way(script, pc=1, value=Value(0, loop=True), leaving={"round", "other"})
+    assert (found.pc, found.left) == (2, {"other"})
+    assert way(script, pc=1, value=Value(0, loop=True)).pc == 0
+
+
+def test_a_loop_that_ends_by_itself_need_not_be_left():  # R-E07
+    assert way(program(bottom("round", Do(0)), Do(1)), pc=1, value=Value(), leaving={"round"}).left == NOTHING
+
+
+def test_a_top_test_loop_is_left_at_the_end_of_its_body_as_well():  # R-E07
+    found = way(program(top("round", Do(0), Do(1)), Do(2)), pc=3, value=Value(), leaving={"round"})
+    assert (found.pc, found.left) == (4, NOTHING)
+
+
+def test_a_loop_without_jobs_is_left_when_that_is_wanted_and_endless_else():
+    script = program(bottom("round", Do(0)), Do(1))
+    assert way(script, noops=[0]).is_endless
+    assert way(script, noops=[0], leaving={"round"}).pc == 2
+
+
+def test_a_loop_without_jobs_ends_when_its_condition_does_not_hold():
+    script = program(bottom("round", Do(0), condition="X"), Do(1))
+    assert way(script, noops=[0]).pc == 2
+    assert way(script, noops=[0], holding=["X"]).is_endless
+
+
+def test_a_value_too_large_is_noted_with_the_number_of_flows():  # decision 20
+    found = way(program(branch([Do(0)], [Do(1)], name="sort")), value=Value(2))
+    assert (found.pc, found.notes) == (
+        1,
+        ("sort has 2 flows and the action before it asks for flow 2: flow 0 is taken",),
+    )
+
+
+def test_a_branch_without_a_name_is_called_the_branch():
+    assert way(program(branch([Do(0)], [Do(1)])), value=Value(2)).notes[0].startswith("the branch has 2 flows")
+
+
+def test_conditions_are_asked_in_their_order_and_no_further_than_needed():  # R-D13
+    asked = []
+    script = program(branch([Do(0)], [Do(1)], [Do(2)], conditions=("X", "Y")))
+    made = Program(build.plan(build.flow([JOB] * 3, script)).flows[0])
+    walk(made, 0, None, NOTHING, lambda one: asked.append(one) or one == "X", lambda _one: False)
+    assert asked == ["X"]
