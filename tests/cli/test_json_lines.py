@@ -1,10 +1,11 @@
 import json
 
 from onika.cli.json_lines import JsonLines
-from onika.desk.preparation import prepare_run
 from onika.desk.outcome import Outcome
+from onika.desk.preparation import prepare_run
 from onika.store.site import open_site
 from onika.wire import event
+from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
@@ -32,7 +33,7 @@ def test_every_event_is_one_object_on_one_line(capsys):  # R-E11
 
 def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, R-A17
     expectation = Condition.parse("Q[0] > 1")
-    outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], {}, "it printed")
+    outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], printed="it printed")
     JsonLines().ended(outcome, "picture: out.png")
     (found,) = lines(capsys)
     assert found == {
@@ -53,7 +54,9 @@ def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, 
             {"subsystem": "flow0", "task": "pd", "rtpu": "rt0", "hz": 500.0, "cycles": 1000, "missed": 3,
              "mean_us": 4.5, "most_us": 20.0}
         ],
-        "switches_us": [3.5],
+        "switches_us": [],
+        "skews_us": [3.5],
+        "failed": [],
         "hash": "abc",
         "printed": "it printed",
         "picture": "picture: out.png",
@@ -78,3 +81,26 @@ def test_values_that_are_no_numbers_are_still_json(capsys):
 
 def test_nobody_is_there_to_answer():  # law 25
     assert JsonLines().answer(event.Asked("flow0", "gauge", "", (), 0.0)) is None
+
+
+def test_a_line_of_a_script_is_an_object_too(capsys):  # R-E07, R-X03
+    out = JsonLines()
+    out.steered("pass", (Fault(Place("s", 2), "one", "two", "no"),), ())
+    out.steered("who", (), (Position("flow0", "running", 0),))
+    out.placed(())
+    refused, who = lines(capsys)
+    fault = {"file": "s", "line": 2, "expected": "one", "found": "two", "instead": "no"}
+    assert refused == {"event": "steered", "line": "pass", "faults": [fault]}
+    assert (who["faults"], who["flows"][0]["subsystem"], who["flows"][0]["state"]) == ([], "flow0", "running")
+    assert (out.can_steer, out.wishes(), out.looks()) == (False, (), False)
+
+
+def test_what_flows_do_is_carried_whole(capsys):  # R-E11, R-X03, R-X06
+    out = JsonLines()
+    out.happens(event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)))
+    out.happens(event.Met("t a", ("flow0", "flow1"), 12.0, 3.0))
+    out.happens(event.Explained("flow0", "pd", "move", 1, "a:3", "broke", "", 0, (), (), (("clear", "so"),), 4.0))
+    moved, met, explained = lines(capsys)
+    assert (moved["event"], moved["waits_for"], moved["tag"]) == ("moved", ["flow0"], "t a")
+    assert (met["event"], met["skew_us"]) == ("met", 12.0)
+    assert (explained["event"], explained["choices"]) == ("explained", [["clear", "so"]])

@@ -5,10 +5,12 @@ from rich.console import Console
 
 from onika.cli import live as room
 from onika.cli.live import Live
-from onika.desk.preparation import prepare_run
 from onika.desk.outcome import Outcome
+from onika.desk.preparation import prepare_run
 from onika.store.site import open_site
 from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault, Place
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEMS = (
@@ -42,10 +44,10 @@ def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
             live.happens(one)
         live._screen.refresh()
     text = screen.getvalue()
-    assert "0.00 s  1/2  jmoveC aside" in text
+    assert "0.00 s  flow0  1/2  jmoveC aside" in text
     assert "note: jtraj: too fast" in text
     assert "ERROR flow0/jtraj: cycle: no (jtraj.py:7)" in text
-    assert "1 of 4 done" in text
+    assert "○ ready" in text
     assert "▶ jtraj" in text
     assert "pd  " not in text
 
@@ -54,15 +56,6 @@ def test_before_the_run_it_says_that_it_prepares(screen):
     with Live():
         pass
     assert "preparing" in screen.getvalue()
-
-
-@pytest.mark.parametrize("state", sorted({"ON", "OFF", "WAITING", "ASKING", "ERROR"}))
-def test_every_state_of_a_living_task_has_a_mark(screen, state):
-    with Live() as live:
-        live.begins(PREPARED, 4711)
-        live.happens(event.TaskState("flow0", "jtraj", state, 0.0))
-        live._screen.refresh()
-    assert f"{room._MARKS[state][0]} jtraj" in screen.getvalue()
 
 
 def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(screen, monkeypatch):  # R-A10
@@ -96,3 +89,55 @@ def test_the_summary_comes_last(screen):  # R-E14
     verdict, drawn = screen.getvalue().rstrip().splitlines()[-2:]
     assert verdict.endswith("two_arms: completed, 4 of 4 actions, 5.00 s, in 5.00 s of wall time")
     assert drawn == "picture: out.png"
+
+
+class Keys:
+    """A keyboard on which these keys are pressed, one after another."""
+
+    is_there = True
+
+    def __init__(self, *keys):
+        self.keys = list(keys)
+
+    def pressed(self):
+        return [self.keys.pop(0)] if self.keys else []
+
+
+def test_keys_become_lines_of_steering(screen, monkeypatch):  # R-E07
+    with Live() as live:
+        live.begins(PREPARED, 4711)
+        monkeypatch.setattr(live, "_keyboard", Keys("p", "1", "c"))
+        assert live.can_steer
+        assert [live.wishes() for _ in range(3)] == [["pause"], [], ["continue flow1"]]
+        monkeypatch.undo()
+
+
+def test_a_line_is_shown_with_what_came_of_it(screen):  # R-E07, R-X03
+    with Live() as live:
+        live.begins(PREPARED, 4711)
+        live.steered("pass", (Fault(Place("line"), "one", "two", "no"),), ())
+        live.steered("skip 9", (Fault(Place("s", 2), "three", "four", "no"),), ())
+        live.steered("who", (), (Position("flow0", "paused", 0),))
+    text = screen.getvalue()
+    assert "> pass" in text
+    assert "expected one, found two; instead: no" in text
+    assert "line: expected" not in text
+    assert "s:2: expected three" in text
+    assert "flow0  paused  1/2 jmoveC aside" in text
+
+
+def test_it_looks_where_the_flows_are_when_they_have_moved(screen, monkeypatch):  # R-E11
+    now = [100.0]
+    monkeypatch.setattr(room, "monotonic", lambda: now[0])
+    with Live() as live:
+        live.begins(PREPARED, 4711)
+        assert not live.looks()
+        live.happens(event.Moved("flow0", "running", 0, 0.0))
+        assert live.looks()
+        live.happens(event.Began(0, 0, 2, "jmoveC aside", 0.0))
+        assert not live.looks()
+        now[0] += 1.0
+        assert live.looks()
+        live.placed((Position("flow0", "running", 0, loops=("outer",)),))
+        live._screen.refresh()
+    assert "↺ outer" in screen.getvalue()

@@ -2,10 +2,12 @@ import pytest
 
 from onika.cli import plain as room
 from onika.cli.plain import Plain
-from onika.desk.preparation import prepare_run
 from onika.desk.outcome import Outcome
+from onika.desk.preparation import prepare_run
 from onika.store.site import open_site
 from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault, Place
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEM = event.Item("level", "double", 2, "m", "how high", None, None, None)
@@ -19,7 +21,7 @@ def test_a_run_is_told_line_by_line(capsys):  # R-E11
     plain.ended(Outcome("two_arms"), "")
     assert capsys.readouterr().out.splitlines() == [
         "two_arms: 4 actions",
-        "    0.00 s  1/2  jmoveC aside",
+        "    0.00 s  flow0  1/2  jmoveC aside",
         "two_arms: refused, nothing moved (0 faults)",
     ]
 
@@ -40,3 +42,21 @@ def test_a_question_is_asked_and_one_line_read(capsys, monkeypatch, reason, line
 def test_at_the_end_of_the_input_nobody_answers(monkeypatch):  # R-A10
     monkeypatch.setattr(room, "typed_line", lambda: None)
     assert Plain().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) is None
+
+
+def test_a_line_of_a_script_is_told_with_what_came_of_it(capsys):  # R-E07, R-X03
+    plain = Plain()
+    plain.begins(PREPARED, None)
+    plain.steered("pause", (), ())
+    plain.steered("pass", (Fault(Place("s", 2), "one", "two", "no"),), ())
+    plain.steered("who", (), (Position("flow0", "running", 0),))
+    plain.placed(())
+    assert capsys.readouterr().out.splitlines()[1:] == [
+        "> pause",
+        "> pass",
+        "s:2: expected one, found two; instead: no",
+        "> who",
+        "flow   state    action",
+        "flow0  running  1/2 jmoveC aside",
+    ]
+    assert (plain.can_steer, plain.wishes(), plain.looks()) == (False, (), False)

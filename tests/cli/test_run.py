@@ -87,6 +87,33 @@ def test_it_asks_only_where_somebody_can_answer(runs, monkeypatch, words, tty, m
     assert settings_of(runs, "go_home", *words).may_ask is may_ask
 
 
+@pytest.mark.parametrize(
+    ("words", "has_script", "on_error"),
+    [
+        ([], False, "abort"),
+        ([], True, "wait"),
+        (["--on-error", "abort"], True, "abort"),
+        (["--on-error", "wait"], False, "wait"),
+    ],
+)
+def test_at_an_error_it_waits_where_somebody_could_go_on(runs, tmp_path, words, has_script, on_error):  # R-E08
+    path = tmp_path / "s"
+    path.write_text("pause\n")
+    found = settings_of(runs, "go_home", *words, *(["--script", str(path)] if has_script else []))
+    assert (found.on_error, found.script) == (on_error, path if has_script else None)
+
+
+@pytest.mark.parametrize("on_loss", ["stop", "finish", "run"])
+def test_what_becomes_of_it_when_this_program_is_gone_is_chosen(runs, on_loss):  # R-E10
+    assert settings_of(runs, "go_home", "--on-loss", on_loss).on_loss == on_loss
+
+
+def test_a_script_that_is_not_there_is_refused(runs, capsys):  # R-E07
+    with pytest.raises(SystemExit):
+        main(["run", "go_home", "--script", "nowhere"])
+    assert "expected a file of lines, found none at 'nowhere'" in capsys.readouterr().err
+
+
 def test_a_picture_is_drawn_of_the_first_world(runs, monkeypatch, capsys, tmp_path):
     monkeypatch.setattr(room.picture, "draw", lambda snapshot, path: f"{snapshot!r} to {path.name}")
     settings_of(runs, "go_home", "--picture", str(tmp_path / "out.png"))

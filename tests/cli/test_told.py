@@ -1,6 +1,7 @@
 import pytest
 
 from onika.cli.told import asked_item, sentence, summary
+from onika.cli.told import lines as told
 from onika.desk.outcome import Outcome
 from onika.wire import event
 from onika.words.condition import Condition
@@ -38,6 +39,16 @@ def result(**changes):
         ),
         (event.Drive("boxes:arm_left", "HELD", 2_500_000_000, 0, 0, "stop"), ""),
         (event.Done(0, 0, 1.0), ""),
+        (event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)), "    1.00 s  flow1 waits at a for flow0"),
+        (event.Moved("flow0", "paused", 1, 1.0), "    1.00 s  flow0 is paused after 2"),
+        (event.Moved("flow0", "paused", -1, 1.0), "    1.00 s  flow0 is paused before its first action"),
+        (event.Moved("flow0", "paused", 1, 1.0, text="why"), "    1.00 s  flow0 is paused after 2 (why)"),
+        (event.Moved("flow0", "running", 1, 1.0, text="does not pause"), "    1.00 s  flow0 does not pause"),
+        (event.Moved("flow0", "running", 1, 1.0), ""),
+        (
+            event.Met("t a", ("flow0", "flow1"), 12.4, 1.0),
+            "    1.00 s  flow0 and flow1 go on together at a, 12 us apart",
+        ),
         (event.TaskState("flow0", "pd", "ON", 0.0), ""),
     ],
 )
@@ -89,3 +100,23 @@ def test_a_question_says_bounds_and_default():  # R-A10
     asked = event.Item("duration", "double", 1, "s", "how long", (2.0,), (0.1,), (600.0,))
     assert asked_item(asked) == "duration, how long, in s, from 0.1 to 600, else 2.0"
     assert asked_item(event.Item("n", "int", 1, "-", "", None, (1.0,), None)) == "n, at least 1"
+
+
+def test_where_there_are_several_flows_each_action_says_whose_it_is():  # R-E11
+    one = event.Began(1, 4, 7, "jmoveC home", 3.14159)
+    assert sentence(one, 12, ("left", "right")) == "    3.14 s  right   5/7  jmoveC home"
+
+
+def test_why_a_flow_stands_still_takes_several_lines():  # R-X06
+    choices = (("clear", "clear the error and repeat"),)
+    one = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
+    said = list(told(one, 12, ("flow0",), 100))
+    assert len(said) > 1
+    assert "it broke" in said[0]
+    assert list(told(event.Done(0, 0, 1.0), 12)) == []
+
+
+def test_a_script_that_failed_after_the_end_is_told():  # R-E07
+    outcome = Outcome("go", result=result(), failed=(Fault(Place("s", 3), "one", "two", "no"),))
+    assert outcome.exit_code == 1
+    assert "script: s:3: expected one, found two; instead: no" in list(summary(outcome, ""))

@@ -61,6 +61,8 @@ def test_of_a_vector_the_element_without_a_number_is_shown_else_the_one_that_mov
 
 def test_a_value_that_stands_is_one_number():  # R-X06
     assert row(2.0, 2.0, unit="-") == ["──", "2"]
+    assert row(1.5708, 1.57081, 1.5708) == ["───", "1.571 rad"]
+    assert row(0.0, 0.0) == ["──", "0 rad"]
 
 
 def test_an_element_has_its_own_unit():  # R-X06

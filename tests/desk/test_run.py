@@ -1,20 +1,27 @@
 import signal
+from typing import ClassVar, NamedTuple
 
 import pytest
 
 from onika.desk import run as room
-from onika.desk.outcome import Outcome
-from onika.desk.run import run
+from onika.desk.run import run, start
 from onika.desk.settings import RunSettings
 from onika.link.lost import closed
 from onika.store.site import open_site
-from onika.wire import event, request
+from onika.wire import event, request, steer
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
 SITE = open_site([], {}, None)
 GOOD = event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
 ASKED = event.Asked("flow0", "gauge", "", (), 0.5)
+
+
+class After(NamedTuple):
+    """Something that happens once this was asked."""
+
+    asked: request.Request
+    one: event.Event
 
 
 class FakeRuntime:
@@ -25,6 +32,8 @@ class FakeRuntime:
     refuses = ""
     begins = request.Done()
     snapshots = request.Worlds({"boxes": b"drawn"})
+    positions = ()
+    refusals: ClassVar = {}
     made = None
 
     def __init__(self, rtpus, is_virtual, with_fifo, options=()):
@@ -50,10 +59,16 @@ class FakeRuntime:
                 return self.begins
             case request.Snapshot():
                 return self.snapshots
-        return request.Done()
+            case steer.Who():
+                return steer.Positions(self.positions)
+        reason = self.refusals.get(type(asked).__name__)
+        return request.Done() if reason is None else request.Refused(reason)
 
     def events(self, _timeout_s):
+        if isinstance(self.left[0], After) and self.left[0].asked not in self.asked:
+            return
         one = self.left.pop(0)
+        one = one.one if isinstance(one, After) else one
         if isinstance(one, Exception):
             raise one
         if callable(one):
@@ -78,6 +93,23 @@ class Watcher:
     def answer(self, asked):
         return f"an answer for {asked.task}"
 
+    can_steer = False
+    looks_now = False
+    wanted = ()
+
+    def wishes(self):
+        taken, self.wanted = self.wanted, ()
+        return taken
+
+    def looks(self):
+        return self.looks_now
+
+    def placed(self, positions):
+        self.seen.append(positions)
+
+    def steered(self, line, faults, positions):
+        self.seen.append((line, [one.found for one in faults], positions))
+
 
 @pytest.fixture
 def runtime(monkeypatch):
@@ -90,8 +122,8 @@ def runtime(monkeypatch):
     return Fresh
 
 
-def go(**settings):
-    watcher = Watcher()
+def go(watcher=None, **settings):
+    watcher = watcher or Watcher()
     return run(RunSettings("go_home", **settings), SITE, watcher), watcher
 
 
@@ -128,6 +160,126 @@ def test_faults_of_the_runtime_refuse_the_run_and_nothing_begins(runtime):  # R-
     assert outcome.faults == [Fault(Place("a.rmod", 3), "one", "two", "left out")]
     assert (outcome.state, outcome.exit_code, watcher.seen) == ("refused", 2, [])
     assert len(runtime.made.asked) == 2
+
+
+PAUSED = event.Moved("flow0", "paused", 0, 0.5)
+STOOD = event.Stood(0.5)
+
+
+def test_a_script_steers_the_run(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("wait began 1\npause\nwait paused\ncontinue\n")
+    runtime.script = (
+        event.Began(0, 0, 1, "jmoveC home", 0.1),
+        After(steer.Pause("flow0"), PAUSED),
+        After(steer.Resume("flow0"), GOOD),
+    )
+    outcome, watcher = go(script=path, on_error="wait")
+    assert outcome.exit_code == 0
+    assert [one for one in runtime.made.asked if isinstance(one, steer.Pause | steer.Resume)] == [
+        steer.Pause("flow0"),
+        steer.Resume("flow0"),
+    ]
+    lines = [one[0] for one in watcher.seen if isinstance(one, tuple) and len(one) == 3]
+    assert lines == ["wait began 1", "pause", "wait paused", "continue"]
+    begin = runtime.made.asked[1]
+    assert (begin.on_error, begin.is_held) == ("wait", False)
+
+
+def test_in_virtual_time_the_clock_waits_for_the_script(runtime, tmp_path):  # R-E07, law 15
+    path = tmp_path / "s"
+    path.write_text("wait 0.5\npause\n")
+    runtime.script = (
+        event.Stood(0.0),
+        After(steer.Onward(0.5), STOOD),
+        After(steer.Pause("flow0"), STOOD),
+        After(steer.Onward(None), GOOD),
+    )
+    go(script=path, is_virtual=True)
+    asked = runtime.made.asked[1:-1]
+    assert asked[0].is_held
+    assert asked[1:] == [
+        steer.Onward(0.0), steer.Onward(0.5), steer.Pause("flow0"), steer.Onward(0.5), steer.Onward(None),
+    ]  # fmt: skip
+
+
+def test_all_faults_of_a_script_refuse_the_run(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("dance\npause\nskip 9\n")
+    outcome, watcher = go(script=path)
+    assert [str(one.place) for one in outcome.faults] == [f"{path}:1", f"{path}:3"]
+    assert (outcome.exit_code, watcher.seen) == (2, [])
+
+
+def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("pass\nnext\n")
+    runtime.refusals = {"Pass": "expected flow 0 to be waiting, found it running"}
+    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    outcome, watcher = go(script=path)
+    assert [one.found for one in outcome.failed] == ["it running"]
+    assert request.Abort(f"the script fails at {path}:1") in runtime.made.asked
+    assert not any(isinstance(one, steer.Skip) for one in runtime.made.asked)
+    assert ("pass", ["it running"], ()) in watcher.seen
+
+
+def test_lines_that_are_left_at_a_good_end_are_a_failure(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("wait began 1 within 5\npause\n")
+    runtime.script = (GOOD,)
+    outcome, _ = go(script=path)
+    assert outcome.failed[0].found == "the end of the run before"
+    assert (outcome.state, outcome.exit_code) == ("completed", 1)
+
+
+def test_what_keys_want_is_done_at_once_and_told(runtime):  # R-E07
+    watcher = Watcher()
+    watcher.can_steer, watcher.looks_now, watcher.wanted = True, True, ("pause", "who", "dance")
+    runtime.positions = (steer.Position("flow0", "running", 0),)
+    runtime.script = (event.Done(0, 0, 0.1), GOOD)
+    go(watcher)
+    assert steer.Pause("flow0") in runtime.made.asked
+    assert ("pause", [], ()) in watcher.seen
+    assert ("who", [], runtime.positions) in watcher.seen
+    assert runtime.positions in watcher.seen
+    assert ("dance", ["'dance'"], ()) in watcher.seen
+
+
+@pytest.mark.parametrize(("can_steer", "aborts"), [(False, 1), (True, 0)])
+def test_where_nobody_could_go_on_a_run_that_stands_still_is_aborted(runtime, can_steer, aborts):  # R-X03
+    watcher = Watcher()
+    watcher.can_steer = can_steer
+    runtime.positions = (steer.Position("flow0", "paused", 0),)
+    runtime.script = (PAUSED, event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    go(watcher)
+    cause = request.Abort("nobody is there to go on: flow0 is paused after action 1")
+    assert runtime.made.asked.count(cause) == aborts
+
+
+def test_a_run_is_begun_and_steered_from_a_program(runtime):  # R-E07
+    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), PAUSED, After(steer.Resume("flow0"), GOOD))
+    with start(RunSettings("go_home"), SITE) as running:
+        assert running.steer("pause") == ()
+        assert running.wait("paused") == ()
+        assert running.steer("continue") == ()
+        seen = list(running.events())
+        assert seen == [event.Began(0, 0, 1, "jmoveC home", 0.1), PAUSED, GOOD]
+        assert running.result() is GOOD
+    assert running.outcome.exit_code == 0
+    assert not any(isinstance(one, request.Abort) for one in runtime.made.asked)
+
+
+def test_a_run_that_its_program_leaves_is_aborted(runtime):  # R-E10
+    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    with pytest.raises(RuntimeError), start(RunSettings("go_home"), SITE):
+        raise RuntimeError("something else")
+    assert request.Abort("the program that began it has left it") in runtime.made.asked
+
+
+def test_a_program_is_told_every_fault_of_an_application_that_it_cannot_begin(runtime):  # R-E01
+    runtime.faults = (request.FaultText("a.rmod", 3, "one", "two", "left out"),)
+    with pytest.raises(ValueError, match=r"a\.rmod:3: expected one, found two"), start(RunSettings("go_home"), SITE):
+        pass
 
 
 def test_an_application_that_cannot_be_read_starts_no_runtime(runtime):  # R-E01
@@ -200,13 +352,6 @@ def test_a_picture_is_asked_for_only_where_it_is_wanted(runtime):
     assert request.Snapshot() not in runtime.made.asked
     runtime.script = (GOOD,)
     assert go(wants_picture=True)[0].snapshots == {"boxes": b"drawn"}
-
-
-def test_an_outcome_says_how_it_ended():  # R-E14
-    assert (Outcome("x").state, Outcome("x").exit_code) == ("refused", 2)
-    held = Condition.parse("LAMP == 1")
-    assert Outcome("x", result=GOOD, expectations=[(held, 1, True)]).exit_code == 0
-    assert Outcome("x", result=GOOD, expectations=[(held, 0, False)]).exit_code == 1
 
 
 def test_scaled_time_and_other_subsystems_are_the_runtimes_business(runtime):  # R-A06, R-X08

@@ -116,3 +116,15 @@ def test_whoever_nobody_waits_for_changes_nothing(board, units):
     board.put(switch("a", "b"), ())
     board.settled(0, "e")
     assert units.take() == [("rt0", (), ("a",))]
+
+
+def test_who_is_turned_off_does_not_come_on_later_either(board, units):  # R-E08
+    board.put(switch("a", "b", "c"), ())
+    units.take()
+    board.turn_off(0, "c")
+    board.turn_off(0, "a")
+    assert units.take() == [("rt0", ("c",), ()), ("rt0", ("a",), ())]
+    board.settled(0, "a")
+    assert units.take() == [("rt1", (), ("b",))]
+    board.settled(0, "b")
+    assert units.take() == [("rt0", (), ())]  # nobody is left to come on

@@ -223,3 +223,46 @@ def test_a_stop_is_told_to_people_in_a_block(tmp_path):  # R-X06, R-E11
     assert " suspect     poison" in text
     assert " chain       puma > action 1, poisonC up > flow0" in text
     assert any("TAU_REF[" in line and "×" in line for line in text.splitlines())
+
+
+def steered(tmp_path, path, *script):
+    """The explanations of a run that is steered by these lines, and its result."""
+    lines = tmp_path / "steering"
+    lines.write_text("\n".join(script) + "\n")
+    with Console("run", str(path), "--json", "--virtual", "--script", str(lines)) as console:
+        result = console.result()
+    return [event for event in console.events if event["event"] == "explained"], result
+
+
+def test_a_pressed_button_is_named_and_what_is_offered_brings_the_run_to_its_end(tmp_path):  # R-X06, R-K06, R-E08
+    steps = [job("jmoveC", "Joint job"), joints("aside", 0.3, -1.5, 1.5, 0.0, 0.0, 0.0, duration=2.0)]
+    path = Laboratory(tmp_path).application("aside", steps)
+    script = (
+        "wait 1", "touch boxes panic_left 1", "wait stopped", "clear", "wait stopped",
+        "touch boxes panic_left 0", "clear",
+    )  # fmt: skip
+    (pressed, again), result = steered(tmp_path, path, *script)
+    assert (pressed["kind"], pressed["task"], pressed["at_s"]) == ("pressed", "puma", 1.0)
+    assert (again["kind"], again["task"]) == ("pressed", "puma")
+    commands = dict(pressed["choices"])
+    assert list(commands) == ["clear", "next", "abort"]
+    assert commands["clear"].startswith("once the panic button is let go: clears puma and repeats jmoveC aside")
+    assert (result["state"], result["actions_done"]) == ("completed", 1)
+
+
+def test_who_waits_for_a_flow_that_stands_is_named_with_the_tag(tmp_path):  # R-X06, R-E04
+    laboratory = ticking(tmp_path, 'raise ValueError("bang")')
+    laboratory.module("quick", TICKER.format(act="return finish()", trigger=True).replace("30", "5"))
+    laboratory.plain_task("quick", writes="SEEN", hz=100)
+    laboratory.configuration("quickC", "quick 100")
+    tagged = "SYNCHTAG meet"
+    flows = [[job(name), job(name, "Complete job", tagged)] for name in ("tickC", "quickC")]
+    path = laboratory.application("both", *flows, parallel=True)
+    (one, end), result = steered(tmp_path, path, "wait stopped flow0", "abort")
+    assert (one["kind"], one["subsystem"], one["task"]) == ("error", "flow0", "ticker")
+    assert one["waiting"] == [["flow1", "meet"]]
+    assert [command for command, _ in one["choices"]] == [
+        "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
+    ]  # fmt: skip
+    assert (end["kind"], end["choices"]) == ("user", [])
+    assert result["state"] == "aborted"

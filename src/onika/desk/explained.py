@@ -9,6 +9,8 @@ from onika.wire import event
 
 _LABEL = 13
 """Columns before the text: the time of the first line, the labels of the others."""
+_STANDS = 5e-4
+"""A value that moves by less than this share of itself stands: its noise would look like a storm."""
 _BARS = "▁▂▃▄▅▆▇█"
 _NUMBERS = 34
 """Columns of first, last, lowest and highest value."""
@@ -140,17 +142,16 @@ def _bar(value: float, low: float, high: float) -> str:
     if not math.isfinite(value):
         return "×"
     half = high / 2 - low / 2  # the whole may be too great for a number
-    if half <= 0:
+    if half <= _STANDS * max(abs(high), abs(low)):
         return "─"
     return _BARS[min(int((value / 2 - low / 2) / half * len(_BARS)), len(_BARS) - 1)]
 
 
 def _numbers(values: Sequence[float], unit: str, room: int) -> str:
     """First and last, and between which values it went if it was beyond them and there is room for that."""
-    first, last = values[0], values[-1]
+    first, last = f"{values[0]:.4g}", f"{values[-1]:.4g}"
+    ends = first if first == last else f"{first} to {last}"
     finite = [one for one in values if math.isfinite(one)]
-    ends = f"{first:.4g}" if first == last else f"{first:.4g} to {last:.4g}"
-    whole = ends
-    if finite and (min(finite) < min(first, last) or max(finite) > max(first, last)):
-        whole += f" ({min(finite):.4g}..{max(finite):.4g})"
+    low, high = (f"{min(finite):.4g}", f"{max(finite):.4g}") if finite else (first, last)
+    whole = ends if {low, high} <= {first, last} else f"{ends} ({low}..{high})"
     return f"{whole if len(whole) + len(unit) < room else ends} {unit}".rstrip()

@@ -103,7 +103,7 @@ def _suspicion(scene: _Scene, cause: Cause, history: History) -> Suspicion:
 
 
 def _seen_first(scene: _Scene, cause: Cause) -> str:
-    """Who was first to write what was no number at that instant, among the tasks of the failed one's own unit (law 5)."""
+    """Who was first to write what was no number at that instant, among the tasks of its own unit (law 5)."""
     said = _FIRST.search(cause.text)
     return said[1] if said and any(one.name == said[1] for one in scene.beside) else ""
 

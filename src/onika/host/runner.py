@@ -296,7 +296,7 @@ class Runner:
             case orders.Switch():
                 self._switch(order)
             case orders.Off():
-                self._send(order.flow, order.task, command.Switch(self._herald.name(order.flow), (order.task,), (), ()))
+                self._switchboard.turn_off(order.flow, order.task)
             case orders.Clear():
                 self._send(order.flow, order.task, command.Clear(self._herald.name(order.flow), order.task))
             case orders.Kill():

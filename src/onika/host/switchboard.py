@@ -3,6 +3,8 @@
 from collections import deque
 from collections.abc import Iterable, Mapping, Sequence
 
+from msgspec import structs
+
 from onika.engine import orders
 from onika.host.units import Units
 from onika.model.lifecycle import State
@@ -67,6 +69,14 @@ class Switchboard:
         """A prepared switch was carried out by its unit."""
         for launch in switch.on:
             self._activations[flow, launch.task] = launch.activation
+
+    def turn_off(self, flow: int, task: str) -> None:
+        """A task goes off outside a switch; where it was still to come on, it does not any more."""
+        waiting = self._waiting.get(flow, deque())
+        for place, (rtpu, switch) in enumerate(waiting):
+            waiting[place] = (rtpu, structs.replace(switch, on=tuple(one for one in switch.on if one.task != task)))
+        subsystem = self._subsystems[flow]
+        self._units.send(subsystem.members[task].rtpu, command.Switch(subsystem.name, (task,), (), ()))
 
     def settled(self, flow: int, task: str) -> None:
         """A task that was to come on is ON, asks, has failed or was refused."""

@@ -19,7 +19,7 @@ class Derivative:
             raise ValueError(f"expected dt and cutoff above 0, found {dt} s and {cutoff} Hz")
         tau = 1.0 / (2.0 * math.pi * cutoff)
         # arrays, because NumPy multiplies two arrays quicker than an array and a number
-        self._keep, self._take = np.full(n, tau / (tau + dt)), np.full(n, 1.0 / (tau + dt))
+        self._keep, self._take = np.array([tau / (tau + dt)] * n), np.array([1.0 / (tau + dt)] * n)
         self._scaled = np.zeros(n)
         self.value: Array = np.zeros(n)
         """The newest derivative."""
@@ -28,7 +28,7 @@ class Derivative:
     def reset(self, x: Numbers) -> None:
         """Start at rest at x: the derivative is zero."""
         np.multiply(x, -self._take, out=self._carried)
-        self.value = np.zeros_like(self._carried)
+        self.value = np.zeros(len(self._carried))
 
     def update(self, x: Numbers, out: Array | None = None) -> Array:
         """Take the next sample; gives the derivative double[n] per second, written into `out` where given."""

@@ -71,7 +71,7 @@ def inverse_pose(pose: Array) -> Array:
 
 def rotation_log(rotation: Array) -> Array:
     """Axis times angle (rad, angle 0..pi) of a rotation matrix; at pi either sign of the axis is right."""
-    w, x, y, z = quaternion_of_rotation(rotation).tolist()
+    w, x, y, z = _quaternion(rotation)
     if w < 0.0:
         w, x, y, z = -w, -x, -y, -z
     length = math.sqrt(x * x + y * y + z * z)
@@ -101,19 +101,23 @@ def rotation_about(x: float, y: float, z: float, angle: float) -> Array:
 
 def quaternion_of_rotation(rotation: Array) -> Array:
     """Unit quaternion (w, x, y, z) of a rotation matrix, by the largest of its four parts (Shepperd 1978)."""
+    return np.array(_quaternion(rotation))
+
+
+def _quaternion(rotation: Array) -> tuple[float, float, float, float]:
     (r00, r01, r02), (r10, r11, r12), (r20, r21, r22) = rotation.tolist()
     parts = (r00 + r11 + r22, r00, r11, r22)
     largest = parts.index(max(parts))
     if largest == 0:
-        four = np.array([1.0 + parts[0], r21 - r12, r02 - r20, r10 - r01])
+        w, x, y, z = 1.0 + parts[0], r21 - r12, r02 - r20, r10 - r01
     elif largest == 1:
-        four = np.array([r21 - r12, 1.0 + r00 - r11 - r22, r01 + r10, r02 + r20])
+        w, x, y, z = r21 - r12, 1.0 + r00 - r11 - r22, r01 + r10, r02 + r20
     elif largest == 2:
-        four = np.array([r02 - r20, r01 + r10, 1.0 + r11 - r00 - r22, r12 + r21])
+        w, x, y, z = r02 - r20, r01 + r10, 1.0 + r11 - r00 - r22, r12 + r21
     else:
-        four = np.array([r10 - r01, r02 + r20, r12 + r21, 1.0 + r22 - r00 - r11])
-    unit: Array = four / math.sqrt(float(four @ four))
-    return unit
+        w, x, y, z = r10 - r01, r02 + r20, r12 + r21, 1.0 + r22 - r00 - r11
+    length = math.sqrt(w * w + x * x + y * y + z * z)
+    return w / length, x / length, y / length, z / length
 
 
 def rotation_of_rpy(roll: float, pitch: float, yaw: float) -> Array:

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from onika.laws.frames import Array, Numbers, inverse_pose, rotation_log
+from onika.laws.frames import Array, Numbers, rotation_log
 
 PEAK = 1.875
 """Peak speed of the fifth-order law, as a multiple of the mean speed: s'(1/2) = 15/8."""
@@ -26,10 +26,8 @@ def quintic(t: float, duration: float) -> tuple[float, float]:
 
 def joint_duration(start: Numbers, end: Numbers, speed: Numbers) -> float:
     """Seconds of a fifth-order motion whose joints peak at `speed` (rad/s, m/s) at most; the slowest joint decides."""
-    longest = 0.0
-    for first, last, limit in zip(start, end, speed, strict=True):
-        longest = max(longest, abs(float(last) - float(first)) / float(limit))
-    return PEAK * longest
+    rows = (row if isinstance(row, list | tuple) else row.tolist() for row in (start, end, speed))  # type: ignore[union-attr]
+    return PEAK * max([abs(last - first) / limit for first, last, limit in zip(*rows, strict=True)], default=0.0)
 
 
 class Line:
@@ -39,11 +37,12 @@ class Line:
     """
 
     def __init__(self, start: Array, end: Array) -> None:
-        turn = rotation_log(inverse_pose(start)[:3, :3] @ end[:3, :3])
+        # with plain numbers as far as it goes: a motion that begins makes the arm wait for this
+        x, y, z = rotation_log(start[:3, :3].T @ end[:3, :3]).tolist()
         self.length = math.dist(start[:3, 3].tolist(), end[:3, 3].tolist())
-        self.angle = math.sqrt(float(turn @ turn))
-        axis = (turn / self.angle).tolist() if self.angle > 1e-9 else [0.0, 0.0, 1.0]
-        cross = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+        self.angle = angle = math.sqrt(x * x + y * y + z * z)
+        x, y, z = (x / angle, y / angle, z / angle) if angle > 1e-9 else (0.0, 0.0, 1.0)
+        cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
         # R(s) = R0 (I + sin K + (1 - cos) K^2): the three products are worked out once
         self._r0 = start[:3, :3].copy()
         self._rk = self._r0 @ cross

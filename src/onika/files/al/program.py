@@ -1,5 +1,6 @@
 """The program of a text, block by block: sentences come, flows are made (dissertation §4.4)."""
 
+from collections import Counter
 from collections.abc import Callable
 
 from onika.files.al import statement
@@ -26,6 +27,7 @@ class Program:
         self._glossary = known
         self._reading = reading
         self._open: list[Block] = []
+        self._kinds: Counter[str] = Counter()
         self._flows: tuple[AppFlow, ...] | None = None
         self._has_more = False
         self.is_parallel = False
@@ -42,7 +44,7 @@ class Program:
         if not self._open and self._flows is None and not self._reading.broken:
             self._reading.fault(self._reading.end, "BEGIN, COBEGIN or CASE OF", "an empty text")
         while self._open:
-            self._unclosed(self._open.pop(), self._reading.end, "the end of the program")
+            self._unclosed(self._pop(), self._reading.end, "the end of the program")
         return self._flows
 
     # -- one sentence
@@ -84,7 +86,7 @@ class Program:
         """The block in which statements may stand; where its BEGIN is lacking, that is reported once."""
         if not self._open or self._open[-1].holds_flows:
             self._reading.fault(sentence.number, "BEGIN" if self._open else "BEGIN, COBEGIN or CASE OF", str(sentence))
-            self._open.append(Block("BEGIN", sentence, is_implied=True))
+            self._push(Block("BEGIN", sentence, is_implied=True))
         return self._open[-1]
 
     # -- blocks
@@ -101,7 +103,7 @@ class Program:
         block = Block(form, sentence, depth=(self._open[-1].depth if self._open else 0) + is_branch)
         if is_branch and block.depth == DEEPEST + 1:
             self._reading.fault(sentence.number, f"at most {DEEPEST} branches within each other", "one more")
-        self._open.append(block)  # before its words are read, so that its end finds it whatever they are
+        self._push(block)  # before its words are read, so that its end finds it whatever they are
         if form == "IF":
             block.conditions.append(phrase.condition("THEN"))
         elif form in ("WHILE", "REPEAT"):
@@ -110,10 +112,19 @@ class Program:
 
     def _reach(self, kind: str, form: str, sentence: Sentence) -> None:
         """Close what is open within the block that a sentence ends or divides."""
-        if not any(block.kind == kind for block in reversed(self._open)):
+        if not self._kinds[kind]:
             raise ValueError(f"expected {kind} before {form}, found none open")
         while self._open[-1].kind != kind:
-            self._unclosed(self._open.pop(), sentence.number, str(sentence))
+            self._unclosed(self._pop(), sentence.number, str(sentence))
+
+    def _push(self, block: Block) -> None:
+        self._open.append(block)
+        self._kinds[block.kind] += 1
+
+    def _pop(self) -> Block:
+        block = self._open.pop()
+        self._kinds[block.kind] -= 1
+        return block
 
     def _unclosed(self, block: Block, number: int, found: str) -> None:
         self._check_waiting(block)
@@ -141,7 +152,7 @@ class Program:
         phrase.end()
 
     def _close(self, form: str, sentence: Sentence) -> None:
-        block = self._open.pop()
+        block = self._pop()
         self._check_waiting(block)
         phrase = Phrase(sentence, len(form.split()))
         outer = self._open[-1] if self._open else None

@@ -1,0 +1,19 @@
+import os
+import signal
+
+import pytest
+
+from onika.cli.in_order import in_order
+
+
+@pytest.mark.parametrize("told", [signal.SIGTERM, signal.SIGHUP])
+def test_to_be_told_to_end_is_an_end_like_any_other(told):  # law 27
+    usual, is_left = signal.getsignal(told), []
+    with pytest.raises(SystemExit) as ended, in_order():
+        try:
+            os.kill(os.getpid(), told)
+        finally:
+            is_left.append(True)
+    assert ended.value.code == 128 + told
+    assert is_left == [True]
+    assert signal.getsignal(told) is usual
