@@ -1,10 +1,27 @@
-from onika.model.application import AppFlow, Application, Hole, Icon, actions, is_target
+import pytest
+
+from onika.model.application import (
+    Action,
+    AppFlow,
+    Application,
+    Branch,
+    Hole,
+    Icon,
+    actions,
+    every_flow,
+    is_target,
+    wanted_targets,
+)
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
 
 SYNTAX = Syntax(
-    tuple(IconType(name, 0, 0) for name in ("Complete job", "Complete application", "Joint job", "Joint object")), ()
+    tuple(
+        IconType(name, 0, 0)
+        for name in ("Complete job", "Complete application", "Joint job", "Joint object", "Pose object")
+    ),
+    (),
 )
 
 
@@ -42,3 +59,56 @@ def test_a_job_of_unknown_type_is_a_complete_action() -> None:
 def test_an_application_knows_its_holes() -> None:
     assert Application("a", False, (AppFlow((GRIP,)), AppFlow((JOB, Hole())))).has_hole
     assert not Application("a", False, (AppFlow((GRIP,)),)).has_hole
+
+
+POSE = icon("Pose object")
+TWO = Icon(Onikon("two", "Joint job", "", (), blank(), ("Pose object",)))
+THREE = Icon(Onikon("three", "Joint job", "", (), blank(), ("Pose object", "Joint object")))
+HOLE, OTHER = Hole(), Hole(kept="of unknown type")
+
+
+@pytest.mark.parametrize(
+    ("steps", "targets", "positions"),
+    [
+        ((TWO, TARGET, POSE, POSE), (TARGET, POSE), (1, 2)),
+        ((TWO, TARGET, GRIP, POSE), (TARGET,), (1,)),
+        ((TWO, HOLE, GRIP), (HOLE, HOLE), (1, 1)),
+        ((TWO, HOLE), (HOLE, HOLE), (1, 1)),
+        ((TWO, TARGET, HOLE, GRIP), (TARGET, HOLE), (1, 2)),
+        ((TWO, HOLE, POSE), (HOLE, POSE), (1, 2)),
+        ((TWO, HOLE, OTHER, POSE), (HOLE, OTHER), (1, 2)),
+        ((THREE, HOLE, POSE, HOLE), (HOLE, POSE, HOLE), (1, 2, 3)),
+        ((THREE, HOLE, TARGET), (HOLE, HOLE, TARGET), (1, 1, 2)),
+        ((THREE, HOLE, Icon(Onikon("x", "pose OBJECT", "", (), blank())), HOLE), None, (1, 2, 3)),
+        ((THREE,), (), ()),
+    ],
+)
+def test_a_job_takes_its_targets_in_order_and_a_hole_stands_for_what_is_open(
+    steps: tuple[Icon | Hole, ...], targets: tuple[Icon | Hole, ...] | None, positions: tuple[int, ...]
+) -> None:
+    action = actions(AppFlow((GRIP, *steps)), SYNTAX)[1]  # R-D13
+    assert targets is None or action.targets == targets
+    assert action.positions == tuple(at + 1 for at in positions)
+    assert action.end == max((1, *action.positions)) + 1
+
+
+def test_the_targets_an_action_wants_follow_from_its_type_and_its_further_ones() -> None:
+    assert wanted_targets(THREE.onikon, SYNTAX) == ("Joint object", "Pose object", "Joint object")  # R-D13
+    strange = Onikon("x", "Odd job", "", (), blank(), ("Pose object",))
+    complete = Onikon("x", "Complete job", "", (), blank(), ("Pose object",))
+    for onikon in (GRIP.onikon, TARGET.onikon, strange, complete):
+        assert wanted_targets(onikon, SYNTAX) == ()
+
+
+def test_every_flow_of_an_application_has_a_path() -> None:
+    deep = Branch((AppFlow(()), AppFlow((GRIP, Branch((AppFlow((HOLE,)),))))))  # R-D13
+    whole = Application("a", False, (AppFlow((GRIP,)), AppFlow((GRIP, deep))))
+    assert [(path, len(flow.steps)) for path, flow in every_flow(whole)] == [
+        ("flow 0", 1),
+        ("flow 1", 2),
+        ("flow 1, step 1, branch 0", 0),
+        ("flow 1, step 1, branch 1", 2),
+        ("flow 1, step 1, branch 1, step 1, branch 0", 1),
+    ]
+    assert whole.has_hole
+    assert actions(whole.flows[1], SYNTAX) == (Action(0, GRIP),)

@@ -242,7 +242,8 @@ def test_a_pressed_button_is_named_and_what_is_offered_brings_the_run_to_its_end
         "touch boxes panic_left 0", "clear",
     )  # fmt: skip
     (pressed, again), result = steered(tmp_path, path, *script)
-    assert (pressed["kind"], pressed["task"], pressed["at_s"]) == ("pressed", "puma", 1.0)
+    assert (pressed["kind"], pressed["task"]) == ("pressed", "puma")
+    assert 1.0 <= pressed["at_s"] < 1.01
     assert (again["kind"], again["task"]) == ("pressed", "puma")
     commands = dict(pressed["choices"])
     assert list(commands) == ["clear", "next", "abort"]

@@ -51,7 +51,7 @@ def test_an_inner_bottom_test_loop_is_run_once_at_least() -> None:
 
 def test_inner_and_outer_loops_without_a_job_are_both_named() -> None:
     found = told(nop(**START), nop(**INNER), nop(**INNER_TEST), nop(**TEST))
-    assert [text.split()[10] for text in found] == ["b", "a"]
+    assert [text.split()[9] for text in found] == ["a", "b"]
 
 
 def nested(*flows: AppFlow, is_parallel: bool = False) -> dict[str, Application]:

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from onika.model.application import AppFlow, Hole, Icon
+from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.rules.jigsaw import delete, fits, insert, misfits, refusals
@@ -14,6 +14,7 @@ KINDS = {
     "Application start": (0, 0),
     "Application end": (0, 0),
     "Complete job": (0, 0),
+    "Complete NOP": (0, 0),
     "Joint job": (0, 1),
     "Joint object": (1, 0),
     "Bridge object": (1, 2),
@@ -97,3 +98,68 @@ def test_no_row_of_insertions_and_deletions_makes_two_neighbours_misfit(acts: li
         assert misfits(flow, SYNTAX) == ()
         holes = [isinstance(step, Hole) for step in flow.steps]
         assert not any(one and other for one, other in pairwise(holes))
+
+
+# -- several targets of one job, and branches
+
+TWICE = Icon(Onikon("twice", "Joint job", "", (), blank(), ("Joint object",)))
+AND_OTHER = Icon(Onikon("both", "Joint job", "", (), blank(), ("Other object",)))
+FIRST, SECOND = (Icon(Onikon(name, "Joint object", "", (), blank())) for name in ("first", "second"))
+BRANCH = Branch((AppFlow((GRIP,)), AppFlow(())))
+
+
+def test_behind_a_target_stands_the_next_one_its_job_wants() -> None:
+    assert misfits(AppFlow((AND_OTHER, TARGET, OTHER, GRIP)), SYNTAX) == ()  # R-D13
+    assert misfits(AppFlow((AND_OTHER, TARGET, GRIP)), SYNTAX) == (2,)
+    assert misfits(AppFlow((JOB, TARGET, OTHER, GRIP)), SYNTAX) == (2,)
+    (refusal,) = refusals(AppFlow((AND_OTHER, TARGET, Hole())), 1, GRIP, SYNTAX)
+    assert refusal.remedies == ("insert a Other object",)
+
+
+def test_targets_are_inserted_one_by_one() -> None:
+    flow = insert(AppFlow((GRIP,)), -1, TWICE, SYNTAX)  # R-D13, R-D19
+    assert flow.steps == (TWICE, Hole(), GRIP)
+    flow = insert(flow, 0, SECOND, SYNTAX)
+    assert flow.steps == (TWICE, SECOND, Hole(), GRIP)
+    assert insert(flow, 0, FIRST, SYNTAX).steps == (TWICE, FIRST, SECOND, GRIP)
+    assert insert(flow, 1, FIRST, SYNTAX).steps == (TWICE, SECOND, FIRST, GRIP)
+    assert insert(AppFlow((TWICE, FIRST, Hole())), 1, SECOND, SYNTAX).steps == (TWICE, FIRST, SECOND)
+
+
+def test_a_target_that_is_deleted_leaves_a_hole_where_the_last_one_is_missing() -> None:
+    whole = AppFlow((TWICE, FIRST, SECOND, GRIP))  # R-D13, R-D19
+    assert delete(whole, 1, SYNTAX).steps == (TWICE, SECOND, Hole(), GRIP)
+    assert delete(whole, 2, SYNTAX).steps == (TWICE, FIRST, Hole(), GRIP)
+    assert delete(AppFlow((TWICE, FIRST, SECOND)), 1, SYNTAX).steps == (TWICE, SECOND, Hole())
+    both = AppFlow((AND_OTHER, TARGET, OTHER, GRIP))
+    assert delete(both, 1, SYNTAX).steps == (AND_OTHER, Hole(), OTHER, GRIP)
+    assert misfits(delete(both, 1, SYNTAX), SYNTAX) == ()
+
+
+targets = st.lists(st.sampled_from([0, 1, 2, 3]), max_size=8)
+
+
+@given(targets)
+@settings(max_examples=200, deadline=None)
+def test_whatever_is_inserted_and_deleted_a_flow_without_holes_fits_and_has_its_targets(draws: list[int]) -> None:
+    flow = AppFlow((AND_OTHER, Hole(), GRIP))  # R-D13, R-D19
+    for number, draw in enumerate(draws):
+        at = draw % len(flow.steps)
+        if number % 3 == 2 and not isinstance(flow.steps[at], Hole):
+            flow = delete(flow, at, SYNTAX)
+            continue
+        for step in (TARGET, OTHER, TWICE, BRANCH, GRIP):
+            if not refusals(flow, at - 1, step, SYNTAX):
+                flow = insert(flow, at - 1, step, SYNTAX)
+                break
+        assert misfits(flow, SYNTAX) == ()
+        assert not any(isinstance(a, Hole) and isinstance(b, Hole) for a, b in pairwise(flow.steps))
+
+
+def test_a_branch_has_the_edges_of_a_no_op() -> None:
+    assert insert(AppFlow((GRIP, GRIP)), 0, BRANCH, SYNTAX).steps == (GRIP, BRANCH, GRIP)  # R-D13
+    assert misfits(AppFlow((BRANCH, JOB, TARGET, BRANCH)), SYNTAX) == ()
+    assert misfits(AppFlow((JOB, BRANCH)), SYNTAX) == (1,)
+    (refusal,) = refusals(AppFlow((JOB, Hole())), 0, BRANCH, SYNTAX)
+    assert refusal.reason == "a branch does not fit behind a Joint job"
+    assert delete(AppFlow((GRIP, BRANCH, GRIP)), 1, SYNTAX).steps == (GRIP, GRIP)

@@ -77,11 +77,20 @@ def _type(
     wanted = syntax.find(trigger.object_type or "")
     if wanted is None:
         return
-    has, needs = wanted_targets(action.icon.onikon, syntax)[1:], trigger.more_targets
+    has, needs = (
+        wanted_targets(action.icon.onikon, syntax)[1:],
+        tuple(_written(one, syntax) for one in trigger.more_targets),
+    )
     is_alike = len(has) == len(needs) and all(map(same_type, has, needs))
     if wanted.name != known.name or not is_alike:
         expected = f"a {_shown(wanted.name, needs)}, as its trigger `{trigger.name}` says"
         yield outline.fault(action.icon, expected, f"{_shown(known.name, has)} for {at}")
+
+
+def _written(name: str, syntax: Syntax) -> str:
+    """A type as the syntax writes it, where it has it (decision 37)."""
+    kind = syntax.find(name)
+    return kind.name if kind else name
 
 
 def _shown(name: str, more: tuple[str, ...]) -> str:
