@@ -84,7 +84,9 @@ def argument_line(bench, module, rng):
         for k in range(item.count)
     ]
     kinds = [item.type for item in items for _ in range(item.count)]
-    return LINES.get(module, " ".join(str(int(x) if kind == "int" else x) for kind, x in zip(kinds, words, strict=True)))
+    return LINES.get(
+        module, " ".join(str(int(x) if kind == "int" else x) for kind, x in zip(kinds, words, strict=True))
+    )
 
 
 def feed(bench, device, rng):

@@ -9,7 +9,11 @@ from onika.store.site import open_site
 from onika.wire import event, live, request, steer
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
-GOOD = event.Result(True, "", 4, 4, 9.0, 0.1, {}, (), "abc")
+
+
+def _at(one):
+    """When it happens; the end of a run says no time, and is ten seconds after its beginning."""
+    return getattr(one, "at_s", 10.0)
 
 
 class HeldRuntime:
@@ -21,7 +25,7 @@ class HeldRuntime:
     pid = 4711
 
     def __init__(self, *events):
-        self.coming = sorted(events, key=lambda one: getattr(one, "at_s", 99.0))
+        self.coming = sorted(events, key=_at)
         self.asked = []
         self.told = []
         self.refusals = {}
@@ -70,10 +74,10 @@ class HeldRuntime:
         return [one for one in self.asked if isinstance(one, kinds)]
 
     def _onward(self, until_s):
-        limit = 99.0 if until_s is None else until_s
-        if self.coming and getattr(self.coming[0], "at_s", 99.0) <= limit:
+        limit = 50.0 if until_s is None else until_s
+        if self.coming and _at(self.coming[0]) <= limit:
             one = self.coming.pop(0)
-            self.now_s = max(self.now_s, getattr(one, "at_s", self.now_s))
+            self.now_s = max(self.now_s, _at(one))
             self.told.append(one)
             if isinstance(one, event.Result):
                 return
@@ -82,7 +86,7 @@ class HeldRuntime:
         self.told.append(event.Stood(self.now_s))
 
     def _pass(self, until_s):
-        while self.coming and getattr(self.coming[0], "at_s", 0.0) <= until_s:
+        while self.coming and _at(self.coming[0]) <= until_s:
             self.told.append(self.coming.pop(0))
 
 

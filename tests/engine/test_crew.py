@@ -75,7 +75,18 @@ def test_a_trigger_that_is_still_on_is_turned_off_and_on_again():
     made, (first, second) = crew(*jobs, others=["b"])
     switch(made, first)
     made.switched_off("a")
-    assert made.change(second) == Switch(0, ("b",), (Start("b", "7", 100.0),))
+    change = made.change(second)
+    assert change == Switch(0, ("b",), (Start("b", "7", 100.0),))
+    made.carry_out(second, change)
+    assert not made.switched_off("b")
+
+
+def test_a_task_that_is_kept_before_it_has_said_that_it_is_on_is_still_awaited():
+    made, (reach, grasp) = crew(REACH, GRASP)
+    made.carry_out(reach, made.change(reach))
+    switch(made, grasp)
+    assert not made.is_settled
+    assert not made.switched_off("puma")
 
 
 def test_a_kept_task_gets_the_rate_of_the_new_action_and_its_own_back_after_it():  # decision 13
@@ -157,6 +168,18 @@ def test_a_task_that_was_on_when_it_failed_is_brought_back():  # R-E08
     assert made.bring_back(reach) == [Switch(0, (), on("puma"))]
     assert made.failed == {}
     assert made.bring_back(reach) == []
+
+
+def test_a_task_that_was_brought_back_is_believed_once_it_has_said_that_it_is_on():  # R-E08
+    made, (reach,) = crew(REACH)
+    switch(made, reach)
+    made.has_failed("puma")
+    made.bring_back(reach)
+    assert not made.is_settled
+    assert not made.switched_off("puma")
+    made.turned_on("puma")
+    assert made.is_settled
+    assert made.switched_off("puma")
 
 
 def test_a_task_that_fails_twice_has_been_on():  # R-E08

@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import pytest
 
 from onika.files.appl import read, write
-from onika.model.application import AppFlow, Application, Hole, Icon
+from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import DataItem, IconType, Syntax
@@ -150,3 +152,27 @@ def test_an_application_without_flows_is_a_fault() -> None:
 
 def test_the_last_flow_must_end() -> None:
     assert "ENDFLOW / the end of the application" in found(application("ICONHOLE").replace("ENDFLOW\n", ""))[0]
+
+
+def test_a_file_is_of_version_2_0_only_where_1_3_has_no_words_for_it() -> None:
+    assert TEXT.startswith("VERSION     1.3\n")  # R-B06, R-D13
+    branch = Branch((AppFlow((GRIP,)), AppFlow(())), ("LAMP == 1",))
+    whole = Application("work", True, (AppFlow((GRIP, branch)), AppFlow((MOVE, HOME))))
+    text = write(whole)
+    assert text.startswith("VERSION     2.0\n\nAPPLTYPE    parallel\n\nFLOW\n")
+    assert read(text, "work", "f", SYNTAX) == (whole, ())
+    conditional = replace(MOVE, marker_if="LAMP == 1")
+    assert write(Application("work", True, (AppFlow((conditional, HOME)),))).startswith("VERSION     2.0")
+    plain = read(TEXT.replace("1.3", "2.0", 1), "work", "f", SYNTAX)
+    assert plain == (APPLICATION, ())
+    assert write(APPLICATION) == TEXT
+
+
+def test_comments_in_branches_are_kept() -> None:
+    branch = Branch((AppFlow((GRIP,)), AppFlow((HOME,))))  # R-B01
+    text = write(Application("work", False, (AppFlow((branch,)),)))
+    former = text.replace("BRANCH", "# choose\nBRANCH", 1).replace("ENDBRANCH", "# chosen\nENDBRANCH", 1)
+    changed = Application("work", False, (AppFlow((GRIP, branch)),))
+    kept = write(changed, former)
+    assert kept.index("# choose") < kept.index("\nBRANCH") < kept.index("# chosen") < kept.index("\nENDBRANCH")
+    assert read(kept, "work", "f", SYNTAX) == (changed, ())

@@ -42,3 +42,31 @@ def test_an_older_file_may_lack_its_description() -> None:
     assert onikon
     assert onikon.description == ""
     assert "VERSION     1.3" in write(onikon)
+
+
+MORE = Syntax((IconType("Joint object", 1, 0, ITEMS), IconType("Joint job", 0, 1), IconType("Complete job", 0, 0)), ())
+VIA = Onikon("via", "Joint job", "", (), blank(), ("Joint object", "Joint object"))
+
+
+def test_an_icon_with_further_targets_is_of_version_2_0() -> None:
+    text = write(VIA)  # R-D13, R-B06
+    assert text.startswith(
+        "VERSION     2.0\n\nONIKON      Joint job\nTARGET      Joint object\nTARGET      Joint object\n"
+    )
+    assert read(text, "via", "f", MORE) == (VIA, ())
+    assert read(text.replace("TARGET      Joint object", "TARGET joint OBJECT"), "via", "f", MORE) == (VIA, ())
+    commented = text.replace("TARGET", "# the second\nTARGET", 1)
+    assert write(VIA, commented) == commented
+
+
+def test_what_is_wrong_with_further_targets_is_named() -> None:
+    def expected(text: str) -> set[str]:
+        return {fault.expected for fault in read(text, "via", "f", MORE)[1] if not fault.is_note}
+
+    text = write(VIA)
+    assert expected(text.replace("2.0", "1.3", 1)) == {"VERSION 2.0 for a line TARGET"}
+    assert expected(text.replace("Joint job", "Complete job")) == {"no line TARGET for Complete job"}
+    assert expected(text.replace("Joint object", "Force object")) == {"a type of target that the syntax defines"}
+    assert expected(text.replace("Joint object", "Joint job")) == {"a type of target that the syntax defines"}
+    assert expected(text.replace("Joint job", "Force job")) == set()
+    assert expected(text.replace("Joint job", "Force job").replace("Joint object", "Odd object")) == set()

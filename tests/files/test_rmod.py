@@ -192,3 +192,24 @@ def test_every_rate_survives_being_written_as_period(frequency: float) -> None:
     record, _ = read(text, "jmove", "f")
     assert record
     assert record.task.frequency == frequency
+
+
+def test_further_targets_stand_behind_the_type_of_the_job() -> None:
+    text = "MODULE m\nDESC\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE aperiodic\n"  # R-D13
+    text += "ONIKA\nOBJECT Joint job\nTARGET Cartesian  object\nTARGET Joint object\nLOCAL\nTARGET 3\nEOF\n"
+    record, faults = read(text, "t", "f")
+    assert faults == ()
+    assert record
+    assert (record.task.object_type, record.task.more_targets) == ("Joint job", ("Cartesian object", "Joint object"))
+    assert [line.key for line in record.task.local] == ["TARGET"]  # a parameter may be called so, as before
+    fresh = write(RmodText(record.task))
+    assert "OBJECT      Joint job\nTARGET      Cartesian object\nTARGET      Joint object\n" in fresh
+    again, _ = read(fresh, "t", "f")
+    assert again
+    assert again.task == record.task
+    for wrong, expected in (
+        (text.replace("OBJECT Joint job\n", ""), "OBJECT before TARGET"),
+        (text.replace("TARGET Joint object", "TARGET Joint job"), "a type of target such as Joint object after TARGET"),
+        (text.replace("TARGET Joint object", "TARGET object"), "a type of target such as Joint object after TARGET"),
+    ):
+        assert expected in [fault.expected for fault in read(wrong, "t", "f")[1]]

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.model.syntax import Edge, IconType, Syntax, has_word
+from onika.model.syntax import Edge, IconType, Syntax, application_name, has_word, object_name, same_type
 
 NAMES = (
     "Application start",
@@ -70,3 +70,23 @@ def test_an_edge_is_found_by_its_number() -> None:
 def test_a_word_is_a_whole_word() -> None:
     assert has_word("My Object", "object")
     assert not has_word("My objection", "object")
+
+
+def test_the_target_of_a_job_goes_by_its_name_else_by_the_only_edge_that_fits() -> None:
+    kinds = (IconType("Fast job", 1, 5), IconType("Slow job", 1, 6), IconType("Slow object", 9, 1))  # decision 32
+    two = (*kinds, IconType("Pose object", 5, 1))
+    assert Syntax(kinds, ()).object_of(kinds[0]) == "Fast object"
+    assert Syntax(two, ()).object_of(kinds[0]) == "Pose object"
+    assert Syntax((*two, IconType("Other object", 5, 1)), ()).object_of(kinds[0]) == "Fast object"
+    assert Syntax(two, ()).object_of(kinds[1]) == "Slow object"
+
+
+def test_types_that_belong_together_differ_in_one_word() -> None:
+    assert object_name("File name job") == object_name("File name application") == "File name object"
+    assert application_name("File name object") == "File name application"
+    assert same_type("joint  JOB", "Joint job")
+    assert not same_type("Joint job", "Joint object")
+
+
+def test_of_two_types_of_one_name_the_first_is_found() -> None:
+    assert Syntax((IconType("A job", 0, 1), IconType("a JOB", 2, 3)), ()).find("A job") == IconType("A job", 0, 1)

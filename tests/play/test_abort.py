@@ -81,6 +81,12 @@ def test_a_refused_activation_does_not_stand_for_the_kill():
     assert play >> Killed(0, "puma") >> Killed(0, "move") << End(False, "stop")
 
 
+def test_a_task_that_comes_to_life_after_an_abort_is_gone_when_it_is_killed_and_not_before():
+    play = Play(build.engine([REACH])) >> Run() << build.spawns([REACH]) >> Abort("stop") << KILLS
+    play = play >> Killed(0, "move") >> Spawned(0, "puma") >> Refused(0, "puma", "it is being killed")
+    assert play >> Killed(0, "puma") << End(False, "stop")
+
+
 def test_a_task_that_dies_during_the_run_aborts_it():  # R-E10
     play = started() >> Killed(0, "puma") << Kill(0, "move")
     assert play >> Killed(0, "move") << End(False, f"{WHERE}: puma is gone")

@@ -2,7 +2,21 @@
 
 import pytest
 
-from onika.engine.news import Asked, Finished, Leave, Mark, Pause, Resume, Run, Skip, Spawned, TurnedOn
+from onika.engine.news import (
+    Asked,
+    Failed,
+    Finished,
+    Leave,
+    Mark,
+    Pause,
+    Refused,
+    Resume,
+    Run,
+    Skip,
+    Spawned,
+    SwitchedOff,
+    TurnedOn,
+)
 from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
 from onika.testing import build
 from onika.testing.play import Play
@@ -215,3 +229,22 @@ def test_what_changes_nothing_leaves_the_revision_as_it_is():
     for news in (TurnedOn(0, "move"), Asked(0, "move", "how far?"), Finished(0, "ghost")):
         engine.feed(news)
     assert engine.revision(0) == before
+
+
+@pytest.mark.parametrize(
+    ("news", "comes_back"),
+    [(SwitchedOff(0, "view"), True), (Failed(0, "view", "no screen"), False), (Refused(0, "view", "broken"), False)],
+)
+def test_a_passive_task_that_falls_silent_changes_what_follows(news, comes_back):  # decision 17
+    job = build.job("move", "view", trigger="move")
+    engine = build.engine([job, job], passive=[(0, "view")])
+    first = [kind(0, task) for kind in (Spawned, TurnedOn) for task in ("move", "view")]
+    for each in (Run(), *first):
+        engine.feed(each)
+    before, revision = engine.cases(0), engine.revision(0)
+    engine.feed(news)
+    assert engine.revision(0) != revision
+    assert [[start.task for start in case.switch.on] for case in (*before, *engine.cases(0))] == [
+        ["move"],
+        ["move", "view"] if comes_back else ["move"],
+    ]

@@ -21,13 +21,15 @@ from onika.link.channel import Channel
 from onika.link.lost import Cause, LinkLost
 from onika.link.opening import Opening
 from onika.testing.workshop import Workshop, action
-from onika.wire import event, live, request
+from onika.wire import event, live, request, steer
 from onika.wire.packet import Hello, Request, encode
 
 pytestmark = pytest.mark.site
 
 EXAMPLE = Path(__file__).parents[2] / "docs" / "examples" / "watch.mjs"
 PYTHON = (sys.executable, "-m")
+LEASE_S = 8.0
+"""After so long a session that is not heard is gone."""
 
 
 class Reachable:
@@ -197,13 +199,38 @@ def test_a_run_is_stopped_when_the_one_who_began_it_is_killed(reachable):  # R-X
     assert not result.completed
 
 
-def wait_for(runtime, kind, seconds=30.0):
+def wait_for(runtime, kind, seconds=30.0, when=lambda _one: True):
     until = monotonic() + seconds
     while monotonic() < until:
         for one in runtime.events(0.5):
-            if isinstance(one, kind):
+            if isinstance(one, kind) and when(one):
                 return one
     raise AssertionError(f"no {kind.__name__}")
+
+
+
+@pytest.mark.parametrize("on_loss", ["finish", "run"])
+def test_what_becomes_of_a_run_whose_client_is_killed_was_chosen_at_its_start(reachable, on_loss):  # R-E10
+    there = reachable()
+    words = there.onika("run", "assemble", "--on-loss", on_loss)
+    run = subprocess.Popen(words, stdout=subprocess.DEVNULL, env=there.environment)
+    with there.connect() as watcher:
+        watcher.ask(live.Attend(("*",)))
+        wait_for(watcher, event.Began)
+        run.kill()
+        run.wait(10)
+        if on_loss == "finish":
+            paused = wait_for(watcher, event.Moved, when=lambda one: one.state == "paused")
+            # nothing moves again without a deliberate act, and whoever is there may do it
+            assert watcher.ask(steer.Resume("flow0")) == request.Done()
+            assert wait_for(watcher, event.Began).index == paused.action + 1
+        else:
+            refused = watcher.ask(request.Abort("not mine"))
+            assert "was begun by" in refused.reason
+            wait_for(watcher, event.Began, when=lambda one: one.at_s > LEASE_S)
+            assert [one.state for one in watcher.ask(steer.Who()).flows] == ["running"]
+        watcher.ask(request.Abort("seen enough"))
+        assert wait_for(watcher, event.Result).cause == "seen enough"
 
 
 BELL = """

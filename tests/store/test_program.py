@@ -3,7 +3,7 @@ from pathlib import Path
 import pytest
 
 from onika.files.rmod import RmodText
-from onika.model.application import AppFlow, Application, Icon
+from onika.model.application import AppFlow, Application, Branch, Icon
 from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -57,6 +57,7 @@ def test_what_an_application_needs_is_gathered_its_own_base_first(
     assert sorted(program.tasks) == ["hand", "pid"]
     assert program.code == {"pid": shared.code_file("pid")}
     assert program.applications == {"part": part}
+    assert program.files == {"part": str(shared.application_file("part"))}
 
 
 def test_the_faults_of_all_files_read_are_given_and_no_others(
@@ -86,3 +87,21 @@ def test_an_application_that_cannot_be_read_is_none(
     program, faults = load(tmp_path / "bad.appl", site, SYNTAX)
     assert program is None
     assert faults
+
+
+def test_what_branches_and_deep_nests_need_is_gathered_too(
+    site: Site, bases: tuple[BaseDirectory, BaseDirectory]
+) -> None:
+    own, shared = bases  # R-D13, R-E06
+    deep = application("deep", ("grip", "job")).flows[0]
+    shared.save_application(Application("part", False, (AppFlow((Branch((AppFlow(()), deep)),)),)))
+    shared.save_configuration(Configuration("grip"))
+    for at in range(400):
+        shared.save_application(application(f"p{at}", (f"p{at + 1}" if at < 399 else "part", "application")))
+    own.save_application(application("work", ("p0", "application"), ("bad", "application")))
+    shared.application_file("bad").write_text("WRONG\nEOF")
+    program, _ = load(own.application_file("work"), site, SYNTAX)
+    assert program
+    assert len(program.applications) == 401
+    assert list(program.configurations) == ["grip"]
+    assert program.unread == {"bad"}

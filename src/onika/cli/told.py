@@ -59,6 +59,8 @@ def _moved(one: event.Moved) -> str:
             said = waits(one.tag, one.waits_for)
         case "paused":
             said = f"is paused after {one.action + 1}" if one.action >= 0 else "is paused before its first action"
+        case "stopped":
+            return ""  # the error and its explanation stand beside it
         case _:
             return one.text
     return f"{said} ({one.text})" if one.text else said

@@ -76,8 +76,8 @@ class Compiler:
             placed = () if configuration is None or doing.is_noop else configuration.placed
             for one in placed:
                 task = self._program.tasks.get(one.task)
-                if task is not None and task.module in self._digests:
-                    tasks.setdefault(one.task, self._task(task, one.rtpu))
+                if task is not None and one.task not in tasks and task.module in self._digests:
+                    tasks[one.task] = self._task(task, one.rtpu)
             actions.append(self._action(doing, placed, tasks))
             for target in doing.targets:
                 kind = plain_type(target.onikon.type)

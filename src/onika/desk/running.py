@@ -217,6 +217,7 @@ class Running:
 
     def answer(self, asked: event.Asked, line: str | None) -> None:
         """Answer a task that asks; None ends the run."""
+        self.whereabouts.is_asking = False
         cause = f"task {asked.task} asks for input and nobody answers"
         self._runtime.ask(request.Abort(cause) if line is None else request.Reply(asked.subsystem, asked.task, line))
 

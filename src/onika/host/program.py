@@ -267,9 +267,13 @@ class Program:
         return request.Done()
 
     def _abort(self, session: str, cause: str) -> request.Response:
-        for performance in self.stage.performances:
-            if performance.session in (session, ""):  # nobody's: whoever may run anything may end it
-                performance.runner.abort(cause, self._driver.now)
+        """End the applications of this session and those that are nobody's: whoever may run anything may end them."""
+        own = [one for one in self.stage.performances if one.session in (session, "")]
+        for performance in own:
+            performance.runner.abort(cause, self._driver.now)
+        if self.stage.performances and not own:
+            other = self.stage.performances[0]
+            return request.Refused(f"application {other.application} was begun by {other.session}; everybody can stop")
         return request.Done()
 
     def _stop(self, session: str, asked: request.Stop | live.Reset) -> request.Response:

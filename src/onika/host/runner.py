@@ -339,7 +339,9 @@ class Runner:
             clashes = subsystem.clashes(order.off, on)
             if clashes:
                 task, reason = clashes[0]
-                self._feed(said.Refused(order.flow, task, f"on: {reason}"))
+                refused = news.Refused(subsystem.name, task, "on", reason)
+                with self._explainer.watch(refused, self._now):
+                    self._feed(said.Refused(order.flow, task, f"on: {reason}"))
                 continue
             forget = subsystem.forgotten(order.off, on)
             subsystem.forget(forget)

@@ -74,7 +74,7 @@ def _flows(one: event.Moved | event.Met | event.Explained) -> Iterator[Line]:
 
 def _moved(one: event.Moved) -> Iterator[Line]:
     """What is worth a line; actions that begin, errors and the end have their own."""
-    said = one.text
+    said = "" if one.state == "stopped" else one.text  # the error and its explanation stand beside it
     if one.state in ("waiting", "joining"):
         said = waits(one.tag, one.waits_for)
     elif one.state == "paused":
