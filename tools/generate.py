@@ -166,7 +166,7 @@ def _jobs(site: Site, syntax: Syntax) -> str:
     for base in site.directories:
         for name in base.configurations:
             icon = _sure(site.onikon(name, syntax))
-            takes = syntax.target_type_of(icon.type) or "none"
+            takes = ", ".join((syntax.target_type_of(icon.type) or "none", *icon.more_targets))
             tasks = (placed.task for placed in _sure(base.configuration(name)).placed)
             rows.append((f"`{name}`", base.path.name, icon.description, icon.type, takes, _code(tasks)))
     return _grid("job,in,what it does,type,target,tasks", rows)

@@ -11,8 +11,8 @@ from onika.testing.bench import Bench
 CODE = shipped() / "generic" / "module" / "jvia.py"
 CONSTANTS = {"NDOF": 6, "QMIN": puma560.QMIN, "QMAX": puma560.QMAX, "Q^_MAX": puma560.QDMAX}
 HOME = puma560.HOME
-VIA = HOME + [0.3, 0.2, -0.1, 0.0, 0.1, 0.0]
-END = HOME + [0.6, 0.0, -0.2, 0.0, 0.2, 0.1]
+VIA = HOME + np.array([0.3, 0.2, -0.1, 0.0, 0.1, 0.0])
+END = HOME + np.array([0.6, 0.0, -0.2, 0.0, 0.2, 0.1])
 
 
 def jvia():
@@ -69,7 +69,7 @@ def test_times_that_are_too_short_are_warned_of_and_take_longer():
 
 @pytest.mark.parametrize("name", ["via", "endpoint"])
 def test_a_point_out_of_reach_asks_again(name):
-    far = HOME + [9.0, 0, 0, 0, 0, 0]
+    far = HOME + np.array([9.0, 0, 0, 0, 0, 0])
     bench = jvia().on(line(**({"via": far} if name == "via" else {"end": far})))
     assert bench.state is State.ASKING
     assert name in bench.why

@@ -1,7 +1,7 @@
 """Switching behind a slow link: the environment is 200 ms away, there and back, and the arm must not notice.
 
-The assembly is run on a runtime that listens, once directly and once through a proxy that hands on every byte half of
-the delay after it came. The plan is with the runtime, so that a switch asks nobody: the times of `switch.py` stay, only
+The assembly is run on a runtime that listens, through a proxy that hands on every byte at once, and then half of the
+delay after it came. The plan is with the runtime, so that a switch asks nobody: the times of `switch.py` stay, only
 the run's events come later.
 """
 
@@ -91,17 +91,27 @@ async def switches(application: str, port: int, token: Path) -> tuple[list[float
     return result["switches_us"], asyncio.get_running_loop().time() - began
 
 
+async def round_trip(port: int) -> float:
+    """Seconds until a runtime that is asked nonsense has said so."""
+    began = asyncio.get_running_loop().time()
+    reader, writer = await asyncio.open_connection("127.0.0.1", port)
+    writer.write(b"GET / HTTP/1.1\r\n\r\n")
+    await reader.read(1)
+    writer.close()
+    return asyncio.get_running_loop().time() - began
+
+
 async def measure(application: str, round_trip_s: float) -> None:
     """Both ways, each with a runtime of its own."""
     print(f"{'link':<20}{'switches':>9}{'median us':>11}{'p90 us':>9}{'max us':>9}{'run s':>8}")
     for delay_s in (0.0, round_trip_s / 2):
         with tempfile.TemporaryDirectory() as state:
             async with runtime(Path(state)) as (port, token):
-                if delay_s:
-                    server = await SlowLink(port, delay_s).serve()
-                    port = server.sockets[0].getsockname()[1]
-                found, took_s = await switches(application, port, token)
-        what = f"{delay_s * 2e3:.0f} ms there and back" if delay_s else "direct"
+                server = await SlowLink(port, delay_s).serve()
+                took = await round_trip(server.sockets[0].getsockname()[1])
+                found, took_s = await switches(application, server.sockets[0].getsockname()[1], token)
+                server.close()
+        what = f"{took * 1e3:.0f} ms there and back"
         tenths = statistics.quantiles(found, n=10)
         numbers = f"{statistics.median(found):>11.0f}{tenths[-1]:>9.0f}{max(found):>9.0f}{took_s:>8.1f}"
         print(f"{what:<20}{len(found):>9}{numbers}")

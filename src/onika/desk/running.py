@@ -140,10 +140,19 @@ class Running:
             self._onward(0.0)
 
     def events(self) -> Iterator[event.Event]:
-        """What happens, to the end of the run; the result comes last. Raises LinkLost or TimeoutError."""
-        while not (self.is_over and not self._news):
-            yield from self.hear(_LOOK_S)
+        """What happens, to the end of the run; the result comes last. Raises LinkLost or TimeoutError.
+
+        In a held run the clock stands whenever something is told.
+        """
+        while not self.is_over:
+            self._listen(_LOOK_S)
+            if self.is_held and not (self.stands or self.is_over):
+                continue
+            while self._news:
+                yield self._news.popleft()
             self.go_on()
+        while self._news:
+            yield self._news.popleft()
 
     def hear(self, timeout_s: float = 0.0) -> Iterator[event.Event]:
         """What has happened since the last call, waiting for the first of it so long."""

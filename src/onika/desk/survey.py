@@ -105,7 +105,7 @@ def _read_task(content: str, name: str, place: str) -> list[Fault]:
 def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[Fault]:
     """What only modules can tell: tasks against their classes, applications against everything."""
     tasks = [file for file in files if file.suffix == rmod.ENDING]
-    applications = [file for file in files if file.suffix == appl.ENDING]
+    applications = [file for file in files if file.suffix == appl.ENDING and not _is_part(file, site)]
     modules = {file.stem: file for file in files if file.suffix == ".py"}
     found: list[Fault] = []
     planned, code = _tasks(tasks, modules, site, found)
@@ -122,6 +122,14 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
             if one.plan is not None:
                 found += _asked(runtime, request.Prepare(one.plan, one.targets), note)
     return found
+
+
+def _is_part(file: Path, site: Site) -> bool:
+    """Whether an application has an icon that takes targets: its holes are judged in the applications that use it."""
+    types, _ = site.syntax()
+    onikon = site.onikon(file.stem, types)[0] if types else None
+    kind = types.find(onikon.type) if types and onikon else None
+    return kind is not None and kind.is_application and kind.needs_target
 
 
 def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], None]) -> list[Fault]:

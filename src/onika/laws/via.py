@@ -40,9 +40,8 @@ class Via:
         late = bool(own > first)
         x = (own - first) / second if late else own / first
         coefficients = self._segments[late]
-        position = np.polynomial.polynomial.polyval(x, coefficients)
-        rate = np.polynomial.polynomial.polyval(x, _derivative(coefficients))
-        return position, rate / ((second if late else first) * self.stretch)
+        time = (second if late else first) * self.stretch
+        return _value(coefficients, x), _value(_derivative(coefficients), x) / time
 
     def _peak(self, speed: Array) -> float:
         """The highest speed as a share of what is allowed."""
@@ -67,6 +66,10 @@ def _polynomial(p0: Array, v0: Array, p1: Array, v1: Array, time: float) -> Arra
             6.0 * way - 3.0 * out - 3.0 * into,
         ]
     )
+
+
+def _value(coefficients: Array, x: float) -> Array:
+    return x ** np.arange(len(coefficients)) @ coefficients
 
 
 def _derivative(coefficients: Array) -> Array:

@@ -1,6 +1,7 @@
 """A theatre: an engine and simulated tasks that act when they like, and whose every word may come late.
 
-Orders act at once, news is heard one at a time, those of one task in their order. What no task could obey, and what the
+Orders act at once, news is heard one at a time, those of one task in their order; what a task has said before it was
+told to come on anew is not heard any more, but that it has failed or is gone. What no task could obey, and what the
 engine must never do, is an AssertionError with the story so far. It can be put back to what it was.
 """
 
@@ -170,7 +171,7 @@ class Theatre:
         self.tasks[address] = replace(task, mail=mail)
         if not isinstance(news, told.Finished):
             return self.feed(news)
-        flow, counts = address[0], task.may_end and not any(isinstance(one, told.TurnedOn) for one in mail)
+        flow, counts = address[0], task.may_end
         is_alive = self.state(flow) not in (FlowState.KILLING, FlowState.ENDED)
         if counts:
             self.tasks[address] = replace(self.tasks[address], may_end=False)
@@ -241,14 +242,14 @@ class Theatre:
             self._off((flow, task))
         for start in order.on:
             address, task = (flow, start.task), self.tasks[flow, start.task]
-            is_unheard = any(isinstance(one, told.Failed | told.Killed) for one in task.mail)
-            if is_unheard:
-                news = told.Refused(flow, start.task, "it is in error")
-                self.tasks[address] = replace(task, mail=(*task.mail, news))
+            mail = tuple(one for one in task.mail if isinstance(one, told.Failed | told.Killed))
+            if mail:
+                refused = told.Refused(flow, start.task, "it is in error")
+                self.tasks[address] = replace(task, mail=(*mail, refused))
                 continue
             self._demand(task.life == "off", f"{address} is turned on and is {task.life}")
-            mail = (*task.mail, told.TurnedOn(flow, start.task))
-            self.tasks[address] = replace(task, life="on", mail=mail, fell=False, may_end=False)
+            on = (told.TurnedOn(flow, start.task),)
+            self.tasks[address] = replace(task, life="on", mail=on, fell=False, may_end=False)
 
     def _off(self, address: Address) -> None:
         task = self.tasks[address]
