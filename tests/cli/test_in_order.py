@@ -17,3 +17,13 @@ def test_to_be_told_to_end_is_an_end_like_any_other(told):  # law 27
     assert ended.value.code == 128 + told
     assert is_left == [True]
     assert signal.getsignal(told) is usual
+
+
+def test_what_is_to_be_ignored_stays_ignored():  # as `nohup` has it
+    usual = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with in_order():
+            os.kill(os.getpid(), signal.SIGHUP)
+        assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN
+    finally:
+        signal.signal(signal.SIGHUP, usual)

@@ -36,8 +36,9 @@ def test_each_flow_is_a_line_with_its_state_its_place_and_its_action(panel):  # 
     panel.happens(event.Began(0, 1, 3, "turn", 0.5))
     panel.happens(event.Moved("flow0", "running", 1, 0.5))
     panel.happens(event.Moved("flow1", "waiting", -1, 0.5, "t a", ("flow0",)))
-    first, second = shown(panel).splitlines()[1:3]
-    assert first.startswith("assemble   0 flow0")
+    head, first, second = shown(panel).splitlines()[1:4]
+    assert head.startswith("assemble  0.")
+    assert first.startswith(" 0 flow0")
     assert "2/3  ▶ running  turn" in first
     assert "0/1  ⧗ waiting  waits at a for flow0" in second
 
@@ -91,3 +92,11 @@ def test_every_state_has_a_mark():
 def test_a_small_terminal_is_enough(panel):
     panel.has_keys = True
     assert max(len(line) for line in shown(panel, 60).splitlines()) <= 60
+
+
+def test_each_flow_keeps_to_one_line_however_much_there_is_to_say(panel):  # R-E11
+    loops = tuple(f"loop_number_{number}" for number in range(9))
+    panel.place((Position("flow0", "running", 0, loops=loops),))
+    lines = shown(panel, 80).splitlines()
+    assert lines[2].rstrip().endswith("…")
+    assert lines[3].startswith(" 1 flow1")

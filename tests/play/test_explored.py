@@ -213,20 +213,21 @@ class Explorer:
                 return
 
 
-SMALL = sorted(PROGRAMS.keys() - {"a loop with a meeting", "three flows", "one beside a flow", "a branch"})
+QUICK = sorted(PROGRAMS.keys() - {"a loop with a meeting"})
+SMALL = sorted({*QUICK} - {"three flows", "one beside a flow", "a branch"})
 
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_nothing_stands_still_that_was_not_foretold_and_the_other_way_round(name):  # R-X03
     explorer = Explorer(PROGRAMS[name], Budget()).explore()
     found = [one for one in meetings.findings(explorer.plan) if one.expected.startswith("tags")]
-    stand = [states for states in explorer.still if not {"paused", "done"} >= set(states)]
+    stand = [states for states in explorer.still if not {"paused", "stopped"} & set(states) and {"done"} != set(states)]
     assert bool(stand) == bool(found)
     if any(not one.is_note for one in found):
         assert not explorer.completed
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
+@pytest.mark.parametrize("name", QUICK)
 def test_whatever_the_user_does_once_every_run_can_be_completed_and_ended(name):  # R-E07, R-E13
     assert Explorer(PROGRAMS[name], Budget(user=1)).explore().states
 
@@ -247,13 +248,13 @@ def test_a_passive_task_may_fall_silent_at_any_time(name):  # decision 17
     assert Explorer(PROGRAMS[name], Budget(faults=1), passive).explore().states
 
 
-@pytest.mark.parametrize("name", ["a top-test loop", "a breakpoint", "a wait for an ended flow", "tags in wrong order"])
+@pytest.mark.parametrize("name", ["a top-test loop", "an endless loop"])
 def test_a_user_who_acts_while_something_goes_wrong_loses_nothing(name):
     assert Explorer(PROGRAMS[name], Budget(user=1, faults=1)).explore().states
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("budget", [Budget(user=2), Budget(faults=1), Budget(user=1, faults=1)])
+@pytest.mark.parametrize("budget", [Budget(user=1), Budget(user=2), Budget(faults=1), Budget(user=1, faults=1)])
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_more_of_all_of_that(name, budget):
     assert Explorer(PROGRAMS[name], budget).explore(most=3_000_000).states

@@ -10,12 +10,13 @@ _TOLD = (signal.SIGTERM, signal.SIGHUP)
 
 @contextmanager
 def in_order() -> Iterator[None]:
-    """Within it SIGTERM and SIGHUP raise SystemExit, as Ctrl-C raises KeyboardInterrupt."""
+    """Within it SIGTERM and SIGHUP raise SystemExit, as Ctrl-C a KeyboardInterrupt; what is ignored stays so."""
 
     def end(number: int, _frame: FrameType | None) -> None:
         raise SystemExit(128 + number)
 
-    former = {one: signal.signal(one, end) for one in _TOLD}
+    heard = [one for one in _TOLD if signal.getsignal(one) is not signal.SIG_IGN]  # as `nohup` wants it
+    former = {one: signal.signal(one, end) for one in heard}
     try:
         yield
     finally:

@@ -40,7 +40,7 @@ FLOWS = {
 }
 """How a flow's state is shown."""
 
-_BAR = 24
+_BAR = 16
 
 
 @dataclass(slots=True)
@@ -77,34 +77,40 @@ class Panel:
         """As it is now."""
         if not self.cast.parts:
             return Text("preparing …", style="bright_black")
-        rows: list[RenderableType] = [Text(), self._flows(), self._tasks()]
+        rows: list[RenderableType] = [Text(), self._head(), self._flows(), self._tasks()]
         if self.wheel.typed is not None:
             rows.append(Text(f": {self.wheel.typed}▏", style="bold"))
         elif self.has_keys:
             rows.append(self._keys())
         return Group(*rows)
 
+    def _head(self) -> Text:
+        return Text.assemble((self.name, "bold"), f"  {monotonic() - self.since:.1f} s")
+
     def _flows(self) -> Table:
         grid = Table.grid(padding=(0, 2))
         several = len(self.cast.parts) > 1
         for number, subsystem in enumerate(self.cast.subsystems):
-            head = Text(self.name if not number else "", style="bold", no_wrap=True)
-            clock = Text(f"{monotonic() - self.since:6.1f} s" if not number else "")
-            grid.add_row(head, *self._flow(number, subsystem, several), clock)
+            grid.add_row(*self._flow(number, subsystem, several))
         return grid
 
     def _flow(self, number: int, subsystem: str, several: bool) -> tuple[RenderableType, ...]:
         spot, count = self.where.spots[subsystem], max(self.cast.count(subsystem), 1)
         mark, style = FLOWS.get(spot.state, ("·", ""))
         is_chosen = self.wheel.chosen == number
-        label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else ""
+        label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else " "
         position = self._positions.get(subsystem)
         return (
             Text(label, style="bold" if is_chosen else "", no_wrap=True),
             ProgressBar(total=count, completed=max(spot.action, 0) + (spot.state in ("done", "ended")), width=_BAR),
             Text(f"{max(spot.action + 1, 0):>3}/{count}", no_wrap=True),
             Text(f"{mark} {_state(spot, position)}", style=style, no_wrap=True),
-            Text(_doing(self.cast, subsystem, spot, position), style="bold cyan" if spot.state == "running" else ""),
+            Text(
+                _doing(self.cast, subsystem, spot, position),
+                style="bold cyan" if spot.state == "running" else "",
+                no_wrap=True,
+                overflow="ellipsis",
+            ),
         )
 
     def _tasks(self) -> Columns:

@@ -121,19 +121,8 @@ class Running:
 
     def begin(self) -> None:
         """Begin it; where the runtime will not, it is over, with the cause."""
-        settings = self._settings
-        begin = request.Begin(
-            watch=tuple(dict.fromkeys(one.address for one in settings.expectations)),
-            settle_s=settings.settle_s,
-            seed=settings.seed,
-            answers=settings.answers,
-            may_ask=settings.may_ask,
-            on_loss=settings.on_loss,
-            on_error=settings.on_error,
-            is_held=self.is_held,
-        )
         self._began = self._clock()
-        answer = self._runtime.ask(begin)
+        answer = self._runtime.ask(self._settings.begin(is_held=self.is_held))
         if isinstance(answer, request.Refused):
             self.lose(answer.reason)
         elif self.is_held:

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from onika.wire import request
 from onika.words.condition import Condition
 
 
@@ -41,3 +42,19 @@ class RunSettings:
     """When a task that is not passive fails: `abort`, or `wait` until somebody clears it, skips or aborts."""
     script: Path | None = None
     """A file of lines that steer the run (`desk.script`)."""
+
+    def begin(self, *, is_held: bool) -> request.Begin:
+        """What a runtime is asked.
+
+        is_held    in virtual time: whether the clock waits for whoever steers
+        """
+        return request.Begin(
+            watch=tuple(dict.fromkeys(one.address for one in self.expectations)),
+            settle_s=self.settle_s,
+            seed=self.seed,
+            answers=self.answers,
+            may_ask=self.may_ask,
+            on_loss=self.on_loss,
+            on_error=self.on_error,
+            is_held=is_held,
+        )

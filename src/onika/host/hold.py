@@ -2,8 +2,8 @@
 
 Whoever steers by a script, or from a program, hears what happens too late to act at that instant: the clock of virtual
 time has gone on meanwhile. Therefore such a run stands still after everything that steering may wait for, and at
-times that were asked for; then it says `Stood`. What is asked of it meanwhile is carried out before anything moves again.
-So the same words lead to the same run, bit for bit.
+times that were asked for; then it says `Stood`. What is asked of it meanwhile is carried out before anything moves
+again. So the same words lead to the same run, bit for bit.
 """
 
 from collections.abc import Callable

@@ -210,11 +210,14 @@ class Theatre:
                 self._switch(order)
             case Off():
                 self._off((order.flow, order.task))
+            case Clear() if any(isinstance(one, told.Cleared) for one in self.tasks[order.flow, order.task].mail):
+                self.say((order.flow, order.task), told.Refused(order.flow, order.task, "it is OFF"), "off")
             case Clear():
                 self._change((order.flow, order.task), "error", "off", told.Cleared(order.flow, order.task))
             case Kill():
                 task = self.tasks[order.flow, order.task]
-                is_known = task.life == "gone" and any(isinstance(one, told.Killed) for one in task.mail)
+                is_known = any(isinstance(one, told.Killed | told.Refused) for one in task.mail)
+                is_known = is_known and task.life in ("gone", "absent")
                 self._demand(is_known or task.life in ("off", "on", "error"), f"{order} of one {task.life}")
                 if not is_known:
                     self.say((order.flow, order.task), told.Killed(order.flow, order.task), "gone")

@@ -140,7 +140,7 @@ targets = st.lists(st.sampled_from([0, 1, 2, 3]), max_size=8)
 
 
 @given(targets)
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=400, deadline=None)
 def test_whatever_is_inserted_and_deleted_a_flow_without_holes_fits_and_has_its_targets(draws: list[int]) -> None:
     flow = AppFlow((AND_OTHER, Hole(), GRIP))  # R-D13, R-D19
     for number, draw in enumerate(draws):

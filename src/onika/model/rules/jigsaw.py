@@ -7,7 +7,7 @@ has the edges of a no-op outside, and start and end icons in each of its flows (
 from dataclasses import replace
 from itertools import pairwise
 
-from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, wanted_targets
+from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, is_target, wanted_targets
 from onika.model.syntax import COMPLETE_NOP, END, START, IconType, Syntax
 from onika.words.fault import Refusal
 
@@ -111,8 +111,11 @@ def _settled(flow: AppFlow, seam: int, syntax: Syntax) -> AppFlow:
 
 
 def _found_anew(flow: AppFlow, start: int, end: int, syntax: Syntax) -> AppFlow:
-    """A flow with holes exactly where they must be from `start` to behind `end`; those with something in them stay."""
-    while end < len(flow.steps) and isinstance(flow.steps[end], Hole):
+    """A flow with holes exactly where they must be from `start` to behind `end`, and behind targets that follow there.
+
+    Holes with something in them stay.
+    """
+    while end < len(flow.steps) and _may_be_targets(flow.steps[end], syntax):
         end += 1
     kept = [step for step in flow.steps[start:end] if isinstance(step, Hole) and step.kept]
     steps = flow.steps[:start]
@@ -124,6 +127,10 @@ def _found_anew(flow: AppFlow, start: int, end: int, syntax: Syntax) -> AppFlow:
     if end >= len(flow.steps) and not _fits_at(AppFlow(steps), len(steps), syntax):
         steps += (kept.pop(0) if kept else Hole(),)
     return AppFlow(steps + rest)
+
+
+def _may_be_targets(step: Step, syntax: Syntax) -> bool:
+    return isinstance(step, Hole) or (isinstance(step, Icon) and is_target(step, syntax))
 
 
 def _stands_in_flow(kind: IconType) -> bool:

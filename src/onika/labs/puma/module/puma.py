@@ -112,6 +112,8 @@ class Puma(Module):
         self.device.clear()
 
     def _see_drive(self):
+        if not self.device.is_held:
+            return  # as nearly always: one look is enough
         if self.device.is_pressed:
             raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
         if self.device.is_tripped:

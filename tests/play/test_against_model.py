@@ -1,0 +1,203 @@
+"""Random applications under the engine, beside a second, plain reading of the specification (R-E04 to R-E08, R-E13).
+
+Every word is heard at once here; late words are the matter of `test_explored`.
+"""
+
+from collections import Counter
+from itertools import count
+
+import pytest
+from hypothesis import HealthCheck, settings
+from hypothesis import strategies as st
+from hypothesis.stateful import (
+    RuleBasedStateMachine,
+    initialize,
+    invariant,
+    precondition,
+    rule,
+    run_state_machine_as_test,
+)
+
+from onika.engine import crew, engine, flow, itinerary, meeting, news, progress, recovery, steering, walk
+from onika.engine.orders import Began, Done, Settle
+from onika.testing.small_engine import SmallEngine
+from onika.testing.theatre import RUNTIME, Theatre
+from onika.testing.tree import Act, Loop, Pick, Side, engine_for, planned
+
+NOOP = Act(tasks=(), is_noop=True)
+TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"))
+
+real = st.builds(
+    Act, st.sampled_from(["", "", "a", "b"]), st.sampled_from(TASKS), breakpoint=st.sampled_from([None, None, ""])
+)
+idle = st.builds(Act, st.sampled_from(["", "", "a"]), st.just(()), st.just(True), st.sampled_from([None, None, ""]))
+acts = st.one_of(real, real, real, idle)
+
+
+def nodes(depth):
+    if not depth:
+        return acts
+    inner = st.lists(nodes(depth - 1), max_size=2).map(tuple)
+    return st.one_of(
+        acts,
+        acts,
+        st.builds(lambda first, body, last: Loop("l", (first, *body, last)), real, inner, acts),
+        st.builds(lambda first, body, last: Loop("l", (first, *body, last), is_top=True), acts, inner, real),
+        st.builds(lambda one, two: Pick((one, two)), inner, inner),
+        st.builds(lambda one, two: Side((one, two)), inner, inner),
+    )
+
+
+applications = st.lists(st.lists(nodes(2), max_size=4).map(tuple), min_size=1, max_size=3)
+
+
+def renamed(tree, numbers, within=""):
+    """The same with a name of its own for every loop, and tags of their own for every nested application."""
+    made = []
+    for node in tree:
+        match node:
+            case Act():
+                made.append(Act(within + node.tag if node.tag else "", node.tasks, node.is_noop, node.breakpoint))
+            case Loop():
+                name = f"l{next(numbers)}"
+                made.append(Loop(name, renamed(node.body, numbers, within), node.is_top))
+            case Pick():
+                made.append(Pick(tuple(renamed(one, numbers, within) for one in node.flows)))
+            case Side():
+                inside = f"n{next(numbers)} "
+                made.append(Side(tuple(renamed(one, numbers, inside) for one in node.flows)))
+    return tuple(made)
+
+
+class Comparison(RuleBasedStateMachine):
+    """One application, told to both."""
+
+    @initialize(trees=applications)
+    def begin(self, trees):
+        numbers = count()
+        trees = [renamed(tree, numbers) for tree in trees]
+        plan = planned(*trees)
+        self.theatre = Theatre(plan, engine_for(plan, stands_still=True))
+        self.small = SmallEngine(*trees)
+        self.told = []
+        self.flows = len(plan.flows)
+        self.feed(news.Run())
+        self.small.run()
+
+    def feed(self, said):
+        self.note(self.theatre.feed(said))
+        while self.theatre.speakers():
+            address = self.theatre.speakers()[0]
+            if address == RUNTIME:
+                break
+            self.note(self.theatre.hear(address))
+
+    def note(self, orders):
+        kinds = {Began: "began", Done: "done"}
+        self.told += [(kinds[type(one)], one.flow, one.index) for one in orders if type(one) in kinds]
+        self.settles = any(isinstance(one, Settle) for one in orders) or getattr(self, "settles", False)
+
+    def may(self, said):
+        return not self.theatre.engine.refusal(said)
+
+    @rule(which=st.integers(0, 9), choice=st.sampled_from([0, 0, 1, 2]), loop=st.booleans())
+    def finishes(self, which, choice, loop):
+        triggers = list(self.theatre.triggers_on())
+        if triggers:
+            address = triggers[which % len(triggers)]
+            self.theatre.say(address, news.Finished(*address, choice, loop), "off")
+            self.feed_mail()
+            self.small.finished(address[0], choice, loop)
+
+    def feed_mail(self):
+        while speakers := [one for one in self.theatre.speakers() if one != RUNTIME]:
+            self.note(self.theatre.hear(speakers[0]))
+
+    @rule(which=st.integers(0, 19))
+    def fails(self, which):
+        on = self.theatre.on()
+        if on and which < len(on):
+            flow, task = on[which]
+            self.theatre.say((flow, task), news.Failed(flow, task, "broke"), "error")
+            self.feed_mail()
+            self.small.failed(flow, task)
+
+    @rule(which=st.integers(0, 9))
+    def pauses(self, which):
+        flow = which % self.flows
+        states = ("running", "waiting", "joining", "stopped")
+        assert self.may(news.Pause(flow)) == (self.small.flows[flow].state in states)
+        if self.may(news.Pause(flow)):
+            self.feed(news.Pause(flow))
+            self.small.pause(flow)
+
+    @rule(which=st.integers(0, 9))
+    def resumes(self, which):
+        flow = which % self.flows
+        small = self.small.flows[flow]
+        assert self.may(news.Resume(flow)) == (small.state == "paused" or small.is_pausing)
+        if self.may(news.Resume(flow)):
+            self.feed(news.Resume(flow))
+            self.small.resume(flow)
+
+    @rule(which=st.integers(0, 9))
+    def steps(self, which):
+        flow = which % self.flows
+        if self.may(news.Step(flow)):
+            self.feed(news.Step(flow))
+            self.small.resume(flow, steps=True)
+
+    @rule(which=st.integers(0, 9), action=st.one_of(st.none(), st.integers(0, 9)))
+    def skips(self, which, action):
+        said = news.Skip(which % self.flows, action)
+        if self.may(said):
+            self.feed(said)
+            self.small.skip(said.flow, action)
+
+    @rule(which=st.integers(0, 9))
+    def passes(self, which):
+        flow = which % self.flows
+        if self.may(news.Pass(flow)):
+            assert self.small.flows[flow].state in ("waiting", "joining")
+            self.feed(news.Pass(flow))
+            self.small.let_pass(flow)
+
+    @rule(which=st.integers(0, 9))
+    def leaves(self, which):
+        flow = which % self.flows
+        if self.small.flows[flow].state in ("running", "waiting") and self.may(news.Leave(flow)):
+            self.feed(news.Leave(flow))
+            self.small.leave(flow)
+
+    @rule(which=st.integers(0, 9))
+    def recovers(self, which):
+        flow = which % self.flows
+        assert self.may(news.Recover(flow)) == (self.small.flows[flow].state == "stopped")
+        if self.may(news.Recover(flow)):
+            self.feed(news.Recover(flow))
+            self.small.recover(flow)
+
+    @precondition(lambda self: hasattr(self, "theatre"))
+    @invariant()
+    def both_are_in_the_same_place(self):
+        names = [flow.subsystem for flow in self.theatre.plan.flows]
+        for number, place in enumerate(self.theatre.engine.positions()):
+            small = self.small.flows[number]
+            assert (place.state, place.action) == (small.state, small.action)
+            assert place.tag == (small.at[1] if small.state == "waiting" else "")
+            assert {names.index(one) for one in place.waits_for} == self.small.waits_for(number)
+            if small.state != "done":
+                assert place.is_pausing == small.is_pausing
+            if small.state == "running":
+                assert list(place.loops) == small.loops
+            on = {task for flow, task in self.theatre.on() if flow == number}
+            assert on == small.on
+        for number in range(len(names)):
+            assert [one for one in self.told if one[1] == number] == [
+                one for one in self.small.told if one[1] == number
+            ]
+        assert not self.small.is_done or self.settles
+
+
+Comparison.TestCase.settings = settings(max_examples=150, stateful_step_count=25, deadline=None)
+test_the_engine_does_what_a_plain_reading_of_the_specification_does = Comparison.TestCase
