@@ -28,9 +28,12 @@ NOOP = Act(tasks=(), is_noop=True)
 TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"))
 
 real = st.builds(
-    Act, st.sampled_from(["", "", "a", "b"]), st.sampled_from(TASKS), breakpoint=st.sampled_from([None, None, ""])
+    Act, st.sampled_from(["", "", "a", "b"]), st.sampled_from(TASKS), breakpoint=st.sampled_from([None, None, "", "A"])
 )
-idle = st.builds(Act, st.sampled_from(["", "", "a"]), st.just(()), st.just(True), st.sampled_from([None, None, ""]))
+idle = st.builds(
+    Act, st.sampled_from(["", "", "a"]), st.just(()), st.just(True), st.sampled_from([None, None, "", "A"])
+)
+conditions = st.sampled_from(["", "", "A", "B"])
 acts = st.one_of(real, real, real, idle)
 
 
@@ -41,9 +44,13 @@ def nodes(depth):
     return st.one_of(
         acts,
         acts,
-        st.builds(lambda first, body, last: Loop("l", (first, *body, last)), real, inner, acts),
-        st.builds(lambda first, body, last: Loop("l", (first, *body, last), is_top=True), acts, inner, real),
-        st.builds(lambda one, two: Pick((one, two)), inner, inner),
+        st.builds(
+            lambda first, body, last, when: Loop("l", (first, *body, last), False, when), real, inner, acts, conditions
+        ),
+        st.builds(
+            lambda first, body, last, when: Loop("l", (first, *body, last), True, when), acts, inner, real, conditions
+        ),
+        st.builds(lambda one, two, when: Pick((one, two), (when,) if when else ()), inner, inner, conditions),
         st.builds(lambda one, two: Side((one, two)), inner, inner),
     )
 
@@ -60,9 +67,9 @@ def renamed(tree, numbers, within=""):
                 made.append(Act(within + node.tag if node.tag else "", node.tasks, node.is_noop, node.breakpoint))
             case Loop():
                 name = f"l{next(numbers)}"
-                made.append(Loop(name, renamed(node.body, numbers, within), node.is_top))
+                made.append(Loop(name, renamed(node.body, numbers, within), node.is_top, node.condition))
             case Pick():
-                made.append(Pick(tuple(renamed(one, numbers, within) for one in node.flows)))
+                made.append(Pick(tuple(renamed(one, numbers, within) for one in node.flows), node.conditions))
             case Side():
                 inside = f"n{next(numbers)} "
                 made.append(Side(tuple(renamed(one, numbers, inside) for one in node.flows)))
@@ -77,8 +84,10 @@ class Comparison(RuleBasedStateMachine):
         numbers = count()
         trees = [renamed(tree, numbers) for tree in trees]
         plan = planned(*trees)
-        self.theatre = Theatre(plan, engine_for(plan, stands_still=True))
-        self.small = SmallEngine(*trees)
+        self.true = set()
+        judged = engine_for(plan, stands_still=True, judge=lambda _flow, condition: condition in self.true)
+        self.theatre = Theatre(plan, judged)
+        self.small = SmallEngine(*trees, judge=lambda condition: condition in self.true)
         self.told = []
         self.flows = len(plan.flows)
         self.feed(news.Run())
@@ -176,6 +185,10 @@ class Comparison(RuleBasedStateMachine):
         if self.may(news.Recover(flow)):
             self.feed(news.Recover(flow))
             self.small.recover(flow)
+
+    @rule(condition=st.sampled_from("AB"))
+    def turns(self, condition):
+        self.true ^= {condition}
 
     @precondition(lambda self: hasattr(self, "theatre"))
     @invariant()

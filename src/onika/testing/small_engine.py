@@ -4,7 +4,7 @@ Written from E04 to E08, E13, D10, D11 and decisions 16 to 28 of the specificati
 knows no orders and no late news. Where each flow is and which tasks are ON is all it tells.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -44,7 +44,8 @@ class SmallFlow:
 class SmallEngine:
     """Told what happens, it goes on at once as far as it can; `told` is what began and what was done, in order."""
 
-    def __init__(self, *trees: Tree) -> None:
+    def __init__(self, *trees: Tree, judge: Callable[[str], bool] = bool) -> None:
+        self._judge = judge
         self.flows = [SmallFlow(tree, None) for tree in trees]
         self._children: dict[int, list[int]] = {}
         for number, tree in enumerate(trees):
@@ -222,7 +223,8 @@ class SmallEngine:
         flow.state, flow.on, flow.wanted = "running", set(act.tasks), set(act.tasks)
 
     def _rests(self, flow: SmallFlow) -> bool:
-        rests = flow.is_pausing or flow.act().breakpoint is not None
+        condition = flow.act().breakpoint
+        rests = flow.is_pausing or condition == "" or (condition is not None and self._judge(condition))
         flow.is_pausing = flow.is_pausing and not rests
         return rests
 
@@ -278,7 +280,8 @@ class SmallEngine:
         while True:
             if not goal or goal[0] < first + len(acts(test)):
                 yield from self._walk(number, test, first, goal)
-                if loop.name in flow.leaving or not (flow.value and flow.value[1]):
+                goes_on = self._judge(loop.condition) if loop.condition else bool(flow.value and flow.value[1])
+                if loop.name in flow.leaving or not goes_on:
                     break
             yield from self._walk(number, rest, first + len(acts(test)), goal)
             if rest and loop.name in flow.leaving:
@@ -290,6 +293,9 @@ class SmallEngine:
         starts = [first + sum(len(acts(one)) for one in pick.flows[:way]) for way in range(len(pick.flows))]
         if goal:
             way = max(way for way, start in enumerate(starts) if start <= goal[0] and acts(pick.flows[way]))
+        elif pick.conditions:
+            holding = [way for way, condition in enumerate(pick.conditions) if self._judge(condition)]
+            way = holding[0] if holding else len(pick.flows) - 1
         else:
             value = self.flows[number].value
             way = value[0] if value and value[0] < len(pick.flows) else 0
