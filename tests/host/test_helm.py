@@ -5,7 +5,7 @@ import pytest
 from onika.testing.hand import Hand
 from onika.testing.rail import rail
 from onika.testing.workshop import action
-from onika.wire import event, request, steer
+from onika.wire import event, live, request, steer
 
 
 class Bridge:
@@ -24,6 +24,8 @@ class Bridge:
 
     def until(self, seconds):
         while self.asker.driver.now < round(seconds * 1e9):  # it stands at whatever happens before
+            if self.position()[0] in ("paused", "stopped"):
+                break  # and while it waits for its user
             self.ask(steer.Onward(seconds))
             self.asker.program.advance(10_000_000_000)
         return self
@@ -144,3 +146,17 @@ def test_of_several_flows_one_has_to_be_named_where_only_one_can_be_meant():  # 
     assert "expected one of the flows flow0, flow1, found none" in refused(hand.asker.ask(steer.Skip("", 0)))
     assert hand.asker.ask(steer.Pause()) == request.Done()
     assert [one.is_pausing for one in hand.asker.ask(steer.Who()).flows] == [True, True]
+
+
+def test_the_virtual_clock_stands_while_every_flow_waits_for_its_user():  # law 15
+    bridge = Bridge("1", "2")
+    bridge.asker.program.stage.hold.release()
+    bridge.ask(steer.Pause())
+    for _ in range(50):
+        bridge.asker.program.advance(10_000_000)
+    assert bridge.position()[0] == "paused"
+    now = bridge.asker.driver.now
+    bridge.asker.program.advance(10_000_000)
+    assert bridge.asker.driver.now == now
+    bridge.ask(live.Advance(1.5))
+    assert bridge.asker.driver.now == now + 1_500_000_000

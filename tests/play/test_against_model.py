@@ -3,11 +3,9 @@
 Every word is heard at once here; late words are the matter of `test_explored`.
 """
 
-from collections import Counter
 from itertools import count
 
-import pytest
-from hypothesis import HealthCheck, settings
+from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
     RuleBasedStateMachine,
@@ -15,10 +13,9 @@ from hypothesis.stateful import (
     invariant,
     precondition,
     rule,
-    run_state_machine_as_test,
 )
 
-from onika.engine import crew, engine, flow, itinerary, meeting, news, progress, recovery, steering, walk
+from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
 from onika.testing.small_engine import SmallEngine
 from onika.testing.theatre import RUNTIME, Theatre

@@ -117,7 +117,7 @@ def test_every_fault_is_listed_at_once_with_its_place(capsys, laboratory):  # R-
     assert holds(faults, "liar.rmod", "only ports that module liar declares", "DEPTH")
     assert holds(faults, "ghost.py", "none")
     assert holds(faults, "the configuration nowhereC")
-    assert holds(faults, "a hole at step 5 of flow 1")
+    assert holds(faults, "a hole, step 5 of flow 1")
     assert holds(faults, "Joint object", "step 6 of flow 1")
     assert holds(faults, "rogue.rmod", "40 Hz", "20 Hz")
 

@@ -95,7 +95,9 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     speed = result.runtime_s / result.wall_s if result.wall_s else 0.0
     took = f"{result.runtime_s:.2f} s, in {result.wall_s:.2f} s of wall time"
     pace = f" ({speed:.0f}x)" if result.hash and speed > 1.5 else ""
-    yield f"{outcome.name}: {outcome.state}, {result.done} of {result.of} actions, {took}{pace}"
+    is_straight = result.done == result.of or (result.done < result.of and not result.completed)
+    done = f"{result.done} of {result.of} actions" if is_straight else f"{result.done} actions"  # loops, branches
+    yield f"{outcome.name}: {outcome.state}, {done}, {took}{pace}"
     if result.cause:
         yield f"cause: {result.cause}"
     if result.completed:  # else the cause says it, and the fault stands above

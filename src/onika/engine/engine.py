@@ -39,6 +39,7 @@ from onika.wire.plan import Plan
 from onika.wire.steer import Position
 
 _OVER = (FlowState.KILLING, FlowState.ENDED)
+_AT_REST = {FlowState.WAITING, FlowState.JOINING, FlowState.PAUSED, FlowState.STOPPED, FlowState.DONE}
 
 
 class Engine:
@@ -90,6 +91,12 @@ class Engine:
     def positions(self) -> list[Position]:
         """Where every flow is, and who waits for whom."""
         return [self._itinerary.position(flow) for flow in self._flows]
+
+    @property
+    def stands_still(self) -> bool:
+        """Whether nothing goes on before somebody outside says something: every flow waits, rests or is done."""
+        states = {flow.state for flow in self._flows}
+        return states <= _AT_REST and states != {FlowState.DONE}
 
     def cases(self, flow: int) -> list[Case]:
         """What may follow the current action of a flow, each with its switch."""

@@ -64,6 +64,7 @@ class Runner:
         self.tally = Tally(begin.watch)
         self.is_over = False
         self._is_aborting = False
+        self._stands_still = False
 
     def _make_engine(self, judge: Judge) -> Engine:
         flows = self._prepared.flows
@@ -142,8 +143,8 @@ class Runner:
 
     @property
     def is_moving(self) -> bool:
-        """Whether the clock goes on: it stands while a task waits for user input."""
-        return not (self.is_over or self._asking)
+        """Whether the clock goes on: it stands while a task waits for user input, or every flow for its user."""
+        return not (self.is_over or self._asking or self._stands_still)
 
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
@@ -281,6 +282,7 @@ class Runner:
     def _feed(self, one: said.News) -> None:
         for order in self._engine.feed(one):
             self._carry_out(order)
+        self._stands_still = self._engine.stands_still
         if not self.is_over:
             self._outlook.look()
             self._explainer.look(self._now)

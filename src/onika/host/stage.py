@@ -131,10 +131,9 @@ class Stage:
             return False
         is_running = False
         for one in self.performances:  # asked at every instant of virtual time
-            if not one.runner.is_over:
-                if one.runner.is_asking:
-                    return False
-                is_running = True
+            if not one.runner.is_over and one.runner.is_asking:
+                return False
+            is_running = is_running or one.runner.is_moving
         return is_running or self._units.now < self.until
 
     @property
@@ -148,7 +147,7 @@ class Stage:
         lives = any(live.members for live in self.live.values()) or self._units.now < self.until
         if self.is_asking or self.hold.stands(self._units.now):
             return True
-        return not (lives or any(not one.runner.is_over for one in self.performances))
+        return not (lives or any(one.runner.is_moving for one in self.performances))
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Tell whose task it is."""

@@ -17,6 +17,11 @@ Array = npt.NDArray[np.float64]
 Numbers = Sequence[float] | npt.NDArray[np.float64]
 """A row of doubles as modules hold it: array, list or tuple."""
 
+Rows = Sequence[Sequence[float]]
+"""A matrix as plain numbers, row by row."""
+
+_UNTURNED = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
 SQUARE_TOLERANCE = 0.1
 """How far lengths may be from 1, and a · n from 0, before nine numbers are no orientation."""
 
@@ -71,12 +76,23 @@ def inverse_pose(pose: Array) -> Array:
 
 def rotation_log(rotation: Array) -> Array:
     """Axis times angle (rad, angle 0..pi) of a rotation matrix; at pi either sign of the axis is right."""
-    w, x, y, z = _quaternion(rotation)
+    return np.array(turn_between(_UNTURNED, rotation.tolist()))
+
+
+def turn_between(first: Rows, second: Rows) -> tuple[float, float, float]:
+    """Axis times angle (rad) of the turn from one rotation to another, rows of plain numbers, in the first one's frame.
+
+    As the logarithm of first^T second, without an array: the first use of one in a while takes longer than all of this.
+    """
+    columns = tuple(zip(*first, strict=True))
+    across = tuple(zip(*second, strict=True))
+    relative = [[a * d + b * e + c * f for d, e, f in across] for a, b, c in columns]
+    w, x, y, z = _quaternion(relative)
     if w < 0.0:
         w, x, y, z = -w, -x, -y, -z
     length = math.sqrt(x * x + y * y + z * z)
     scale = 2.0 if length < 1e-12 else 2.0 * math.atan2(length, w) / length
-    return np.array([x * scale, y * scale, z * scale])
+    return x * scale, y * scale, z * scale
 
 
 def rotation_exp(vector: Numbers) -> Array:
@@ -101,11 +117,11 @@ def rotation_about(x: float, y: float, z: float, angle: float) -> Array:
 
 def quaternion_of_rotation(rotation: Array) -> Array:
     """Unit quaternion (w, x, y, z) of a rotation matrix, by the largest of its four parts (Shepperd 1978)."""
-    return np.array(_quaternion(rotation))
+    return np.array(_quaternion(rotation.tolist()))
 
 
-def _quaternion(rotation: Array) -> tuple[float, float, float, float]:
-    (r00, r01, r02), (r10, r11, r12), (r20, r21, r22) = rotation.tolist()
+def _quaternion(rotation: Rows) -> tuple[float, float, float, float]:
+    (r00, r01, r02), (r10, r11, r12), (r20, r21, r22) = rotation
     parts = (r00 + r11 + r22, r00, r11, r22)
     largest = parts.index(max(parts))
     if largest == 0:

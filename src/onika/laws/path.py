@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from onika.laws.frames import Array, Numbers, rotation_log
+from onika.laws.frames import Array, Numbers, turn_between
 
 PEAK = 1.875
 """Peak speed of the fifth-order law, as a multiple of the mean speed: s'(1/2) = 15/8."""
@@ -37,16 +37,16 @@ class Line:
     """
 
     def __init__(self, start: Array, end: Array) -> None:
-        # with plain numbers as far as it goes: a motion that begins makes the arm wait for this
-        x, y, z = rotation_log(start[:3, :3].T @ end[:3, :3]).tolist()
+        # with plain numbers: a motion that begins makes the arm wait for this, and arrays would take twice as long
+        turned = start[:3, :3].tolist()
+        x, y, z = turn_between(turned, end[:3, :3].tolist())
         self.length = math.dist(start[:3, 3].tolist(), end[:3, 3].tolist())
         self.angle = angle = math.sqrt(x * x + y * y + z * z)
         x, y, z = (x / angle, y / angle, z / angle) if angle > 1e-9 else (0.0, 0.0, 1.0)
-        cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-        # R(s) = R0 (I + sin K + (1 - cos) K^2): the three products are worked out once
-        self._r0 = start[:3, :3].copy()
-        self._rk = self._r0 @ cross
-        self._rkk = self._rk @ cross
+        # R(s) = R0 (I + sin K + (1 - cos) K^2): the three products are worked out once; a row times K is row x axis
+        once = [(b * z - c * y, c * x - a * z, a * y - b * x) for a, b, c in turned]
+        twice = [(b * z - c * y, c * x - a * z, a * y - b * x) for a, b, c in once]
+        self._r0, self._rk, self._rkk = np.array(turned), np.array(once), np.array(twice)
         self._p0: Array = start[:3, 3].copy()
         self._way: Array = end[:3, 3] - self._p0
         self._turns = self.angle > 1e-9

@@ -1,0 +1,139 @@
+"""Mistakes planted in the engine: the exploration or the comparison with the model finds every single one."""
+
+import importlib.util
+import inspect
+import textwrap
+from pathlib import Path
+
+import pytest
+from hypothesis import HealthCheck, Phase, settings
+from hypothesis.stateful import run_state_machine_as_test
+
+from onika.engine import walk
+from onika.engine.crew import Crew
+from onika.engine.engine import Engine
+from onika.engine.itinerary import Itinerary
+from onika.engine.meeting import Meetings
+from onika.engine.progress import Progress
+from onika.engine.recovery import Recovery
+from onika.engine.steering import Helm
+
+MISTAKES = {
+    "a late finish ends an action": (
+        Crew,
+        "switched_off",
+        "if not self._on.get(task, False):",
+        "if task not in self._on:",
+    ),
+    "any task ends an action": (Progress, "finished", "and task in step.triggers", ""),
+    "a finish counts while the flow stands still": (Progress, "finished", "self.state is FlowState.RUNNING", "True"),
+    "a trigger that is ON is not begun anew": (Crew, "change", "if task in step.triggers", "if False"),
+    "what is not wanted stays ON": (Crew, "change", "again + change.off", "again"),
+    "a failed task is believed to be ON": (Crew, "has_failed", "self._on.pop(task, None)", "pass"),
+    "a failed flow leaves its trigger ON": (Recovery, "_stop", "orders += flow.crew.rest", "flow.crew.rest"),
+    "a stopped flow has come to its tag": (Recovery, "_stop", "self._itinerary.meetings.withdraw(flow.flow)", "pass"),
+    "the step is not repeated": (
+        Recovery,
+        "_when_cleared",
+        "return flow.repeat()",
+        "return self._itinerary.go_on([flow.flow])",
+    ),
+    "nobody is cleared": (Recovery, "recover", "for task in sorted(flow.crew.in_error)", "for task in ()"),
+    "it goes on before all is cleared": (Recovery, "_when_cleared", "if flow.crew.in_error:", "if False:"),
+    "a paused flow has come to its tag": (Helm, "_pause", "self._itinerary.meetings.withdraw(flow.flow)", "pass"),
+    "a step does not end": (Helm, "_step", "flow.is_pausing = True\n    return", "return"),
+    "a pause that is taken back comes": (Helm, "_resume", "flow.is_pausing = False", "pass"),
+    "a skip leaves the trigger ON": (Helm, "_skip", ", *flow.crew.rest(step.triggers)", ""),
+    "a skip brings the old value along": (Progress, "go_to", "self._value = None", "pass"),
+    "who was let pass has not been there": (Meetings, "let_pass", "del self._waiting[flow]", "self.withdraw(flow)"),
+    "two of three are enough to meet": (
+        Meetings,
+        "absent",
+        "if self._visits[other][tag] < visit]",
+        "if self._visits[other][tag] < visit][1:]",
+    ),
+    "a meeting is not counted": (Meetings, "arrive", "self._visits[flow][tag] += 1", "self._visits[flow][tag] = 1"),
+    "a nested application keeps its old meetings": (Meetings, "begin_anew", "visits.pop(tag, None)", "pass"),
+    "a nested application is not awaited": (Itinerary, "_not_done", "is not FlowState.DONE", "is FlowState.ENDED"),
+    "a pause outlives the flow": (Itinerary, "_complete", "flow.is_pausing = False", "pass"),
+    "a rest does not use the pause up": (Itinerary, "rest", "flow.is_pausing = False", "pass"),
+    "it begins before everybody is alive": (Engine, "_begin_when_spawned", "and flow.crew.is_spawned", ""),
+    "nobody is killed at the end": (Engine, "_kill_all", "orders += flow.crew.kill()", "flow.crew.kill()"),
+    "the end is said at once": (Engine, "_end_if_over", "if not all(", "if not any("),
+    "a breakpoint is overlooked": (Progress, "rests_after", "return condition is not None and", "return False and"),
+    "a loop goes on without a value": (
+        walk,
+        "_goes_on",
+        "value is not None and value.loop",
+        "value is None or value.loop",
+    ),
+    "a loop that was left is left again": (
+        walk,
+        "walk",
+        "leaving -= {one.loop} if not goes_on else frozenset()",
+        "pass",
+    ),
+    "a value beyond the flows takes the last one": (
+        walk,
+        "_choice",
+        'return 0, "" if',
+        'return len(one.to) - 1, "" if',
+    ),
+    "conditions are taken the wrong way round": (walk, "_choice", "if judge(condition)", "if not judge(condition)"),
+}
+
+
+def beside(name):
+    """Another file of tests."""
+    spec = importlib.util.spec_from_file_location(name, Path(__file__).with_name(f"{name}.py"))
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def plant(monkeypatch, owner, name, old, new):
+    """The function with `old` replaced by `new`."""
+    function = inspect.getattr_static(owner, name)
+    source = textwrap.dedent(inspect.getsource(function))
+    assert source.count(old) == 1, f"expected {old!r} once in {name}"
+    found = {}
+    exec(source.replace(old, new), function.__globals__, found)  # the mistake is ours
+    monkeypatch.setattr(owner, name, found[name])
+
+
+def is_found(explored, compared):
+    try:
+        for trees in explored.PROGRAMS.values():
+            explored.Explorer(trees, explored.Budget()).explore()
+        for name in explored.SMALL:
+            explored.Explorer(explored.PROGRAMS[name], explored.Budget(user=1)).explore()
+            explored.Explorer(explored.PROGRAMS[name], explored.Budget(faults=1)).explore()
+        for name in explored.SPAWNED:
+            explored.Explorer(explored.PROGRAMS[name], explored.Budget(faults=1), spawns_apart=True).explore()
+        run_state_machine_as_test(
+            compared.Comparison,
+            settings=settings(
+                max_examples=1_000,
+                stateful_step_count=30,
+                deadline=None,
+                derandomize=True,
+                database=None,
+                phases=[Phase.generate],
+                suppress_health_check=list(HealthCheck),
+            ),
+        )
+    except Exception:
+        return True
+    return False
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_planted_mistake_is_found(monkeypatch, mistake):
+    plant(monkeypatch, *MISTAKES[mistake])
+    assert is_found(beside("test_explored"), beside("test_against_model"))
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_every_mistake_can_be_planted(monkeypatch, mistake):
+    plant(monkeypatch, *MISTAKES[mistake])
