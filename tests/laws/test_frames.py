@@ -16,6 +16,7 @@ from onika.laws.frames import (
     rotation_log,
     rotation_of_rpy,
     rpy_of_rotation,
+    turn_between,
 )
 
 angles = st.floats(-math.pi, math.pi)
@@ -79,6 +80,13 @@ def test_the_exponential_of_the_logarithm_is_the_rotation(rotation):
 def test_the_logarithm_of_no_turn_is_zero_and_of_half_a_turn_is_pi():
     assert not rotation_log(np.eye(3)).any()
     assert np.allclose(np.abs(rotation_log(np.diag([-1.0, -1.0, 1.0]))), (0, 0, math.pi))
+
+
+@settings(max_examples=50, deadline=None)
+@given(rotations, rotations)
+def test_the_turn_between_two_rotations_leads_from_one_to_the_other(first, second):
+    turn = turn_between(first.tolist(), second.tolist())
+    assert np.allclose(first @ rotation_exp(turn), second, atol=1e-9)
 
 
 def test_a_tiny_turn_keeps_its_digits():

@@ -99,6 +99,8 @@ class Explorer:
                 news = told.Finished(*address, *value)
                 yield lambda address=address, news=news: theatre.say(address, news, "off"), budget
         yield from ((lambda act=act: theatre.feed(act), budget) for act in self.goes_on())
+        for flow in range(len(self.plan.flows)):
+            yield from ((happening, budget) for happening in self.prepared(flow))
         if budget.faults:
             for fault in self.faults():
                 yield fault, replace(budget, faults=budget.faults - 1)
@@ -113,9 +115,23 @@ class Explorer:
         for choice in range(1, self.widths[flow]):
             yield choice, False
 
+    def prepared(self, flow):
+        """The present action ends with the switch that was prepared for it: where all is heard, a unit may hold it."""
+        theatre = self.theatre
+        own = [task for (number, _), task in theatre.tasks.items() if number == flow]
+        if theatre.is_ready(flow) or any(task.mail for task in own):
+            return
+        for case in theatre.engine.cases(flow):
+            if theatre.tasks[flow, case.task].life != "on":
+                continue
+            value = case.choice or 0, bool(case.loop)
+            yield lambda case=case, value=value: theatre.finish_ready(case, flow, *value)
+
     def goes_on(self):
         """Whoever stands still is let go on, sooner or later."""
         for flow, one in enumerate(self.theatre.engine.positions()):
+            if self.theatre.is_ready(flow):
+                continue
             if one.state == "paused":
                 yield told.Resume(flow)
             if one.state == "stopped":
@@ -124,6 +140,8 @@ class Explorer:
     def acts(self):
         """All that the user may do now."""
         for flow, one in enumerate(self.plan.flows):
+            if self.theatre.is_ready(flow):
+                continue
             every = [told.Pause(flow), told.Resume(flow), told.Step(flow), told.Skip(flow), told.Pass(flow)]
             every += [told.Leave(flow), told.Recover(flow)]
             every += [told.Skip(flow, index) for index in range(len(one.actions))]
@@ -140,6 +158,8 @@ class Explorer:
                 is_trigger = address in list(theatre.triggers_on())
                 if not is_trigger:
                     yield lambda one=address: theatre.say(one, told.SwitchedOff(*one), "off")
+                if address[1] == "arm":  # of no action the trigger, and says it all the same
+                    yield lambda one=address: theatre.say(one, told.Finished(*one), "off")
             if last is told.TurnedOn:
                 yield lambda one=address: theatre.say_instead(one, told.Refused(*one, "no"), "off")
             if last is told.Cleared:

@@ -19,14 +19,7 @@ from onika.engine.recovery import Recovery
 from onika.engine.steering import Helm
 
 MISTAKES = {
-    "a late finish ends an action": (
-        Crew,
-        "switched_off",
-        "if not self._on.get(task, False):",
-        "if task not in self._on:",
-    ),
     "any task ends an action": (Progress, "finished", "and task in step.triggers", ""),
-    "a finish counts while the flow stands still": (Progress, "finished", "self.state is FlowState.RUNNING", "True"),
     "a trigger that is ON is not begun anew": (Crew, "change", "if task in step.triggers", "if False"),
     "what is not wanted stays ON": (Crew, "change", "again + change.off", "again"),
     "a failed task is believed to be ON": (Crew, "has_failed", "self._on.pop(task, None)", "pass"),
@@ -76,8 +69,8 @@ MISTAKES = {
     "a value beyond the flows takes the last one": (
         walk,
         "_choice",
-        'return 0, "" if',
-        'return len(one.to) - 1, "" if',
+        'return 0, f"{asked}',
+        'return len(one.to) - 1, f"{asked}',
     ),
     "conditions are taken the wrong way round": (walk, "_choice", "if judge(condition)", "if not judge(condition)"),
 }

@@ -50,6 +50,7 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
         program.tasks,
         place,
         applications=program.applications,
+        files=program.files,
         unread=program.unread,
     )
     folder = path.absolute().parent

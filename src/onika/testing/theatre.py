@@ -15,6 +15,7 @@ from onika.engine.flow import FlowState
 from onika.engine.news import News
 from onika.engine.orders import (
     Began,
+    Case,
     Clear,
     Done,
     End,
@@ -62,6 +63,7 @@ class Scene:
     open: tuple[int | None, ...]
     excused: tuple[bool, ...]
     end: End | None
+    ready: tuple[tuple[int, Switch], ...]
 
 
 @dataclass
@@ -81,7 +83,7 @@ class Theatre:
         self._excused = [False] * len(self.plan.flows)
         self.end: End | None = None
         self._announced: tuple[int, ...] = ()
-        self._switched: set[Address] = set()
+        self._ready: dict[int, Switch] = {}
 
     @property
     def story(self) -> str:
@@ -108,13 +110,16 @@ class Theatre:
         self.tasks = dict(scene.tasks)
         self.open, self._excused = list(scene.open), list(scene.excused)
         self.end = scene.end
+        self._ready = dict(scene.ready)
 
     def key(self) -> tuple[Any, ...]:
         """Equal where the same can happen from now on."""
         return self._memory.key(), self._scene()
 
     def _scene(self) -> Scene:
-        return Scene(tuple(self.tasks.items()), tuple(self.open), tuple(self._excused), self.end)
+        return Scene(
+            tuple(self.tasks.items()), tuple(self.open), tuple(self._excused), self.end, tuple(self._ready.items())
+        )
 
     # What can happen
 
@@ -125,12 +130,20 @@ class Theatre:
 
     def speakers(self) -> list[Address]:
         """Who has something to say."""
-        return [address for address, task in self.tasks.items() if task.mail]
+        speaking = [address for address, task in self.tasks.items() if task.mail]
+        return [one for one in speaking if one[0] not in self._ready or self._tells_switch(one)]
+
+    def is_ready(self, flow: int) -> bool:
+        """Whether a prepared switch was carried out of which the engine has not heard; its user has to wait."""
+        return flow in self._ready
+
+    def _tells_switch(self, address: Address) -> bool:
+        return any(isinstance(one, told.Finished) and one.switched for one in self.tasks[address].mail)
 
     def triggers_on(self) -> Iterator[Address]:
         """The triggers of present actions, that may end them."""
         for flow, index in enumerate(self.open):
-            if index is not None:
+            if index is not None and flow not in self._ready:
                 for task in self.action(flow, index).tasks[:1]:
                     if self.tasks[flow, task].life == "on":
                         yield flow, task
@@ -171,12 +184,19 @@ class Theatre:
         self.tasks[address] = replace(task, mail=mail)
         if not isinstance(news, told.Finished):
             return self.feed(news)
+        return self._hear_finish(address, task, news)
+
+    def _hear_finish(self, address: Address, task: Task, news: told.Finished) -> list[Order]:
+        """It has to end the present action if it is of that, and else must not."""
         flow, counts = address[0], task.may_end
         is_alive = self.state(flow) not in (FlowState.KILLING, FlowState.ENDED)
         if counts:
             self.tasks[address] = replace(self.tasks[address], may_end=False)
         present = self.open[flow]
         orders = self.feed(news)
+        self._demand(not (is_alive and flow in self._ready), "what was prepared, and was done, is not ordered")
+        if news.switched:
+            self._ready.pop(flow, None)
         done = [order for order in orders if isinstance(order, Done) and order.flow == flow]
         if counts and is_alive:
             self._demand(done[:1] == [Done(flow, present or 0)], f"{address} has finished, which went lost")
@@ -188,8 +208,21 @@ class Theatre:
         """A task does something by itself, and says so."""
         self._tell(f"   {address} is {life}: {type(news).__name__}")
         task = self.tasks[address]
-        fell = task.fell or (life != "on" and not isinstance(news, told.Finished))
+        fell = task.fell or (life != "on" and not (task.may_end and isinstance(news, told.Finished)))
         self.tasks[address] = replace(task, life=life, mail=(*task.mail, news), fell=fell)
+
+    def finish_ready(self, case: Case, flow: int, choice: int, loop: bool) -> None:
+        """A trigger finishes, and the switch that was prepared for this is carried out with it, before it is heard."""
+        address = (flow, case.task)
+        self.say(address, told.Finished(flow, case.task, choice, loop, switched=1), "off")
+        self._ready[flow] = case.switch
+        for name in case.switch.off:
+            self._off((flow, name))
+        for start in case.switch.on:
+            task = self.tasks[flow, start.task]
+            self._demand(task.life == "off", f"{start.task} of flow {flow} is prepared to come on and is {task.life}")
+            mail = (*task.mail, told.TurnedOn(flow, start.task))
+            self.tasks[flow, start.task] = replace(task, life="on", mail=mail, fell=False)
 
     def say_instead(self, address: Address, news: News, life: str) -> None:
         """What a task has said last was this; nobody has heard the other."""
@@ -210,10 +243,8 @@ class Theatre:
                 self._switch(order)
             case Off():
                 self._off((order.flow, order.task))
-            case Clear() if any(isinstance(one, told.Cleared) for one in self.tasks[order.flow, order.task].mail):
-                self.say((order.flow, order.task), told.Refused(order.flow, order.task, "it is OFF"), "off")
             case Clear():
-                self._change((order.flow, order.task), "error", "off", told.Cleared(order.flow, order.task))
+                self._clear((order.flow, order.task))
             case Kill():
                 task = self.tasks[order.flow, order.task]
                 is_known = any(isinstance(one, told.Killed | told.Refused) for one in task.mail)
@@ -238,6 +269,10 @@ class Theatre:
 
     def _switch(self, order: Switch) -> None:
         flow = order.flow
+        if order.number:
+            done = self._ready.pop(flow, None)
+            self._demand(done == replace(order, number=0), f"{order}, but {done} was carried out")
+            return
         if self._announced:
             self._demand(flow in self._announced, f"{order} after Together of {self._announced}")
             self._announced = tuple(one for one in self._announced if one != flow)
@@ -253,6 +288,12 @@ class Theatre:
             self._demand(task.life == "off", f"{address} is turned on and is {task.life}")
             on = (told.TurnedOn(flow, start.task),)
             self.tasks[address] = replace(task, life="on", mail=on, fell=False, may_end=False)
+
+    def _clear(self, address: Address) -> None:
+        if any(isinstance(one, told.Cleared) for one in self.tasks[address].mail):
+            self.say(address, told.Refused(*address, "it is OFF"), "off")
+        else:
+            self._change(address, "error", "off", told.Cleared(*address))
 
     def _off(self, address: Address) -> None:
         task = self.tasks[address]

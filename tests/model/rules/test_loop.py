@@ -88,6 +88,7 @@ def test_a_fault_stands_at_the_line_of_its_icon() -> None:
     [
         ("- a b? b a?", [Loop("a", 1, 4, 4), Loop("b", 2, 3, 2)]),
         ("a b a? b?", []),
+        ("a a? b c? c c d d", [Loop("a", 0, 1, 1)]),
     ],
 )
 def test_loops_that_are_well_formed_are_known_by_their_ends_and_their_test(marks: str, expected: list[Loop]) -> None:

@@ -7,7 +7,7 @@ has the edges of a no-op outside, and start and end icons in each of its flows (
 from dataclasses import replace
 from itertools import pairwise
 
-from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, is_target, wanted_targets
+from onika.model.application import Action, AppFlow, Branch, Hole, Icon, Step, actions, is_target, wanted_targets
 from onika.model.syntax import COMPLETE_NOP, END, START, IconType, Syntax
 from onika.words.fault import Refusal
 
@@ -42,14 +42,17 @@ def insert(flow: AppFlow, after: int, step: Icon | Branch, syntax: Syntax) -> Ap
     if reasons:
         raise ValueError(f"expected an icon that fits, found: {reasons[0]}")
     at = _solid(flow, after) + 1
-    return _joined((*flow.steps[:at], step), flow.steps[at:], syntax)
+    joined = _joined((*flow.steps[:at], step), flow.steps[at:], syntax)
+    return _settled(joined, at + 1, syntax, was_several=_several(flow, at, syntax) is not None)
 
 
 def delete(flow: AppFlow, position: int, syntax: Syntax) -> AppFlow:
     """The flow without the icon at `position`; a hole opens or closes by Equation (7). Raises ValueError for a hole."""
     if isinstance(flow.steps[position], Hole):
         raise ValueError(f"expected the position of an icon, found the hole at {position}")
-    return _joined(flow.steps[:position], flow.steps[position + 1 :], syntax)
+    joined = _joined(flow.steps[:position], flow.steps[position + 1 :], syntax)
+    seam = _solid(flow, position - 1) + 1
+    return _settled(joined, seam, syntax, was_several=_several(flow, position + 1, syntax) is not None)
 
 
 def misfits(flow: AppFlow, syntax: Syntax) -> tuple[int, ...]:
@@ -98,23 +101,32 @@ def _joined(left: tuple[Step, ...], right: tuple[Step, ...], syntax: Syntax) -> 
     while right and isinstance(right[0], Hole):
         gap, right = right[0] if not gap.kept else gap, right[1:]
     whole = AppFlow(left + right)
-    joined = whole if _fits_at(whole, len(left), syntax) else AppFlow((*left, gap, *right))
-    return _settled(joined, len(left), syntax)
+    return whole if _fits_at(whole, len(left), syntax) else AppFlow((*left, gap, *right))
 
 
-def _settled(flow: AppFlow, seam: int, syntax: Syntax) -> AppFlow:
-    """Where the seam lies in an action of several targets, their edges are others now: its holes are found anew."""
+def _settled(flow: AppFlow, seam: int, syntax: Syntax, *, was_several: bool) -> AppFlow:
+    """Where the seam lies in an action of several targets, or did, their edges are others now: holes are found anew."""
+    action = _several(flow, seam, syntax)
+    if action is None and not was_several:
+        return flow
+    start = seam if action is None else action.position + 1
+    return _found_anew(flow, start, syntax)
+
+
+def _several(flow: AppFlow, seam: int, syntax: Syntax) -> Action | None:
+    """The action of several targets that has a step before `seam` and may have one behind."""
     for action in actions(flow, syntax):
         if action.position < seam <= action.end and len(wanted_targets(action.icon.onikon, syntax)) > 1:
-            return _found_anew(flow, action.position + 1, action.end, syntax)
-    return flow
+            return action
+    return None
 
 
-def _found_anew(flow: AppFlow, start: int, end: int, syntax: Syntax) -> AppFlow:
-    """A flow with holes exactly where they must be from `start` to behind `end`, and behind targets that follow there.
+def _found_anew(flow: AppFlow, start: int, syntax: Syntax) -> AppFlow:
+    """A flow with holes exactly where they must be from `start` to behind the last target that follows there.
 
-    Holes with something in them stay.
+    Holes with something in them stay as long as there is a hole.
     """
+    end = start
     while end < len(flow.steps) and _may_be_targets(flow.steps[end], syntax):
         end += 1
     kept = [step for step in flow.steps[start:end] if isinstance(step, Hole) and step.kept]

@@ -53,10 +53,12 @@ def faults(
 
 
 def loops(flow: AppFlow, every: Sequence[Action]) -> tuple[Loop, ...]:
-    """The loops of a flow whose actions are `every`; none where one of them is not well formed."""
+    """The well-formed loops of a flow whose actions are `every`."""
     marked = _marked(flow, every)
-    broken = (*_counts(marked, ""), *_shared(marked, ""), *_crossings(marked, ""))
-    return () if broken else tuple(_whole(marked).values())
+    broken = {mark.icon.while_tag for mark, _, _ in (*_counts(marked, ""), *_shared(marked, ""))}
+    found = {tag: loop for tag, loop in _whole(marked).items() if tag not in broken}
+    crossing = {loop for pair in _crossing(found) for loop in pair}
+    return tuple(loop for loop in found.values() if loop not in crossing)
 
 
 _Told = Iterator[tuple[_Mark, str, str]]
@@ -116,17 +118,18 @@ def _whole(marked: _Marks) -> dict[str, Loop]:
 
 
 def _crossings(marked: _Marks, where: str) -> _Told:
+    for pair in _crossing(_whole(marked)):
+        spanned = (f"{one.tag} (steps {one.start} to {one.end})" for one in pair)
+        yield marked[pair[1].tag][0], f"loops that do not cross in {where}", " and ".join(spanned)
+
+
+def _crossing(spans: dict[str, Loop]) -> Iterator[tuple[Loop, Loop]]:
     """Loops are opened and closed like brackets: what is open above one that closes crosses it."""
-    spans = _whole(marked)
-    opened = sorted(spans.values(), key=lambda loop: (loop.start, -loop.end))
-    closed = sorted(spans.values(), key=lambda loop: (loop.end, -loop.start))
+    opened = sorted(spans.values(), key=lambda loop: (-loop.start, loop.end))
     is_open: list[Loop] = []
-    for loop in closed:
-        while opened and opened[0].start <= loop.end:
-            is_open.append(opened.pop(0))
+    for loop in sorted(spans.values(), key=lambda loop: (loop.end, -loop.start)):
+        while opened and opened[-1].start <= loop.end:
+            is_open.append(opened.pop())
         at = is_open.index(loop)
-        for other in is_open[at + 1 :]:
-            if loop.start < other.start:
-                spanned = (f"{one.tag} (steps {one.start} to {one.end})" for one in (loop, other))
-                yield marked[other.tag][0], f"loops that do not cross in {where}", " and ".join(spanned)
+        yield from ((loop, other) for other in is_open[at + 1 :] if loop.start < other.start)
         del is_open[at]
