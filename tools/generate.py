@@ -1,4 +1,4 @@
-"""Writes what is drawn from the code into docs/: lifecycles, laboratory, messages.
+"""Writes what is drawn from the code into docs/: engine, lifecycles, laboratory, messages.
 
 Usage: python tools/generate.py [--check] [--root ROOT]. Writes each file anew; with --check it writes nothing, names
 the files that differ from the code and ends with 1 if any does.
@@ -110,7 +110,13 @@ def messages() -> str:
     return str(runpy.run_path(str(Path(__file__).with_name("messages.py")))["page"]())
 
 
+def engine() -> str:
+    """How flows wait, loop, stop and go on."""
+    return str(runpy.run_path(str(Path(__file__).with_name("engine.py")))["page"]())
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
+    "docs/engine.md": engine,
     "docs/lifecycles.md": lifecycles,
     "docs/laboratory.md": laboratory,
     "docs/messages.md": messages,

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping, Sequence
 from hashlib import sha256
 
-from onika.desk.sequence import MOST_ACTIONS, Doing, Line, Sequencer, plain_type
+from onika.desk.sequence import Doing, Line, Sequencer, plain_type
 from onika.files import text
 from onika.model.configuration import Placed
 from onika.model.syntax import Syntax
@@ -46,9 +46,6 @@ class Compiler:
         code = self._code()
         sequencer = Sequencer(self._syntax, self._program.applications, self._file_of)
         lines = sequencer.sequence(self._program.application, self._place.file)
-        if sequencer.is_too_long:
-            expected = f"at most {MOST_ACTIONS} actions, those of nested applications each time they are used"
-            self.faults.append(Fault(self._place, expected, "more", "the application is not run"))
         return Plan(self._program.application.name, tuple(self._flow(n, line) for n, line in enumerate(lines)), code)
 
     def _code(self) -> tuple[Code, ...]:

@@ -10,11 +10,10 @@ from dataclasses import dataclass, field
 
 from onika.model.application import Action, AppFlow, Application, Branch, Icon, actions, wanted_targets
 from onika.model.rules.loop import Loop, loops
+from onika.model.rules.nesting import DEEPEST, MOST
 from onika.model.syntax import Syntax
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Instruction, Join, Jump, Meet, Rest, Unless
 
-MOST_ACTIONS = 50_000
-"""Of a plan, nested applications in line; more would be a mistake, or a program that nobody can look at."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,11 +70,6 @@ class Sequencer:
         self._count = 0
         self.lines: list[Line] = []
 
-    @property
-    def is_too_long(self) -> bool:
-        """Whether it was given up because of its length."""
-        return self._count > MOST_ACTIONS
-
     def sequence(self, application: Application, file: str) -> list[Line]:
         """Every flow, those of nested parallel applications behind those of the application itself."""
         flows = application.flows if application.is_parallel else application.flows[:1]
@@ -97,7 +91,7 @@ class Sequencer:
         for position, step in enumerate(flow.steps):
             if isinstance(step, Branch):
                 self._branch(number, step.flows, step.conditions, context, f"branch at line {step.line}")
-            elif position in doing and not self.is_too_long:
+            elif position in doing and self._count < MOST:
                 rounds.open(position)
                 self._action(number, doing[position], context)
                 rounds.close(position, step.while_if if isinstance(step, Icon) else "")
@@ -121,8 +115,8 @@ class Sequencer:
     def _nested(self, number: int, icon: Icon, targets: tuple[Icon, ...], context: _Context) -> None:
         name = icon.onikon.name
         application = self._applications.get(name)
-        if application is None or name in context.path:
-            return
+        if application is None or name in context.path or len(context.path) > DEEPEST:
+            return  # readiness tells
         fills = {plain_type(one.onikon.type): one for one in targets}
         is_parallel = application.is_parallel and len(application.flows) > 1
         scope = self._unique(_join(context, name)) if is_parallel else None
