@@ -15,7 +15,6 @@ from onika.model.syntax import Syntax
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Instruction, Join, Jump, Meet, Rest, Unless
 
 
-
 @dataclass(frozen=True, slots=True)
 class Doing:
     """An action in line: its icon, its targets, the file it stands in and the applications around it."""

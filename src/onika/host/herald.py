@@ -1,4 +1,4 @@
-"""The herald of a run: tells whoever watches what the engine ordered and what became of tasks, in the run's own time."""
+"""The herald of a run: tells whoever watches what the engine ordered and what became of tasks, in the run's time."""
 
 from collections.abc import Callable, Mapping
 

@@ -276,8 +276,8 @@ class Theatre:
         if self._announced:
             self._demand(flow in self._announced, f"{order} after Together of {self._announced}")
             self._announced = tuple(one for one in self._announced if one != flow)
-        for task in order.off:
-            self._off((flow, task))
+        for name in order.off:
+            self._off((flow, name))
         for start in order.on:
             address, task = (flow, start.task), self.tasks[flow, start.task]
             mail = tuple(one for one in task.mail if isinstance(one, told.Failed | told.Killed))

@@ -1,0 +1,68 @@
+"""Connecting a configuration with what already runs, Equation (1) with (4) (dissertation §5.3.2, requirements C12, E10).
+
+What runs wins: a placed task that conflicts with a running one of another name leaves the canvas; running tasks that are
+not placed come onto it; placed ones that do not run are spawned; of those on both sides the running one's values count.
+"""
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from onika.model.configuration import Placed
+from onika.model.rules import placement
+from onika.model.task import Task
+from onika.words.fault import Refusal
+
+
+@dataclass(frozen=True, slots=True)
+class Merge:
+    """What connecting does, each part in the order of its side."""
+
+    remove: Mapping[str, tuple[Refusal, ...]]
+    """T_o ∩ S: placed tasks that leave the canvas, each with every reason."""
+    add: tuple[Placed, ...]
+    """T_r − T_o: running tasks that come onto the canvas, at no place yet."""
+    spawn: tuple[Placed, ...]
+    """T_o − T_r − S: placed tasks that are brought to life."""
+    update: tuple[Placed, ...]
+    """T_o ∩ T_r: placed tasks as they are from now on, with the rate and the unit of the running one."""
+
+    @property
+    def placed(self) -> tuple[Placed, ...]:
+        """Everything that stands on the canvas afterwards: what was placed, then what was added."""
+        return (*self.update, *self.spawn, *self.add)
+
+
+def merge(placed: Sequence[Placed], running: Sequence[Placed], tasks: Mapping[str, Task]) -> Merge:
+    """Merge what is placed with what runs; `tasks` are those of both, by name.
+
+    A placed task whose description is missing is left as it is and not spawned: the configuration's own faults tell it.
+    """
+    alive = {one.task: one for one in running}
+    conflicting = _conflicting(placed, alive, tasks)
+    update = tuple(_updated(one, alive[one.task]) for one in placed if one.task in alive)
+    here = {one.task for one in placed}
+    free = (one for one in placed if one.task not in alive and one.task not in conflicting)
+    return Merge(
+        remove=conflicting,
+        add=tuple(one for one in running if one.task not in here),
+        spawn=tuple(one for one in free if one.task in tasks),
+        update=update,
+    )
+
+
+def _conflicting(
+    placed: Iterable[Placed], alive: Mapping[str, Placed], tasks: Mapping[str, Task]
+) -> dict[str, tuple[Refusal, ...]]:
+    """S of Equation (4): placed tasks that may not stand beside a running task of another name (decision 3)."""
+    others = [tasks[name] for name in alive if name in tasks]
+    found = {
+        one.task: placement.refusals(tasks[one.task], [other for other in others if other.name != one.task])
+        for one in placed
+        if one.task in tasks and one.task not in alive
+    }
+    return {name: reasons for name, reasons in found.items() if reasons}
+
+
+def _updated(placed: Placed, running: Placed) -> Placed:
+    """The running task's values win (decision 4); its icon stays where it is."""
+    return replace(placed, frequency=running.frequency, rtpu=running.rtpu)
