@@ -391,3 +391,14 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
     ons = [launch.task for _, order in bench.units.take(command.Switch) for launch in order.on]
     assert "arm" in ons
     assert [one.state for one in bench.of(event.Moved)] == ["stopped", "clearing", "running"]
+
+
+def test_a_failure_counts_however_late_it_is_heard():  # R-E08
+    bench = Bench([action("bell"), action("bell")], begin=Begin(on_error="wait")).start().born("bell").on("bell")
+    ((_, prepared),) = bench.units.take(command.Prepared)
+    bench.runner.steer(said.Skip(0, 1), bench.now, lambda _refusal: None)
+    bench.hear(news.Unprepared("flow0"))
+    bench.hear(news.Failed("flow0", "bell", "off", "no", "", 0, "", bench.now, prepared.activation))
+    assert [one.state for one in bench.of(event.Moved)][-1] == "stopped"
+    bench.runner.steer(said.Recover(0), bench.now, lambda _refusal: None)
+    assert [order.task for _, order in bench.units.take(command.Clear)] == ["bell"]

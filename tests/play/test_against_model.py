@@ -22,7 +22,7 @@ from onika.testing.theatre import RUNTIME, Theatre
 from onika.testing.tree import Act, Loop, Pick, Side, engine_for, planned
 
 NOOP = Act(tasks=(), is_noop=True)
-TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"))
+TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"), ("arm", "view"))
 
 real = st.builds(
     Act, st.sampled_from(["", "", "a", "b"]), st.sampled_from(TASKS), breakpoint=st.sampled_from([None, None, "", "A"])
@@ -34,6 +34,14 @@ conditions = st.sampled_from(["", "", "A", "B"])
 acts = st.one_of(real, real, real, idle)
 
 
+INTRICATE = (
+    Loop("l", (Loop("k", (Act(), Act())), Act())),
+    Loop("l", (Loop("k", (Act(), Act()), is_top=True), Act())),
+    Loop("l", (Side(((Act("a"), Act("a")), (Act("a"), Act(), Act("a")))), Act())),
+)
+"""What chance would make too seldom."""
+
+
 def nodes(depth):
     if not depth:
         return acts
@@ -41,6 +49,7 @@ def nodes(depth):
     return st.one_of(
         acts,
         acts,
+        st.sampled_from(INTRICATE),
         st.builds(
             lambda first, body, last, when: Loop("l", (first, *body, last), False, when), real, inner, acts, conditions
         ),

@@ -175,7 +175,7 @@ class Explorer:
                 yield lambda one=address: theatre.say_instead(one, told.Refused(*one, "no"), "error")
             if last is told.Spawned and len(task.mail) == 1:
                 yield lambda one=address: theatre.say_instead(one, told.Refused(*one, "no"), "absent")
-            if last in (told.Finished, told.Spawned, told.TurnedOn, told.Cleared):
+            if last in (told.Finished, told.Spawned, told.TurnedOn):
                 yield lambda one=address, task=task: theatre.say(one, task.mail[-1], task.life)
             yield lambda one=address: theatre.say(one, told.Killed(*one), "gone")
 

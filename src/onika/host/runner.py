@@ -184,7 +184,7 @@ class Runner:
             return
         if heard.task not in self._subsystems[flow].members:
             return
-        if self._switchboard.is_late(flow, heard.task, getattr(heard, "activation", 0)):
+        if not _is_final(heard) and self._switchboard.is_late(flow, heard.task, getattr(heard, "activation", 0)):
             return  # it has been told to come on again meanwhile; what follows from that is what counts
         self._hear_task(flow, heard)
 
@@ -365,3 +365,8 @@ class Runner:
 
     def _send(self, flow: int, task: str, order: command.Command) -> None:
         self._units.send(self._subsystems[flow].members[task].rtpu, order)
+
+
+def _is_final(heard: news.News) -> bool:
+    """Whether a task cannot come on after this, whatever it has been told meanwhile: it is in ERROR, or gone."""
+    return isinstance(heard, news.Failed) or (isinstance(heard, news.Changed) and heard.state == State.KILLED.value)

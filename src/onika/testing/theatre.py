@@ -285,7 +285,8 @@ class Theatre:
                 refused = told.Refused(flow, start.task, "it is in error")
                 self.tasks[address] = replace(task, mail=(*mail, refused))
                 continue
-            self._demand(task.life == "off", f"{address} is turned on and is {task.life}")
+            is_known = not any(isinstance(one, told.Cleared) for one in task.mail)
+            self._demand(task.life == "off" and is_known, f"{address} is turned on and is {task.life}, as was heard")
             on = (told.TurnedOn(flow, start.task),)
             self.tasks[address] = replace(task, life="on", mail=on, fell=False, may_end=False)
 

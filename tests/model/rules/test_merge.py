@@ -53,7 +53,7 @@ def test_the_same_task_on_both_sides_takes_over_the_running_values_and_keeps_its
     assert one == at("move", x=40, y=7, frequency=250.0, rtpu="rt1", in_left=False)
 
 
-def test_a_task_that_runs_is_kept_though_it_conflicts_with_another_that_runs():  # Equation (4): a second instance is none
+def test_a_task_that_runs_is_kept_though_it_conflicts_with_another_that_runs():  # Equation (4)
     found = merge([at("move")], [at("move"), at("again")], TASKS)
     assert found.remove == {}
     assert names(found.placed) == ["move", "again"]

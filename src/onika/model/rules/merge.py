@@ -1,7 +1,8 @@
-"""Connecting a configuration with what already runs, Equation (1) with (4) (dissertation §5.3.2, requirements C12, E10).
+"""Connecting a configuration with what already runs, Equation (1) with (4) (dissertation §5.3.2, R-C12, R-E10).
 
-What runs wins: a placed task that conflicts with a running one of another name leaves the canvas; running tasks that are
-not placed come onto it; placed ones that do not run are spawned; of those on both sides the running one's values count.
+What runs wins: a placed task that conflicts with a running one of another name leaves the canvas; running tasks that
+are not placed come onto it; placed ones that do not run are spawned; of those on both sides the running one's values
+count.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
