@@ -117,6 +117,15 @@ class Comparison(RuleBasedStateMachine):
 
     @rule(which=st.integers(0, 9), choice=st.sampled_from([0, 0, 1, 2]), loop=st.booleans())
     def finishes(self, which, choice, loop):
+        self.finish(which, choice, loop)
+
+    @rule(which=st.integers(0, 9), loops=st.lists(st.booleans(), min_size=1, max_size=6))
+    def some_finish(self, which, loops):
+        for loop in loops:
+            self.finish(which, 0, loop)
+            self.both_are_in_the_same_place()
+
+    def finish(self, which, choice, loop):
         triggers = list(self.theatre.triggers_on())
         if triggers:
             address = triggers[which % len(triggers)]

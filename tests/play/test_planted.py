@@ -103,7 +103,7 @@ def is_found(explored, compared):
         run_state_machine_as_test(
             compared.Comparison,
             settings=settings(
-                max_examples=500,
+                max_examples=1_500,
                 stateful_step_count=30,
                 deadline=None,
                 derandomize=True,

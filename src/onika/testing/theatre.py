@@ -84,6 +84,7 @@ class Theatre:
         self.end: End | None = None
         self._announced: tuple[int, ...] = ()
         self._ready: dict[int, Switch] = {}
+        self._started: set[Address] = set()
 
     @property
     def story(self) -> str:
@@ -269,6 +270,7 @@ class Theatre:
 
     def _switch(self, order: Switch) -> None:
         flow = order.flow
+        self._started = {(flow, start.task) for start in order.on}
         if order.number:
             done = self._ready.pop(flow, None)
             self._demand(done == replace(order, number=0), f"{order}, but {done} was carried out")
@@ -310,6 +312,7 @@ class Theatre:
         self._excused[flow] = False
         self.open[flow] = order.index
         for name in self.action(flow, order.index).tasks[:1]:
+            self._demand((flow, name) in self._started, f"{order}, but {name} is not told to come on anew")
             task = self.tasks[flow, name]
             self.tasks[flow, name] = replace(task, may_end=task.life == "on")
 
