@@ -148,6 +148,19 @@ def test_of_several_flows_one_has_to_be_named_where_only_one_can_be_meant():  # 
     assert [one.is_pausing for one in hand.asker.ask(steer.Who()).flows] == [True, True]
 
 
+def test_who_holds_the_clock_lets_time_pass_while_every_flow_waits_for_its_user():  # R-E07, law 15
+    bridge = Bridge("1", "2")
+    bridge.ask(steer.Pause())
+    bridge.until(20.0)
+    assert bridge.position()[0] == "paused"
+    now = bridge.asker.driver.now
+    bridge.ask(steer.Onward(now * 1e-9 + 0.5))
+    bridge.asker.program.advance(10_000_000_000)
+    assert bridge.asker.driver.now == now + 500_000_000
+    assert bridge.asker.of(event.Stood)[-1].at_s == pytest.approx(now * 1e-9 + 0.5)
+    assert bridge.position()[0] == "paused"
+
+
 def test_the_virtual_clock_stands_while_every_flow_waits_for_its_user():  # law 15
     bridge = Bridge("1", "2")
     bridge.asker.program.stage.hold.release()

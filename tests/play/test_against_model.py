@@ -5,6 +5,7 @@ Every word is heard at once here; late words are the matter of `test_explored`.
 
 from itertools import count
 
+import pytest
 from hypothesis import settings
 from hypothesis import strategies as st
 from hypothesis.stateful import (
@@ -229,3 +230,43 @@ class Comparison(RuleBasedStateMachine):
 
 Comparison.TestCase.settings = settings(max_examples=150, stateful_step_count=25, deadline=None)
 test_the_engine_does_what_a_plain_reading_of_the_specification_does = Comparison.TestCase
+
+
+STORIES = {
+    "who skips a tag in a nested application, and who is let pass there, meet in the next round": (  # R-D13
+        (Loop("l", (Side(((Act("a"),), (Act(), Act("a"), Act()))), Act())),),
+        [("skip", 1, 2), ("pass", 0), *[("finish", 0, True)] * 6],
+    ),
+    "a loop that was left is not left again in the next round": (  # R-E07
+        (Loop("l", (Loop("k", (Act(), Act())), Act())),),
+        [("leave", 0), *[("finish", 0, True)] * 8],
+    ),
+    "a value beyond the flows takes flow 0": (  # decision 20
+        (Act(), Pick(((Act(),), (Act(),)))),
+        [("finish", 2, False), ("finish", 0, False)],
+    ),
+}
+"""What chance hardly ever tells."""
+
+
+def tell(name):
+    tree, acts_of_it = STORIES[name]
+    story = Comparison()
+    story.begin(trees=[tree])
+    for kind, *what in acts_of_it:
+        if kind == "finish":
+            story.finish(0, *what)
+        elif kind == "skip":
+            story.feed(news.Skip(*what))
+            story.small.skip(*what)
+        elif kind == "pass":
+            story.passes(*what)
+        else:
+            story.leaves(*what)
+        story.both_are_in_the_same_place()
+    return story
+
+
+@pytest.mark.parametrize("name", STORIES)
+def test_a_story_that_chance_hardly_ever_tells(name):
+    assert len(tell(name).told) >= 3

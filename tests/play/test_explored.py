@@ -120,7 +120,7 @@ class Explorer:
         yield 0, False
         if self.loops[flow]:
             yield 0, True
-        for choice in range(1, self.widths[flow]):
+        for choice in range(1, self.widths[flow] + (self.widths[flow] > 1)):
             yield choice, False
 
     def prepared(self, flow):

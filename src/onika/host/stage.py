@@ -134,7 +134,7 @@ class Stage:
             if not one.runner.is_over and one.runner.is_asking:
                 return False
             is_running = is_running or one.runner.is_moving
-        return is_running or self._units.now < self.until
+        return is_running or self._units.now < max(self.until, self.hold.wake_at() or 0)
 
     @property
     def is_asking(self) -> bool:

@@ -49,4 +49,3 @@ def lines(cases: Iterable[Case]) -> dict[str, list[str]]:
 
 def _fits(case: Case, signal: Signal) -> bool:
     return case.choice in (None, signal.flow) and case.loop in (None, signal.loop)
-
