@@ -39,6 +39,18 @@ def test_what_is_steered_in_a_held_run_is_done_before_time_passes(running):  # R
     assert (one.now_s, one.stands) == (1.0, True)
 
 
+def test_a_wait_is_over_when_the_time_of_its_moment_is_known_too(running, monkeypatch):  # R-E07, law 14
+    one, runtime = running(BEGAN, PAUSED, GOOD)
+
+    def one_by_one(*_args, **_named):
+        if runtime.told:
+            yield runtime.told.pop(0)
+
+    monkeypatch.setattr(runtime, "events", one_by_one)
+    assert one.wait("paused flow0") == ()
+    assert (one.stands, one.now_s) == (True, 2.0)
+
+
 def test_in_wall_time_nothing_is_held(running):  # R-E07
     one, runtime = running(BEGAN, PAUSED, GOOD, is_held=False)
     assert one.wait("began flow0 1") == ()

@@ -228,9 +228,16 @@ class Running:
         self._runtime.ask(request.Abort(cause))
 
     def result(self) -> event.Result:
-        """Let it go on to its end; its result. Raises LinkLost or TimeoutError."""
-        for _ in self.events():
-            pass
+        """Let it go on to its end, or end it where only somebody who steers could help; its result.
+
+        Raises LinkLost or TimeoutError.
+        """
+        while not self.is_over:
+            for _ in self.hear(_LOOK_S):
+                pass
+            if not self.is_over and self.is_stuck():
+                self.abort(f"nobody is there to go on: {self.whereabouts.standing()}")
+            self.go_on()
         if self.outcome.result is None:
             raise ValueError("expected a run that has come to its end, found one without a result")
         return self.outcome.result
@@ -261,6 +268,7 @@ class Running:
                 return (Fault(place, str(act.moment), "a task that asks", "answer it, then wait again"),)
             self.go_on(vigil.until_s)
             self._listen(_LOOK_S)
+        self._settle()  # its moment is told before its time is
         return vigil.faults(place)
 
     def vigil(self, act: Wait) -> Vigil:
@@ -270,7 +278,8 @@ class Running:
     def lose(self, cause: str) -> None:
         """What the environment knows of a run whose runtime can say nothing any more (E10)."""
         actions = sum(len(flow.actions) for flow in self.plan.flows)
-        self.outcome.result = event.Result(False, cause, self.whereabouts.done, actions, 0.0, 0.0, {}, (), "")
+        lasted = (self.now_s, self._clock() - self._began)
+        self.outcome.result = event.Result(False, cause, self.whereabouts.done, actions, *lasted, {}, (), "")
 
     # -- its end
 

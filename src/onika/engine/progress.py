@@ -98,7 +98,8 @@ class Progress:
         """To the next instruction that takes time or needs others; what is to be told of the way."""
         way = walk(self.program, self._pc, self._value, self.leaving, self._judge, self.rests_after)
         self._pc, self._value, self.leaving = way.pc, way.value, way.left
-        told: list[Order] = [Note(self.flow, note) for note in way.notes]
+        behind = "" if self.step is None else f"{self.step.place}: "
+        told: list[Order] = [Note(self.flow, f"{behind}{note}") for note in way.notes]
         for action in way.passed:
             self.current = action
             told += [Began(self.flow, action), Done(self.flow, action)]

@@ -15,6 +15,7 @@ from onika.host.checks import (
     task_of,
     wrong_rates,
 )
+from onika.host.conditions import wrong_conditions
 from onika.runtime.sheet import ModuleSheet, differences, strangers
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire
@@ -52,6 +53,8 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
     found.faults += shared_devices(
         [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
     )
+    if all(len(wired) == len(flow.tasks) for wired, flow in zip(found.flows, plan.flows, strict=True)):
+        found.faults += wrong_conditions(plan.flows, found.flows, found.constants)
     found.faults += absent_devices([one for flow in found.flows for one in flow], loading)
     found.faults = sorted(set(found.faults))
     found.notes = list(dict.fromkeys(found.notes))

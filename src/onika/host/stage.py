@@ -134,7 +134,7 @@ class Stage:
             if not one.runner.is_over and one.runner.is_asking:
                 return False
             is_running = is_running or one.runner.is_moving
-        return is_running or self._units.now < max(self.until, self.hold.wake_at() or 0)
+        return is_running or self._is_let_pass
 
     @property
     def is_asking(self) -> bool:
@@ -144,10 +144,15 @@ class Stage:
     @property
     def is_still(self) -> bool:
         """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
-        lives = any(live.members for live in self.live.values()) or self._units.now < self.until
+        lives = any(live.members for live in self.live.values()) or self._is_let_pass
         if self.is_asking or self.hold.stands(self._units.now):
             return True
         return not (lives or any(one.runner.is_moving for one in self.performances))
+
+    @property
+    def _is_let_pass(self) -> bool:
+        """Whether somebody lets time pass that no run needs: `advance`, or who holds the clock of a run that rests."""
+        return self._units.now < max(self.until, self.hold.wake_at() or 0)
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Tell whose task it is."""

@@ -71,15 +71,8 @@ def test_a_wait_for_a_flow_that_never_leaves_its_loop_is_a_note():
     assert note.found.endswith("for flow1, which goes round in a loop that ends only when the user lets it leave")
 
 
-def test_a_tag_that_one_of_several_flows_bears_alone_is_a_slip():  # decision 26
-    (fault,) = meetings.faults(plan_of(tags("- a"), tags("-")))
-    assert (fault.place, fault.found) == (Place("x.appl", 2), "it only in flow0, before job2")
-
-
-def test_a_tag_where_there_is_one_flow_only_has_no_meaning():  # decision 27
-    plan = plan_of(tags("a"))
-    assert meetings.faults(plan) == ()
-    assert [note.instead for note in meetings.notes(plan)] == ["the tag is ignored"]
+def test_a_tag_that_one_flow_bears_alone_holds_nobody():  # model/rules/tag tells of it
+    assert meetings.findings(plan_of(tags("- a"), tags("-"))) == ()
 
 
 def test_what_cannot_be_looked_at_as_a_whole_is_said():
@@ -102,4 +95,4 @@ def test_every_finding_names_places_that_are_there(flows):
     lines = {action.line for flow in plan.flows for action in flow.actions}
     for fault in meetings.findings(plan):
         assert (fault.place.file, fault.place.line in lines) == ("x.appl", True)
-        assert fault.found.startswith(("flow", "it only in flow"))
+        assert fault.found.startswith("flow")

@@ -39,26 +39,11 @@ class _Finder:
         self._waits = Waits(plan.flows)
 
     def find(self, limit: int) -> tuple[Fault, ...]:
-        found = list(self._lonely())
+        found: list[Fault] = []
         for family in self._waits.families():
             if len(family) > 1:
                 found += self._told(self._waits.explore(family, limit), family)
         return tuple(dict.fromkeys(found))
-
-    def _lonely(self) -> Iterator[Fault]:
-        """Tags that one flow bears alone: with other flows beside it surely a slip, else without meaning."""
-        is_alone = len(self._plan.flows) == 1
-        for tag, parties in self._waits.parties.items():
-            if len(parties) == 1:
-                wait = Wait(parties[0], self._waits.programs[parties[0]].index(Meet(tag)), parties[0])
-                instead = "the tag is ignored" if is_alone else "the application is not run"
-                yield Fault(
-                    self._place(wait),
-                    f"the synchronisation tag {_name(tag)} in two flows or more",
-                    f"it only in {self._flow(parties[0])}, before {self._action_name(wait)}",
-                    instead,
-                    is_note=is_alone,
-                )
 
     def _told(self, explored: Explored, family: tuple[int, ...]) -> Iterator[Fault]:
         for knot in explored.knots[:EXAMPLES]:
