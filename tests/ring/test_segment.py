@@ -1,5 +1,6 @@
 """Shared memory."""
 
+import gc
 import os
 from pathlib import Path
 
@@ -47,3 +48,12 @@ def test_memory_that_is_still_read_stays_until_the_reader_goes(user):
     assert part[0] == 7
     with pytest.raises(OSError, match="Bad file descriptor"):
         os.fstat(segment.fd)
+
+
+def test_a_segment_that_nobody_holds_any_more_leaves_no_descriptor_behind():
+    segment = Segment.create("lost", 4096)
+    fd = segment.fd
+    del segment
+    gc.collect()
+    with pytest.raises(OSError, match="Bad file descriptor"):
+        os.fstat(fd)

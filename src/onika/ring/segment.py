@@ -2,6 +2,7 @@
 
 import mmap
 import os
+import weakref
 
 
 class Segment:
@@ -10,6 +11,7 @@ class Segment:
     def __init__(self, fd: int, size: int) -> None:
         self.fd = fd
         self.size = size
+        self._end = weakref.finalize(self, os.close, fd)  # whoever forgets to close it leaves no descriptor behind
         self._map = mmap.mmap(fd, size)
         self.view = memoryview(self._map)
 
@@ -32,4 +34,4 @@ class Segment:
             self._map.close()
         except BufferError:
             pass  # a reader still holds a view: the map goes with the last one
-        os.close(self.fd)
+        self._end()
