@@ -1,3 +1,4 @@
+import os
 import select
 import threading
 from time import monotonic_ns
@@ -31,7 +32,7 @@ class Server:
         beat = Segment.create("beat", SIZE)
         self.heartbeat = Heartbeat(beat)
         self.bus = Segment.create("bus", SEGMENT_SIZE)
-        server = DeviceServer(self._theirs, Heartbeat(Segment.attach(beat.fd)), monotonic_ns())
+        server = DeviceServer(self._theirs, Heartbeat(Segment.attach(os.dup(beat.fd))), monotonic_ns())
         self.thread = threading.Thread(target=server.run)
         self.thread.start()
 

@@ -1,3 +1,5 @@
+import os
+
 from onika.host.heartbeat import SIZE, Heartbeat
 from onika.ring.segment import Segment
 
@@ -5,7 +7,7 @@ from onika.ring.segment import Segment
 def pair():
     """The process's end and the supervisor's end of one heartbeat."""
     segment = Segment.create("beat", SIZE)
-    return Heartbeat(segment), Heartbeat(Segment.attach(segment.fd))
+    return Heartbeat(segment), Heartbeat(Segment.attach(os.dup(segment.fd)))
 
 
 def test_the_supervisor_sees_when_the_process_was_last_alive():  # law 30

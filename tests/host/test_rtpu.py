@@ -1,3 +1,4 @@
+import os
 import select
 import threading
 from collections import deque
@@ -41,7 +42,7 @@ class Unit:
         beat = Segment.create("beat", SIZE)
         self.heartbeat = Heartbeat(beat)
         self.table = tables.Table(Segment.create("table", tables.SIZE))
-        rtpu = Rtpu("rt0", self._theirs, Heartbeat(Segment.attach(beat.fd)), monotonic_ns())
+        rtpu = Rtpu("rt0", self._theirs, Heartbeat(Segment.attach(os.dup(beat.fd))), monotonic_ns())
         self.thread = threading.Thread(target=rtpu.run)
         self.thread.start()
         self.post.send(room.encode(Share("table:flow0")), (self.table.segment.fd,))
