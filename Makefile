@@ -7,15 +7,25 @@ BIN    := $(VENV)/bin
 PEERS  := .venv-bench
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test check soak bench bench-peers clean
+.PHONY: help demo assemble page page-check test check soak bench bench-peers clean
 
 help: ## say what can be made
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/make \1\t\2/p' $(MAKEFILE_LIST)
 
-demo: $(VENV)/.installed ## assemble the four boxes
+demo: $(VENV)/.installed page ## open the page on the laboratory of the box assembly
+	$(BIN)/onika
+
+assemble: $(VENV)/.installed ## assemble the four boxes, without the page
 	$(BIN)/onika run assemble --expect 'LAMP == 1'
 
-check: $(VENV)/.installed-dev ## style, types, floors, tests for every file: seconds
+# Installing builds the page, but only when pyproject.toml changed; its own sources are compared here, in no time.
+page: | $(VENV)/.installed ## build the page, if its sources changed
+	@$(BIN)/python hatch_build.py
+
+page-check: $(VENV)/.installed-dev
+	@$(BIN)/python hatch_build.py check test
+
+check: $(VENV)/.installed-dev page page-check ## style, types, floors, tests for every file: seconds
 	$(BIN)/ruff check
 	$(BIN)/ruff format --check
 	$(BIN)/mypy
@@ -23,9 +33,12 @@ check: $(VENV)/.installed-dev ## style, types, floors, tests for every file: sec
 	$(BIN)/python tools/check_mirror.py
 	$(BIN)/python tools/generate.py --check
 
-# The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones.
+# The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
+# starts programs and browsers has the machine to itself; the rest shares it.
 test: check ## the checks and all tests but the soak
-	$(BIN)/pytest -m "not slow" --hypothesis-profile=ci
+	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
+	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci
+	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
 
 soak: $(VENV)/.installed-dev ## the long tests, and every property on new examples
 	$(BIN)/pytest -m slow
@@ -39,7 +52,7 @@ bench-peers: $(PEERS)/.installed ## measure beside the peers, and write docs/ben
 	PYTHONPATH=tools/bench $(PEERS)/bin/python -m beside --write docs/benchmarks.md
 
 clean: ## remove what make made
-	rm -rf $(VENV) $(PEERS) build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) $(PEERS) browser/node_modules src/onika/web/static build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	find src tests tools -name __pycache__ -type d -prune -exec rm -rf {} +
 
 $(VENV)/.installed: pyproject.toml | $(BIN)/pip

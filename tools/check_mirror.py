@@ -17,6 +17,7 @@ UNMIRRORED_TESTS = {
     "labs": "what single modules do; they are no part of the package",
     "model/rules/independent": "a second reading of the rules, which shares no code with them",
     "journey": "the three journeys of the house, whole",
+    "page": "the page in a real Chromium, served by the real program",
     "play": "stories of the engine",
     "site": "real programs and processes",
     "tools": "mirrors tools/, not src/",

@@ -1,4 +1,4 @@
-"""Writes what is drawn from the code into docs/: engine, lifecycles, laboratory, messages.
+"""Writes what is drawn from the code: engine, lifecycles, laboratory, messages, the messages of the page.
 
 Usage: python tools/generate.py [--check] [--root ROOT]. Writes each file anew; with --check it writes nothing, names
 the files that differ from the code and ends with 1 if any does.
@@ -23,10 +23,11 @@ from onika.model.application import Application, actions
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.runtime.code import load
-from onika.runtime.sheet import InputSheet, ModuleSheet, sheet_of
+from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import WiredTask, wire
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped, shipped_directories
+from onika.wire.sheet import InputSheet, ModuleSheet
 from onika.words.fault import Fault
 
 ROOT = Path(__file__).parents[1]
@@ -115,11 +116,17 @@ def engine() -> str:
     return str(runpy.run_path(str(Path(__file__).with_name("engine.py")))["page"]())
 
 
+def typescript() -> str:
+    """The messages of the page, for the browser."""
+    return str(runpy.run_path(str(Path(__file__).with_name("typescript.py")))["source"]())
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
     "docs/engine.md": engine,
     "docs/lifecycles.md": lifecycles,
     "docs/laboratory.md": laboratory,
     "docs/messages.md": messages,
+    "browser/src/api.gen.ts": typescript,
 }
 """Every generated file by its path in the repository."""
 

@@ -11,7 +11,7 @@ def test_the_version_is_said(capsys):
     assert __version__ in capsys.readouterr().out
 
 
-@pytest.mark.parametrize("words", [[], ["dance"]])
+@pytest.mark.parametrize("words", [["dance"], ["dance", "--port", "1"]])
 def test_a_command_that_is_none_is_refused_with_those_there_are(words, capsys):
     with pytest.raises(SystemExit) as ended:
         carry_out(words)
@@ -23,5 +23,5 @@ def test_every_command_describes_itself(capsys):
     with pytest.raises(SystemExit):
         carry_out(["--help"])
     shown = capsys.readouterr().out
-    for command in ("run", "check", "new", "doctor"):
+    for command in ("page", "run", "check", "new", "doctor"):
         assert command in shown

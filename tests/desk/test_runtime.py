@@ -6,12 +6,12 @@ from itertools import islice
 import pytest
 
 from onika.desk import runtime as room
-from onika.desk.runtime import Runtime
+from onika.desk.runtime import Reply, Runtime
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
 from onika.testing.rail import rail
 from onika.testing.workshop import Workshop, action
-from onika.wire import event, request
+from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site
 
@@ -111,3 +111,26 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
         faults = runtime.ask(request.Prepare(plan, ())).faults
     assert any("expected -9..9 m, found 99" in fault.found for fault in faults)
     assert any(fault.found == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
+
+
+def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():  # house decision 3
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        asked = [runtime.send(one) for one in (live.Survey(), live.Take("main"), live.Scene("moon"))]
+        told = []
+        while sum(isinstance(one, Reply) for one in told) < len(asked):
+            assert runtime.readers() and runtime.due_s() is not None and runtime.writers() == []
+            told += runtime.told(1.0)
+        replies = {one.number: one.response for one in told if isinstance(one, Reply)}
+    assert isinstance(replies[asked[0]], live.Standing)
+    assert replies[asked[1]] == request.Done()
+    assert replies[asked[2]] == request.Refused("no world moon is open")
+
+
+def test_what_is_sent_to_nobody_is_refused_and_the_end_is_told(puppet):  # R-E10
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        os.kill(runtime.pid, signal.SIGKILL)
+        number, told = runtime.send(live.Take("main")), []
+        with pytest.raises(LinkLost, match="killed by signal 9"):
+            while True:
+                told += runtime.told(1.0)
+    assert [one.number for one in told] in ([], [number])

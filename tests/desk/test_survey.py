@@ -142,7 +142,6 @@ def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory
 
 
 def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):  # R-B07, decision 38
-    laboratory.configuration("winkC", "wink 100")
     (laboratory.path / "dict").mkdir()
     picture = "PICT        " + "9" * 32 + "\n"
     text = f"VERSION 1.3\nONIKON Complete job\nDESC\nUI none\n{picture * 32}EOF\n"
@@ -151,9 +150,15 @@ def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):
     notes = []
     files, faults = survey(Path(tmp_path.name), site, notes.append)
     assert faults == []
-    assert [str(file) for file in files] == [f"{tmp_path.name}/conf/winkC.conf", f"{tmp_path.name}/dict/nine.onk"]
+    assert [str(file) for file in files] == [f"{tmp_path.name}/dict/nine.onk"]
     (note,) = notes
     assert note.startswith(f"{tmp_path.name}/dict/nine.onk:5: expected colours from 0 to 8")
+
+
+def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, decision 11
+    laboratory.configuration("winkC", "wink 100")
+    _, faults = survey(laboratory.path, site)
+    assert [one.found for one in faults] == ["no wink"]
 
 
 def test_a_file_of_none_of_our_formats_is_a_fault(tmp_path, site, runtime):  # R-B07

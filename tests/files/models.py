@@ -11,7 +11,7 @@ from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, sy
 from onika.files.rmod import RmodText
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.button import Button
-from onika.model.configuration import Configuration, Locus, Placed
+from onika.model.configuration import Configuration, Group, Locus, Placed
 from onika.model.onikon import Onikon
 from onika.model.picture import SIZE, framed
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
@@ -102,7 +102,7 @@ _local_keys = st.from_regex(r"[A-Za-z][A-Za-z0-9_^.-]{0,6}", fullmatch=True).fil
 
 local_lines = st.builds(LocalLine, _local_keys, st.lists(words, max_size=3).map(tuple))
 
-configurations = st.builds(
+groupless = st.builds(
     Configuration,
     st.just("c"),
     st.lists(
@@ -116,6 +116,20 @@ configurations = st.builds(
         max_size=3,
     ).map(tuple),
 )
+
+
+@st.composite
+def configurations(draw: st.DrawFn) -> Configuration:
+    """Groups now and then: what 1.3 can say is drawn as often."""
+    found = draw(groupless)
+    tasks = [one.task for one in found.placed]
+    if not tasks or draw(st.booleans()):
+        return found
+    chosen = draw(st.permutations(tasks))
+    cuts = sorted(draw(st.sets(st.integers(1, len(chosen)), min_size=1)))
+    named = draw(st.lists(names, min_size=len(cuts), max_size=len(cuts), unique=True))
+    parts = [tuple(chosen[start:end]) for start, end in zip([0, *cuts], cuts, strict=False)]
+    return replace(found, groups=tuple(map(Group, named, parts)))
 
 
 def element(kind: ValueType) -> st.SearchStrategy[Any]:
@@ -230,7 +244,7 @@ FORMATS = [
         lambda pair: rmod.write(RmodText(pair[0])),
         _read_task,
     ),
-    Format("configuration", conf.ENDING, configurations, conf.write, lambda text: conf.read(text, "c", "f")),
+    Format("configuration", conf.ENDING, configurations(), conf.write, lambda text: conf.read(text, "c", "f"), True),
     Format(
         "onikon",
         onk.ENDING,

@@ -1,7 +1,9 @@
+from dataclasses import replace
+
 import pytest
 
 from onika.files.conf import read, write
-from onika.model.configuration import Configuration, Locus, Placed
+from onika.model.configuration import Configuration, Group, Locus, Placed
 
 TEXT = """\
 VERSION     1.3
@@ -81,3 +83,38 @@ def test_a_configuration_may_be_empty() -> None:
 def test_what_is_wrong_is_named_with_its_line(old: str, new: str, expected: str) -> None:
     assert expected in found(TEXT.replace(old, new, 1))  # R-B07
     assert read(TEXT.replace(old, new, 1), "move", "f")[0] is None
+
+
+GROUPED = TEXT.replace("1.3", "2.0", 1).replace("EOF", "GROUP       arm logger jmove\n\nEOF")
+
+
+def test_supermodules_stand_behind_the_loci_under_the_newer_version() -> None:
+    grouped = replace(CONFIGURATION, groups=(Group("arm", ("logger", "jmove")),))  # R-C17, R-B09
+    assert write(grouped) == GROUPED
+    assert read(GROUPED, "move", "move.conf") == (grouped, ())
+    assert write(replace(grouped, groups=()), GROUPED) == TEXT  # without any it is a file of 1.3 again
+
+
+@pytest.mark.parametrize(
+    ("line", "expected"),
+    [
+        ("GROUP", "25: the name of a group and those of its tasks after GROUP / 'GROUP'"),
+        ("GROUP arm", "25: the name of a group and those of its tasks after GROUP / 'GROUP arm'"),
+        ("GROUP arm ../b", "25: the name of a group and those of its tasks after GROUP / 'GROUP arm ../b'"),
+        ("GROUP arm jmove ghost", "25: tasks of this configuration after GROUP arm / ghost"),
+        ("GROUP arm jmove jmove", "25: every task in one GROUP, and once / jmove again after line 25"),
+        ("GROUP a jmove\nGROUP b jmove", "26: every task in one GROUP, and once / jmove again after line 25"),
+        ("GROUP a jmove\nGROUP a logger", "26: GROUP a once / it again after line 25"),
+        ("GROUP a jmove\nLOCUS X\nCOORDS 1 2", "26: every task and locus before the first GROUP / 'LOCUS X'"),
+        ("GROUP a jmove\nRULE a b", "26: no more lines here / 'RULE a b'"),
+    ],
+)
+def test_what_is_wrong_with_a_supermodule_is_named_with_its_line(line: str, expected: str) -> None:
+    text = TEXT.replace("1.3", "2.0", 1).replace("EOF", f"{line}\nEOF")
+    assert expected in found(text)  # R-C17, R-B07
+    assert read(text, "move", "f")[0] is None
+
+
+def test_a_supermodule_in_a_file_of_the_thesis_is_told_with_the_version_it_needs() -> None:
+    (fault,) = found(GROUPED.replace("2.0", "1.3", 1))  # R-B09
+    assert fault == "25: VERSION 2.0 for a line GROUP / 'GROUP arm logger jmove'"

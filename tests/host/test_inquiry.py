@@ -4,9 +4,10 @@ from onika.host import inquiry as room
 from onika.host.inquiry import Inquiry, NotYet
 from onika.host.loader import AskDevices, AskSheet, Devices, Sheet, Wrong
 from onika.runtime.code import load
-from onika.runtime.sheet import ModuleSheet, sheet_of
+from onika.runtime.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
 
 

@@ -2,8 +2,8 @@ import pytest
 
 from onika.host import loader as room
 from onika.host.loader import Loader
-from onika.runtime.sheet import ModuleSheet
 from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
 
 pytestmark = pytest.mark.site
 

@@ -13,6 +13,7 @@ LOOKS = [
 WITH_CODE = [
     request.Prepare(Plan("a", (), (CODE,)), ()),
     request.Inspect((), (CODE,)),
+    live.Describe((CODE,)),
     live.Change("s", code=(CODE,)),
     live.Swap("s", "t", CODE),
 ]

@@ -191,3 +191,28 @@ def test_who_may_change_a_subsystem_is_judged_when_the_change_is_carried_out(mon
         desk.program._try(call, answer)
     assert isinstance(desk.gate.replies[first], live.Accepted)
     assert "held by first" in desk.gate.replies[second].reason
+
+
+def test_nobody_waits_behind_a_description(monkeypatch):  # law 21
+    desk = Asker()
+    loading = SlowLoading()
+    monkeypatch.setattr(desk.program, "_loading", loading)
+    shop = rail()
+    described = desk.send(live.Describe((shop.code("servo"),)), "first")
+    changed = desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
+    assert described not in desk.gate.replies and isinstance(desk.gate.replies[changed], live.Accepted)
+    loading.is_patient = True
+    kept, desk.program._kept = desk.program._kept, []
+    for call, answer in kept:
+        desk.program._try(call, answer)
+    assert set(desk.gate.replies[described].sheets) == {shop.code("servo").digest}
+
+
+def test_motion_is_allowed_again_whatever_waits_for_the_loader(monkeypatch):  # law 27
+    desk = Asker()
+    monkeypatch.setattr(desk.program, "_loading", SlowLoading())
+    monkeypatch.setattr(desk.program._editor, "_loading", desk.program._loading)
+    shop = rail()
+    desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
+    assert desk.ask(request.Stop("now"), "first") == request.Done() and desk.program.is_stopped
+    assert desk.ask(live.Reset(), "first") == request.Done() and not desk.program.is_stopped

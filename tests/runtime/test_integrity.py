@@ -164,7 +164,7 @@ def test_whatever_is_written_astray_is_found_or_harms_no_value(place, data):  # 
 
 
 def test_what_a_task_is_bound_to_is_read_off_its_wires():  # R-A12
-    from onika.runtime.sheet import ModuleSheet, PortSheet
+    from onika.wire.sheet import ModuleSheet, PortSheet
 
     ports = tuple(
         PortSheet(kind, name, "int", "-", "") for kind, name in (("INCONST", "A"), ("INBOTH", "B"), ("OUTVAR", "C"))

@@ -126,7 +126,14 @@ def test_a_reference_that_nobody_reads_any_more_is_forgotten_when_jobs_switch(ta
 def test_a_reference_that_a_task_goes_on_reading_stays_in_force(table):  # law 3, decision 45
     one = turned_on(subsystem(table, arm()), *JMOVE)
     assert one.forgotten(["jtraj"], ["jtraj"]) == ()
-    assert one.forgotten(["jtraj"], ["ctraj", "invkin"]) == ()
+    assert "Q_REF" not in one.forgotten(["jtraj"], ["ctraj", "invkin"])
+
+
+def test_what_was_written_while_nobody_read_it_steers_nothing_when_its_first_reader_comes(table):  # law 3
+    """A trajectory that ran without its servo: its last reference lies anywhere, and the arm would jump there."""
+    one = turned_on(subsystem(table, arm()), "jtraj")
+    assert "Q_REF" in one.forgotten([], ["servo"])
+    assert "Q_REF" not in turned_on(one, "servo").forgotten([], ["fwdkin"])
 
 
 def test_what_feeds_a_hardware_task_that_comes_on_is_forgotten_back_to_its_sources(table):  # law 3

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from onika.runtime.sheet import InputSheet
 from onika.runtime.user_input import AskedItem, UserInput
+from onika.wire.sheet import InputSheet
 from onika.words import argument
 from onika.words.value import ValueType
 

@@ -135,7 +135,13 @@ def test_without_a_terminal_the_run_is_told_in_plain_lines(capsys):  # R-E11
     assert not any("\x1b" in line for line in lines)
 
 
-@pytest.mark.parametrize("boxes", [(2, 4, 3), (3, 2, 4), (3, 4, 2), (4, 2, 3), (4, 3, 2)])
+WRONG = [
+    (3, 2, 4),
+    *(pytest.param(one, marks=pytest.mark.slow) for one in [(2, 4, 3), (3, 4, 2), (4, 2, 3), (4, 3, 2)]),
+]
+
+
+@pytest.mark.parametrize("boxes", WRONG)
 def test_boxes_in_a_wrong_order_leave_the_lamp_dark(capsys, tmp_path, boxes):  # R-K01
     assert lamp_of(capsys, tmp_path, assembly(*boxes)) == 0
 

@@ -126,7 +126,7 @@ def test_the_doctor_says_what_there_is_and_what_it_costs(capsys):  # law 31
         (("run", "go_home", "--local", "/no/such/place"), "expected a base directory, found none at '/no/such/place'"),
         (("check", "/", "--local", "/no/such/place"), "expected a base directory, found none at '/no/such/place'"),
         (("dance",), "invalid choice: 'dance'"),
-        ((), "COMMAND"),
+        (("--port", "many"), "invalid int value"),
     ],
 )
 def test_a_wrong_command_line_says_what_was_expected(capsys, words, expected):  # R-B07
@@ -211,8 +211,7 @@ def test_one_cause_gives_one_fault(capsys, tmp_path, name, damage, expected):  #
 
 
 def test_what_is_named_like_a_file_and_is_none_is_told_and_never_waited_for(capsys, tmp_path):  # R-B07
-    laboratory = Laboratory(tmp_path)
-    laboratory.configuration("winkC", "wink 100")
+    (tmp_path / "conf").mkdir()
     (tmp_path / "module" / "folder.rmod").mkdir(parents=True)
     os.mkfifo(tmp_path / "module" / "pipe.rmod")
     os.mkfifo(tmp_path / "module" / "pipe.py")

@@ -208,7 +208,7 @@ def wait_for(runtime, kind, seconds=30.0, when=lambda _one: True):
     raise AssertionError(f"no {kind.__name__}")
 
 
-@pytest.mark.parametrize("on_loss", ["finish", "run"])
+@pytest.mark.parametrize("on_loss", ["finish", pytest.param("run", marks=pytest.mark.slow)])
 def test_what_becomes_of_a_run_whose_client_is_killed_was_chosen_at_its_start(reachable, on_loss):  # R-E10
     there = reachable()
     words = there.onika("run", "assemble", "--on-loss", on_loss)

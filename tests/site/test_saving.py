@@ -27,7 +27,7 @@ while True:
 """
 
 
-@pytest.mark.parametrize("length", [10, 300_000])
+@pytest.mark.parametrize("length", [10, pytest.param(300_000, marks=pytest.mark.slow)])
 def test_a_program_killed_while_it_saves_leaves_one_of_two_whole_files(tmp_path, length):  # R-B07
     path = tmp_path / "a.conf"
     path.write_text("a" * length)

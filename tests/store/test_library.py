@@ -8,7 +8,7 @@ from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import LocalLine, Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.library import Library, open_libraries, open_library
+from onika.store.library import Library, open_libraries, open_library, reopen_libraries
 
 BENCH = runpy.run_path(str(Path(__file__).parents[2] / "tools" / "bench" / "library.py"))
 TEXT = rmod.write(RmodText(Task("t", "m", frequency=10.0)))
@@ -133,3 +133,26 @@ def test_a_parameter_given_twice_is_noted_and_the_task_is_there(base: BaseDirect
     assert library.tasks["twice"].task.local == (LocalLine("GAIN", ("1",)), LocalLine("GAIN", ("2",)))
     assert told(library) == ["twice.rmod: GAIN once / 'GAIN 2' again"]
     assert library.left_out == ()
+
+
+def test_of_open_libraries_only_what_was_written_is_read_again(tmp_path: Path) -> None:
+    one, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01
+    for base, name in ((one, "pid"), (one, "pd"), (two, "pid"), (two, "other")):
+        base.save_task(RmodText(Task(name, "m", frequency=1.0)))
+    (one.path / "module" / "bad.rmod").write_text("MODULE\n")
+    former = open_libraries([one, two])
+    assert all(map(lambda a, b: a is b, reopen_libraries([one, two], former, frozenset()), former))
+    for base in (one, two):
+        base.task_file("pd" if base is one else "other").write_text(TEXT.replace("10", "20"))
+    again = reopen_libraries([one, two], former, {one.task_file("pd"), one.task_file("bad"), one.task_file("pid")})
+    assert again[0].tasks["pd"].task.frequency == 20.0
+    assert again[0].tasks["pid"] is former[0].tasks["pid"]
+    assert again[0].faults == former[0].faults
+    assert again[1] is former[1]
+    one.task_file("pid").unlink()
+    (two.path / "module" / "m.py").write_text("")
+    gone = reopen_libraries([one, two], again, {one.task_file("pid")})
+    assert ("pid" in gone[0].tasks, "pid" in gone[1].tasks) == (False, True)
+    assert gone[1].modules == {"m"}
+    assert reopen_libraries([two], gone, frozenset())[0].tasks == gone[1].tasks
+    assert open_libraries([one, two]) == reopen_libraries([one, two], gone, {two.task_file("other")})

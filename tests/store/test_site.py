@@ -13,7 +13,7 @@ from onika.model.preferences import Preferences
 from onika.model.syntax import SPECIAL_TYPES, Edge, IconType, Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.site import Site, open_site, shipped, shipped_directories
+from onika.store.site import Site, is_shipped, open_site, shipped, shipped_directories
 from onika.words.fault import Refusal
 
 SHIPPED = Syntax(tuple(IconType(name, 0, 0) for name in SPECIAL_TYPES), (Edge(0, (1, 1, 1), ()),))
@@ -204,3 +204,26 @@ def test_the_search_path_is_the_given_directories_the_environment_and_the_shippe
 def test_the_shipped_directories_hold_laboratories_and_no_preferences() -> None:
     assert shipped() / "prefs" not in shipped_directories()
     assert all(path.parent == shipped() for path in shipped_directories())
+
+
+def test_buttons_are_opened_changed_and_saved_again(site: Site) -> None:
+    assert site.open_buttons() == (None, ())  # R-G02
+    first = site.save_buttons((Button("tea", "make tea"),))
+    assert not isinstance(first, Refusal)
+    opened, faults = site.open_buttons()
+    assert (opened, faults) == (first, ())
+    assert not isinstance(site.save_buttons((), opened), Refusal)
+    assert isinstance(site.save_buttons((Button("late", "true"),), opened), Refusal)
+    homeless = Site(site.directories, site.prefs)
+    assert homeless.open_buttons() == (None, ())
+    assert isinstance(homeless.save_buttons(()), Refusal)
+
+
+def test_a_directory_of_the_users_own_is_searched_before_the_shipped_ones(tmp_path):  # R-C19, R-C20
+    home = tmp_path / "home"
+    assert open_site([], {}, home).own == home / "onika"
+    assert home / "onika" not in [base.path for base in open_site([], {}, home).directories]
+    (home / "onika").mkdir(parents=True)
+    paths = [base.path for base in open_site([], {}, home).directories]
+    assert paths[0] == home / "onika"
+    assert [is_shipped(path) for path in paths] == [False] + [True] * (len(paths) - 1)

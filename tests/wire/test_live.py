@@ -5,6 +5,7 @@ import pytest
 from onika.testing.rail import rail
 from onika.testing.workshop import action
 from onika.wire import live, request
+from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 
 PLAN = rail().plan([action("mass", "servo", arguments="1")])
 TASK, CODE = PLAN.flows[0].tasks[0], PLAN.code[0]
@@ -18,6 +19,7 @@ REQUESTS = [
     live.Status(),
     live.Survey(),
     live.Read("s0", ("Q_MEZ",)),
+    live.Describe((CODE,)),
     live.Check("s0"),
     live.Close("s0"),
     live.Take("s0"),
@@ -51,6 +53,17 @@ RESPONSES = [
         ("too much",),
     ),
     live.Findings(("Q_MEZ is torn",)),
+    live.Described(
+        {
+            CODE.digest: ModuleSheet(
+                (PortSheet("INVAR", "X", "double[6]", "rad", "where it is"),),
+                (InputSheet("x", "double", "m", "where to go", 0.0, "XMAX", None),),
+                (LocalSheet("GAIN", "double", "-", "how strong", 1.0),),
+                *(True, False, True, 2, "moves"),
+            )
+        },
+        {"0": "no module"},
+    ),
     live.Scenery({"shapes": [{"name": "box"}]}),
 ]
 

@@ -2,7 +2,7 @@ import pytest
 
 from onika.wire import reading
 
-READINGS = [reading.Variable(5, 7, [1.0, 2.0]), reading.Poses(5, b"\x00\x01")]
+READINGS = [reading.Variable(5, 7, [1.0, 2.0]), reading.Poses(5, b"\x00\x01", ("lamp",))]
 
 
 @pytest.mark.parametrize("one", READINGS, ids=lambda one: type(one).__name__)

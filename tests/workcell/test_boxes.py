@@ -135,6 +135,7 @@ def test_twenty_four_actions_light_the_lamp(seed, side):  # R-K01, R-K02
     assert len(actions(operator)) == 24
     run(operator)
     assert lit(world)
+    assert world.lit == ("lamp",)
     assert operator.worst < 0.01
     assert [event.state for event in world.take_events()] == [Drive.DRIVEN, Drive.DRIVEN]
 
@@ -144,6 +145,7 @@ def test_a_forgotten_close_leaves_it_dark():  # R-K01
     operator = Operator(world)
     run(operator, left_out=(11,))
     assert not lit(world)
+    assert world.lit == ()
     assert world.state("lamp")[2:].tolist() != [1.0] * 6
 
 

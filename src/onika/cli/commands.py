@@ -4,10 +4,11 @@ import argparse
 import sys
 
 from onika import __version__
-from onika.cli import check, console, doctor, icon, new, run, runtime, text
+from onika.cli import check, console, doctor, icon, new, page, run, runtime, text
 from onika.link.lost import LinkLost
 
 _COMMANDS = {
+    "page": page,
     "run": run,
     "runtime": runtime,
     "console": console,
@@ -27,10 +28,17 @@ def carry_out(words: list[str] | None) -> int:
     for name, command in _COMMANDS.items():
         purpose = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
         command.describe(commands.add_parser(name, help=purpose, description=purpose.capitalize() + "."))
-    given = parser.parse_args(words)
+    given = parser.parse_args(_whole(sys.argv[1:] if words is None else words))
     try:
         code: int = _COMMANDS[given.command].carry_out(given)
         return code
     except (LinkLost, TimeoutError) as lost:
         print(lost, file=sys.stderr)
         return 1
+
+
+def _whole(words: list[str]) -> list[str]:
+    """`onika` alone, and with options only, opens the page."""
+    if words and (words[0] in ("-h", "--help", "--version") or not words[0].startswith("-")):
+        return words
+    return ["page", *words]

@@ -24,7 +24,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         "--scale", type=scale, metavar="X", help="in virtual time that passes by itself, X times as fast as wall time"
     )
     parser.add_argument(
-        "--rtpu", action="append", default=[], type=_unit, metavar="NAME",
+        "--rtpu", action="append", default=[], type=unit, metavar="NAME",
         help="a processing unit; may be given several times (rt0)",
     )  # fmt: skip
     parser.add_argument("--script", type=script_file, metavar="FILE", help="lines to carry out first")
@@ -91,7 +91,8 @@ def _listen(given: argparse.Namespace) -> tuple[str, ...]:
     return ()
 
 
-def _unit(text: str) -> str:
+def unit(text: str) -> str:
+    """The name of a processing unit; raises ArgumentTypeError for what is none."""
     if not TASK_NAME.match(text):
         expected = "a name of letters, digits and _ . - that begins with a letter"
         raise argparse.ArgumentTypeError(f"expected {expected}, found {text!r}")

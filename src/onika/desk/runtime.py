@@ -3,6 +3,7 @@
 import os
 from collections import deque
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic_ns
 from types import TracebackType
@@ -10,7 +11,7 @@ from types import TracebackType
 from onika.link.address import Address
 from onika.link.connection import Connection
 from onika.link.dialler import ThreadDialler
-from onika.link.happening import EpochChanged, Happening, Read, Signalled, Turned
+from onika.link.happening import EpochChanged, Failed, Happening, Read, Replied, Signalled, Turned
 from onika.link.launcher import Child, launch
 from onika.link.lost import Cause, LinkLost
 from onika.link.opening import Opening
@@ -31,11 +32,20 @@ _AGAIN = (
     live.Survey,
     live.Read,
     live.Check,
+    live.Describe,
     live.Attend,
     live.Scene,
     live.Get,
 )
 """What may be asked again after a cut: it moves nothing, or ends motion."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """The response to a request that nobody waited for, by its number."""
+
+    number: int
+    response: request.Response
 
 
 class Conversation:
@@ -69,8 +79,32 @@ class Conversation:
         response: request.Response = request.decode_response(body)
         return response
 
+    def send(self, asked: request.Request) -> int:
+        """Ask without waiting, what ends motion before all that waits; `told` has the reply under this number."""
+        once = not isinstance(asked, _AGAIN)
+        urgent = isinstance(asked, request.Stop | request.Abort)
+        return self._connection.ask(request.encode(asked), _PATIENCE_S, once=once, urgent=urgent or once)
+
+    def readers(self) -> list[int]:
+        """The descriptors to wait for before `told`, in a loop of one's own."""
+        return self._connection.readers()
+
+    def writers(self) -> list[int]:
+        """Those to wait for writing too."""
+        return self._connection.writers()
+
+    def due_s(self) -> float | None:
+        """How long that loop may wait at most, in s; None: until something comes."""
+        return self._connection.due_s()
+
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """The events since the last call, at least one within the time-out or none; raises LinkLost at the end."""
+        for one in self.told(timeout_s):
+            if not isinstance(one, Reply):
+                yield one
+
+    def told(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+        """Events and replies to what was sent, as they came; raises LinkLost at the end."""
         if not self._news:
             self._news += self._connection.poll(timeout_s)
             self._judge_absence()
@@ -78,6 +112,10 @@ class Conversation:
             happening = self._news.popleft()
             if isinstance(happening, Signalled):
                 yield event.decode(happening.body)
+            elif isinstance(happening, Replied):
+                yield Reply(happening.number, request.decode_response(happening.body))
+            elif isinstance(happening, Failed):
+                yield Reply(happening.number, request.Refused(f"no answer: {happening.fate.value}"))
             elif isinstance(happening, Read):
                 self._readings[happening.key] = happening.body
             elif isinstance(happening, EpochChanged):

@@ -108,6 +108,7 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
     applications = [file for file in files if file.suffix == appl.ENDING and not _is_part(file, site)]
     modules = {file.stem: file for file in files if file.suffix == ".py"}
     found: list[Fault] = []
+    found += [fault for file in files if file.suffix == conf.ENDING for fault in _missing(file, site)]
     planned, code = _tasks(tasks, modules, site, found)
     if not (planned or code or applications):
         return found
@@ -122,6 +123,15 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
             if one.plan is not None:
                 found += _asked(runtime, request.Prepare(one.plan, one.targets), note)
     return found
+
+
+def _missing(file: Path, site: Site) -> list[Fault]:
+    """Tasks of a configuration that are nowhere on the search path (decision 11)."""
+    content, _ = text.load(file, str(file))
+    found = None if content is None else conf.read(content, file.stem, str(file))[0]
+    here = site.at(file.absolute().parent.parent)
+    lost = [one.task for one in found.placed if here.home_of_task(one.task) is None] if found else []
+    return [Fault(Place(str(file)), "its tasks on the search path", f"no {name}", "it is left out") for name in lost]
 
 
 def _is_part(file: Path, site: Site) -> bool:

@@ -1,12 +1,12 @@
 """The configuration file, `.conf` (dissertation §A.2)."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 
 from onika.files.layout import carry_comments
 from onika.files.line import Line, Need, Reading, Slot, is_number, row, show_number, split
-from onika.files.version import VERSION
-from onika.model.configuration import UNKNOWN_RTPU, Configuration, Locus, Placed
+from onika.files.version import EXTENDED, VERSION
+from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Locus, Placed
 from onika.words.fault import Fault
 from onika.words.name import SVAR_NAME, TASK_NAME
 
@@ -27,33 +27,42 @@ _LOCUS = (
     *(Slot(keyword, Need.SINCE_1_3) for keyword in _COUNTS),
     Slot("SHOW", Need.SINCE_1_3),
 )
+_GROUP = (Slot("GROUP", Need.OF_2_0),)
 
 
 def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, tuple[Fault, ...]]:
     """The configuration `name` (no ending) of a text; with any fault it is left out."""
     reading = Reading(place_file, "the configuration is left out")
-    reading.open_versioned(text)
+    reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
-    head, *blocks = split(reading.lines, {"RMODFILE", "LOCUS"})
+    head, *blocks = split(reading.lines, {"RMODFILE", "LOCUS", "GROUP"})
     reading.arrange(head, _HEAD)
-    placed, loci = [], []
+    placed, loci, grouped = [], [], []
     for block in blocks:
+        if block[0].keyword == "GROUP":
+            grouped += reading.arrange(block, _GROUP)["GROUP"]
+            continue
+        if grouped:
+            reading.fault(block[0].number, "every task and locus before the first GROUP", str(block[0]))
         if block[0].keyword == "LOCUS":
             loci.append(_locus(reading.arrange(block, _LOCUS), reading))
             continue
         if loci:
             reading.fault(block[0].number, "every task before the first LOCUS", str(block[0]))
         placed.append(_placed(reading.arrange(block, _TASK), reading))
-    _check_twice([block[0] for block in blocks], reading)
-    return (None if reading.broken else Configuration(name, tuple(placed), tuple(loci))), reading.faults
+    _check_twice([block[0] for block in blocks if block[0].keyword != "GROUP"], reading)
+    groups = _groups(grouped, {one.task for one in placed}, reading)
+    return (None if reading.broken else Configuration(name, tuple(placed), tuple(loci), groups)), reading.faults
 
 
 def write(configuration: Configuration, former: str = "") -> str:
-    """The text of a configuration, with the comments of its former text."""
-    parts = [row("VERSION", VERSION)]
+    """The text of a configuration, with the comments of its former text; of version 2.0 only where it has groups."""
+    groups = [row("GROUP", group.name, *group.tasks) for group in configuration.groups]
+    parts = [row("VERSION", EXTENDED if groups else VERSION)]
     parts += ["\n" + _show_placed(placed) for placed in configuration.placed]
     parts += ["\n" + _show_locus(locus) for locus in configuration.loci]
+    parts += ["\n", *groups] if groups else []
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
 
 
@@ -125,3 +134,26 @@ def _check_twice(heads: Sequence[Line], reading: Reading) -> None:
         first = seen.setdefault((line.keyword, line.rest), line.number)
         if first != line.number:
             reading.fault(line.number, f"{line.keyword} {line.rest} once", f"it again after line {first}")
+
+
+def _groups(lines: Sequence[Line], placed: Set[str], reading: Reading) -> tuple[Group, ...]:
+    """Supermodules: each name once, and each task in one of them."""
+    named: dict[str, int] = {}
+    home: dict[str, int] = {}
+    groups = []
+    for line in lines:
+        if len(line.words) < 2 or not all(map(TASK_NAME.match, line.words)):
+            reading.fault(line.number, "the name of a group and those of its tasks after GROUP", str(line))
+            continue
+        name, *tasks = line.words
+        first = named.setdefault(name, line.number)
+        if first != line.number:
+            reading.fault(line.number, f"GROUP {name} once", f"it again after line {first}")
+        for task in tasks:
+            if task not in placed:
+                reading.fault(line.number, f"tasks of this configuration after GROUP {name}", task)
+            elif task in home:
+                reading.fault(line.number, "every task in one GROUP, and once", f"{task} again after line {home[task]}")
+            home.setdefault(task, line.number)
+        groups.append(Group(name, tuple(tasks)))
+    return tuple(groups)

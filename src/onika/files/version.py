@@ -6,7 +6,7 @@ VERSION = "1.3"
 """The version of the thesis, written wherever it can say what is to be said."""
 
 EXTENDED = "2.0"
-"""The version with lines of our own, of applications and icons only; written only where one of them is needed."""
+"""The version with lines of our own, of applications, icons and configurations; written only where one is needed."""
 
 _FORM = re.compile(r"[0-9]{1,9}(?:\.[0-9]{1,9})*\Z")
 

@@ -2,8 +2,8 @@
 
 from typing import Any, Protocol
 
-from onika.runtime.sheet import ModuleSheet
 from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
 
 

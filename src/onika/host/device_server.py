@@ -138,6 +138,7 @@ class Posed(Struct, frozen=True, tag=True):
     world: str
     at_ns: int
     rows: bytes
+    lit: tuple[str, ...]
 
 
 class Up(Struct, frozen=True, tag=True):

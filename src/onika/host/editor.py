@@ -15,11 +15,12 @@ from onika.host.stage import Stage
 from onika.model.lifecycle import State
 from onika.model.rules.reconfiguration import exchange
 from onika.runtime import command, news
-from onika.runtime.sheet import ModuleSheet, differences
+from onika.runtime.sheet import differences
 from onika.runtime.wiring import WiredTask, disagreements, wire
 from onika.wire import live as asked
 from onika.wire import request
 from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
 Answer = Callable[[request.Response], None]

@@ -26,8 +26,8 @@ from onika.host.loader import (
     fault_of,
 )
 from onika.host.post import Post
-from onika.runtime.sheet import ModuleSheet
 from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
 
 _KEPT = 2000

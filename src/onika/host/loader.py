@@ -17,9 +17,9 @@ from onika.host.post import Post
 from onika.host.process import start
 from onika.host.rtpu import preload
 from onika.link.launcher import die_with_parent
-from onika.runtime.sheet import ModuleSheet
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
 PATIENCE_S = 10.0

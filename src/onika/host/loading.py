@@ -8,8 +8,9 @@ import numpy as np
 from onika.host.worlds import open_world
 from onika.runtime.binding import locals_of
 from onika.runtime.code import line_in, load, told
-from onika.runtime.sheet import ModuleSheet, sheet_of
+from onika.runtime.sheet import sheet_of
 from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
 Lines = tuple[tuple[str, tuple[str, ...]], ...]

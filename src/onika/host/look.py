@@ -10,6 +10,7 @@ from onika.host.stage import Stage
 from onika.host.tally import plain
 from onika.model.lifecycle import State
 from onika.runtime import news
+from onika.runtime.bus import Poses
 from onika.runtime.integrity import Accessor, check
 from onika.runtime.subsystem import Member
 from onika.wire import live, reading, request
@@ -42,8 +43,8 @@ class Seen(Protocol):
         """What an open world consists of."""
         ...
 
-    def poses(self, world: str) -> tuple[int, bytes] | None:
-        """The newest poses of an open world and their time, as float32 rows of position and quaternion."""
+    def poses(self, world: str) -> Poses | None:
+        """The newest poses of an open world, their time and what shines; see `bus.Poses`."""
         ...
 
 

@@ -4,10 +4,11 @@ from collections.abc import Sequence
 
 from onika.host.checks import task_of, wrong_rates
 from onika.host.preparation import unknown_parameters
-from onika.runtime.sheet import ModuleSheet, differences
+from onika.runtime.sheet import differences
 from onika.runtime.wiring import WiredTask, wire
 from onika.wire.live import Change
 from onika.wire.plan import PlannedTask
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
 INSTEAD = "nothing is changed"

@@ -36,7 +36,7 @@ def brings_code(asked: request.Request) -> bool:
     match asked:
         case request.Prepare():
             return bool(asked.plan.code)
-        case request.Inspect() | live.Change():
+        case request.Inspect() | live.Describe() | live.Change():
             return bool(asked.code)
         case live.Swap():
             return True

@@ -16,11 +16,12 @@ from onika.host.checks import (
     wrong_rates,
 )
 from onika.host.conditions import wrong_conditions
-from onika.runtime.sheet import ModuleSheet, differences, strangers
+from onika.runtime.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
 from onika.wire.request import TargetValues
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
 

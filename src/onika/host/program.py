@@ -5,6 +5,7 @@ from time import monotonic_ns
 from typing import Protocol
 
 from onika.host.asking import Loading
+from onika.host.description import describe
 from onika.host.editor import Editor, refused
 from onika.host.gate import Call, Gate
 from onika.host.helm import Helm
@@ -19,7 +20,7 @@ from onika.host.stage import Stage, Tables, Tell
 from onika.runtime.subsystem import Subsystem
 from onika.wire import event, live, request, steer
 
-_AT_ONCE = (request.Stop, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch)
+_AT_ONCE = (request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch)
 """What never waits behind another request."""
 
 Answer = Callable[[request.Response], None]
@@ -164,7 +165,9 @@ class Program:
 
         Whether it may be asked is judged when its turn has come: another may have become the holder meanwhile.
         """
-        is_behind = any(kept.session == call.session for kept, _ in self._kept)
+        is_behind = any(
+            kept.session == call.session and not isinstance(kept.asked, live.Describe) for kept, _ in self._kept
+        )
         if is_behind and not isinstance(call.asked, _AT_ONCE):
             self._kept.append((call, answer))
             return
@@ -217,6 +220,8 @@ class Program:
                 return refused(prepared.faults, prepared.notes)
             case request.Inspect():
                 return refused(*inspect(asked.tasks, asked.code, self._loading))
+            case live.Describe():
+                return describe(asked.code, self._loading)
             case request.Begin():
                 return self.begin(session, asked)
             case request.Reply():

@@ -14,7 +14,7 @@ from onika.host.worlds import open_world, refuse_unknown, split
 from onika.ring.device import Drive, DriveEvent
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.bus import SEGMENT_SIZE, Bus, World
+from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
 from onika.runtime.executive import Executive
 from onika.wire import event
 
@@ -101,7 +101,7 @@ class VirtualDriver:
         """What an open world consists of."""
         return self._buses[world].scene() if world in self._buses else None
 
-    def poses(self, world: str) -> tuple[int, bytes] | None:
+    def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are."""
         return self._buses[world].poses() if world in self._buses else None
 

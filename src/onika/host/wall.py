@@ -12,7 +12,7 @@ from onika.host.worlds import refuse_unknown, split
 from onika.ring.device import Drive
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.bus import SEGMENT_SIZE
+from onika.runtime.bus import SEGMENT_SIZE, Poses
 from onika.wire import event
 
 DEVICES = "device server"
@@ -29,7 +29,7 @@ class WallDriver:
         self._segments: list[Segment] = []
         self._opened: set[str] = set()
         self._shown: set[str] = set()
-        self._poses: dict[str, tuple[int, bytes]] = {}
+        self._poses: dict[str, Poses] = {}
         self._claims: dict[str, tuple[int, str]] = {}
         self._epoch = 0
         self._listener: Listener | None = None
@@ -101,7 +101,7 @@ class WallDriver:
         answer = self._ask_devices(device_server.Show(world))
         return answer.scene if isinstance(answer, device_server.Shown) else None
 
-    def poses(self, world: str) -> tuple[int, bytes] | None:
+    def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are, as the device server said last; from then on it says so."""
         if world in self._opened and world not in self._shown:
             self._shown.add(world)
@@ -225,7 +225,7 @@ class WallDriver:
                     )
                 )
             case device_server.Posed():
-                self._poses[word.world] = (word.at_ns, word.rows)
+                self._poses[word.world] = (word.at_ns, word.rows, word.lit)
             case _:
                 self._answers.append(word)
 

@@ -1,6 +1,7 @@
 """A configuration: tasks assembled on the canvas to do one job (dissertation §5.3, §A.2)."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 
 UNKNOWN_RTPU = "unknown"
 """The RTPU of a task that was never spawned (decision 12)."""
@@ -42,9 +43,45 @@ class Locus:
 
 
 @dataclass(frozen=True, slots=True)
+class Group:
+    """A supermodule: tasks that are handled as one, in the order in which they are spawned and turned ON (§7, C17)."""
+
+    name: str
+    tasks: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
 class Configuration:
     """What a `.conf` file says, in the file's order."""
 
     name: str
     placed: tuple[Placed, ...] = ()
     loci: tuple[Locus, ...] = ()
+    groups: tuple[Group, ...] = ()
+    """Every task is in one at most, and every one has a task."""
+
+    def group(self, name: str) -> Group | None:
+        """The supermodule of that name."""
+        return next((one for one in self.groups if one.name == name), None)
+
+    def regrouped(self, groups: Iterable[Group]) -> "Configuration":
+        """With these groups as far as their tasks are placed; where one task is in several, the first counts."""
+        left = {one.task for one in self.placed}
+        found = []
+        for group in groups:
+            tasks = tuple(name for name in group.tasks if name in left)
+            left.difference_update(tasks)
+            if tasks:
+                found.append(group if tasks == group.tasks else Group(group.name, tasks))
+        return self if tuple(found) == self.groups else replace(self, groups=tuple(found))
+
+    def in_group_order(self, names: Iterable[str]) -> list[str]:
+        """These tasks, those of a group in its order at the places which they have among the others."""
+        found = list(names)
+        for group in self.groups:
+            members = set(group.tasks)
+            places = [at for at, name in enumerate(found) if name in members]
+            present = {found[at] for at in places}
+            for at, name in zip(places, (one for one in group.tasks if one in present), strict=True):
+                found[at] = name
+        return found

@@ -55,13 +55,13 @@ class Preferences:
     """Characters of a task's name before it wraps."""
     min_size: int = 64
     """Least height of a task icon."""
-    min_pin_separation: int = 14
-    step_size: int = 8
+    min_pin_separation: int = 18
+    step_size: int = 6
     """How much an icon grows at a time until its pins are far enough apart."""
     pin_length: int = 12
     connection_separation: int = 6
-    show_inconst: bool = True
-    show_outconst: bool = True
+    show_inconst: bool = False
+    show_outconst: bool = False
     show_invar: bool = True
     show_outvar: bool = True
     locus_size: int = 4

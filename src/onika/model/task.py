@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from enum import Enum
+from functools import cached_property
 
 from onika.model.port import PortKind
 from onika.words.name import resolve
@@ -23,7 +24,7 @@ class LocalLine:
     words: tuple[str, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)  # without slots: what follows from it is asked for again and again, and kept
 class Task:
     """What a `.rmod` file says; port lists hold coded names in the file's order.
 
@@ -52,15 +53,25 @@ class Task:
         """The state variables behind some of this task's coded names."""
         return resolve(names, dict(self.aliases))
 
-    @property
+    @cached_property
     def inputs(self) -> frozenset[str]:
         """Every state variable this task reads, by its aliased name."""
         return frozenset(self.svars(self.inconst + self.invar))
 
-    @property
+    @cached_property
     def outputs(self) -> frozenset[str]:
         """Every state variable this task writes, by its aliased name."""
         return frozenset(self.svars(self.outconst + self.outvar))
+
+    @cached_property
+    def given_while_running(self) -> frozenset[str]:
+        """O_V of Equation (3): the variables of its pure OUTVARs."""
+        return frozenset(self.svars(tuple(name for name in self.outvar if name not in self.outconst)))
+
+    @cached_property
+    def needed_at_start(self) -> frozenset[str]:
+        """I_C of Equation (3): the variables of its pure INCONSTs."""
+        return frozenset(self.svars(tuple(name for name in self.inconst if name not in self.invar)))
 
     def kinds(self) -> dict[str, PortKind]:
         """The kind of every coded name, as this file declares it."""

@@ -79,6 +79,11 @@ class World(Protocol):
         """Where its bodies are: an array of float32, a row for each body of the scene."""
         ...
 
+    @property
+    def lit(self) -> tuple[str, ...]:
+        """The names of the shapes that shine just now, such as a lamp."""
+        ...
+
     def snapshot(self) -> bytes:
         """Enough to draw the world elsewhere."""
         ...
@@ -86,6 +91,10 @@ class World(Protocol):
     def fingerprint(self) -> bytes:
         """The world as bytes, to compare two runs."""
         ...
+
+
+Poses = tuple[int, bytes, tuple[str, ...]]
+"""A world's time in ns, its bodies as float32 rows of position and quaternion, and the names of what shines."""
 
 
 class Bus:
@@ -155,9 +164,9 @@ class Bus:
         """What there is to draw and to touch, as plain values that travel."""
         return {"shapes": [asdict(shape) for shape in self.world.scene()], "parts": dict(self.world.parts())}
 
-    def poses(self) -> tuple[int, bytes]:
-        """The world's time and the poses of its bodies."""
-        return self.world.now_ns, self.world.poses().tobytes()
+    def poses(self) -> Poses:
+        """The world's time, the poses of its bodies, and what shines."""
+        return self.world.now_ns, self.world.poses().tobytes(), self.world.lit
 
     def _publisher(self, sheet: DeviceSheet, offset: int) -> Callable[[], None]:
         """A function that publishes the device's state, straight from the world's vector, which is always the same."""

@@ -1,60 +1,14 @@
-"""The sheet of a module's class: what it declares, as plain data that travels (law 24), compared with `.rmod` files."""
+"""The sheet of a module's class, read off the class and compared with `.rmod` files (law 24)."""
 
 from typing import Any
-
-from msgspec import Struct
 
 from onika.model.port import PortKind
 from onika.model.task import Task
 from onika.runtime import parameter
 from onika.runtime.module import Module
+from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 from onika.words.fault import Fault, Place
 from onika.words.shape import Shape
-
-
-class PortSheet(Struct, frozen=True):
-    """A declared port; `shape` as text."""
-
-    kind: str
-    name: str
-    shape: str
-    unit: str
-    meaning: str
-
-
-class InputSheet(Struct, frozen=True):
-    """Declared user input; bounds are numbers or names of INCONSTs."""
-
-    name: str
-    shape: str
-    unit: str
-    meaning: str
-    low: float | str | None
-    high: float | str | None
-    default: Any
-
-
-class LocalSheet(Struct, frozen=True):
-    """A declared parameter of the LOCAL block; without a default the line must be there."""
-
-    name: str
-    shape: str
-    unit: str
-    meaning: str
-    default: Any
-
-
-class ModuleSheet(Struct, frozen=True):
-    """All that is known of a module without running it."""
-
-    ports: tuple[PortSheet, ...]
-    inputs: tuple[InputSheet, ...]
-    locals: tuple[LocalSheet, ...]
-    trigger: bool
-    passive: bool
-    hardware: bool
-    crit: int
-    doc: str
 
 
 def sheet_of(cls: type[Module]) -> ModuleSheet:

@@ -93,12 +93,13 @@ class Subsystem:
         )
 
     def forgotten(self, off: Collection[str], on: Collection[str], finished: str = "") -> tuple[str, ...]:
-        """What no longer steers anything after this switch: variables whose last reader goes, and whatever a hardware
-        task that comes on is fed from, because it has been holding meanwhile. Who has `finished` is off by then."""
+        """What steers nothing at this switch: variables whose last reader goes, those whose first reader comes, for
+        nobody has followed them, and whatever a hardware task that comes on is fed from, because it has been holding
+        meanwhile. Who has `finished` is off by then."""
         gone_off = {finished, *off}
         staying = [m.wired for m in self.members.values() if m.state is State.ON and m.wired.name not in gone_off]
         still_read = {svar for wired in staying for svar in wired.invar}
-        gone = {svar for name in off for svar in self.members[name].wired.invar} - still_read
+        gone = {svar for name in (*off, *on) for svar in self.members[name].wired.invar} - still_read
         fed = [self._fed[name] for name in on if name in self._fed]
         return tuple(sorted(gone.union(*fed)))
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from msgspec import Struct
 
-from onika.runtime.sheet import InputSheet
+from onika.wire.sheet import InputSheet
 from onika.words import argument
 from onika.words.shape import Shape
 from onika.words.value import Value, ValueType

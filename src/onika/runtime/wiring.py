@@ -7,8 +7,8 @@ from functools import cached_property
 from onika.model.port import PortKind
 from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import Placed
-from onika.runtime.sheet import ModuleSheet
 from onika.wire.plan import PlannedTask
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 from onika.words.shape import Shape
 

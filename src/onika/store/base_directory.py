@@ -50,6 +50,11 @@ class BaseDirectory:
         return self._names("appl", appl.ENDING)
 
     @property
+    def modules(self) -> tuple[str, ...]:
+        """The names of the modules whose code lies here, in order."""
+        return self._names("module", ".py")
+
+    @property
     def misnamed(self) -> Faults:
         """Files whose names are no names of tasks, icons or applications, and which are therefore left out."""
         places = (("module", rmod.ENDING), ("conf", conf.ENDING), ("dict", onk.ENDING), ("appl", appl.ENDING))

@@ -1,13 +1,17 @@
 """A library: all tasks of a base directory, read at once; what is at fault is left out and told (C01, §5.2.1)."""
 
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Set
+from dataclasses import dataclass, field
 from pathlib import Path
 
+from onika.files import text
 from onika.files.rmod import RmodText
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened import Faults
 from onika.words.fault import Fault, Place
+
+Found = tuple[RmodText | None, Faults]
+"""What one file gave."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +22,10 @@ class Library:
     tasks: Mapping[str, RmodText]
     faults: Faults
     """Notes among them; of a file that is left out there is at least one that is none."""
+    found: Mapping[str, Found] = field(default_factory=dict)
+    """What every file gave that was read, also where that is no task, by the names of the files."""
+    modules: frozenset[str] = frozenset()
+    """The modules whose code lies here."""
 
     @property
     def left_out(self) -> tuple[str, ...]:
@@ -27,30 +35,54 @@ class Library:
 
 def open_libraries(bases: Iterable[BaseDirectory]) -> tuple[Library, ...]:
     """The libraries of a search path, in order; a task whose name an earlier one has is noted and not added."""
+    return reopen_libraries(bases, (), frozenset())
+
+
+def reopen_libraries(
+    bases: Iterable[BaseDirectory], former: Iterable[Library], changed: Set[Path]
+) -> tuple[Library, ...]:
+    """The libraries of a search path, of which some were open; of their files only those in `changed` are read again.
+
+    What is as it was is the same object.
+    """
+    known = {library.base: library for library in former}
     owners: dict[str, BaseDirectory] = {}
     opened = []
     for base in bases:
-        names = [name for name in base.tasks if owners.setdefault(name, base) is base]
-        faults = [_again(base, name, owners[name]) for name in base.tasks if owners[name] is not base]
-        opened.append(_open(base, names, faults))
+        tasks = base.tasks
+        names = [name for name in tasks if owners.setdefault(name, base) is base]
+        faults = [_again(base, name, owners[name]) for name in tasks if owners[name] is not base]
+        before = known.get(base)
+        library = _open(base, names, faults, before, changed)
+        opened.append(before if before == library else library)
     return tuple(opened)
 
 
 def open_library(base: BaseDirectory) -> Library:
     """The library of one base directory."""
-    return _open(base, base.tasks, [])
+    return _open(base, base.tasks, [], None, frozenset())
 
 
-def _open(base: BaseDirectory, names: Iterable[str], faults: list[Fault]) -> Library:
-    tasks: dict[str, RmodText] = {}
+def _open(
+    base: BaseDirectory, names: Iterable[str], faults: list[Fault], former: Library | None, changed: Set[Path]
+) -> Library:
+    known = former.found if former else {}
+    read = {name: _read(base, name, known.get(name), changed) for name in names}
+    tasks = {name: record for name, (record, _) in read.items() if record is not None}
     faults += [*base.unreadable, *(one for one in base.misnamed if Path(one.place.file).parent.name == "module")]
-    for name in names:
-        record, found = base.task(name)
-        faults += found
-        if record is not None:
-            tasks[name] = record
+    faults += [fault for _, found in read.values() for fault in found]
     faults += _alike(base, tasks)
-    return Library(base, tasks, tuple(sorted(faults)))
+    return Library(base, tasks, tuple(sorted(faults)), read, frozenset(base.modules))
+
+
+def _read(base: BaseDirectory, name: str, known: Found | None, changed: Set[Path]) -> Found:
+    """A file, or what is known of it where it has not changed."""
+    if known is None:
+        return base.task(name)
+    file = base.task_file(name)
+    if file not in changed or (known[0] is not None and text.load(file, str(file))[0] == known[0].text):
+        return known
+    return base.task(name)
 
 
 def _again(base: BaseDirectory, name: str, owner: BaseDirectory) -> Fault:

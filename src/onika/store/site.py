@@ -22,6 +22,8 @@ from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 
 _FOLDERS = ("module", "conf", "dict", "appl")
+OWN = "onika"
+"""What the base directory of a user's own is called, in the home directory."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,6 +41,11 @@ class Site:
         """The same site with one base directory before all others."""
         others = tuple(base for base in self.directories if base.path.resolve() != own.resolve())
         return replace(self, directories=(BaseDirectory(own), *others))
+
+    @property
+    def own(self) -> Path | None:
+        """The base directory of the user's own, whether it is there already or not."""
+        return None if self.home is None else self.home / OWN
 
     # -- the user's and the installation's files
 
@@ -97,6 +104,20 @@ class Site:
             return (), faults
         read, faults = buttons.read(content, buttons.NAME, str(self._own_path(buttons.NAME)))
         return read or (), faults
+
+    def open_buttons(self) -> tuple[Opened[tuple[Button, ...]] | None, Faults]:
+        """The buttons to be edited and saved again; None where the user has no file of them that can be read."""
+        path = self._own_path(buttons.NAME)
+        return open_file(path, buttons.NAME, buttons.read) if path and path.exists() else (None, ())
+
+    def save_buttons(
+        self, made: tuple[Button, ...], former: Opened[tuple[Button, ...]] | None = None, *, overwrites: bool = False
+    ) -> Opened[tuple[Button, ...]] | Refusal:
+        """Save buttons opened as `former`, or new ones; see `opened.save`."""
+        path = self._own_path(buttons.NAME)
+        if path is None:
+            return Refusal("there is no home directory for buttons")
+        return save(path, made, buttons.write, former, overwrites=overwrites)
 
     def flow_pictures(self) -> tuple[tuple[Picture, Picture], Faults]:
         """The pictures of the start and stop icons; the shipped ones where they are missing or at fault (§A.8)."""
@@ -200,6 +221,11 @@ class Site:
         return text.load(path, str(path)) if path and path.exists() else (None, ())
 
 
+def is_shipped(path: Path) -> bool:
+    """Whether a base directory comes with Onika."""
+    return path.resolve().is_relative_to(shipped().resolve())
+
+
 def shipped() -> Path:
     """The directory of the laboratories that come with Onika; its `prefs` are the installation's."""
     return Path(str(resources.files("onika") / "labs"))
@@ -214,12 +240,13 @@ def shipped_directories() -> tuple[Path, ...]:
 
 
 def open_site(local: Iterable[Path], environment: Mapping[str, str], home: Path | None) -> Site:
-    """The site of a session: the directories `local`, then those of ONIKA_LOCAL, then the shipped laboratories.
+    """The site of a session: the directories `local`, those of ONIKA_LOCAL, the user's own, the shipped laboratories.
 
     ONIKA_LOCAL is a list parted like PATH; ONIKA_DIR names a directory whose `prefs` stand for the shipped ones.
     """
     named = [Path(part) for part in environment.get("ONIKA_LOCAL", "").split(os.pathsep) if part]
-    paths = dict.fromkeys(path.absolute() for path in (*local, *named, *shipped_directories()))
+    own = [home / OWN] if home is not None and (home / OWN).is_dir() else []
+    paths = dict.fromkeys(path.absolute() for path in (*local, *named, *own, *shipped_directories()))
     root = environment.get("ONIKA_DIR")
     prefs = Path(root) / "prefs" if root else shipped() / "prefs"
     return Site(tuple(BaseDirectory(path) for path in paths), prefs, home)

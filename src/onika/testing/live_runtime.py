@@ -244,8 +244,8 @@ class LiveRuntime:
                 self.is_stopped = isinstance(asked, request.Stop)
                 self._told.append(event.Stopped(self.is_stopped, getattr(asked, "cause", "")))
             case live.Take() | live.Release():
+                self._hand(asked)
                 holder = "you" if isinstance(asked, live.Take) else ""
-                self._holders[asked.subsystem] = holder
                 self._told.append(event.Held(asked.subsystem, holder))
             case live.Scene():
                 scene = self.scenes.get(asked.world)
@@ -255,6 +255,16 @@ class LiveRuntime:
             case request.Quit():
                 self.is_over = True
         return request.Done()
+
+    def _hand(self, asked: live.Take | live.Release) -> None:
+        """A subsystem that is taken is there; one that is left with nothing in it is no more."""
+        if isinstance(asked, live.Take):
+            self._holders[asked.subsystem] = "you"
+            self.lives.setdefault(asked.subsystem, {})
+            return
+        self._holders.pop(asked.subsystem, None)
+        if not self.lives.get(asked.subsystem):
+            self.lives.pop(asked.subsystem, None)
 
     def _pass(self, seconds: float) -> None:
         self.now_s += seconds

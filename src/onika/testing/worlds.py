@@ -126,6 +126,11 @@ class MassWorld:
         rows = [[mass.state[2], 0.0, 0.0, 1.0, 0.0, 0.0, 0.0] for mass in self._masses.values()]
         return np.asarray(rows, dtype=np.float32)
 
+    @property
+    def lit(self) -> tuple[str, ...]:
+        """Nothing shines."""
+        return ()
+
     def snapshot(self) -> bytes:
         """The same as the fingerprint: there is nothing to draw."""
         return self.fingerprint()

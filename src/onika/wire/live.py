@@ -5,6 +5,7 @@ from typing import Any
 from msgspec import Struct
 
 from onika.wire.plan import Code, PlannedTask
+from onika.wire.sheet import ModuleSheet
 
 
 class Turn(Struct, frozen=True):
@@ -88,6 +89,12 @@ class Read(Struct, frozen=True, tag=True):
     names: tuple[str, ...] = ()
 
 
+class Describe(Struct, frozen=True, tag=True):
+    """Ask what the classes of modules declare; replied by Described. It lets everything else pass."""
+
+    code: tuple[Code, ...]
+
+
 class Check(Struct, frozen=True, tag=True):
     """Check the memory of a subsystem's variables (A12); replied by Findings."""
 
@@ -159,6 +166,7 @@ LiveRequest = (
     | Status
     | Survey
     | Read
+    | Describe
     | Check
     | Close
     | Take
@@ -190,6 +198,13 @@ class Values(Struct, frozen=True, tag=True):
     now_s: float
     types: dict[str, str] = {}
     """Their types with their dimensions, as in `double[6]`."""
+
+
+class Described(Struct, frozen=True, tag=True):
+    """What classes of modules declare, and why others cannot be read, each by the digest of the code."""
+
+    sheets: dict[str, ModuleSheet]
+    faults: dict[str, str] = {}
 
 
 class TaskStanding(Struct, frozen=True):
@@ -282,4 +297,4 @@ class Scenery(Struct, frozen=True, tag=True):
     scene: dict[str, Any]
 
 
-LiveResponse = Accepted | Value | Values | Standing | Figures | Findings | Scenery
+LiveResponse = Accepted | Value | Values | Standing | Figures | Findings | Scenery | Described

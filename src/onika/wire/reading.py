@@ -23,6 +23,8 @@ class Poses(Struct, frozen=True, tag=True):
     """The world's time."""
     rows: bytes
     """Little-endian float32: x y z (m) and quaternion w x y z for each body, in the order of the scene."""
+    lit: tuple[str, ...] = ()
+    """The names of the shapes that shine, such as a lamp."""
 
 
 Reading = Variable | Poses

@@ -167,6 +167,11 @@ class BoxesWorld:
         """Place (m) and quaternion (w, x, y, z) of each body, float32[bodies,7]."""
         return self._plant.poses()
 
+    @property
+    def lit(self) -> tuple[str, ...]:
+        """The lamp, while its circuit is closed."""
+        return ("lamp",) if self._lamp.lit else ()
+
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
         qpos = tuple(self._plant.data.qpos.tolist())

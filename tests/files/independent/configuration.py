@@ -2,14 +2,14 @@
 
 from typing import Any
 
-from .script import Script, name, number, numbers, one_word, real, svar, yes
+from .script import Script, name, number, numbers, one_word, real, svar, words, yes
 
 COUNTS = ("CONNS", "NUMINCONST", "NUMOUTCONST", "NUMINVAR", "NUMOUTVAR", "NUMDOUBLEIN")
 
 
 def read(text: str) -> dict[str, Any]:
-    script = Script(text)
-    tasks, loci = [], []
+    script = Script(text, extended=True)
+    tasks, loci, groups = [], [], []
     while script.next == "RMODFILE":
         task = (
             name(script.take("RMODFILE")),
@@ -27,11 +27,19 @@ def read(text: str) -> dict[str, Any]:
         if min(counts) < 0:
             raise ValueError("counts")
         loci.append((*where, counts, yes(script.maybe("SHOW", "yes"))))
+    while (group := script.new("GROUP")) is not None:
+        groups.append([name(word) for word in words(group)])
     script.end()
     for heads in ([task[0] for task in tasks], [locus[0] for locus in loci]):
         if len(set(heads)) < len(heads):
             raise ValueError("twice")
-    return {"tasks": tasks, "loci": loci}
+    names = [task[0] for task in tasks]
+    members = [member for group in groups for member in group[1:]]
+    if len({group[0] for group in groups if group}) < len(groups) or len(set(members)) < len(members):
+        raise ValueError("groups twice")
+    if any(len(group) < 2 for group in groups) or any(member not in names for member in members):
+        raise ValueError("groups of nothing")
+    return {"tasks": tasks, "loci": loci, "groups": groups}
 
 
 def _corner(script: Script) -> tuple[int, int]:

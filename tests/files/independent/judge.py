@@ -85,7 +85,7 @@ def _configuration(found: Configuration) -> dict[str, Any]:
         (at.svar, (at.x, at.y), [at.conns, at.inconst, at.outconst, at.invar, at.outvar, at.double_in], at.show)
         for at in found.loci
     ]
-    return {"tasks": tasks, "loci": loci}
+    return {"tasks": tasks, "loci": loci, "groups": [[one.name, *one.tasks] for one in found.groups]}
 
 
 def _onikon(found: Onikon) -> dict[str, Any]:

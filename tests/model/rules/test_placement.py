@@ -3,7 +3,7 @@ from dataclasses import replace
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from onika.model.rules.placement import alias_refusals, greyed, meets_constant, refusals
+from onika.model.rules.placement import Company, alias_refusals, greyed, meets_constant, refusals
 from onika.model.task import Task
 
 CUBIC = Task("cubic", "cubic", inconst=("NDOF",), invar=("Q_MEZ",), outvar=("Q_REF",))
@@ -29,7 +29,7 @@ def test_aliased_names_count() -> None:
 def test_a_task_of_the_same_name_or_module_is_refused_though_it_writes_nothing() -> None:
     logger = Task("logger", "logger", invar=("Q_MEZ",))
     assert reasons(logger, logger) == ["`logger` is placed already"]
-    assert reasons(replace(logger, name="other"), logger) == ["its module `logger` runs already, in `logger`"]
+    assert reasons(replace(logger, name="other"), logger) == ["its module `logger` is used already, by `logger`"]
 
 
 def test_a_pure_outvar_may_not_meet_a_pure_inconst_either_way_round() -> None:
@@ -95,3 +95,43 @@ def test_meeting_a_constant_needs_both_ends_pure(writer: Task, reader: Task) -> 
     for svar in meets_constant(writer, reader):
         assert svar in writer.outvar and svar not in writer.outconst
         assert svar in reader.inconst and svar not in reader.invar
+
+
+def plain_reasons(task: Task, other: Task) -> list[str]:
+    """Equation (2) pair by pair, as it is written."""
+    if task.name == other.name:
+        return [f"`{task.name}` is placed already"]
+    found = []
+    if task.module == other.module:
+        found.append(f"its module `{task.module}` is used already, by `{other.name}`")
+    outputs = [set(one.svars(one.outvar + one.outconst)) for one in (task, other)]
+    found += [f"writes {svar}, which `{other.name}` already writes" for svar in sorted(outputs[0] & outputs[1])]
+    for writer, reader in ((task, other), (other, task)):
+        given = set(writer.svars(tuple(name for name in writer.outvar if name not in writer.outconst)))
+        needed = set(reader.svars(tuple(name for name in reader.inconst if name not in reader.invar)))
+        found += [
+            f"`{reader.name}` needs {svar} at initialisation, `{writer.name}` gives it only while it runs"
+            for svar in sorted(given & needed)
+        ]
+    return found
+
+
+aliases = st.lists(st.tuples(st.sampled_from(VARS), st.sampled_from((*VARS, "D"))), max_size=2).map(tuple)
+aliased = st.builds(replace, tasks, aliases=aliases)
+
+
+@given(st.lists(aliased, max_size=6), st.lists(aliased, max_size=6))
+@settings(max_examples=200, deadline=None)
+def test_reasons_are_those_of_every_pair_in_their_order(library: list[Task], placed: list[Task]) -> None:
+    by_name = list({t.name: t for t in library}.values())  # R-C07
+    expected = {t.name: [reason for s in placed for reason in plain_reasons(t, s)] for t in by_name}
+    found = greyed(by_name, placed)
+    assert {name: [one.reason for one in found.get(name, ())] for name in expected} == expected
+    assert all([one.reason for one in refusals(t, placed)] == expected[t.name] for t in by_name)
+
+
+@given(st.lists(aliased, max_size=6), aliased)
+@settings(max_examples=100, deadline=None)
+def test_whom_a_task_keeps_out_is_told_as_each_would_be_told(library: list[Task], task: Task) -> None:
+    found = [(other.name, refused) for other, refused in Company(library).kept_out_by(task)]  # R-C07
+    assert found == [(other.name, refusals(other, [task])) for other in library if refusals(other, [task])]

@@ -1,6 +1,6 @@
 """Which tasks may stand in one configuration, Equations (2) and (3) (dissertation §5.3.3, §4.2.2)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Mapping
 
 from onika.model.task import Task
 from onika.words.fault import Refusal
@@ -12,14 +12,50 @@ def refusals(task: Task, placed: Iterable[Task]) -> tuple[Refusal, ...]:
     The reasons are its name, its module, each output shared and each pure OUTVAR that meets a pure INCONST, by
     aliased names.
     """
-    return tuple(refusal for other in placed for refusal in _between(task, other))
+    return tuple(refusal for other in placed if _meet(task, other) for refusal in _between(task, other))
 
 
 def greyed(library: Iterable[Task], placed: Iterable[Task]) -> dict[str, tuple[Refusal, ...]]:
     """The set G of Equation (2): the tasks of a library that may not be placed, each with all its reasons."""
-    standing = tuple(placed)
-    reasons = {task.name: refusals(task, standing) for task in library}
+    standing = Company(placed)
+    reasons = {task.name: tuple(standing.against(task)) for task in library}
     return {name: found for name, found in reasons.items() if found}
+
+
+class Company:
+    """Tasks by what may speak between them and another one, so that few need be looked at."""
+
+    def __init__(self, tasks: Iterable[Task]) -> None:
+        self._tasks = tuple(tasks)
+        self._names: dict[str, list[int]] = {}
+        self._modules: dict[str, list[int]] = {}
+        self._outputs: dict[str, list[int]] = {}
+        self._given: dict[str, list[int]] = {}
+        self._needed: dict[str, list[int]] = {}
+        for at, task in enumerate(self._tasks):
+            self._names.setdefault(task.name, []).append(at)
+            self._modules.setdefault(task.module, []).append(at)
+            _note(self._outputs, task.outputs, at)
+            _note(self._given, task.given_while_running, at)
+            _note(self._needed, task.needed_at_start, at)
+
+    def against(self, task: Task) -> Iterator[Refusal]:
+        """Every reason why `task` may not join them, in their order."""
+        for other in self._near(task):
+            yield from _between(task, other)
+
+    def kept_out_by(self, task: Task) -> Iterator[tuple[Task, tuple[Refusal, ...]]]:
+        """Those of them that may not join `task`, each with all its reasons."""
+        for other in self._near(task):
+            yield other, tuple(_between(other, task))
+
+    def _near(self, task: Task) -> list[Task]:
+        """Those with which there is something, in order; it is so both ways or not at all."""
+        found = {*self._names.get(task.name, ()), *self._modules.get(task.module, ())}
+        _gather(found, self._outputs, task.outputs)
+        _gather(found, self._needed, task.given_while_running)
+        _gather(found, self._given, task.needed_at_start)
+        return [self._tasks[at] for at in sorted(found)]
 
 
 def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]:
@@ -36,40 +72,56 @@ def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]
 
 def meets_constant(writer: Task, reader: Task) -> frozenset[str]:
     """O_V(writer) ∩ I_C(reader) of Equation (3): given only while it runs, needed at initialisation."""
-    return given_while_running(writer) & needed_at_start(reader)
+    return writer.given_while_running & reader.needed_at_start
 
 
 def given_while_running(task: Task) -> frozenset[str]:
     """O_V of a task: the variables of its pure OUTVARs."""
-    return _pure(task, task.outvar, task.outconst)
+    return task.given_while_running
 
 
 def needed_at_start(task: Task) -> frozenset[str]:
     """I_C of a task: the variables of its pure INCONSTs."""
-    return _pure(task, task.inconst, task.invar)
+    return task.needed_at_start
+
+
+def _note(index: dict[str, list[int]], svars: Iterable[str], at: int) -> None:
+    for svar in svars:
+        index.setdefault(svar, []).append(at)
+
+
+def _gather(found: set[int], index: Mapping[str, list[int]], svars: Iterable[str]) -> None:
+    for svar in svars:
+        if svar in index:
+            found.update(index[svar])
+
+
+def _meet(task: Task, other: Task) -> bool:
+    """Whether there is any reason between two tasks."""
+    return (
+        task.name == other.name
+        or task.module == other.module
+        or not task.outputs.isdisjoint(other.outputs)
+        or not task.given_while_running.isdisjoint(other.needed_at_start)
+        or not task.needed_at_start.isdisjoint(other.given_while_running)
+    )
 
 
 def _between(task: Task, other: Task) -> list[Refusal]:
-    found = []
     if task.name == other.name:
         return [Refusal(f"`{task.name}` is placed already", (f"show `{other.name}`",))]
+    found = []
+    replace, show = f"replace `{other.name}`", f"show `{other.name}`"
     if task.module == other.module:
-        reason = f"its module `{task.module}` runs already, in `{other.name}`"
-        found.append(Refusal(reason, (f"replace `{other.name}`", f"show `{other.name}`")))
+        found.append(Refusal(f"its module `{task.module}` is used already, by `{other.name}`", (replace, show)))
     for svar in sorted(task.outputs & other.outputs):
         reason = f"writes {svar}, which `{other.name}` already writes"
-        found.append(Refusal(reason, (f"replace `{other.name}`", f"alias {svar}", f"show `{other.name}`")))
+        found.append(Refusal(reason, (replace, f"alias {svar}", show)))
     for writer, reader in ((task, other), (other, task)):
         for svar in sorted(meets_constant(writer, reader)):
             reason = f"`{reader.name}` needs {svar} at initialisation, `{writer.name}` gives it only while it runs"
-            found.append(Refusal(reason, (f"replace `{other.name}`", f"alias {svar}", f"show `{other.name}`")))
+            found.append(Refusal(reason, (replace, f"alias {svar}", show)))
     return found
-
-
-def _pure(task: Task, names: Iterable[str], tandem: Iterable[str]) -> frozenset[str]:
-    """The variables of some ports that are not part of an INBOTH or OUTBOTH."""
-    both = set(tandem)
-    return frozenset(task.svars(tuple(name for name in names if name not in both)))
 
 
 def _writers(task: Task) -> dict[str, list[str]]:

@@ -1,0 +1,27 @@
+// Everything a user does goes through here: it is sent, and a refusal is shown where the user is looking.
+import { announce } from './announce'
+import type { AnyAct, Remedy } from './api.gen'
+import { here, reveal } from './here.svelte'
+import { send } from './link'
+import { Refusal } from './refusal'
+import { hideRefusal, showRefusal, type Point } from './refused.svelte'
+
+/** The value of the answer, null where it has none; undefined where it was refused, which is on show beside the pointer. */
+export async function act(a: AnyAct, at?: Point): Promise<unknown> {
+  hideRefusal()
+  try {
+    return (await send(a)) ?? null
+  } catch (why) {
+    if (!(why instanceof Refusal)) throw why
+    showRefusal(why, at)
+    announce(why.reason)
+    return undefined
+  }
+}
+
+/** Do what a remedy offers: send its act, or go to what it names. */
+export async function follow(remedy: Remedy, doc: string = here.doc, at?: Point): Promise<void> {
+  hideRefusal()
+  if (remedy.show) reveal(remedy.show, doc)
+  if (remedy.act) await act(remedy.act, at)
+}

@@ -1,0 +1,64 @@
+// What can be done by name, key or menu. The keymap, the palette, the menus and the help sheet all read this list.
+
+export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help'
+
+export interface Command {
+  id: string
+  title: () => string
+  group: Group
+  /** As in `Ctrl+Shift+Z`, `/`, `Delete`; the first is shown. Ctrl stands for the command key of a Mac, too. */
+  keys?: readonly string[]
+  when?: () => boolean
+  run: () => unknown
+  /** Whether its keys work while a text is being typed. */
+  whileTyping?: boolean
+}
+
+const commands = new Map<string, Command>()
+
+/** Add a command; a later one of the same id takes its place. */
+export function command(one: Command): void {
+  commands.set(one.id, one)
+}
+
+export const allCommands = (): Command[] => [...commands.values()]
+export const isAvailable = (one: Command): boolean => one.when?.() ?? true
+export const findCommand = (id: string): Command | undefined => commands.get(id)
+
+export function run(id: string): void {
+  const one = commands.get(id)
+  if (one && isAvailable(one)) one.run()
+}
+
+/** Run what the pressed keys stand for; true where they stood for something. */
+export function press(event: KeyboardEvent): boolean {
+  if (event.isComposing || event.defaultPrevented) return false
+  const typing = isTyping(event.target)
+  for (const one of commands.values()) {
+    if (typing && !one.whileTyping) continue
+    if (!one.keys?.some((keys) => matches(keys, event)) || !isAvailable(one)) continue
+    event.preventDefault()
+    one.run()
+    return true
+  }
+  return false
+}
+
+const FIELDS = 'input:not([type=checkbox]):not([type=radio]):not([type=button]):not([type=range]), textarea, select, [contenteditable=true]'
+
+function isTyping(target: EventTarget | null): boolean {
+  return typeof Element !== 'undefined' && target instanceof Element && target.closest(FIELDS) !== null
+}
+
+export type Pressed = Pick<KeyboardEvent, 'key' | 'ctrlKey' | 'metaKey' | 'shiftKey' | 'altKey'>
+
+/** Whether an event is these keys. Where a sign itself needs Shift (as ? does on many keyboards), Shift is not asked. */
+export function matches(keys: string, event: Pressed): boolean {
+  const parts = keys.split('+')
+  const key = keys.endsWith('++') || keys === '+' ? '+' : parts.at(-1)
+  if (key === undefined || key.toLowerCase() !== event.key.toLowerCase()) return false
+  if (parts.includes('Ctrl') !== (event.ctrlKey || event.metaKey)) return false
+  if (parts.includes('Alt') !== event.altKey) return false
+  const isSign = key.length === 1 && !/[a-z]/i.test(key)
+  return isSign || parts.includes('Shift') === event.shiftKey
+}

@@ -1,0 +1,57 @@
+// Commands of the strip: its tables, plots, questions and the workcell.
+import { command } from '../commands'
+import { desk } from '../desk.svelte'
+import { here, type StripTab } from '../here.svelte'
+import { watchAgain } from '../frames'
+import { asks } from '../run/asks.svelte'
+import { isWorldShown, plot, showWorld } from '../run/plots.svelte'
+import { t } from '../texts/index.svelte'
+
+const TITLES = {
+  tasks: () => t('strip.showTasks'),
+  variables: () => t('strip.showVariables'),
+  problems: () => t('strip.showProblems'),
+  log: () => t('strip.showLog'),
+} satisfies Record<StripTab, () => string>
+
+for (const [tab, title] of Object.entries(TITLES) as [StripTab, () => string][])
+  command({ id: `strip.${tab}`, title, group: 'view', run: () => (here.strip = tab) })
+
+command({ id: 'strip.refresh', title: () => t('strip.refresh'), group: 'run', run: watchAgain })
+command({
+  id: 'strip.plotPicked',
+  title: () => t('strip.plotPicked'),
+  group: 'view',
+  when: () => here.pickedLocus !== '',
+  run: () => plot(here.pickedLocus),
+})
+command({
+  id: 'strip.closePlots',
+  title: () => t('strip.closePlots'),
+  group: 'view',
+  when: () => here.plots.length > 0,
+  run: () => (here.plots = []),
+})
+command({
+  id: 'strip.workcell',
+  title: () => t('strip.showWorkcell'),
+  group: 'view',
+  when: () => firstWorld() !== undefined,
+  run: () => {
+    const world = firstWorld()
+    if (world !== undefined) showWorld(world)
+  },
+})
+command({
+  id: 'strip.answer',
+  title: () => t('ask.answer'),
+  group: 'run',
+  when: () => firstAsking() !== undefined,
+  run: () => asks.open(firstAsking() ?? ''),
+})
+
+const firstWorld = (): string | undefined => Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
+
+function firstAsking(): string | undefined {
+  return Object.entries(desk.tree.documents[here.doc]?.tasks ?? {}).find(([, task]) => task.ask)?.[0]
+}

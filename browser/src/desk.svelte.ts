@@ -1,0 +1,61 @@
+// The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
+import type { Patch, Snapshot, Tree } from './api.gen'
+
+/** A tree whose maps are all there. What is optional inside a document or a task stays optional. */
+export type FullTree = Required<Tree>
+
+interface Desk {
+  tree: FullTree
+  /** Of the tree; -1 before the first snapshot. */
+  rev: number
+  isLinked: boolean
+  /** Whether the environment does not let this browser in any more. */
+  isLocked: boolean
+  /** The name of this browser. */
+  you: string
+  version: string
+}
+
+export function fullTree(tree: Tree): FullTree {
+  const empty: FullTree = {
+    libraries: {}, tasks: {}, documents: {}, files: {}, clipboard: '', runtime: {},
+    preferences: {}, buttons: {}, job_types: [], edges: {}, people: 0,
+  }
+  return { ...empty, ...tree }
+}
+
+export const desk: Desk = $state({ tree: fullTree({}), rev: -1, isLinked: false, isLocked: false, you: '', version: '' })
+
+export function applySnapshot(snapshot: Snapshot): void {
+  desk.tree = fullTree(snapshot.tree)
+  desk.rev = snapshot.rev
+  desk.you = snapshot.you
+  desk.version = snapshot.version
+}
+
+/** Take over a patch; false where it does not follow what is here, and a new snapshot is needed. */
+export function applyPatch(patch: Patch): boolean {
+  if (patch.rev !== desk.rev + 1) return false
+  for (const [path, value] of patch.changes) change(path, value)
+  desk.rev = patch.rev
+  return true
+}
+
+type Branch = Record<string, unknown>
+
+/** Put a value at its place; null takes away. Branches on the way that were empty, and so not sent, grow. */
+function change(path: readonly string[], value: unknown): void {
+  let branch = desk.tree as unknown as Branch
+  for (const step of path.slice(0, -1)) {
+    if (branch[step] === undefined || branch[step] === null) {
+      if (value === null) return
+      branch[step] = {}
+    }
+    branch = branch[step] as Branch
+  }
+  const last = path.at(-1)
+  if (last === undefined) return
+  if (value !== null) branch[last] = value
+  else if (path.length === 1) branch[last] = (fullTree({}) as unknown as Branch)[last]
+  else delete branch[last]
+}

@@ -1,0 +1,43 @@
+// Pictures of digits as images, and images as pictures.
+import { PALETTE, rgbOf } from '../geom/palette'
+import { fromRgba, SIZE, type Picture } from '../geom/pixels'
+
+const COLOURS = PALETTE.map((colour) => rgbOf(colour.hex))
+const LARGEST = 600 // pixels of an imported image on its longer side; more says nothing in 30
+const made = new Map<Picture, string>()
+
+/** Draw a picture, one pixel for each digit. */
+export function draw(canvas: HTMLCanvasElement, picture: Picture): void {
+  const pen = canvas.getContext('2d')
+  if (!pen) return
+  const image = pen.createImageData(SIZE, SIZE)
+  for (let k = 0; k < picture.length; k += 1) {
+    image.data.set(COLOURS[Number(picture[k])] ?? COLOURS[8], 4 * k)
+    image.data[4 * k + 3] = 255
+  }
+  pen.putImageData(image, 0, 0)
+}
+
+/** The address of a picture as an image; made once for each. */
+export function imageUrl(picture: Picture): string {
+  let url = made.get(picture)
+  if (!url) {
+    const canvas = Object.assign(document.createElement('canvas'), { width: SIZE, height: SIZE })
+    draw(canvas, picture)
+    url = canvas.toDataURL()
+    if (made.size > 500) made.clear() // a picture being drawn makes many
+    made.set(picture, url)
+  }
+  return url
+}
+
+/** An image file as a picture; rejects where the browser cannot read it. */
+export async function imported(file: Blob): Promise<Picture> {
+  const bitmap = await createImageBitmap(file)
+  const scale = Math.min(1, LARGEST / Math.max(bitmap.width, bitmap.height))
+  const [width, height] = [Math.max(1, Math.round(bitmap.width * scale)), Math.max(1, Math.round(bitmap.height * scale))]
+  const pen = new OffscreenCanvas(width, height).getContext('2d')
+  if (!pen) throw new Error('a canvas without a context')
+  pen.drawImage(bitmap, 0, 0, width, height)
+  return fromRgba(pen.getImageData(0, 0, width, height).data, width, height)
+}

@@ -1,0 +1,8 @@
+// The page begins here: the look, then the shell.
+import { mount } from 'svelte'
+import App from './App.svelte'
+import './theme.css'
+
+const place = document.getElementById('app')
+if (!place) throw new Error('index.html has no element #app')
+mount(App, { target: place })

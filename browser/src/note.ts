@@ -1,0 +1,7 @@
+// What this page alone knows of, for the diary: a selection, a view opened. Named as in the dissertation's event log.
+import { send } from './link'
+
+/** `object` is the name of a thing, `id` tells it from others of that name; windows are called as in §A.5. */
+export function note(event: string, object: string, id: string, window: 'lexi' | 'conf' | 'main' | 'stat' | 'svar'): void {
+  void send({ t: 'Note', event, object, id, window }).catch(() => undefined) // nobody waits for it
+}

@@ -1,0 +1,48 @@
+// Which question is shown: those of the document shown come one after the other, in the order in which they were asked.
+import type { AskView, DocumentView } from '../api.gen'
+
+export class Asks {
+  /** The task whose question is shown; empty: none. */
+  shown = $state('')
+  /** Whom somebody wants to answer now: that form takes the focus, and none does by itself. */
+  wanted = $state('')
+  /** Tasks whose question was put aside; it opens again when they ask anew. */
+  private readonly aside = new Map<string, AskView>()
+  private order: string[] = $state([])
+
+  /** The state of a document as it is now. */
+  take(doc: DocumentView | undefined): void {
+    const asking = Object.entries(doc?.tasks ?? {}).flatMap(([name, task]) => (task.ask ? [[name, task.ask] as const] : []))
+    const names = new Set(asking.map(([name]) => name))
+    for (const [name, ask] of asking) if (this.aside.get(name) !== ask) this.aside.delete(name)
+    for (const name of [...this.aside.keys()]) if (!names.has(name)) this.aside.delete(name)
+    const known = this.order.filter((name) => names.has(name))
+    this.order = [...known, ...[...names].filter((name) => !known.includes(name))]
+    if (!names.has(this.shown) || this.aside.has(this.shown)) this.shown = this.next()
+  }
+
+  /** How many wait behind the one shown. */
+  get waiting(): number {
+    return this.order.filter((name) => name !== this.shown && !this.aside.has(name)).length
+  }
+
+  /** Not now: it stays with its task, and the next one is shown. */
+  putAside(ask: AskView | undefined): void {
+    if (ask) this.aside.set(this.shown, ask)
+    this.shown = this.next()
+  }
+
+  /** Somebody wants to answer this one. */
+  open(task: string): void {
+    this.aside.delete(task)
+    if (!this.order.includes(task)) return
+    this.shown = task
+    this.wanted = task
+  }
+
+  private next(): string {
+    return this.order.find((name) => !this.aside.has(name)) ?? ''
+  }
+}
+
+export const asks = new Asks()

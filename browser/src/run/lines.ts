@@ -1,0 +1,30 @@
+// Lines of the log as text.
+
+export interface Spoken {
+  level: string
+  text: string
+  doc?: string
+  at_s?: number
+}
+
+/** No clock of today stands lower, no runtime lives so long. */
+const TODAY_S = 1e9
+
+/** The time of day; of the runtime's own time, which begins with it, the minutes since then: `+03:47.1`. */
+export function clock(at_s: number): string {
+  const two = (part: number): string => String(part).padStart(2, '0')
+  if (at_s < TODAY_S) return `+${two(Math.floor(at_s / 60))}:${(at_s % 60).toFixed(1).padStart(4, '0')}`
+  const at = new Date(at_s * 1000)
+  return [at.getHours(), at.getMinutes(), at.getSeconds()].map(two).join(':')
+}
+
+/** Lines that hold all the words, in any case. */
+export function filtered<L extends Spoken>(lines: readonly L[], words: string): L[] {
+  const wanted = words.toLowerCase().split(/\s+/).filter(Boolean)
+  return lines.filter((line) => wanted.every((word) => `${line.level} ${line.text}`.toLowerCase().includes(word)))
+}
+
+/** As it is copied: time, level, text. */
+export function plain(lines: readonly Spoken[]): string {
+  return lines.map((line) => `${clock(line.at_s ?? 0)}\t${line.level}\t${line.text}\n`).join('')
+}

@@ -1,0 +1,49 @@
+// A simulated world as it travels: its shapes once, then the places of its bodies.
+
+/** As `workcell.scene.Shape3d`: lengths in metres, sizes are half sizes, quaternions w x y z. */
+export interface Shape {
+  name: string
+  body: number
+  kind: string
+  size: number[]
+  position: [number, number, number]
+  quaternion: [number, number, number, number]
+  rgba: [number, number, number, number]
+  paint: string
+}
+
+export interface World {
+  shapes: Shape[]
+}
+
+/** x y z and w x y z. */
+export const ROW = 7
+
+/** The shapes in an answer to `Scene`; undefined where there are none. */
+export function worldOf(answer: unknown): World | undefined {
+  const given = answer as { shapes?: unknown; scene?: { shapes?: unknown } } | null | undefined
+  const shapes = given?.shapes ?? given?.scene?.shapes
+  return Array.isArray(shapes) ? { shapes: shapes as Shape[] } : undefined
+}
+
+/** A row for each body: given as rows, as one list of numbers, or as the bytes of float32 numbers in base64. */
+export function rowsOf(given: unknown): Float32Array | undefined {
+  if (typeof given === 'string') return fromBase64(given)
+  if (Array.isArray(given)) return Float32Array.from(given.flat() as number[])
+  if (given && typeof given === 'object' && 'rows' in given) return rowsOf(given.rows)
+  return undefined
+}
+
+/** Whether lamps are lit; undefined where it is not said. */
+export function isLit(given: unknown): boolean | undefined {
+  if (!given || typeof given !== 'object' || !('lit' in given)) return undefined
+  return Array.isArray(given.lit) ? given.lit.length > 0 : Boolean(given.lit)
+}
+
+/** How many bodies the shapes belong to. */
+export const bodiesOf = (world: World): number => world.shapes.reduce((most, shape) => Math.max(most, shape.body), 0) + 1
+
+function fromBase64(text: string): Float32Array | undefined {
+  const bytes = Uint8Array.from(atob(text), (sign) => sign.charCodeAt(0))
+  return bytes.length % 4 ? undefined : new Float32Array(bytes.buffer)
+}

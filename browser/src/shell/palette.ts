@@ -1,0 +1,69 @@
+// What the palette offers, and how it is searched.
+import { allCommands, isAvailable } from '../commands'
+import { desk } from '../desk.svelte'
+import { here, pick, reveal } from '../here.svelte'
+import { t } from '../texts/index.svelte'
+import { open } from './opening'
+
+export interface Entry {
+  id: string
+  kind: string
+  label: string
+  note?: string
+  keys?: string
+  /** Whether its label is the name of something rather than words. */
+  isName?: boolean
+  run: () => unknown
+}
+
+export function entries(): Entry[] {
+  return [...commands(), ...placed(), ...tasks(), ...files(), ...variables()]
+}
+
+const commands = (): Entry[] =>
+  allCommands().filter((one) => one.id !== 'view.palette' && isAvailable(one)).map((one) => ({
+    id: `c ${one.id}`, kind: t('palette.command'), label: one.title(), run: one.run, ...(one.keys?.[0] ? { keys: one.keys[0] } : {}),
+  }))
+
+const placed = (): Entry[] =>
+  Object.keys(desk.tree.documents[here.doc]?.tasks ?? {}).map((name) => ({
+    id: `p ${name}`, kind: t('palette.placed'), label: name, isName: true, run: () => reveal(`task:${name}`),
+  }))
+
+const tasks = (): Entry[] =>
+  Object.values(desk.tree.tasks).map((task) => ({
+    id: `t ${task.name}`, kind: t('palette.task'), label: task.name, note: task.description, isName: true,
+    run: () => {
+      pick()
+      reveal(`library:${task.name}`)
+    },
+  }))
+
+const files = (): Entry[] =>
+  Object.values(desk.tree.files).map((file) => ({
+    id: `f ${file.path}`, kind: t('palette.file'), label: file.name, note: file.base.split('/').at(-1) ?? '', isName: true, run: () => open(file.path),
+  }))
+
+const variables = (): Entry[] =>
+  Object.keys(desk.tree.documents[here.doc]?.loci ?? {}).map((name) => ({
+    id: `v ${name}`, kind: t('palette.variable'), label: name, isName: true, run: () => reveal(`locus:${name}`),
+  }))
+
+/** All words must occur; whatever begins with them comes first, then what has them in its label. */
+export function find(all: readonly Entry[], wanted: string): Entry[] {
+  const words = wanted.toLowerCase().split(/\s+/).filter(Boolean)
+  const rated = all.map((entry, k) => ({ entry, k, rank: rank(entry, words) })).filter(({ rank }) => rank < NEVER)
+  return rated.sort((a, b) => a.rank - b.rank || a.k - b.k).map(({ entry }) => entry)
+}
+
+const NEVER = 9
+
+function rank(entry: Entry, words: readonly string[]): number {
+  const label = entry.label.toLowerCase()
+  const rest = `${label} ${entry.kind} ${entry.note ?? ''}`.toLowerCase()
+  if (!words.every((word) => rest.includes(word))) return NEVER
+  const [first = ''] = words
+  if (label === words.join(' ')) return 0
+  if (label.startsWith(first)) return 1
+  return words.every((word) => label.includes(word)) ? 2 : 3
+}

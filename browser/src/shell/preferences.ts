@@ -1,0 +1,43 @@
+// The preferences of §A.5 in groups a person would look in, and what is not in any of them.
+import type { TextKey } from '../texts/index.svelte'
+
+export type Value = boolean | number | string | string[] | Record<string, number>
+
+export interface Field {
+  name: string
+  value: Value
+}
+
+const GROUPS: [TextKey, string[]][] = [
+  ['prefer.icons', ['line_length', 'min_size', 'min_pin_separation', 'step_size', 'pin_length', 'shows_period']],
+  ['prefer.wires', ['connection_separation', 'show_inconst', 'show_outconst', 'show_invar', 'show_outvar', 'locus_size', 'hit_tolerance']],
+  ['prefer.figures', ['status_columns', 'shows_warnings']],
+  ['prefer.study', ['keeps_diary']],
+  ['prefer.windows', ['library', 'canvas', 'status', 'variables', 'dictionary', 'workspace', 'main', 'buttons']],
+]
+
+export function grouped(preferences: Readonly<Record<string, unknown>>): [TextKey, Field[]][] {
+  const known = new Set(GROUPS.flatMap(([, names]) => names))
+  const others = Object.keys(preferences).filter((name) => !known.has(name))
+  return [...GROUPS, ['prefer.others', others] as [TextKey, string[]]]
+    .map(([title, names]): [TextKey, Field[]] => [title, names.flatMap((name) => field(name, preferences[name]))])
+    .filter(([, fields]) => fields.length > 0)
+}
+
+function field(name: string, value: unknown): Field[] {
+  return isValue(value) ? [{ name, value }] : []
+}
+
+function isValue(value: unknown): value is Value {
+  if (['boolean', 'number', 'string'].includes(typeof value)) return true
+  if (Array.isArray(value)) return value.every((one) => typeof one === 'string')
+  return typeof value === 'object' && value !== null && Object.values(value).every((one) => typeof one === 'number')
+}
+
+/** What was typed, as a value of the same kind as before; undefined where it is none. */
+export function typed(text: string, before: number | string | string[]): number | string | string[] | undefined {
+  if (Array.isArray(before)) return text.split(/[\s,]+/).filter(Boolean)
+  if (typeof before === 'string') return text
+  const number = Number(text.replace(',', '.'))
+  return text.trim() === '' || !Number.isFinite(number) ? undefined : number
+}

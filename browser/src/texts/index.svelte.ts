@@ -1,0 +1,20 @@
+// The text of a name in the language of this browser; read inside a template, it follows a change of language.
+import { here } from '../here.svelte'
+import { en, type TextKey } from './en'
+import { es } from './es'
+
+export type { TextKey }
+export type Values = Record<string, string | number>
+
+const CATALOGUES = { en, es }
+
+/** `{name}` stands for a value; `one|many` is chosen by the value `n`. */
+export function t(key: TextKey, values: Values = {}): string {
+  return fill(CATALOGUES[here.language][key], values)
+}
+
+export function fill(text: string, values: Values): string {
+  const forms = text.split('|')
+  const form = 'n' in values && forms.length === 2 ? forms[values.n === 1 ? 0 : 1]! : text
+  return form.replace(/\{(\w+)\}/g, (whole, name: string) => String(values[name] ?? whole))
+}

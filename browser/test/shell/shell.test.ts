@@ -1,0 +1,128 @@
+// Address, palette, preferences, memory, look: small things of the page.
+import { afterEach, describe, expect, test, vi } from 'vitest'
+import { desk, fullTree } from '../../src/desk.svelte'
+import { here, reveal } from '../../src/here.svelte'
+import { keep, kept } from '../../src/kept'
+import { read, written } from '../../src/shell/address'
+import { inOrder, settle, show, step } from '../../src/shell/documents.svelte'
+import { find, type Entry } from '../../src/shell/palette'
+import { grouped, typed } from '../../src/shell/preferences'
+import { wear } from '../../src/shell/theme'
+
+describe('the address of the page', () => {
+  test.each([
+    ['#/config/joint_move?task=pd', { config: 'joint_move', task: 'pd' }],
+    ['#/config/joint_move', { config: 'joint_move', task: '' }],
+    ['#/config/a%20b', { config: 'a b', task: '' }],
+    ['#/config/100%', { config: '100%', task: '' }],
+  ])('%s', (hash, place) => expect(read(hash)).toEqual(place))
+  test.each(['', '#', '#/other/x', '#/config/'])('“%s” names nothing', (hash) => expect(read(hash)).toBeUndefined())
+  test('what is written is read', () => {
+    const place = { config: 'a b/ñ?', task: 'Q^_MEZ & co' }
+    expect(read(written(place))).toEqual(place)
+  })
+})
+
+describe('the palette', () => {
+  const entry = (label: string, kind: string, note = ''): Entry => ({ id: label + kind, label, kind, note, run: () => undefined })
+  const all = [entry('Undo', 'command'), entry('gravcomp', 'task', 'Torque against gravity'), entry('grav', 'file'), entry('antigrav', 'task')]
+  test('finds by all words, the best first', () => {
+    expect(find(all, 'grav').map((one) => one.label)).toEqual(['grav', 'gravcomp', 'antigrav'])
+    expect(find(all, 'TORQUE task').map((one) => one.label)).toEqual(['gravcomp'])
+    expect(find(all, 'grav undo')).toEqual([])
+  })
+  test('has everything where nothing is wanted, in its order', () => expect(find(all, ' ')).toEqual(all))
+})
+
+describe('R-G01: preferences', () => {
+  test('stand in groups, and none is left out', () => {
+    const preferences = { pin_length: 12, shows_period: false, status_columns: ['cycle'], library: { x: 1, y: 2 }, news: 'x' }
+    const names = grouped(preferences).flatMap(([, fields]) => fields.map((field) => field.name))
+    expect(names.sort()).toEqual(Object.keys(preferences).sort())
+    expect(grouped(preferences).at(-1)![0]).toBe('prefer.others')
+  })
+  test('keep their kind when they are typed', () => {
+    expect(typed('14', 12)).toBe(14)
+    expect(typed('1,5', 12)).toBe(1.5)
+    expect(typed('long', 12)).toBeUndefined()
+    expect(typed('', 12)).toBeUndefined()
+    expect(typed('cycle, miss', ['rmod'])).toEqual(['cycle', 'miss'])
+  })
+})
+
+describe('what this browser keeps', () => {
+  afterEach(() => vi.unstubAllGlobals())
+  const store = (texts: Record<string, string>): void =>
+    void vi.stubGlobal('localStorage', { getItem: (name: string) => texts[name] ?? null, setItem: (name: string, text: string) => (texts[name] = text) })
+
+  test('comes back', () => {
+    store({})
+    keep('theme', 'dark')
+    expect(kept('theme', 'auto')).toBe('dark')
+  })
+  test('is the default where it is nonsense or of another kind', () => {
+    store({ 'onika.theme': '{', 'onika.sizes': '[1]', 'onika.sounds': '"yes"' })
+    expect([kept('theme', 'auto'), kept('sizes', { a: 1 }), kept('sounds', true)]).toEqual(['auto', { a: 1 }, true])
+  })
+  test('has the defaults of parts that it does not know yet', () => {
+    store({ 'onika.sizes': '{"a":5}' })
+    expect(kept('sizes', { a: 1, b: 2 })).toEqual({ a: 5, b: 2 })
+  })
+})
+
+describe('open configurations', () => {
+  const open = (...names: string[]): void => {
+    desk.tree = fullTree({ documents: Object.fromEntries(names.map((name, order) => [name, { name, order }])) })
+  }
+  test('one is always shown: the one that came, or the neighbour of the one that went', () => {
+    open('a', 'b')
+    let known = settle(new Set())
+    expect(here.doc).toBe('a')
+    show('b')
+    open('a')
+    known = settle(known)
+    expect(here.doc).toBe('a')
+    open('a', 'c')
+    settle(known)
+    expect(here.doc).toBe('a') // somebody else opened it
+  })
+  test('are walked round and round', () => {
+    open('a', 'b', 'c')
+    show('c')
+    step(1)
+    expect(here.doc).toBe('a')
+    step(-1)
+    expect([here.doc, inOrder().map(([id]) => id)]).toEqual(['c', ['a', 'b', 'c']])
+  })
+})
+
+describe('R-X01: a remedy leads to what it names', () => {
+  test('a task, a pin of a placed task, a pin of a library task, a variable, a list', () => {
+    desk.tree = fullTree({ documents: { d: { name: 'd', order: 0, tasks: { pd: { x: 0, y: 0 } } } } })
+    reveal('task:pd', 'd')
+    expect([[...here.picked], here.doc]).toEqual([['pd'], 'd'])
+    reveal('pin:diff/Y')
+    expect([[...here.picked], here.libraryTask]).toEqual([[], 'diff'])
+    reveal('pin:pd/TAU')
+    expect([...here.picked]).toEqual(['pd'])
+    reveal('locus:Q_MEZ')
+    expect(here.pickedLocus).toBe('Q_MEZ')
+    reveal('problems')
+    expect(here.strip).toBe('problems')
+    reveal('source:pd')
+    expect(here.dialog).toEqual({ name: 'source', data: { task: 'pd', kind: 'code' } })
+    const { turn } = here.wish
+    reveal('task:pd')
+    reveal('task:pd')
+    expect(here.wish).toEqual({ show: 'task:pd', doc: 'd', turn: turn + 2 })
+  })
+})
+
+test('the look of 1994 is light with other wires', () => {
+  const worn = new Set(['dark'])
+  const root = { classList: { remove: (...names: string[]) => names.forEach((name) => worn.delete(name)), add: (...names: string[]) => names.forEach((name) => worn.add(name)) } }
+  wear('1994', root as unknown as Element)
+  expect([...worn]).toEqual(['light', 'y1994'])
+  wear('auto', root as unknown as Element)
+  expect([...worn]).toEqual([])
+})

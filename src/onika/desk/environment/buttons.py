@@ -1,0 +1,108 @@
+"""The user's own buttons and the commands behind them; only what their file says is ever run (G02, §5.7.2)."""
+
+from dataclasses import replace
+
+from onika.desk.environment.model import Model
+from onika.desk.environment.outcome import Done, No
+from onika.desk.environment.remedy import plain
+from onika.desk.environment.surroundings import Surroundings
+from onika.files import buttons as file
+from onika.model.button import Button
+from onika.store.opened import Opened
+from onika.wire import act, page
+from onika.wire.view import ButtonView, Remedy
+from onika.words.fault import Refusal
+
+
+def press(model: Model, asked: act.Press, outside: Surroundings) -> Done | No:
+    """Run the command of a button; what it prints is shown while it runs."""
+    button = _find(model, asked.name)
+    if button is None:
+        return No(f"there is no button {asked.name}")
+    if _is_running(model, asked.name):
+        return No(f"{asked.name} is running", (Remedy(f"Halt {asked.name}", act.Halt(asked.name)),))
+    if outside.commands is None:
+        return No("commands cannot be run here")
+    started = outside.commands.start(button)
+    if isinstance(started, Refusal):
+        return No(f"{asked.name} cannot be run: {started.reason}")
+    running = ButtonView("", 0, is_running=True)
+    says = (page.Say("info", started),) if started else ()
+    return Done(replace(model, runs={**model.runs, asked.name: running}), says=says)
+
+
+def halt(model: Model, asked: act.Halt, outside: Surroundings) -> Done | No:
+    """End a command with everything it has begun; that it has ended is a fact that comes later."""
+    if outside.commands is None or not outside.commands.halt(asked.name):
+        return No(f"{asked.name} is not running")
+    return Done(model)
+
+
+def set_button(model: Model, asked: act.SetButton, outside: Surroundings) -> Done | No:
+    """Add a button, change it, or remove it where the command is empty; it is in the user's file at once."""
+    name = " ".join(asked.name.split())
+    button = Button(name, asked.command.strip(" \t"), asked.spawns_terminal)
+    wrong = _wrong(button)
+    if wrong:
+        return No("; ".join(wrong.values()), fields=wrong)
+    if not button.command and _is_running(model, name):
+        return No(f"{name} is running", (Remedy(f"Halt {name}", act.Halt(name)),))
+    opened, faults = outside.site.open_buttons()
+    if opened is None and faults:
+        reasons = "; ".join(plain(str(one)) for one in faults)
+        return No(f"the file of buttons is left as it is: {reasons}")
+    return _saved(model, _changed(opened.value if opened else (), button), opened, outside)
+
+
+def shown(model: Model) -> dict[str, ButtonView]:
+    """The buttons as a page sees them; of two of one name the first."""
+    found: dict[str, ButtonView] = {}
+    for order, one in enumerate(model.buttons):
+        run = model.runs.get(one.name, ButtonView("", 0))
+        view = ButtonView(one.command, order, one.spawns_terminal, run.is_running, run.output, run.code)
+        found.setdefault(one.name, view)
+    return found
+
+
+def _find(model: Model, name: str) -> Button | None:
+    return next((one for one in model.buttons if one.name == name), None)
+
+
+def _is_running(model: Model, name: str) -> bool:
+    return name in model.runs and model.runs[name].is_running
+
+
+def _wrong(button: Button) -> dict[str, str]:
+    """What is wrong with a button, by field: the file must say the same of it again."""
+    if not button.name:
+        return {"name": "expected a name, found none"}
+    if not button.command:
+        return {}
+    read, _ = file.read(file.write((button,)), file.NAME, file.NAME)
+    if read == (button,):
+        return {}
+    if read and read[0].name == button.name:
+        return {"command": "expected a command in one line, without signs that steer a terminal"}
+    return {"name": "expected a name in one line, without signs that steer a terminal"}
+
+
+def _changed(buttons: tuple[Button, ...], button: Button) -> tuple[Button, ...]:
+    """With the button in its place, or at the end where it is new; without it where it has no command."""
+    if not button.command:
+        return tuple(one for one in buttons if one.name != button.name)
+    names = [one.name for one in buttons]
+    if button.name not in names:
+        return (*buttons, button)
+    place = names.index(button.name)
+    return (*buttons[:place], button, *buttons[place + 1 :])
+
+
+def _saved(
+    model: Model, buttons: tuple[Button, ...], opened: Opened[tuple[Button, ...]] | None, outside: Surroundings
+) -> Done | No:
+    done = outside.site.save_buttons(buttons, opened)
+    if isinstance(done, Refusal):
+        return No(plain(done.reason))
+    names = {one.name for one in buttons}
+    runs = {name: run for name, run in model.runs.items() if name in names}
+    return Done(replace(model, buttons=buttons, runs=runs))

@@ -1,0 +1,85 @@
+"""The diary: a line of every meaningful act, refused ones too, written beside what happens (requirement H01)."""
+
+import os
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from queue import SimpleQueue
+
+from onika.desk.environment.entry import HEADER, Entry, entry
+from onika.desk.environment.environment import Answer
+from onika.desk.environment.model import Model
+from onika.desk.environment.outcome import Done
+from onika.desk.environment.surroundings import Surroundings
+from onika.wire import act, page
+
+
+def note(model: Model, _asked: act.Note, _outside: Surroundings) -> Done:
+    """What the page alone knows of is for the diary, and changes nothing."""
+    return Done(model)
+
+
+class Diary:
+    """An observer of an environment; lines are written in a thread, so that no disk keeps an act waiting.
+
+    folder  where the file of this session is made
+    model   what is open now: whether a diary is wanted, and what documents are called
+    say     shows everybody a line; once, where the diary cannot be written
+    clock   seconds since 1970
+    """
+
+    def __init__(
+        self,
+        folder: Path,
+        model: Callable[[], Model],
+        say: Callable[[page.Say], None],
+        clock: Callable[[], float] = time.time,
+    ) -> None:
+        self._model = model
+        self._say = say
+        self._clock = clock
+        self._names: dict[str, str] = {}
+        self._lines: SimpleQueue[str | None] = SimpleQueue()
+        self._wrong = ""
+        self._is_told = False
+        self.path = folder / time.strftime(f"%Y-%m-%dT%H-%M-%S-{os.getpid()}.log", time.localtime(clock()))
+        self._thread = threading.Thread(target=self._write, daemon=True)
+        self._thread.start()
+        self._put(Entry("Start_Onika"))
+
+    def observe(self, asked: act.AnyAct, _by: str, answer: Answer) -> None:
+        """An act has been answered."""
+        if self._wrong and not self._is_told:
+            self._is_told = True
+            self._say(page.Say("warning", f"the diary cannot be written: {self._wrong}"))
+        self._names |= {one.id: one.name for one in self._model().documents.values()}
+        found = entry(asked, answer, self._names)
+        if found is not None:
+            self._put(found)
+
+    def close(self, timeout_s: float = 1.0) -> None:
+        """Write what is still to be written."""
+        self._put(Entry("Quit_Onika"))
+        self._lines.put(None)
+        self._thread.join(timeout_s)
+
+    def _put(self, found: Entry) -> None:
+        if self._model().habits.keeps_diary:
+            self._lines.put(found.line(self._clock()))
+
+    def _write(self) -> None:
+        """Write line after line; after the first error none any more."""
+        line = self._lines.get()
+        if line is None:
+            return
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            with self.path.open("a", encoding="utf-8", errors="replace") as file:
+                file.write(HEADER + "\n")
+                while line is not None:
+                    file.write(line + "\n")
+                    file.flush()
+                    line = self._lines.get()
+        except OSError as error:
+            self._wrong = f"{self.path}: {error.strerror or type(error).__name__}"

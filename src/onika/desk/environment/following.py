@@ -1,0 +1,66 @@
+"""How the running system follows what is done in the environment, and how that learns of it (law 22)."""
+
+from dataclasses import replace
+
+from onika.desk.environment import hearing
+from onika.desk.environment.describing import describe
+from onika.desk.environment.document import Document
+from onika.desk.environment.model import Model
+from onika.desk.environment.outcome import Done, No, Order
+from onika.desk.environment.pursuit import noted, pursue_all
+from onika.desk.environment.surroundings import Surroundings
+from onika.wire import event, live, request
+
+
+def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
+    """Have the running system follow what differs between two models; a no where it cannot."""
+    del outside
+    if before.documents is after.documents and before.shelf is after.shelf:
+        return Done(after)
+    model, docs = noted(after, before.shelf)
+    changed = (one.id for one in model.documents.values() if one.id in docs or _is_changed(before, one))
+    done = pursue_all(model, tuple(changed))
+    if isinstance(done, No):
+        return done
+    described = _described(before, done.model)
+    orders = (*done.orders, *_left(before, after), *described.orders)
+    return replace(done, model=described.model, orders=orders, replies=_given_up(before, after))
+
+
+def heard(model: Model, told: event.Event, outside: Surroundings) -> Done:
+    """What a runtime has told."""
+    del outside
+    return hearing.heard(model, told)
+
+
+def _is_changed(before: Model, document: Document) -> bool:
+    """Whether something may be asked of its subsystem."""
+    former, known = before.documents.get(document.id), document.live
+    if former is None or known is None or known.base is None:
+        return False
+    return former.content is not document.content or bool(known.turns)
+
+
+def _described(before: Model, after: Model) -> Done:
+    """Modules that nobody knows yet are described, where a runtime is there to do it."""
+    old, new = before.shelf, after.shelf
+    is_same = old.libraries is new.libraries and old.sheets is new.sheets and old.unread is new.unread
+    return Done(after) if is_same or after.runtime.state != "linked" else describe(after)
+
+
+def _given_up(before: Model, after: Model) -> tuple[tuple[Order, request.Response], ...]:
+    """The answers to acts that waited in documents that are no longer open, or no longer connected."""
+    homes = {one.id for one in after.documents.values() if one.live and one.live.state == "live"}
+    gone = [one for one in before.documents.values() if one.live and one.id not in homes]
+    kept = [(one, order) for one in gone if one.live for order in one.live.kept]
+    return tuple((order, request.Refused(f"{one.name} is no longer connected")) for one, order in kept)
+
+
+def _left(before: Model, after: Model) -> tuple[Order, ...]:
+    """What was held for documents that are no longer open, or no longer connected, may be held by others."""
+    homes = {one.live.subsystem for one in after.documents.values() if one.live}
+    return tuple(
+        Order(live.Release(one.live.subsystem), is_aside=True)
+        for one in before.documents.values()
+        if one.live and one.live.state == "live" and one.live.is_held_here and one.live.subsystem not in homes
+    )

@@ -1,0 +1,68 @@
+"""What is seen of a runtime between two frames: the newest value under each key, figures and poses."""
+
+from collections.abc import Mapping
+from threading import Lock
+from typing import Any
+
+import numpy as np
+
+from onika.desk.environment.model import Model
+from onika.desk.environment.tally import Tally
+from onika.desk.environment.watching import homes_of
+from onika.wire import live, page, reading
+
+_WORLD = "world:"
+
+
+class Frames:
+    """Filled in one thread and emptied in another; of two values under one key the newer one is kept."""
+
+    def __init__(self) -> None:
+        self._lock = Lock()
+        self._tally = Tally()
+        self._at_s = 0.0
+        self._values: dict[str, Any] = {}
+        self._figures: dict[str, dict[str, Any]] = {}
+        self._poses: dict[str, Any] = {}
+
+    def put(self, readings: Mapping[str, bytes], figures: live.Figures | None, model: Model) -> None:
+        """What has come."""
+        if not readings and figures is None:
+            return
+        docs = {subsystem: doc for doc, subsystem in homes_of(model).items()}
+        rows = {} if figures is None else self._tally.add(figures, docs)
+        with self._lock:
+            self._figures |= rows
+            for key, body in readings.items():
+                self._read(key, body, docs)
+
+    def take(self) -> page.Frame | None:
+        """What has come since the last call; None: nothing."""
+        with self._lock:
+            if not (self._values or self._figures or self._poses):
+                return None
+            frame = page.Frame(self._at_s, self._values, self._figures, self._poses)
+            self._values, self._figures, self._poses = {}, {}, {}
+        return frame
+
+    def clear(self) -> None:
+        """Forget everything: it was another runtime's."""
+        with self._lock:
+            self._tally = Tally()
+            self._values, self._figures, self._poses = {}, {}, {}
+
+    def _read(self, key: str, body: bytes, docs: Mapping[str, str]) -> None:
+        one = reading.decode(body)
+        if isinstance(one, reading.Poses):
+            self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(one.rows), "lit": one.lit}
+            return
+        self._at_s = one.now_ns * 1e-9
+        subsystem, _, name = key.rpartition("/")
+        if subsystem in docs:
+            self._values[f"{docs[subsystem]}/{name}"] = one.value
+
+
+def _rows(rows: bytes) -> list[list[float]]:
+    """For each body x y z in m and the quaternion w x y z."""
+    found: list[list[float]] = np.frombuffer(rows, "<f4").reshape(-1, 7).astype(float).round(5).tolist()
+    return found

@@ -1,0 +1,75 @@
+"""Acts about who may move the robots: stop, reset, take, release (law 27)."""
+
+from dataclasses import replace
+from functools import partial
+
+from onika.desk.environment.canvas import closed
+from onika.desk.environment.living import simply_done
+from onika.desk.environment.model import Model
+from onika.desk.environment.outcome import Done, No, Order
+from onika.desk.environment.refusing import refusal
+from onika.desk.environment.surroundings import Surroundings
+from onika.wire import act, live, request
+from onika.wire.view import Remedy
+
+_CAUSE = "Stop was pressed in the page"
+
+
+def stop(model: Model, _asked: act.Stop, _outside: Surroundings) -> Done | No:
+    """Every drive holds, at once, whoever holds what; where there is no runtime, the answer says so."""
+    return Done(model, orders=(Order(request.Stop(_CAUSE), _stopped),), is_answered_later=True)
+
+
+def reset(model: Model, _asked: act.Reset, _outside: Surroundings) -> Done | No:
+    """Motion is allowed again; nothing comes on by itself."""
+    return Done(model, orders=(Order(live.Reset(), simply_done),), is_answered_later=True)
+
+
+def take(model: Model, asked: act.Take, _outside: Surroundings) -> Done | No:
+    """Become the one who may change a document's subsystem."""
+    return _hand(model, asked)
+
+
+def release(model: Model, asked: act.Release, _outside: Surroundings) -> Done | No:
+    """Let another become the one who may."""
+    return _hand(model, asked)
+
+
+def _hand(model: Model, asked: act.Take | act.Release) -> Done | No:
+    document = model.documents.get(asked.doc)
+    if document is None:
+        return closed()
+    known = document.live
+    if known is None or known.state != "live":
+        return No(f"{document.name} is not connected", (Remedy("Connect", act.Connect(document.id)),))
+    order: request.Request = live.Take(known.subsystem)
+    if isinstance(asked, act.Release):
+        if known.is_foreign:
+            return No(f"{known.subsystem} is held by {known.holder}")
+        order = live.Release(known.subsystem)
+    then = partial(_handed, doc=document.id, is_taken=isinstance(asked, act.Take))
+    return Done(model, orders=(Order(order, then, document.id),), is_answered_later=True)
+
+
+def _handed(model: Model, response: request.Response, doc: str, is_taken: bool) -> Done | No:
+    if not isinstance(response, request.Done):
+        return No(refusal(response))
+    then = partial(_seen, doc=doc, is_taken=is_taken)
+    return Done(model, orders=(Order(live.Survey(), then, doc),), is_answered_later=True)
+
+
+def _seen(model: Model, response: request.Response, doc: str, is_taken: bool) -> Done | No:
+    """Who holds it now; after it was taken, that is the name by which the runtime knows this environment."""
+    document = model.documents.get(doc)
+    known = document.live if document else None
+    if document is None or known is None or not isinstance(response, live.Standing):
+        return Done(model)
+    holder = next((one.holder for one in response.subsystems if one.name == known.subsystem), "")
+    known = replace(known, holder=holder, me=holder if is_taken else known.me)
+    return Done(model.with_document(replace(document, live=known)))
+
+
+def _stopped(model: Model, response: request.Response) -> Done | No:
+    if isinstance(response, request.Done):
+        return Done(model)
+    return Done(model, value=f"there is nothing to stop: {refusal(response)}")

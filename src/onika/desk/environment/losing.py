@@ -1,0 +1,38 @@
+"""What the model is when a runtime is gone, and what its units have to do while it is there (requirement E10)."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import msgspec
+
+from onika.desk.environment.live import Live
+from onika.desk.environment.model import Model
+from onika.desk.environment.outcome import Done
+from onika.wire import page, view
+
+
+def lost(model: Model, reason: str) -> Done:
+    """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
+    documents = {
+        key: replace(
+            one,
+            content=replace(one.content, wanted={}),
+            live=Live(one.live.subsystem, "lost"),
+        )
+        if one.live is not None and one.live.state == "live"
+        else one
+        for key, one in model.documents.items()
+    }
+    runtime = view.RuntimeView("lost", model.runtime.address, reason)
+    return Done(replace(model, documents=documents, runtime=runtime), says=(page.Say("error", reason),))
+
+
+def with_loads(model: Model, loads: Mapping[str, float]) -> Done:
+    """The shares of their time that units have used at last."""
+    units = {
+        name: msgspec.structs.replace(one, load=round(loads.get(name, one.load), 2))
+        for name, one in model.runtime.units.items()
+    }
+    if units == model.runtime.units:
+        return Done(model)
+    return Done(replace(model, runtime=msgspec.structs.replace(model.runtime, units=units)))

@@ -1,0 +1,20 @@
+"""Why a runtime does not do something, in words."""
+
+from pathlib import Path
+
+from onika.wire import request
+
+
+def refusal(response: request.Response) -> str:
+    """Why a runtime does not do something, in words."""
+    match response:
+        case request.Refused():
+            return response.reason
+        case request.Prepared():
+            return "; ".join(_sentence(one) for one in response.faults) or "; ".join(response.notes)
+    return f"expected the runtime to do it, found {type(response).__name__}"
+
+
+def _sentence(fault: request.FaultText) -> str:
+    where = Path(fault.file).name + (f":{fault.line}" if fault.line else "")
+    return f"{where}: expected {fault.expected}, found {fault.found}"

@@ -1,0 +1,44 @@
+"""The words of a rule's remedies as buttons that do what they say (requirement X01)."""
+
+import re
+from collections.abc import Iterable
+
+from onika.model.task import Task
+from onika.wire import act
+from onika.wire.view import Reason, Remedy
+from onika.words.fault import Refusal
+
+_NAMED = re.compile(r"(replace|show|alias) `?([^`]+)`?\Z")
+_OTHER = re.compile(r"give ([^ ]+) another alias\Z")
+
+
+def reasons(refused: Iterable[Refusal], doc: str, task: Task) -> tuple[Reason, ...]:
+    """Why `task` may not be placed in a document."""
+    return tuple(Reason(plain(one.reason), tuple(_remedy(word, doc, task) for word in one.remedies)) for one in refused)
+
+
+def plain(text: str) -> str:
+    """A sentence without the marks that terminals show names with."""
+    return text.replace("`", "")
+
+
+def _remedy(words: str, doc: str, task: Task) -> Remedy:
+    named = _NAMED.match(words)
+    if other := _OTHER.match(words):
+        return Remedy(f"Alias {other[1]}…", show=f"pin:{task.name}/{other[1]}")
+    if named is None:
+        text = plain(words)
+        return Remedy(text[:1].upper() + text[1:])
+    kind, name = named.groups()
+    match kind:
+        case "replace":
+            return Remedy(f"Replace {name}", act.Exchange(doc, name, task.name))
+        case "alias":
+            return Remedy(f"Alias {name}…", show=f"pin:{task.name}/{coded(task, name)}")
+    return Remedy(f"Show {name}", show=f"task:{name}")
+
+
+def coded(task: Task, svar: str) -> str:
+    """The coded name behind which a task has a state variable."""
+    names = tuple(task.kinds())
+    return next((name for name, one in zip(names, task.svars(names), strict=True) if one == svar), svar)

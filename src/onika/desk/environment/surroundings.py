@@ -1,0 +1,24 @@
+"""What an act may look at outside the model: files, time, and whatever else is not a value."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.desk.environment.commands import Commands
+from onika.store.site import Site
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The outside of an environment.
+
+    site      where names are found
+    clock     seconds that never go back
+    state     the directory of what outlives a session: diary and recovery; None: nothing does
+    commands  runs the commands of buttons; None: they cannot be run
+    """
+
+    site: Site
+    clock: Callable[[], float]
+    state: Path | None = None
+    commands: Commands | None = None

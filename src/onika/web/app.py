@@ -1,0 +1,85 @@
+"""The web application: the page, its files, and one WebSocket for each browser."""
+
+import asyncio
+from pathlib import Path
+
+from starlette.applications import Starlette
+from starlette.middleware import Middleware
+from starlette.requests import Request
+from starlette.responses import FileResponse, PlainTextResponse, RedirectResponse, Response
+from starlette.routing import Mount, Route, WebSocketRoute
+from starlette.staticfiles import StaticFiles
+from starlette.websockets import WebSocket, WebSocketDisconnect
+
+from onika.web.door import COOKIE, Door
+from onika.web.hall import Hall
+from onika.web.headers import StrictHeaders
+
+STATIC = Path(__file__).parent / "static"
+"""The page as it was built."""
+
+_NO_KEY = "This page needs the address that Onika printed when it started; it works once for each browser.\n"
+_NOT_BUILT = "The page is not built: `make page`, or install Onika anew.\n"
+_WRONG_MESSAGE = 1007
+_NOT_ALLOWED = 1008
+
+
+def application(door: Door, hall: Hall, static: Path = STATIC) -> Starlette:
+    """The application; nothing but a refusal is told to whoever has no key."""
+
+    async def page(request: Request) -> Response:
+        if not door.is_ours(request.headers):
+            return PlainTextResponse("no such host\n", 421)
+        key = request.query_params.get("key")
+        if key is not None and not door.knows(request.cookies):
+            cookie = door.enter(key)
+            if cookie is None:
+                return PlainTextResponse(_NO_KEY, 403)
+            return _with_cookie(RedirectResponse("/", 303), cookie)
+        if key is not None:
+            return RedirectResponse("/", 303)
+        if not door.knows(request.cookies):
+            return PlainTextResponse(_NO_KEY, 403)
+        index = static / "index.html"
+        return FileResponse(index) if index.is_file() else PlainTextResponse(_NOT_BUILT, 503)
+
+    async def talk(socket: WebSocket) -> None:
+        if not (door.is_own_page(socket.headers) and door.knows(socket.cookies)):
+            await socket.close(_NOT_ALLOWED)
+            return
+        await socket.accept()
+        await _converse(socket, hall)
+
+    routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
+    if (static / "assets").is_dir():
+        routes.append(Mount("/assets", StaticFiles(directory=static / "assets")))
+    return Starlette(routes=routes, middleware=[Middleware(StrictHeaders)])
+
+
+async def _converse(socket: WebSocket, hall: Hall) -> None:
+    """Until the browser leaves, or sends what is no act: that closes its own connection and no other."""
+    guest = hall.come()
+
+    async def send() -> None:
+        while True:
+            await socket.send_text((await guest.outbox.next()).decode())
+
+    sending = asyncio.create_task(send())
+    try:
+        while True:
+            body = await socket.receive_text()
+            try:
+                hall.take(guest, body)
+            except ValueError as wrong:
+                await socket.close(_WRONG_MESSAGE, str(wrong)[:100])
+                return
+    except (WebSocketDisconnect, KeyError):  # a KeyError: bytes where text was expected
+        pass
+    finally:
+        sending.cancel()
+        hall.leave(guest)
+
+
+def _with_cookie(response: Response, cookie: str) -> Response:
+    response.set_cookie(COOKIE, cookie, httponly=True, samesite="strict", path="/")
+    return response

@@ -1,0 +1,45 @@
+"""Who may come in: a key in the address that works once, then a cookie; and only pages of our own."""
+
+import hmac
+import secrets
+from collections.abc import Callable, Mapping
+
+COOKIE = "onika"
+
+
+class Door:
+    """Keeps the key and the cookies of one environment, and knows the addresses at which it is reached.
+
+    addresses   as in `127.0.0.1:8420`: what a browser must have in its `Host`
+    on_key      told of each new key
+    """
+
+    def __init__(self, addresses: tuple[str, ...], on_key: Callable[[str], None] = lambda _key: None) -> None:
+        self._addresses = frozenset(addresses)
+        self._on_key = on_key
+        self._cookies: set[str] = set()
+        self.key = secrets.token_urlsafe(24)
+
+    def enter(self, key: str) -> str | None:
+        """A cookie for whoever has the key, which is void from then on; None for any other."""
+        if not hmac.compare_digest(key.encode(), self.key.encode()):
+            return None
+        cookie = secrets.token_urlsafe(32)
+        self._cookies.add(cookie)
+        self.key = secrets.token_urlsafe(24)
+        self._on_key(self.key)
+        return cookie
+
+    def knows(self, cookies: Mapping[str, str]) -> bool:
+        """Whether a browser came in before."""
+        given = cookies.get(COOKIE, "").encode()
+        return any(hmac.compare_digest(given, one.encode()) for one in self._cookies)
+
+    def is_ours(self, headers: Mapping[str, str]) -> bool:
+        """Whether a request names us as its host: a foreign name that leads here does not (DNS rebinding)."""
+        return headers.get("host", "") in self._addresses
+
+    def is_own_page(self, headers: Mapping[str, str]) -> bool:
+        """Whether a WebSocket is opened by a page that came from here."""
+        scheme, _, address = headers.get("origin", "").partition("://")
+        return scheme in ("http", "https") and address in self._addresses and address == headers.get("host", "")

@@ -1,0 +1,169 @@
+"""The environment as a program: model, runtime, files, diary and browsers, put together in one loop."""
+
+import asyncio
+import os
+import socket
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+from onika.desk.environment import opening, preferring, refreshing
+from onika.desk.environment.autosave import Autosave
+from onika.desk.environment.commands import Commands
+from onika.desk.environment.diary import Diary
+from onika.desk.environment.disk import Disk
+from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.handlers import HANDLERS
+from onika.desk.environment.launching import Launching
+from onika.desk.environment.recovery import Recovery, reopened
+from onika.desk.environment.station import Station
+from onika.desk.environment.surroundings import Surroundings
+from onika.store.site import Site
+from onika.web.app import application
+from onika.web.door import Door
+from onika.web.hall import Hall
+from onika.web.server import addresses, serve
+from onika.wire import act, page
+
+_LOOK_S = 1.0
+"""Between two looks at the files."""
+
+_FRAME_S = 1 / 60
+_KEEP_S = 0.1
+_NAME = "Onika"
+
+
+@dataclass(frozen=True, slots=True)
+class Wishes:
+    """How an environment is to begin.
+
+    files           configurations to open
+    url, token      a runtime that runs already; empty: one of its own
+    is_connected    whether what is opened is connected at once
+    """
+
+    files: tuple[str, ...] = ()
+    url: str = ""
+    token: str = ""
+    is_connected: bool = True
+    rtpus: tuple[str, ...] = ("rt0",)
+    with_fifo: bool = True
+    has_diary: bool = True
+
+
+class Program:
+    """One environment from its beginning to its end; `state` is where diary and recovery are kept."""
+
+    def __init__(self, site: Site, wishes: Wishes, state: Path) -> None:
+        self._site = site
+        self._wishes = wishes
+        self._state = state
+
+    async def run(self, listening: socket.socket, on_ready: Callable[[str], None]) -> None:
+        """Until Ctrl-C; `on_ready` is told each address that lets one browser in."""
+        loop = asyncio.get_running_loop()
+
+        def post(do: Callable[[], None]) -> None:
+            loop.call_soon_threadsafe(do)
+
+        commands = Commands(lambda change: post(lambda: environment.become(change)), os.environ)
+        surroundings = Surroundings(self._site, time.monotonic, self._state, commands)
+        launching = Launching(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
+        station = Station(launching, post)
+        disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
+        model, says = opening.opened(self._site, self._state, os.environ)
+        environment = Environment(model, HANDLERS, surroundings, station)
+        hall = Hall(environment, station)
+        hall.remember(says)
+        door = Door(addresses(listening), lambda key: on_ready(_address(listening, key)))
+        kept, autosave = self._recovery(environment), Autosave()
+        station.begin(environment)
+        self._open(environment)
+        diary = self._diary(environment)
+        beside = (self._show(hall), self._look(environment, disk), self._keep(environment, kept, autosave))
+        try:
+            await serve(application(door, hall), listening, beside, lambda: on_ready(_address(listening, door.key)))
+        finally:
+            listening.close()
+            station.end()
+            commands.close()
+            if diary is not None:
+                diary.close()
+            self._leave(environment, surroundings, kept, autosave)
+
+    def _leave(
+        self, environment: Environment, surroundings: Surroundings, kept: Recovery | None, autosave: Autosave
+    ) -> None:
+        """What is not saved is there again the next time; preferences have a file from now on (B12)."""
+        if kept is not None:
+            autosave.look(environment.model, 0.0)
+            kept.carry_out(autosave.take_all(0.0))
+            kept.leave(keeps=True)
+        preferring.leave(environment.model, surroundings)
+
+    def _diary(self, environment: Environment) -> Diary | None:
+        if not self._wishes.has_diary:
+            return None
+        diary = Diary(self._state / "diary", lambda: environment.model, environment.say)
+        environment.observers.append(diary.observe)
+        return diary
+
+    def _recovery(self, environment: Environment) -> Recovery | None:
+        try:
+            kept = Recovery(self._state)
+            found = kept.recovered()
+        except OSError as wrong:
+            environment.say(page.Say("warning", f"nothing is kept for a recovery: {wrong}"))
+            return None
+        if found:
+            environment.become(lambda model: reopened(model, found))
+        return kept
+
+    def _open(self, environment: Environment) -> None:
+        """The files that were named; a blank configuration where there is nothing."""
+
+        def told(given: Answer) -> None:
+            if given.no is not None:
+                environment.say(page.Say("error", given.no.reason))
+
+        for name in self._wishes.files:
+            environment.do(act.Open(name), _NAME, told)
+        if not environment.model.documents:
+            environment.do(act.New(), _NAME, told)
+        if self._wishes.is_connected:
+            first = next(iter(environment.model.documents))
+            connect = act.Connect(first, self._wishes.url, self._wishes.token)
+            environment.do(connect, _NAME, lambda given: told(given) if first in environment.model.documents else None)
+
+    async def _show(self, hall: Hall) -> None:
+        """The newest values, to those who watch."""
+        while True:
+            await asyncio.sleep(_FRAME_S if hall.is_watching else 0.1)
+            hall.pump()
+
+    async def _look(self, environment: Environment, disk: Disk) -> None:
+        """Files that others change."""
+        while True:
+            await asyncio.sleep(_LOOK_S)
+            changed = await asyncio.to_thread(disk.changed, environment.model)
+            if changed:
+                environment.become(partial(refreshing.refreshed, changed=changed))
+
+    async def _keep(self, environment: Environment, kept: Recovery | None, autosave: Autosave) -> None:
+        """What is not saved, soon after it was changed."""
+        is_told = False
+        while kept is not None:
+            now = time.monotonic()
+            autosave.look(environment.model, now)
+            changes = autosave.take(now)
+            wrong = await asyncio.to_thread(kept.carry_out, changes) if changes else ""
+            if wrong and not is_told:
+                is_told = True
+                environment.say(page.Say("warning", f"nothing is kept for a recovery: {wrong}"))
+            await asyncio.sleep(_KEEP_S)
+
+
+def _address(listening: socket.socket, key: str) -> str:
+    return f"http://{addresses(listening)[0]}/?key={key}"

@@ -1,0 +1,63 @@
+"""The server: the application on a port of this machine, beside the environment in one loop."""
+
+import asyncio
+import socket
+from collections.abc import Callable, Coroutine, Iterable
+from typing import Any
+
+import uvicorn
+from starlette.applications import Starlette
+
+_BIGGEST = 8 * 1024 * 1024
+
+
+def bound(port: int) -> socket.socket:
+    """A socket on the loopback; port 0 takes any that is free. Raises OSError where the port is taken."""
+    listening = socket.socket(
+        socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP
+    )  # named: so asyncio delays no answer
+    listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+    try:
+        listening.bind(("127.0.0.1", port))
+    except OSError:
+        listening.close()
+        raise
+    return listening
+
+
+def addresses(listening: socket.socket) -> tuple[str, ...]:
+    """What a browser may call this machine by."""
+    port = listening.getsockname()[1]
+    return tuple(f"{name}:{port}" for name in ("127.0.0.1", "localhost"))
+
+
+async def serve(
+    app: Starlette,
+    listening: socket.socket,
+    beside: Iterable[Coroutine[Any, Any, object]],
+    on_ready: Callable[[], None],
+) -> None:
+    """Serve until Ctrl-C, or until one of what runs `beside` ends; raises what it raised."""
+    config = uvicorn.Config(
+        app,
+        log_level="warning",
+        access_log=False,
+        lifespan="off",
+        ws="websockets-sansio",
+        ws_max_size=_BIGGEST,
+        ws_per_message_deflate=False,
+        timeout_graceful_shutdown=1,
+    )
+    server = uvicorn.Server(config)
+    others = [asyncio.ensure_future(one) for one in beside]
+    serving = asyncio.ensure_future(server.serve(sockets=[listening]))
+    while not server.started and not serving.done():
+        await asyncio.sleep(0.005)
+    on_ready()
+    await asyncio.wait((serving, *others), return_when=asyncio.FIRST_COMPLETED)
+    server.should_exit = True
+    await serving
+    for other in others:
+        if other.done():
+            other.result()
+        other.cancel()

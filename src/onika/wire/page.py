@@ -1,0 +1,100 @@
+"""Messages between a page and the environment: acts one way; snapshot, patches, answers and frames the other."""
+
+from typing import Any, Literal
+
+import msgspec
+from msgspec import Struct
+
+from onika.wire.act import AnyAct
+from onika.wire.view import Remedy, Tree
+
+Path = tuple[str, ...]
+Change = tuple[Path, Any]
+"""A place in the tree and what stands there now; None: nothing any more."""
+
+
+class Ordered(Struct, frozen=True, forbid_unknown_fields=True):
+    """An act with the number by which it is answered."""
+
+    cid: int
+    act: AnyAct
+
+
+class Message(Struct, frozen=True, tag_field="t", tag=True, omit_defaults=True):
+    """What the environment sends."""
+
+
+class Snapshot(Message, frozen=True):
+    """Everything, at a revision; first of all, and whenever a browser was too slow for patches."""
+
+    rev: int
+    tree: Tree
+    version: str
+    you: str
+    """The name of this browser."""
+
+
+class Patch(Message, frozen=True):
+    """What has changed from one revision to the next, and who did it."""
+
+    rev: int
+    changes: tuple[Change, ...]
+    by: str = ""
+
+
+class Ok(Message, frozen=True):
+    """An act is done, or accepted where its outcome is a fact that comes later."""
+
+    cid: int
+    rev: int
+    value: Any = None
+
+
+class Refused(Message, frozen=True):
+    """An act changed nothing, and why."""
+
+    cid: int
+    reason: str
+    remedies: tuple[Remedy, ...] = ()
+    fields: dict[str, str] = {}
+    """Of forms: what is wrong with each field."""
+
+
+class Frame(Message, frozen=True):
+    """The newest values of what this browser watches; late ones are dropped."""
+
+    at_s: float
+    """The runtime's own time, as in events."""
+    values: dict[str, Any] = {}
+    """By `DOC/NAME`."""
+    figures: dict[str, dict[str, Any]] = {}
+    """Of tasks by `DOC/TASK`, columns by their names in §A.5."""
+    poses: dict[str, Any] = {}
+    """By world: `rows`, for each body its place x y z in m and its quaternion w x y z; `lit`, what shines."""
+
+
+class Say(Message, frozen=True):
+    """A line of the log, or a word beside something; `where` as in `Remedy.show`, with its document."""
+
+    level: Literal["info", "warning", "error", "success", "end"]
+    text: str
+    doc: str = ""
+    where: str = ""
+    at_s: float = 0.0
+    """Seconds since 1970, when it was said."""
+
+
+AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say
+
+_ORDERED = msgspec.json.Decoder(Ordered)
+_ENCODER = msgspec.json.Encoder()
+
+
+def decode(text: str | bytes) -> Ordered:
+    """An act as a page sends it; raises `msgspec.DecodeError` (a ValueError) for anything else."""
+    return _ORDERED.decode(text)
+
+
+def encode(message: AnyMessage) -> bytes:
+    """A message as a page reads it."""
+    return _ENCODER.encode(message)

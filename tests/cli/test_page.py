@@ -1,0 +1,76 @@
+import pytest
+
+from onika.cli import commands, page
+from onika.web.server import bound
+
+
+@pytest.fixture
+def began(monkeypatch):
+    """With what the program would begin, without beginning it."""
+    seen = []
+
+    class Program:
+        def __init__(self, site, wishes, state):
+            seen.append((site, wishes, state))
+
+        async def run(self, listening, on_ready):
+            seen.append(listening.getsockname())
+            listening.close()
+            on_ready("http://127.0.0.1:1/?key=x")
+
+    monkeypatch.setattr(page, "Program", Program)
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    return seen
+
+
+@pytest.mark.parametrize("words", [[], ["--port", "0"], ["page"], ["page", "jmoveC", "--no-browser"]])
+def test_onika_alone_opens_the_page(began, capsys, words):  # R-C20
+    assert commands.carry_out(words) == 0
+    assert "Onika is open at http://127.0.0.1:1/?key=x" in capsys.readouterr().out
+
+
+def test_options_reach_the_program(began, tmp_path):  # R-C20
+    words = ["--port", "0", "--no-connect", "--no-diary", "--rtpu", "a", "--rtpu", "b", "--base", str(tmp_path)]
+    assert commands.carry_out(words) == 0
+    site, wishes, _ = began[0]
+    assert site.directories[0].path == tmp_path
+    assert (wishes.is_connected, wishes.has_diary, wishes.rtpus) == (False, False, ("a", "b"))
+
+
+def test_only_one_way_to_a_runtime_may_be_named(began, capsys):
+    with pytest.raises(SystemExit):
+        commands.carry_out(["page", "--connect", "ws://localhost:1", "--no-connect"])
+    assert "found both" in capsys.readouterr().err
+
+
+def test_a_port_that_is_taken_is_told_where_it_was_asked_for(began, capsys):
+    with bound(0) as taken:
+        taken.listen()
+        with pytest.raises(SystemExit):
+            commands.carry_out(["page", "--port", str(taken.getsockname()[1])])
+    assert "expected a port that is free" in capsys.readouterr().err
+
+
+def test_another_free_port_is_taken_where_none_was_asked_for(began, monkeypatch):
+    with bound(0) as taken:
+        taken.listen()
+        monkeypatch.setattr(page, "PORT", taken.getsockname()[1])
+        assert commands.carry_out(["page"]) == 0
+        assert began[1][1] != taken.getsockname()[1]
+
+
+def test_a_browser_is_opened_where_there_is_a_screen(began, monkeypatch):
+    opened = []
+    monkeypatch.setattr(page.webbrowser, "open", opened.append)
+    commands.carry_out(["page", "--port", "0"])
+    monkeypatch.setenv("DISPLAY", ":0")
+    commands.carry_out(["page", "--port", "0", "--no-browser"])
+    assert opened == []
+    commands.carry_out(["page", "--port", "0"])
+    assert opened == ["http://127.0.0.1:1/?key=x"]
+
+
+def test_state_is_kept_where_the_system_says(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    assert page.state_directory() == tmp_path / "onika"

@@ -1,0 +1,27 @@
+from onika.model.task import Task
+from onika.testing.sitting import Sitting
+from onika.wire import act
+
+TASKS = (
+    Task("memory", "m", invar=("M",), outvar=("M",), frequency=1.0),
+    Task("reader", "m", invar=("Q",), frequency=1.0),
+)
+
+
+def test_a_check_gives_every_sentence_what_is_wrong_first_and_also_where_warnings_are_off(tmp_path):  # R-C26
+    sitting = Sitting(tmp_path, TASKS)
+    (tmp_path / "conf").mkdir()
+    sitting.base.configuration_file("c").write_text("RMODFILE memory\nCOORDS 0 0\nRMODFILE reader\nCOORDS 0 0\nEOF\n")
+    doc = sitting.do(act.Open(str(sitting.base.configuration_file("c"))))
+    sitting.do(act.Prefer({"shows_warnings": False}))
+    fault, warning, note = sitting.do(act.Check(doc))
+    assert "its module m is used already, by memory" in fault
+    assert "a task that writes Q, found only reader" in warning
+    assert "M, which it does both" in note
+    assert len(sitting.environment.tree.documents[doc].problems) == 1
+
+
+def test_nothing_is_said_where_all_is_well(tmp_path):  # R-C26
+    sitting = Sitting(tmp_path)
+    assert sitting.do(act.Check(sitting.new())) == ()
+    assert "no longer open" in sitting.no(act.Check("c9")).reason

@@ -1,0 +1,68 @@
+import pytest
+
+from onika.desk.environment.diary import Diary
+from onika.testing.sitting import Sitting
+from onika.wire import act
+
+
+@pytest.fixture
+def sitting(tmp_path):
+    return Sitting(tmp_path)
+
+
+def kept(sitting, folder, clock=lambda: 770908202.0):
+    diary = Diary(folder, lambda: sitting.environment.model, sitting.say, clock)
+    sitting.environment.observers.append(diary.observe)
+    return diary
+
+
+def lines(diary):
+    return [line.split("\t")[1:4] for line in diary.path.read_text().splitlines()[1:]]
+
+
+def test_a_session_is_a_file_with_a_line_of_every_act(sitting, tmp_path):  # R-H01
+    diary = kept(sitting, tmp_path / "state" / "diary")
+    doc = sitting.do(act.New())
+    sitting.answer(act.Place(doc, "gone", 0, 0))
+    sitting.do(act.Note("select_icon", "pd", "7", window="lexi"))
+    sitting.do(act.Close(doc))
+    diary.close()
+    assert lines(diary) == [
+        ["Start_Onika", "none", "0"],
+        ["new_conf", "Untitled-1", "c1"],
+        ["try_insert_icon", "gone", "c1/gone"],
+        ["select_icon", "pd", "7"],
+        ["close_conf", "Untitled-1", "c1"],
+        ["Quit_Onika", "none", "0"],
+    ]
+    assert diary.path.parent == tmp_path / "state" / "diary"
+    assert diary.path.name.startswith("1994-06-0")
+    assert diary.path.suffix == ".log"
+
+
+def test_a_line_is_on_the_disk_while_the_session_goes_on(sitting, tmp_path):  # R-H01
+    diary = kept(sitting, tmp_path)
+    sitting.do(act.New())
+    diary._lines.put(None)
+    diary._thread.join(30)
+    assert lines(diary)[-1][0] == "new_conf"
+
+
+def test_without_the_habit_nothing_is_written(sitting, tmp_path):  # R-H01
+    sitting.do(act.Prefer({"keeps_diary": False}))
+    diary = kept(sitting, tmp_path / "diary")
+    sitting.do(act.New())
+    diary.close()
+    assert not (tmp_path / "diary").exists()
+
+
+def test_where_it_cannot_be_written_that_is_said_once_and_acts_go_on(sitting, tmp_path):  # R-H01
+    (tmp_path / "diary").write_text("no folder")
+    diary = kept(sitting, tmp_path / "diary")
+    diary._thread.join(30)
+    sitting.do(act.New())
+    sitting.do(act.New())
+    diary.close()
+    (said,) = sitting.says
+    assert said.level == "warning"
+    assert str(diary.path) in said.text

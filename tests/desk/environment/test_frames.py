@@ -1,0 +1,59 @@
+import math
+
+import numpy as np
+import pytest
+
+from onika.desk.environment.frames import Frames
+from onika.model.task import Task
+from onika.testing.duet import Duet
+from onika.wire import live, page, reading
+
+
+@pytest.fixture
+def model(tmp_path):
+    duet = Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    duet.connected("a")
+    return duet.environment.model
+
+
+def variable(value, at_s=1.0, count=1):
+    return reading.encode(reading.Variable(round(at_s * 1e9), count, value))
+
+
+def test_a_frame_holds_what_has_come_since_the_one_before(model):  # R-C14, house decision 7
+    frames = Frames()
+    assert frames.take() is None
+    frames.put({"Untitled-1/A": variable(1.0)}, None, model)
+    frames.put({"Untitled-1/A": variable(2.0, 1.5), "Untitled-1/B": variable([1, 2])}, None, model)
+    assert frames.take() == page.Frame(1.0, {"c1/A": 2.0, "c1/B": [1, 2]})
+    assert frames.take() is None
+
+
+def test_figures_and_poses_come_with_it(model):  # R-C14
+    rows = np.array([[0.1234567, 0, 0, 1, 0, 0, 0], [1, 2, 3, 0.5, 0.5, 0.5, 0.5]], "<f4").tobytes()
+    figure = live.TaskFigure("Untitled-1", "a", "m", "rt0", 1, "P", 0, "ON", *[0] * 14)
+    frames = Frames()
+    frames.put({"world:boxes": reading.encode(reading.Poses(5, rows, ("lamp",)))}, live.Figures((figure,), {}), model)
+    frame = frames.take()
+    found = [[0.12346, 0, 0, 1, 0, 0, 0], [1, 2, 3, 0.5, 0.5, 0.5, 0.5]]
+    assert frame.poses == {"boxes": {"rows": found, "lit": ("lamp",)}}
+    assert frame.figures["c1/a"]["state"] == "ON"
+
+
+def test_what_no_document_shows_is_dropped(model):
+    frames = Frames()
+    frames.put({"elsewhere/A": variable(1.0)}, None, model)
+    assert frames.take() is None
+
+
+def test_what_is_no_number_travels_as_nothing(model):
+    frames = Frames()
+    frames.put({"Untitled-1/A": variable([math.nan, math.inf, 1.0])}, None, model)
+    assert b"[null,null,1.0]" in page.encode(frames.take())
+
+
+def test_another_runtime_begins_with_nothing(model):
+    frames = Frames()
+    frames.put({"Untitled-1/A": variable(1.0)}, None, model)
+    frames.clear()
+    assert frames.take() is None

@@ -1,0 +1,25 @@
+import pytest
+
+from onika.desk.environment.launching import Launching
+from onika.link.lost import LinkLost
+
+
+def test_what_is_no_address_is_said_as_it_is(monkeypatch):  # R-C18
+    monkeypatch.delenv("ONIKA_TOKEN", raising=False)
+    with pytest.raises(ValueError, match="nowhere at all"):
+        Launching()("nowhere at all", "")
+
+
+def test_a_runtime_on_another_machine_needs_a_token(monkeypatch):  # R-C18
+    monkeypatch.delenv("ONIKA_TOKEN", raising=False)
+    with pytest.raises(LinkLost, match="token is needed"):
+        Launching()("wss://lab.example:7994", "")
+
+
+@pytest.mark.site
+def test_without_an_address_a_runtime_with_these_units_is_started():  # R-A15
+    from onika.wire import live
+
+    with Launching(("left", "right"), is_virtual=True)("", "") as runtime:
+        standing = runtime.ask(live.Survey())
+    assert [one.name for one in standing.rtpus] == ["left", "right"] and standing.is_virtual

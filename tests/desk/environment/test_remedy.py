@@ -1,0 +1,26 @@
+from onika.desk.environment.remedy import plain, reasons
+from onika.model.rules import placement
+from onika.model.task import Task
+from onika.wire import act
+
+CUBIC = Task("cubic", "cubic", outvar=("Q_REF",))
+TRAPEZ = Task("trapez", "trapez", outvar=("Y",), aliases=(("Y", "Q_REF"),))
+
+
+def test_a_refusal_becomes_a_sentence_with_buttons():  # R-X01
+    (reason,) = reasons(placement.refusals(TRAPEZ, [CUBIC]), "c1", TRAPEZ)
+    assert reason.text == "writes Q_REF, which cubic already writes"
+    replaces, alias, shows = reason.remedies
+    assert (replaces.label, replaces.act) == ("Replace cubic", act.Exchange("c1", "cubic", "trapez"))
+    assert (alias.label, alias.act, alias.show) == ("Alias Q_REF…", None, "pin:trapez/Y")
+    assert (shows.label, shows.show) == ("Show cubic", "task:cubic")
+
+
+def test_marks_for_terminals_are_left_out():
+    assert plain("its module `x` runs") == "its module x runs"
+
+
+def test_another_alias_is_given_at_its_pin():  # R-X01, decision 9
+    task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
+    (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
+    assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", "pin:t/B")]

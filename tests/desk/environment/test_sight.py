@@ -1,0 +1,61 @@
+from onika.model.task import Task
+from onika.testing.sitting import Sitting
+from onika.wire import act
+
+TASKS = (
+    Task(
+        "a",
+        "a",
+        "makes Q",
+        inconst=("KP",),
+        outvar=("Y",),
+        aliases=(("Y", "Q"),),
+        frequency=5.0,
+        object_type="Joint job",
+    ),
+    Task("b", "b", invar=("Q",), outconst=("KP",), frequency=1.0),
+)
+
+
+def test_a_library_task_is_drawn_from_its_file(tmp_path):  # R-C01, R-C02, R-C23
+    view = Sitting(tmp_path, TASKS).environment.tree.tasks["a"]
+    assert (view.description, view.hz, view.object_type, view.is_trigger) == ("makes Q", 5.0, "Joint job", True)
+    assert [(pin.name, pin.svar, pin.kind) for pin in view.pins] == [("KP", "KP", "INCONST"), ("Y", "Q", "OUTVAR")]
+    assert view.path.endswith("a.rmod")
+
+
+def test_a_file_at_fault_is_left_out_and_told(tmp_path):  # R-C01
+    (tmp_path / "module").mkdir()
+    (tmp_path / "module" / "bad.rmod").write_text("nothing\n")
+    tree = Sitting(tmp_path, TASKS).environment.tree
+    (library,) = tree.libraries.values()
+    assert (sorted(tree.tasks), library.tasks) == (["a", "b"], 2)
+    assert any("bad.rmod" in fault for fault in library.faults)
+
+
+def test_without_a_runtime_there_is_no_state_and_every_line_is_idle(tmp_path):  # R-C25
+    sitting = Sitting(tmp_path, TASKS)
+    doc = sitting.new("a", "b")
+    document = sitting.environment.tree.documents[doc]
+    assert {one.state for one in document.tasks.values()} == {""}
+    assert {one.line for one in document.loci.values()} == {"idle"}
+
+
+def test_constants_are_told_from_variables(tmp_path):  # R-C09
+    sitting = Sitting(tmp_path, TASKS)
+    doc = sitting.new("a", "b")
+    loci = sitting.environment.tree.documents[doc].loci
+    assert {svar: one.is_constant for svar, one in loci.items()} == {"KP": True, "Q": False}
+    assert (loci["KP"].writers, loci["KP"].readers) == (("b",), ("a",))
+
+
+def test_a_task_that_no_library_knows_is_shown_as_missing(tmp_path):
+    sitting = Sitting(tmp_path, TASKS)
+    doc = sitting.new("a")
+    path = sitting.do(act.Save(doc, "mine", str(tmp_path)))
+    file = sitting.base.configuration_file("mine")
+    file.write_text(file.read_text().replace("RMODFILE    a", "RMODFILE    stranger"))
+    sitting.do(act.Close(doc))
+    doc = sitting.do(act.Open(path))
+    document = sitting.environment.tree.documents[doc]
+    assert document.tasks["stranger"].is_missing

@@ -1,0 +1,103 @@
+import http.client
+import json
+
+import pytest
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.sync.client import connect
+
+pytestmark = pytest.mark.site
+
+
+def get(served, path="/", **headers):
+    link = http.client.HTTPConnection(served.address, timeout=10)
+    link.request("GET", path, headers={"Host": served.address, **headers})
+    answer = link.getresponse()
+    body = answer.read().decode()
+    link.close()
+    return answer, body
+
+
+def cookie(served):
+    answer, _ = get(served, f"/?key={served.door.key}")
+    assert answer.status == 303
+    return answer.headers["set-cookie"].partition(";")[0]
+
+
+def talk(served, given=None, origin=None):
+    headers = {"Cookie": given} if given else {}
+    return connect(f"ws://{served.address}/ws", additional_headers=headers, origin=origin or f"http://{served.address}")
+
+
+def test_the_key_gives_a_cookie_that_scripts_cannot_read_and_the_page(served):
+    answer, _ = get(served, f"/?key={served.door.key}")
+    given = answer.headers["set-cookie"]
+    assert "HttpOnly" in given
+    assert "SameSite=strict" in given
+    answer, body = get(served, Cookie=given.partition(";")[0])
+    assert (answer.status, "Onika" in body) == (200, True)
+
+
+@pytest.mark.parametrize("path", ["/", "/?key=wrong"])
+def test_without_the_key_there_is_no_page(served, path):
+    answer, body = get(served, path)
+    assert answer.status == 403
+    assert "address that Onika printed" in body
+
+
+def test_a_page_under_a_foreign_name_is_refused(served):  # DNS rebinding
+    answer, _ = get(served, f"/?key={served.door.key}", Host="evil.example")
+    assert answer.status == 421
+
+
+def test_every_answer_is_strict(served):
+    for path in ("/", "/assets/page.js", "/nothing"):
+        answer, _ = get(served, path)
+        policy = answer.headers["content-security-policy"]
+        assert "default-src 'none'" in policy
+        assert "script-src 'self';" in policy
+        assert "frame-ancestors 'none'" in policy
+        assert answer.headers["x-content-type-options"] == "nosniff"
+        assert answer.headers["referrer-policy"] == "no-referrer"
+
+
+def test_files_are_kept_by_the_browser_and_the_page_is_not(served):
+    assert "immutable" in get(served, "/assets/page.js")[0].headers["cache-control"]
+    assert get(served, Cookie=cookie(served))[0].headers["cache-control"] == "no-store"
+
+
+@pytest.mark.parametrize("path", ["/assets/../../secret", "/assets/%2e%2e/%2e%2e/secret", "//etc/passwd"])
+def test_nothing_outside_the_page_is_given(served, path):
+    assert get(served, path, Cookie=cookie(served))[0].status in (403, 404)
+
+
+def test_acts_are_answered_over_the_socket(served):
+    with talk(served, cookie(served)) as socket:
+        assert json.loads(socket.recv())["t"] == "Snapshot"
+        socket.send('{"cid": 3, "act": {"t": "New"}}')
+        found = json.loads(socket.recv())
+        while found["t"] == "Patch":
+            found = json.loads(socket.recv())
+        assert (found["t"], found["cid"]) == ("Ok", 3)
+
+
+@pytest.mark.parametrize("body", ["nonsense", '{"cid":1,"act":{"t":"Nothing"}}', b"\x00\x01"])
+def test_a_wrong_message_closes_its_own_connection_only(served, body):
+    given = cookie(served)
+    with talk(served, given) as good, talk(served, given) as bad:
+        good.recv()
+        bad.send(body)
+        with pytest.raises(ConnectionClosed):
+            while True:
+                bad.recv(timeout=10)
+        good.send('{"cid": 1, "act": {"t": "New"}}')
+        seen = []
+        while "Ok" not in seen:
+            seen.append(json.loads(good.recv(timeout=10))["t"])
+
+
+def test_a_foreign_page_or_a_stranger_may_not_talk(served):
+    given = cookie(served)
+    for who in ({"given": None}, {"given": "onika=x"}, {"given": given, "origin": "http://evil.example"}):
+        with pytest.raises((InvalidStatus, ConnectionClosed)), talk(served, **who) as socket:
+            socket.recv(timeout=10)
+    assert served.sitting.environment.tree.people == 0
