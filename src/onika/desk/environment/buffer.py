@@ -3,10 +3,11 @@
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
-from onika.desk.environment.canvas import absent, changed, closed, inside, remove, several
+from onika.desk.environment.canvas import absent, changed, inside, remove, several
 from onika.desk.environment.copied import Copied, copied, read, write
 from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import on_document
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.remedy import reasons
 from onika.desk.environment.shelf import Shelf
@@ -19,11 +20,9 @@ from onika.wire.view import Reason, Remedy
 from onika.words.fault import Refusal
 
 
-def copy(model: Model, asked: act.Copy, _outside: Surroundings) -> Done | No:
+@on_document
+def copy(model: Model, document: Document, asked: act.Copy, _outside: Surroundings) -> Done | No:
     """Take tasks into the buffer; the value is their text."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     refused = _nothing(asked.tasks) or absent(document, asked.tasks)
     if refused:
         return refused
@@ -42,11 +41,9 @@ def cut(model: Model, asked: act.Cut, outside: Surroundings) -> Done | No:
     return done if isinstance(done, No) else replace(done, label=f"cutting {several(asked.tasks)}", value=taken.value)
 
 
-def paste(model: Model, asked: act.Paste, _outside: Surroundings) -> Done | No:
+@on_document
+def paste(model: Model, document: Document, asked: act.Paste, _outside: Surroundings) -> Done | No:
     """Place what is in the buffer or in a text, as one step; the value is the names of the tasks."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     taken = read(asked.text) if asked.text else model.buffer
     if isinstance(taken, str):
         return No(taken)

@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import on_document
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.remedy import reasons
 from onika.desk.environment.surroundings import Surroundings
@@ -17,11 +18,9 @@ _LIMIT = 100_000
 """Pixels: nothing is placed farther out, so that it can be found again."""
 
 
-def place(model: Model, asked: act.Place, _outside: Surroundings) -> Done | No:
+@on_document
+def place(model: Model, document: Document, asked: act.Place, _outside: Surroundings) -> Done | No:
     """Place a task from a library."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     refused = _refused(model, document, asked.task, ())
     if refused:
         return refused
@@ -34,11 +33,9 @@ def place(model: Model, asked: act.Place, _outside: Surroundings) -> Done | No:
     )
 
 
-def exchange(model: Model, asked: act.Exchange, _outside: Surroundings) -> Done | No:
+@on_document
+def exchange(model: Model, document: Document, asked: act.Exchange, _outside: Surroundings) -> Done | No:
     """Place a task where another stands."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     old = document.content.placed(asked.old)
     if old is None:
         return No(f"there is no {asked.old} on the canvas")
@@ -52,11 +49,9 @@ def exchange(model: Model, asked: act.Exchange, _outside: Surroundings) -> Done 
     return changed(model, document, exchanged, f"replacing {asked.old} by {asked.new}")
 
 
-def remove(model: Model, asked: act.Remove, _outside: Surroundings) -> Done | No:
+@on_document
+def remove(model: Model, document: Document, asked: act.Remove, _outside: Surroundings) -> Done | No:
     """Remove tasks."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     missing = absent(document, asked.tasks)
     if missing:
         return missing
@@ -65,11 +60,9 @@ def remove(model: Model, asked: act.Remove, _outside: Surroundings) -> Done | No
     return changed(model, document, replace(configuration, placed=placed), f"removing {several(asked.tasks)}")
 
 
-def move(model: Model, asked: act.Move, _outside: Surroundings) -> Done | No:
+@on_document
+def move(model: Model, document: Document, asked: act.Move, _outside: Surroundings) -> Done | No:
     """Move tasks and loci."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     missing = absent(document, asked.tasks)
     if missing:
         return missing
@@ -89,11 +82,9 @@ def move(model: Model, asked: act.Move, _outside: Surroundings) -> Done | No:
     return _as_it_stands(model, document, replace(configuration, placed=placed, loci=moved), label)
 
 
-def flip(model: Model, asked: act.Flip, _outside: Surroundings) -> Done | No:
+@on_document
+def flip(model: Model, document: Document, asked: act.Flip, _outside: Surroundings) -> Done | No:
     """Turn the direction of data flow."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     missing = absent(document, asked.tasks)
     if missing:
         return missing
@@ -106,11 +97,9 @@ def flip(model: Model, asked: act.Flip, _outside: Surroundings) -> Done | No:
     return _as_it_stands(model, document, loci.flipped(turned, asked.tasks, boxes), f"flipping {several(asked.tasks)}")
 
 
-def align(model: Model, asked: act.Align, _outside: Surroundings) -> Done | No:
+@on_document
+def align(model: Model, document: Document, asked: act.Align, _outside: Surroundings) -> Done | No:
     """Bring tasks onto one line, or to equal distances."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     missing = absent(document, asked.tasks)
     if missing:
         return missing
@@ -123,11 +112,9 @@ def align(model: Model, asked: act.Align, _outside: Surroundings) -> Done | No:
     return _as_it_stands(model, document, replace(configuration, placed=placed), f"aligning {several(asked.tasks)}")
 
 
-def show(model: Model, asked: act.Show, _outside: Surroundings) -> Done | No:
+@on_document
+def show(model: Model, document: Document, asked: act.Show, _outside: Surroundings) -> Done | No:
     """Show or hide the connections of variables."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     configuration = document.content.configuration
     turned = tuple(replace(one, show=asked.is_shown) if one.svar in asked.svars else one for one in configuration.loci)
     verb = "showing" if asked.is_shown else "hiding"
@@ -150,11 +137,6 @@ def several(names: Iterable[str]) -> str:
     """A few names, or how many there are."""
     found = tuple(names)
     return " and ".join(found) if len(found) <= 2 else f"{len(found)} things"
-
-
-def closed() -> No:
-    """The document is no longer open: somebody else has closed it."""
-    return No("this configuration is no longer open")
 
 
 def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: str) -> Done:

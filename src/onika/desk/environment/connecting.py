@@ -7,7 +7,6 @@ import msgspec
 
 from onika.desk.environment import following
 from onika.desk.environment.birth import birth
-from onika.desk.environment.canvas import closed
 from onika.desk.environment.content import Content
 from onika.desk.environment.describing import describe
 from onika.desk.environment.document import Document
@@ -16,6 +15,7 @@ from onika.desk.environment.history import Step
 from onika.desk.environment.live import Live
 from onika.desk.environment.merging import Merged, merged, runtime_view
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import closed, on_document
 from onika.desk.environment.outcome import Done, No, Order, Reach
 from onika.desk.environment.pursuit import living_units
 from onika.desk.environment.refusing import refusal
@@ -27,11 +27,9 @@ from onika.words.name import TASK_NAME
 _MAIN = "main"
 
 
-def connect(model: Model, asked: act.Connect, outside: Surroundings) -> Done | No:
+@on_document
+def connect(model: Model, document: Document, asked: act.Connect, outside: Surroundings) -> Done | No:
     """Merge a document with what runs in a subsystem, which comes into being with its first task."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     if asked.subsystem and not TASK_NAME.match(asked.subsystem):
         text = "expected a name of letters, digits and _ . - that begins with a letter"
         return No(f"{asked.subsystem!r} is no name for a subsystem", fields={"subsystem": text})
@@ -53,11 +51,9 @@ def connect(model: Model, asked: act.Connect, outside: Surroundings) -> Done | N
     return Done(begun, orders=(order,), is_answered_later=True)
 
 
-def disconnect(model: Model, asked: act.Disconnect, _outside: Surroundings) -> Done | No:
+@on_document
+def disconnect(model: Model, document: Document, asked: act.Disconnect, _outside: Surroundings) -> Done | No:
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     if document.live is None:
         return No(f"{document.name} is not connected")
     content = replace(document.content, wanted={})

@@ -3,10 +3,11 @@
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.canvas import changed, closed
+from onika.desk.environment.canvas import changed
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import closed, on_document
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.remedy import plain
 from onika.desk.environment.surroundings import Surroundings
@@ -42,11 +43,9 @@ def open_file(model: Model, asked: act.Open, outside: Surroundings) -> Done | No
     return done
 
 
-def save(model: Model, asked: act.Save, outside: Surroundings) -> Done | No:
+@on_document
+def save(model: Model, document: Document, asked: act.Save, outside: Surroundings) -> Done | No:
     """Save a document."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     name = asked.name or document.name
     if not TASK_NAME.match(name):
         form = "a name of letters, digits and _ . - that begins with a letter"
@@ -78,11 +77,9 @@ def _shipped(asked: act.Save, name: str, own: Path | None) -> No:
     return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show="save-as"), meant))
 
 
-def close(model: Model, asked: act.Close, _outside: Surroundings) -> Done | No:
+@on_document
+def close(model: Model, document: Document, asked: act.Close, _outside: Surroundings) -> Done | No:
     """Close a document; one is always open."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     if (document.is_dirty or document.is_moved) and not asked.discards:
         remedies = (Remedy("Save it first", act.Save(asked.doc)), Remedy("Discard it", act.Close(asked.doc, True)))
         return No(f"{document.name} is not saved", remedies)
@@ -120,11 +117,9 @@ def reload(model: Model, asked: act.Reload, outside: Surroundings) -> Done | No:
     return changed(model, here, opened.value, "reading the file again")
 
 
-def keep(model: Model, asked: act.Keep, _outside: Surroundings) -> Done | No:
+@on_document
+def keep(model: Model, document: Document, asked: act.Keep, _outside: Surroundings) -> Done | No:
     """Go on with what is here; the next Save finds the file as it was seen now, and overwrites it."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     opened = document.opened
     content = text.load(opened.path, str(opened.path))[0] if opened else None
     if opened is not None and content is not None:

@@ -6,11 +6,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from onika.desk.environment import buffer, living
-from onika.desk.environment.canvas import absent, closed, inside, several
+from onika.desk.environment.canvas import absent, inside, several
 from onika.desk.environment.copied import Copied, copied
 from onika.desk.environment.document import Document
 from onika.desk.environment.documents import read
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import closed, on_document
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.remedy import plain
 from onika.desk.environment.surroundings import Surroundings
@@ -23,11 +24,9 @@ from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
 
-def group(model: Model, asked: act.Group, _outside: Surroundings) -> Done | No:
+@on_document
+def group(model: Model, document: Document, asked: act.Group, _outside: Surroundings) -> Done | No:
     """Handle tasks as one, in this order; supermodules that are among them whole go into it, under its name."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     tasks = tuple(dict.fromkeys(asked.tasks))
     if not TASK_NAME.match(asked.name):
         form = "a name of letters, digits and _ . - that begins with a letter"
@@ -76,11 +75,9 @@ def save_group(model: Model, asked: act.SaveGroup, outside: Surroundings) -> Don
     return Done(model, value=str(done.path))
 
 
-def insert(model: Model, asked: act.Insert, outside: Surroundings) -> Done | No:
+@on_document
+def insert(model: Model, document: Document, asked: act.Insert, outside: Surroundings) -> Done | No:
     """Place all tasks of a configuration as a supermodule of its name; the value is the names of the tasks."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     found = read(asked.path, outside)
     if isinstance(found, No):
         return found

@@ -3,9 +3,9 @@
 from dataclasses import replace
 from functools import partial
 
-from onika.desk.environment.canvas import closed
 from onika.desk.environment.living import simply_done
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import closed
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.refusing import refusal
 from onika.desk.environment.surroundings import Surroundings

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from onika.desk.environment.alteration import Alteration, alteration
-from onika.desk.environment.canvas import closed
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
 from onika.desk.environment.documents import read
 from onika.desk.environment.live import Live
 from onika.desk.environment.merging import with_loci
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import on_document
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.pursuit import living_units
 from onika.desk.environment.surroundings import Surroundings
@@ -22,11 +22,9 @@ from onika.wire import act
 from onika.wire.view import Remedy
 
 
-def open_in_place(model: Model, asked: act.OpenInPlace, outside: Surroundings) -> Done | No:
+@on_document
+def open_in_place(model: Model, document: Document, asked: act.OpenInPlace, outside: Surroundings) -> Done | No:
     """Take over a configuration's tasks as one step; where tasks live, what becomes of them is said first."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     found = read(asked.path, outside)
     if isinstance(found, No):
         return found

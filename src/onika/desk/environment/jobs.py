@@ -2,10 +2,10 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.canvas import closed
 from onika.desk.environment.document import Document
 from onika.desk.environment.draft import Draft, drafted
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import closed
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.remedy import plain
 from onika.desk.environment.surroundings import Surroundings

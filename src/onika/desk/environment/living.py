@@ -4,10 +4,11 @@ from dataclasses import replace
 from functools import partial
 
 from onika.desk.environment.birth import code_of
-from onika.desk.environment.canvas import absent, closed, several
+from onika.desk.environment.canvas import absent, several
 from onika.desk.environment.document import Document
 from onika.desk.environment.live import Live
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import on_document
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.pursuit import accepted, under_way
 from onika.desk.environment.refusing import refusal
@@ -16,11 +17,9 @@ from onika.wire import act, live, request
 from onika.wire.view import Remedy
 
 
-def turn(model: Model, asked: act.Turn, _outside: Surroundings) -> Done | No:
+@on_document
+def turn(model: Model, document: Document, asked: act.Turn, _outside: Surroundings) -> Done | No:
     """Turn tasks ON or OFF; one that is placed and does not live is brought to life first."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     missing = absent(document, asked.tasks) or _unknown(model, document, asked.tasks)
     if missing:
         return missing
@@ -44,11 +43,9 @@ def turn(model: Model, asked: act.Turn, _outside: Surroundings) -> Done | No:
     return Done(model.with_document(turned), label, document.id)
 
 
-def toggle(model: Model, asked: act.Toggle, outside: Surroundings) -> Done | No:
+@on_document
+def toggle(model: Model, document: Document, asked: act.Toggle, outside: Surroundings) -> Done | No:
     """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11)."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     known = _connected(document)
     if isinstance(known, No):
         return known
@@ -62,11 +59,9 @@ def toggle(model: Model, asked: act.Toggle, outside: Surroundings) -> Done | No:
     return turn(model, act.Turn(asked.doc, (asked.task,), is_on), outside)
 
 
-def clear(model: Model, asked: act.Clear, _outside: Surroundings) -> Done | No:
+@on_document
+def clear(model: Model, document: Document, asked: act.Clear, _outside: Surroundings) -> Done | No:
     """Bring a task out of ERROR, and on again where that is asked; one that cannot be cleared stays in it (C28)."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     known = _of_living(document, asked.task)
     if isinstance(known, No):
         return known
@@ -79,22 +74,18 @@ def clear(model: Model, asked: act.Clear, _outside: Surroundings) -> Done | No:
     return _asked(model, document, order, asked.task)
 
 
-def reinit(model: Model, asked: act.Reinit, _outside: Surroundings) -> Done | No:
+@on_document
+def reinit(model: Model, document: Document, asked: act.Reinit, _outside: Surroundings) -> Done | No:
     """Initialise a task anew, and all that need its constants."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     known = _of_living(document, asked.task)
     if isinstance(known, No):
         return known
     return _asked(model, document, live.Reinit(known.subsystem, asked.task), asked.task)
 
 
-def renew(model: Model, asked: act.Renew, _outside: Surroundings) -> Done | No:
+@on_document
+def renew(model: Model, document: Document, asked: act.Renew, _outside: Surroundings) -> Done | No:
     """Exchange the code of a living task for what its file says now."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     known = _of_living(document, asked.task)
     if isinstance(known, No):
         return known
@@ -107,11 +98,9 @@ def renew(model: Model, asked: act.Renew, _outside: Surroundings) -> Done | No:
     return _asked(model, document, live.Swap(known.subsystem, asked.task, code), asked.task)
 
 
-def answer(model: Model, asked: act.Answer, _outside: Surroundings) -> Done | No:
+@on_document
+def answer(model: Model, document: Document, asked: act.Answer, _outside: Surroundings) -> Done | No:
     """Answer what a task asks; it asks again, with the reason, where the answer will not do (C13)."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     known = _of_living(document, asked.task)
     if isinstance(known, No):
         return known

@@ -3,9 +3,10 @@
 from dataclasses import replace
 from math import isfinite
 
-from onika.desk.environment.canvas import changed, closed
+from onika.desk.environment.canvas import changed
 from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
+from onika.desk.environment.on_document import on_document
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.surroundings import Surroundings
 from onika.model.configuration import UNKNOWN_RTPU, Placed
@@ -14,11 +15,9 @@ from onika.wire.view import Remedy
 from onika.words.name import TASK_NAME
 
 
-def rate(model: Model, asked: act.Rate, _outside: Surroundings) -> Done | No:
+@on_document
+def rate(model: Model, document: Document, asked: act.Rate, _outside: Surroundings) -> Done | No:
     """The rate of a task in this configuration; 0: as its file says."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     placed = document.content.placed(asked.task)
     if placed is None:
         return No(f"there is no {asked.task} on the canvas")
@@ -31,11 +30,9 @@ def rate(model: Model, asked: act.Rate, _outside: Surroundings) -> Done | No:
     return _with(model, document, placed, replace(placed, frequency=asked.hz), f"giving {asked.task} {words}")
 
 
-def unit(model: Model, asked: act.Unit, _outside: Surroundings) -> Done | No:
+@on_document
+def unit(model: Model, document: Document, asked: act.Unit, _outside: Surroundings) -> Done | No:
     """The unit that a task of this configuration lives on; one that lives is exchanged for itself over there."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
     placed = document.content.placed(asked.task)
     if placed is None:
         return No(f"there is no {asked.task} on the canvas")
