@@ -7,12 +7,13 @@ from msgspec import structs
 
 from onika.host import edit, objection
 from onika.host.asking import Loading
-from onika.host.checks import absent_devices, conflicts, cycles, shapeless, shared_devices, task_of
+from onika.host.checks import absent_devices, conflicts, cycles, shapeless, shared_devices
 from onika.host.forecast import Coming
 from onika.host.live import LiveSubsystem, Transaction
 from onika.host.preparation import unknown_parameters
 from onika.host.stage import Stage
 from onika.model.lifecycle import State
+from onika.model.planned import task_of
 from onika.model.rules.reconfiguration import exchange
 from onika.runtime import command, news
 from onika.runtime.sheet import differences

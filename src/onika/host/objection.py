@@ -2,8 +2,9 @@
 
 from collections.abc import Sequence
 
-from onika.host.checks import task_of, wrong_rates
+from onika.host.checks import wrong_rates
 from onika.host.preparation import unknown_parameters
+from onika.model.planned import task_of
 from onika.runtime.sheet import differences
 from onika.runtime.wiring import WiredTask, wire
 from onika.wire.live import Change

@@ -12,10 +12,10 @@ from onika.host.checks import (
     cycles,
     shapeless,
     shared_devices,
-    task_of,
     wrong_rates,
 )
 from onika.host.conditions import wrong_conditions
+from onika.model.planned import task_of
 from onika.runtime.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire

@@ -12,11 +12,10 @@ from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.remedy import plain
 from onika.model.configuration import Configuration, Placed
+from onika.model.planned import task_of
 from onika.model.rules import loci
 from onika.model.rules.merge import Merge, merge
-from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import live, page, request, view
-from onika.wire.plan import PlannedTask
 
 _GAP = 40
 """Pixels between what stands on the canvas and what comes onto it."""
@@ -88,22 +87,6 @@ def with_loci(model: Model, document: Document) -> Model:
     boxes = model.shelf.boxes(document.content.names)
     placed = loci.settled(configuration, boxes, configuration)
     return model.with_document(document.having(replace(document.content, configuration=placed)))
-
-
-def task_of(planned: PlannedTask) -> Task:
-    """A living task as its file described it."""
-    return Task(
-        name=planned.name,
-        module=planned.module,
-        aliases=planned.aliases,
-        inconst=planned.inconst,
-        outconst=planned.outconst,
-        invar=planned.invar,
-        outvar=planned.outvar,
-        type=TaskType(planned.type),
-        frequency=planned.frequency,
-        local=tuple(LocalLine(key, words) for key, words in planned.local),
-    )
 
 
 def _placed(one: live.TaskStanding) -> Placed:

@@ -1,12 +1,15 @@
 """How documents, libraries and tasks look to a page."""
 
 from collections.abc import Mapping
+from typing import TypeVar
 
 from onika.desk.environment.document import Document
 from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.wiring import Seen, group_views, locus_views, placed_views
 from onika.model.task import Task
 from onika.wire.view import DocumentView, LibraryView, PinView, ProblemView, Reason, TaskView
+
+_V = TypeVar("_V")
 
 
 def library_views(shelf: Shelf) -> dict[str, LibraryView]:
@@ -116,9 +119,9 @@ def document_view(
     )
 
 
-def _kept(new: dict, old: Mapping) -> dict:  # type: ignore[type-arg]
+def _kept(new: dict[str, _V], old: dict[str, _V]) -> dict[str, _V]:
     """The same objects for what is equal, and the same map where everything is."""
     same = {key: old[key] if old.get(key) == one else one for key, one in new.items()}
     if len(same) == len(old) and all(old.get(key) is one for key, one in same.items()):
-        return old  # type: ignore[return-value]
+        return old
     return same

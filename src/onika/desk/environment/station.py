@@ -3,7 +3,7 @@
 import select
 import socket
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from threading import Thread
 from time import monotonic
@@ -17,7 +17,7 @@ from onika.desk.environment.talk import Talk
 from onika.desk.environment.watching import Watching
 from onika.desk.runtime import Conversation
 from onika.link.lost import LinkLost
-from onika.wire import page, request
+from onika.wire import event, page, request
 
 Post = Callable[[Callable[[], None]], None]
 """Has something done in the environment's own thread, after what was posted before."""
@@ -201,7 +201,7 @@ class Station:
             entered.__exit__(None, None, None)
 
 
-def _tell(environment: Environment, came: list) -> None:  # type: ignore[type-arg]
+def _tell(environment: Environment, came: Sequence[event.Event | tuple[Order, request.Response]]) -> None:
     for one in came:
         if isinstance(one, tuple):
             environment.replied(*one)

@@ -3,14 +3,14 @@
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, field
 from operator import is_
-from typing import Literal, TypeVar
+from typing import Literal, TypeVar, cast
 
 from onika.desk.environment.document import Document
 from onika.desk.environment.live import TaskFacts
 from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.trouble import error_view
 from onika.model.configuration import Locus, Placed
-from onika.wire.view import AskItem, AskView, DocumentView, GroupView, LocusView, PlacedView
+from onika.wire.view import AskItem, AskView, DocumentView, GroupView, LocusView, PlacedView, State
 
 _T = TypeVar("_T")
 
@@ -159,7 +159,7 @@ def _placed(one: Placed, facts: TaskFacts | None, is_missing: bool, document: Do
         in_left=one.in_left,
         hz=one.frequency,
         rtpu=facts.rtpu or one.rtpu,
-        state=facts.state,  # type: ignore[arg-type]
+        state=cast("State", facts.state),  # the words of a lifecycle, as the runtime tells them
         note=facts.note,
         is_missing=is_missing,
         ask=_ask(facts),
