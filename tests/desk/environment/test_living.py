@@ -147,11 +147,17 @@ def test_a_placed_task_that_was_killed_elsewhere_is_born_again_when_it_is_turned
     assert duet.state(doc, "a") == "ON"
 
 
-def test_who_is_about_to_be_born_is_waited_for(duet):
+def test_who_is_about_to_be_born_comes_on_as_soon_as_it_lives(duet):  # R-C11
     doc = duet.connected()
     duet.is_held_back = True
     duet.environment.do(act.Place(doc, "a", 0, 0), "me", lambda given: None)
-    assert duet.no(act.Toggle(doc, "a")).reason == "a is SPAWNING: wait for it"
+    given = []
+    duet.environment.do(act.Toggle(doc, "a"), "me", given.append)
+    assert (duet.state(doc, "a"), given) == ("SPAWNING", [])
+    duet.is_held_back = False
+    duet.pump()
+    assert duet.state(doc, "a") == "ON"
+    assert [one.no for one in given] == [None]
 
 
 @pytest.mark.parametrize(

@@ -53,7 +53,7 @@ def toggle(model: Model, document: Document, asked: act.Toggle, outside: Surroun
     if state == "ERROR":
         wanted = document.content.wanted.get(asked.task, False)
         return clear(model, act.Clear(asked.doc, asked.task, turns_on=wanted), outside)
-    if state in ("SPAWNING", "KILLING"):
+    if state == "KILLING":
         return No(f"{asked.task} is {state}: wait for it")
     is_on = state not in ("ON", "ASKING")
     return turn(model, act.Turn(asked.doc, (asked.task,), is_on), outside)
