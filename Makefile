@@ -34,10 +34,10 @@ check: $(VENV)/.installed-dev page page-check ## style, types, floors, tests for
 	$(BIN)/python tools/generate.py --check
 
 # The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
-# starts programs and browsers has the machine to itself; the rest shares it.
+# starts programs runs apart from what starts browsers, and both from the rest: two of a kind at a time share the machine.
 test: check ## the checks and all tests but the soak
 	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
-	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci
+	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
 	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
 
 soak: $(VENV)/.installed-dev ## the long tests, and every property on new examples

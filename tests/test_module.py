@@ -6,7 +6,7 @@ from onika.runtime.module import Module
 
 NAMES = [
     "AskAgain", "Device", "InBoth", "InConst", "InVar", "Input", "Local", "Module", "ModuleError", "OutBoth",
-    "OutConst", "OutVar", "Signal", "finish", "illegal", "legal", "module", "off", "shutdown", "user_signal",
+    "OutConst", "OutVar", "Partner", "Signal", "finish", "illegal", "legal", "module", "off", "shutdown", "user_signal",
 ]  # fmt: skip
 
 
@@ -24,6 +24,6 @@ def test_what_it_offers_is_what_the_runtime_uses():
 def test_a_module_has_exactly_these_entry_points():  # R-A01
     entries = {"init", "reinit", "on", "cycle", "sync", "fileno", "off", "kill", "error", "clear", "get", "set", "hold"}
     entries |= {"take"}
-    calls = {"warn", "continues", "buffer", "constants", "resolve"}
+    calls = {"warn", "continues", "buffer", "constants", "resolve", "poses", "postures", "fits"}
     found = {name for name, one in vars(Module).items() if not name.startswith("_") and hasattr(one, "__get__")}
     assert found == entries | calls

@@ -203,7 +203,7 @@ def _target_types(syntax: Syntax, tasks: list[_Shipped]) -> str:
         takers = [one for one in tasks if kind.name == syntax.target_type_of(one.task.object_type or "")]
         units = {asked.name: asked.unit for one in takers for asked in one.sheet.inputs}
         for item in kind.items:
-            count = f"{item.type.value}[{item.count}]" if item.count > 1 else item.type.value
+            count = f"{item.type.value}[{item.dimension or item.count}]" if item.count > 1 else item.type.value
             taken = _code(one.task.name for one in takers) or "no shipped task"
             rows.append((kind.name, f"`{item.name}`", count, units.get(item.name, ""), taken))
     return _grid("type,data item,values,unit,taken by", rows)

@@ -9,7 +9,7 @@ from typing import get_args
 
 import msgspec
 
-from onika.wire import event, live, plan, reading, request
+from onika.wire import event, holding, live, plan, reading, request
 
 _HEAD = """\
 # Messages
@@ -24,16 +24,17 @@ by `python tools/generate.py`.
 
 def page() -> str:
     """The whole page."""
-    by_hand = set(get_args(live.LiveRequest))
+    by_hand = {*get_args(live.LiveRequest), *get_args(holding.HoldingRequest)}
     asked = [one for one in get_args(request.Request) if one not in by_hand]
     answered = get_args(request.Response)
-    parts = [one for module in (plan, request, live, event) for one in _structs(module)]
+    parts = [one for module in (plan, request, live, holding, event) for one in _structs(module)]
     told = {*get_args(request.Request), *answered, *get_args(event.Event), *get_args(reading.Reading)}
     return "\n".join(
         (
             _HEAD,
             _section("Requests about applications and the runtime", asked),
             _section("Requests about subsystems, by hand", get_args(live.LiveRequest)),
+            _section("Requests about who holds what", get_args(holding.HoldingRequest)),
             _section("Responses", answered),
             _section("Events, which travel as signals", get_args(event.Event)),
             _section("Readings", get_args(reading.Reading)),

@@ -25,7 +25,7 @@ def source() -> str:
 def _structs(module: ModuleType) -> Iterator[type[Struct]]:
     for one in vars(module).values():
         is_struct = isinstance(one, type) and issubclass(one, Struct)
-        if is_struct and one.__module__ == module.__name__ and one not in _BASES:
+        if is_struct and one.__module__.startswith(module.__name__) and one not in _BASES:
             yield one
 
 

@@ -1,5 +1,357 @@
 // Drawn from src/onika/wire/{act,view,page}.py by tools/generate.py: change those.
 
+/** One more flow, of the application or of the branch that is this step. */
+export interface AddFlow {
+  t: 'AddFlow';
+  doc: string;
+  step?: number;
+}
+
+/** Take steps into the buffer; replied with their text, which may travel by mail. */
+export interface CopyIcons {
+  t: 'CopyIcons';
+  doc: string;
+  steps: (number)[];
+}
+
+/** Take steps into the buffer and delete them. */
+export interface CutIcons {
+  t: 'CutIcons';
+  doc: string;
+  steps: (number)[];
+}
+
+/** Change this one instance of an icon (D17); what is None stays as it is. `picture` is 1024 digits. */
+export interface EditIcon {
+  t: 'EditIcon';
+  doc: string;
+  step: number;
+  description?: string | null;
+  values?: ((string)[])[] | null;
+  picture?: string | null;
+}
+
+/** Put an icon of a dictionary where another stands, with its marks. */
+export interface ExchangeIcon {
+  t: 'ExchangeIcon';
+  doc: string;
+  step: number;
+  onikon: string;
+}
+
+/** Insert a branch with so many empty flows behind a step; replied with its number (D13). */
+export interface InsertBranch {
+  t: 'InsertBranch';
+  doc: string;
+  flow?: string;
+  after?: number;
+  flows?: number;
+  conditions?: (string)[];
+}
+
+/** Insert an icon of a dictionary behind a step, by Equation (7); replied with the step's number. */
+export interface InsertIcon {
+  t: 'InsertIcon';
+  doc: string;
+  onikon: string;
+  flow?: string;
+  after?: number;
+}
+
+/** Take steps out and insert them behind another one, as one step. */
+export interface MoveIcons {
+  t: 'MoveIcons';
+  doc: string;
+  steps: (number)[];
+  flow: string;
+  after: number;
+}
+
+/** Open a blank application of so many flows; with several, parallel or conditional. */
+export interface NewApplication {
+  t: 'NewApplication';
+  flows?: number;
+  is_parallel?: boolean;
+}
+
+/** Insert what is in the buffer, or in a text that was copied elsewhere, behind a step; replied with the numbers. */
+export interface PasteIcons {
+  t: 'PasteIcons';
+  doc: string;
+  flow?: string;
+  after?: number;
+  text?: string;
+}
+
+/** Take a flow away, with all that is in it; one stays. */
+export interface RemoveFlow {
+  t: 'RemoveFlow';
+  doc: string;
+  flow: string;
+}
+
+/** Delete steps; holes open or close by Equation (7). */
+export interface RemoveIcons {
+  t: 'RemoveIcons';
+  doc: string;
+  steps: (number)[];
+}
+
+/** Take the loop away that has a tag at this step. */
+export interface RemoveLoop {
+  t: 'RemoveLoop';
+  doc: string;
+  step: number;
+}
+
+/** Pause after these actions, always or where a condition holds; in a run that goes on, too. */
+export interface SetBreakpoint {
+  t: 'SetBreakpoint';
+  doc: string;
+  steps: (number)[];
+  is_set?: boolean;
+  condition?: string;
+}
+
+/** Which flow of a branch runs: the first whose condition holds, else the last; without any, what was returned. */
+export interface SetConditions {
+  t: 'SetConditions';
+  doc: string;
+  step: number;
+  conditions: (string)[];
+}
+
+/** Mark two actions of one flow as a loop: the test decides, and goes on at the anchor; replaces tags they had. */
+export interface SetLoop {
+  t: 'SetLoop';
+  doc: string;
+  test: number;
+  anchor: number;
+  tag?: string;
+  condition?: string;
+}
+
+/** Whether the flows of an application run side by side, or one of them is chosen. */
+export interface SetParallel {
+  t: 'SetParallel';
+  doc: string;
+  is_parallel: boolean;
+}
+
+/** The tag at which an action waits for other flows; empty takes it away. */
+export interface SetSynchTag {
+  t: 'SetSynchTag';
+  doc: string;
+  step: number;
+  tag?: string;
+}
+
+/** Bring tasks onto one line, or to equal distances. */
+export interface Align {
+  t: 'Align';
+  doc: string;
+  tasks: (string)[];
+  edge: 'bottom' | 'columns' | 'left' | 'right' | 'rows' | 'top';
+}
+
+/** Check the configuration: all rules and warnings (C26); replied with the sentences. */
+export interface Check {
+  t: 'Check';
+  doc: string;
+}
+
+/** Take tasks into the buffer; replied with their text, which may travel by mail. */
+export interface Copy {
+  t: 'Copy';
+  doc: string;
+  tasks: (string)[];
+}
+
+/** Take tasks into the buffer and remove them. */
+export interface Cut {
+  t: 'Cut';
+  doc: string;
+  tasks: (string)[];
+}
+
+/** Place a task where another stands, in its stead. */
+export interface Exchange {
+  t: 'Exchange';
+  doc: string;
+  old: string;
+  new: string;
+}
+
+/** Turn the direction of data flow in the icons of tasks. */
+export interface Flip {
+  t: 'Flip';
+  doc: string;
+  tasks: (string)[];
+}
+
+/** Handle tasks as one from now on, under a name: a supermodule; in this order they come (C17). */
+export interface Group {
+  t: 'Group';
+  doc: string;
+  name: string;
+  tasks: (string)[];
+}
+
+/** Place all tasks of a configuration as a supermodule of its name, with its upper left corner here; all or none. */
+export interface Insert {
+  t: 'Insert';
+  doc: string;
+  path: string;
+  x: number;
+  y: number;
+}
+
+/** Move tasks and loci to these corners, as one step. */
+export interface Move {
+  t: 'Move';
+  doc: string;
+  tasks?: Record<string, [number, number]>;
+  loci?: Record<string, [number, number]>;
+}
+
+/** Place what is in the buffer, or in a text that was copied elsewhere, with its upper left corner here. */
+export interface Paste {
+  t: 'Paste';
+  doc: string;
+  x: number;
+  y: number;
+  text?: string;
+}
+
+/** Place a task; where the document is connected, it is spawned, OFF. */
+export interface Place {
+  t: 'Place';
+  doc: string;
+  task: string;
+  x: number;
+  y: number;
+  rtpu?: string;
+  in_left?: boolean;
+}
+
+/** The rate of a task in this configuration in Hz; 0: as its file says. */
+export interface Rate {
+  t: 'Rate';
+  doc: string;
+  task: string;
+  hz: number;
+}
+
+/** Remove tasks, and kill them where they live. */
+export interface Remove {
+  t: 'Remove';
+  doc: string;
+  tasks: (string)[];
+}
+
+/** Save a supermodule as a configuration of its own, which Insert recalls; where no base is named, in its own. */
+export interface SaveGroup {
+  t: 'SaveGroup';
+  doc: string;
+  name: string;
+  base?: string;
+  overwrites?: boolean;
+}
+
+/** Show or hide the connections of variables. */
+export interface Show {
+  t: 'Show';
+  doc: string;
+  svars: (string)[];
+  is_shown: boolean;
+}
+
+/** Turn a supermodule ON in its order, or OFF the other way round. */
+export interface TurnGroup {
+  t: 'TurnGroup';
+  doc: string;
+  name: string;
+  is_on: boolean;
+}
+
+/** Expand a supermodule into its parts. */
+export interface Ungroup {
+  t: 'Ungroup';
+  doc: string;
+  name: string;
+}
+
+/** The processing unit that a task of this configuration lives on. */
+export interface Unit {
+  t: 'Unit';
+  doc: string;
+  task: string;
+  rtpu: string;
+}
+
+/** Close a dictionary; what is placed stays. */
+export interface CloseDictionary {
+  t: 'CloseDictionary';
+  dictionary: string;
+}
+
+/** Change an icon of a dictionary; icons already placed stay as they are (D05). What is None stays. */
+export interface EditOnikon {
+  t: 'EditOnikon';
+  onikon: string;
+  description?: string | null;
+  values?: ((string)[])[] | null;
+  picture?: string | null;
+  base?: string;
+  overwrites?: boolean;
+}
+
+/** Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is 1024 digits. */
+export interface MakeTarget {
+  t: 'MakeTarget';
+  name: string;
+  type: string;
+  values: ((string)[])[];
+  picture: string;
+  description?: string;
+  base?: string;
+  overwrites?: boolean;
+}
+
+/** Add the dictionary of a base directory to those that are open. */
+export interface OpenDictionary {
+  t: 'OpenDictionary';
+  path: string;
+}
+
+/** Delete the file of an icon; what is placed stays. */
+export interface RemoveOnikon {
+  t: 'RemoveOnikon';
+  onikon: string;
+  confirmed?: boolean;
+}
+
+/** Ask for what the robot measures now, as the values of a type of target (D13); replied by `view.TaughtView`. */
+export interface Teach {
+  t: 'Teach';
+  type: string;
+  subsystem?: string;
+}
+
+/** Close a document; one that is not saved is refused unless `discards`, one whose tasks are ON is asked about. alive what becomes of tasks that live: they end with it where none is ON; else `end` or `leave` says it */
+export interface Close {
+  t: 'Close';
+  doc: string;
+  discards?: boolean;
+  alive?: 'ask' | 'end' | 'leave';
+}
+
+/** Go on with what is here although the file has changed; the next Save overwrites it. */
+export interface Keep {
+  t: 'Keep';
+  doc: string;
+}
+
 /** Open a blank configuration. */
 export interface New {
   t: 'New';
@@ -19,12 +371,23 @@ export interface OpenInPlace {
   confirmed?: boolean;
 }
 
-/** Close a document; one that is not saved is refused unless `discards`, one whose tasks are ON is asked about. alive what becomes of tasks that live: they end with it where none is ON; else `end` or `leave` says it */
-export interface Close {
-  t: 'Close';
+/** Ask what is in a configuration or an application, by its file, to draw it in small; `view.PeekView`. */
+export interface Peek {
+  t: 'Peek';
+  path: string;
+}
+
+/** Do the step again that was taken back last. */
+export interface Redo {
+  t: 'Redo';
   doc: string;
-  discards?: boolean;
-  alive?: 'ask' | 'end' | 'leave';
+  confirmed?: boolean;
+}
+
+/** Take over what stands in the file now; what was changed here can be had back by Undo. */
+export interface Reload {
+  t: 'Reload';
+  doc: string;
 }
 
 /** Save a document where it was opened, or under a name (in a base directory, else its own). */
@@ -36,339 +399,11 @@ export interface Save {
   overwrites?: boolean;
 }
 
-/** Take over what stands in the file now; what was changed here can be had back by Undo. */
-export interface Reload {
-  t: 'Reload';
-  doc: string;
-}
-
-/** Go on with what is here although the file has changed; the next Save overwrites it. */
-export interface Keep {
-  t: 'Keep';
-  doc: string;
-}
-
 /** Take the last step of a document back, in the running system too (law 22). */
 export interface Undo {
   t: 'Undo';
   doc: string;
   confirmed?: boolean;
-}
-
-/** Do the step again that was taken back last. */
-export interface Redo {
-  t: 'Redo';
-  doc: string;
-  confirmed?: boolean;
-}
-
-/** Place a task; where the document is connected, it is spawned, OFF. */
-export interface Place {
-  t: 'Place';
-  doc: string;
-  task: string;
-  x: number;
-  y: number;
-  rtpu?: string;
-  in_left?: boolean;
-}
-
-/** Place a task where another stands, in its stead. */
-export interface Exchange {
-  t: 'Exchange';
-  doc: string;
-  old: string;
-  new: string;
-}
-
-/** Remove tasks, and kill them where they live. */
-export interface Remove {
-  t: 'Remove';
-  doc: string;
-  tasks: (string)[];
-}
-
-/** Move tasks and loci to these corners, as one step. */
-export interface Move {
-  t: 'Move';
-  doc: string;
-  tasks?: Record<string, [number, number]>;
-  loci?: Record<string, [number, number]>;
-}
-
-/** Turn the direction of data flow in the icons of tasks. */
-export interface Flip {
-  t: 'Flip';
-  doc: string;
-  tasks: (string)[];
-}
-
-/** Bring tasks onto one line, or to equal distances. */
-export interface Align {
-  t: 'Align';
-  doc: string;
-  tasks: (string)[];
-  edge: 'bottom' | 'columns' | 'left' | 'right' | 'rows' | 'top';
-}
-
-/** Show or hide the connections of variables. */
-export interface Show {
-  t: 'Show';
-  doc: string;
-  svars: (string)[];
-  is_shown: boolean;
-}
-
-/** Take tasks into the buffer; replied with their text, which may travel by mail. */
-export interface Copy {
-  t: 'Copy';
-  doc: string;
-  tasks: (string)[];
-}
-
-/** Take tasks into the buffer and remove them. */
-export interface Cut {
-  t: 'Cut';
-  doc: string;
-  tasks: (string)[];
-}
-
-/** Place what is in the buffer, or in a text that was copied elsewhere, with its upper left corner here. */
-export interface Paste {
-  t: 'Paste';
-  doc: string;
-  x: number;
-  y: number;
-  text?: string;
-}
-
-/** Handle tasks as one from now on, under a name: a supermodule; in this order they come (C17). */
-export interface Group {
-  t: 'Group';
-  doc: string;
-  name: string;
-  tasks: (string)[];
-}
-
-/** Expand a supermodule into its parts. */
-export interface Ungroup {
-  t: 'Ungroup';
-  doc: string;
-  name: string;
-}
-
-/** Save a supermodule as a configuration of its own, which Insert recalls; where no base is named, in its own. */
-export interface SaveGroup {
-  t: 'SaveGroup';
-  doc: string;
-  name: string;
-  base?: string;
-  overwrites?: boolean;
-}
-
-/** Place all tasks of a configuration as a supermodule of its name, with its upper left corner here; all or none. */
-export interface Insert {
-  t: 'Insert';
-  doc: string;
-  path: string;
-  x: number;
-  y: number;
-}
-
-/** Turn a supermodule ON in its order, or OFF the other way round. */
-export interface TurnGroup {
-  t: 'TurnGroup';
-  doc: string;
-  name: string;
-  is_on: boolean;
-}
-
-/** The rate of a task in this configuration in Hz; 0: as its file says. */
-export interface Rate {
-  t: 'Rate';
-  doc: string;
-  task: string;
-  hz: number;
-}
-
-/** The processing unit that a task of this configuration lives on. */
-export interface Unit {
-  t: 'Unit';
-  doc: string;
-  task: string;
-  rtpu: string;
-}
-
-/** Check the configuration: all rules and warnings (C26); replied with the sentences. */
-export interface Check {
-  t: 'Check';
-  doc: string;
-}
-
-/** Add a base directory to the libraries that are open. */
-export interface OpenLibrary {
-  t: 'OpenLibrary';
-  path: string;
-}
-
-/** Close a library; what is placed stays. */
-export interface CloseLibrary {
-  t: 'CloseLibrary';
-  library: string;
-}
-
-/** Give the state variable behind a coded name; an empty one means the coded name (C04, C23). */
-export interface Alias {
-  t: 'Alias';
-  task: string;
-  pin: string;
-  svar: string;
-  doc?: string;
-}
-
-/** A task's rate in Hz for later placements of this session (decision 10). */
-export interface LibraryRate {
-  t: 'LibraryRate';
-  task: string;
-  hz: number;
-}
-
-/** The LOCAL lines of a task, each a key and its words. */
-export interface Local {
-  t: 'Local';
-  task: string;
-  lines: ([string, (string)[]])[];
-  doc?: string;
-}
-
-/** Write what was changed of a task to its `.rmod`. */
-export interface SaveTask {
-  t: 'SaveTask';
-  task: string;
-  overwrites?: boolean;
-}
-
-/** Take a task as its file says again. */
-export interface ForgetTask {
-  t: 'ForgetTask';
-  task: string;
-}
-
-/** Ask for the text of a task's `.rmod` or of its module's code; replied by `view.TextView`. */
-export interface ReadText {
-  t: 'ReadText';
-  task: string;
-  kind: 'code' | 'rmod';
-}
-
-/** Save such a text where the file is still what was read (`stamp`), and tell its faults. */
-export interface WriteText {
-  t: 'WriteText';
-  task: string;
-  kind: 'code' | 'rmod';
-  text: string;
-  stamp: string;
-  overwrites?: boolean;
-}
-
-/** Connect a configuration with a runtime: merge it with what runs there (C12, C18). url empty: the runtime of this environment */
-export interface Connect {
-  t: 'Connect';
-  doc: string;
-  url?: string;
-  token?: string;
-  subsystem?: string;
-  confirmed?: boolean;
-}
-
-/** Leave what runs as it is, and go on unconnected. */
-export interface Disconnect {
-  t: 'Disconnect';
-  doc: string;
-}
-
-/** Turn tasks ON or OFF. */
-export interface Turn {
-  t: 'Turn';
-  doc: string;
-  tasks: (string)[];
-  is_on: boolean;
-  arguments?: string;
-  confirmed?: boolean;
-}
-
-/** ON to OFF and back; a task in ERROR is cleared (C11). */
-export interface Toggle {
-  t: 'Toggle';
-  doc: string;
-  task: string;
-}
-
-/** Bring a task out of ERROR, and on again where that is wanted. */
-export interface Clear {
-  t: 'Clear';
-  doc: string;
-  task: string;
-  turns_on?: boolean;
-}
-
-/** Initialise a task anew, and all that need its constants. */
-export interface Reinit {
-  t: 'Reinit';
-  doc: string;
-  task: string;
-}
-
-/** Exchange the code of a living task for what its file says now; on failure the old one stays (law 21). */
-export interface Renew {
-  t: 'Renew';
-  doc: string;
-  task: string;
-}
-
-/** Answer what a task asks, in the words of an argument line (C13). */
-export interface Answer {
-  t: 'Answer';
-  doc: string;
-  task: string;
-  line: string;
-}
-
-/** Stop everything: every drive holds (law 27). Always carried out first, never refused. */
-export interface Stop {
-  t: 'Stop';
-}
-
-/** After a Stop: allow motion again. */
-export interface Reset {
-  t: 'Reset';
-}
-
-/** Become the holder of a document's subsystem. */
-export interface Take {
-  t: 'Take';
-  doc: string;
-}
-
-/** Let another become the holder. */
-export interface Release {
-  t: 'Release';
-  doc: string;
-}
-
-/** What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks. */
-export interface Watch {
-  t: 'Watch';
-  variables?: (string)[];
-  worlds?: (string)[];
-  figures?: boolean;
-  hz?: number;
-}
-
-/** Ask for what a world consists of; replied with it. */
-export interface Scene {
-  t: 'Scene';
-  world: string;
 }
 
 /** Ask what job a configuration would make; replied by `view.DraftView` (C16). */
@@ -386,30 +421,76 @@ export interface MakeJob {
   overwrites?: boolean;
 }
 
-/** Change preferences, by their names (§A.5); replied with those refused. */
-export interface Prefer {
-  t: 'Prefer';
-  values: Record<string, unknown>;
+/** Give the state variable behind a coded name; an empty one means the coded name (C04, C23). */
+export interface Alias {
+  t: 'Alias';
+  task: string;
+  pin: string;
+  svar: string;
+  doc?: string;
 }
 
-/** Run the command of a user's button. */
-export interface Press {
-  t: 'Press';
-  name: string;
+/** Close a library; what is placed stays. */
+export interface CloseLibrary {
+  t: 'CloseLibrary';
+  library: string;
+}
+
+/** Take a task as its file says again. */
+export interface ForgetTask {
+  t: 'ForgetTask';
+  task: string;
+}
+
+/** A task's rate in Hz for later placements of this session (decision 10). */
+export interface LibraryRate {
+  t: 'LibraryRate';
+  task: string;
+  hz: number;
+}
+
+/** The LOCAL lines of a task, each a key and its words. */
+export interface Local {
+  t: 'Local';
+  task: string;
+  lines: ([string, (string)[]])[];
+  doc?: string;
+}
+
+/** Add a base directory to the libraries that are open. */
+export interface OpenLibrary {
+  t: 'OpenLibrary';
+  path: string;
+}
+
+/** Ask for the text of a task's `.rmod` or of its module's code; replied by `view.TextView`. */
+export interface ReadText {
+  t: 'ReadText';
+  task: string;
+  kind: 'code' | 'rmod';
+}
+
+/** Write what was changed of a task to its `.rmod`. */
+export interface SaveTask {
+  t: 'SaveTask';
+  task: string;
+  overwrites?: boolean;
+}
+
+/** Save such a text where the file is still what was read (`stamp`), and tell its faults. */
+export interface WriteText {
+  t: 'WriteText';
+  task: string;
+  kind: 'code' | 'rmod';
+  text: string;
+  stamp: string;
+  overwrites?: boolean;
 }
 
 /** End the command of a user's button. */
 export interface Halt {
   t: 'Halt';
   name: string;
-}
-
-/** Add a button or change it; an empty command removes it. */
-export interface SetButton {
-  t: 'SetButton';
-  name: string;
-  command: string;
-  spawns_terminal?: boolean;
 }
 
 /** What the page alone knows of: a selection, a view opened (H01); into the diary, no step. */
@@ -423,17 +504,444 @@ export interface Note {
   window?: string;
 }
 
-/** A button beside a refusal: it sends `act`, or goes to what `show` names. show `task:NAME`, `library:NAME`, `pin:TASK/PIN`, `locus:NAME`, `source:TASK`, `connect`, `problems` */
-export interface Remedy {
-  label: string;
-  act?: AnyAct | null;
-  show?: string;
+/** Change preferences, by their names (§A.5); replied with those refused. */
+export interface Prefer {
+  t: 'Prefer';
+  values: Record<string, unknown>;
+}
+
+/** Run the command of a user's button. */
+export interface Press {
+  t: 'Press';
+  name: string;
+}
+
+/** Add a button or change it; an empty command removes it. */
+export interface SetButton {
+  t: 'SetButton';
+  name: string;
+  command: string;
+  spawns_terminal?: boolean;
+}
+
+/** Put away what is shown of a run that is over. */
+export interface Dismiss {
+  t: 'Dismiss';
+}
+
+/** Let another task stand for one while this application is open; its file stays as it is (E09). */
+export interface Redirect {
+  t: 'Redirect';
+  doc: string;
+  flow: string;
+  old: string;
+  new: string;
+}
+
+/** Run an application as it is here, on the runtime of this environment; one at a time. Refused with all its faults at once. What must end first, and what has changed and is not saved, is told before. */
+export interface Run {
+  t: 'Run';
+  doc: string;
+  confirmed?: boolean;
+  ignores_unsaved?: boolean;
+  passes_breakpoints?: boolean;
+  saves_unsaved?: boolean;
+}
+
+/** Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`. */
+export interface Seats {
+  t: 'Seats';
+  doc: string;
+}
+
+/** Send the flow of a step to it at once; nothing between is carried out (E13). */
+export interface SkipTo {
+  t: 'SkipTo';
+  step: number;
+}
+
+/** End the runtime of this environment with all that lives there, and start it again: the workcell as it was. */
+export interface StartAnew {
+  t: 'StartAnew';
+  confirmed?: boolean;
+}
+
+/** A line of steering, in the words of `desk.steering`: `pause 0`, `skip 1 3`, `abort`. */
+export interface Steer {
+  t: 'Steer';
+  line: string;
+}
+
+/** Answer what a task asks, in the words of an argument line (C13). */
+export interface Answer {
+  t: 'Answer';
+  doc: string;
+  task: string;
+  line: string;
+}
+
+/** Bring a task out of ERROR, and on again where that is wanted. */
+export interface Clear {
+  t: 'Clear';
+  doc: string;
+  task: string;
+  turns_on?: boolean;
+}
+
+/** Connect a configuration with a runtime: merge it with what runs there (C12, C18). url empty: the runtime of this environment */
+export interface Connect {
+  t: 'Connect';
+  doc: string;
+  url?: string;
+  token?: string;
+  subsystem?: string;
+  confirmed?: boolean;
+}
+
+/** Say no to what is offered of a document's subsystem; a yes is Take. */
+export interface Decline {
+  t: 'Decline';
+  doc: string;
+}
+
+/** Leave what runs as it is, and go on unconnected. */
+export interface Disconnect {
+  t: 'Disconnect';
+  doc: string;
+}
+
+/** Offer a document's subsystem to another session, which takes it or not; to nobody: offer it no more. */
+export interface Hand {
+  t: 'Hand';
+  doc: string;
+  to?: string;
+}
+
+/** From now on this environment changes nothing in the runtime that it is connected with; stopping stays. */
+export interface OnlyWatch {
+  t: 'OnlyWatch';
+}
+
+/** Initialise a task anew, and all that need its constants. */
+export interface Reinit {
+  t: 'Reinit';
+  doc: string;
+  task: string;
+}
+
+/** Let another become the holder. */
+export interface Release {
+  t: 'Release';
+  doc: string;
+}
+
+/** Exchange the code of a living task for what its file says now; on failure the old one stays (law 21). */
+export interface Renew {
+  t: 'Renew';
+  doc: string;
+  task: string;
+}
+
+/** After a Stop: allow motion again. */
+export interface Reset {
+  t: 'Reset';
+}
+
+/** Ask for what a world consists of; replied with it. */
+export interface Scene {
+  t: 'Scene';
+  world: string;
+}
+
+/** Stop everything: every drive holds (law 27). Always carried out first, never refused. */
+export interface Stop {
+  t: 'Stop';
+}
+
+/** Become the holder of a document's subsystem. */
+export interface Take {
+  t: 'Take';
+  doc: string;
+}
+
+/** ON to OFF and back; a task in ERROR is cleared (C11). */
+export interface Toggle {
+  t: 'Toggle';
+  doc: string;
+  task: string;
+}
+
+/** Turn tasks ON or OFF. */
+export interface Turn {
+  t: 'Turn';
+  doc: string;
+  tasks: (string)[];
+  is_on: boolean;
+  arguments?: string;
+  confirmed?: boolean;
+}
+
+/** What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks. Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it. */
+export interface Watch {
+  t: 'Watch';
+  variables?: (string)[];
+  worlds?: (string)[];
+  figures?: boolean;
+  hz?: number;
+}
+
+/** A flow: the numbers of its steps in order, without start and end. */
+export interface AppFlowView {
+  steps?: (number)[];
+  end?: string;
+  start?: string;
+}
+
+/** An application that could be opened. */
+export interface ApplicationFile {
+  name: string;
+  base: string;
+  path: string;
+  flows?: number;
+  icons?: number;
+}
+
+/** An open application. */
+export interface ApplicationView {
+  name: string;
+  order: number;
+  path?: string;
+  base?: string;
+  is_dirty?: boolean;
+  has_changed_on_disk?: boolean;
+  undo?: string;
+  redo?: string;
+  is_parallel?: boolean;
+  flows?: Record<string, AppFlowView>;
+  steps?: Record<string, StepView>;
+  holes?: number;
+  faults?: Record<string, FaultView>;
+  is_judged?: boolean;
+  is_running?: boolean;
+  redirects?: (RedirectView)[];
+}
+
+/** Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it. */
+export interface FaultView {
+  text: string;
+  level?: 'fault' | 'warning';
+  step?: number;
+  remedies?: (Remedy)[];
+}
+
+/** A task that stands for another one in a flow, by its subsystem, or in all of them. */
+export interface RedirectView {
+  old: string;
+  new: string;
+  flow?: string;
+}
+
+/** An icon, hole or branch in a flow, with its marks. */
+export interface StepView {
+  kind?: 'branch' | 'hole' | 'icon';
+  left?: string;
+  right?: string;
+  name?: string;
+  type?: string;
+  role?: '' | 'application' | 'end' | 'job' | 'nop' | 'start' | 'target';
+  picture?: string;
+  description?: string;
+  words?: Record<string, string>;
+  values?: ((string)[])[];
+  is_joined?: boolean;
+  wants?: (string)[];
+  breaks?: boolean;
+  break_if?: string;
+  synch_tag?: string;
+  loop?: string;
+  is_test?: boolean;
+  loop_if?: string;
+  conditions?: (string)[];
+  flows?: (string)[];
+  note?: string;
+}
+
+/** One value or vector that a task asks for. */
+export interface AskItem {
+  name: string;
+  type: string;
+  count: number;
+  unit: string;
+  meaning: string;
+  default?: (unknown)[] | null;
+  low?: (number)[] | null;
+  high?: (number)[] | null;
+}
+
+/** What a task waits to be told before it comes on. */
+export interface AskView {
+  items: (AskItem)[];
+  reason?: string;
+  present?: Record<string, (number)[]>;
+}
+
+/** Why a task is in ERROR, and the ways out. */
+export interface ErrorView {
+  text: string;
+  entry?: string;
+  path?: string;
+  line?: number;
+  traceback?: string;
+  at_s?: number;
+  values?: Record<string, unknown>;
+  remedies?: (Remedy)[];
 }
 
 /** Why something is refused or worth a warning, in words, with what could be done, likeliest first (X01). */
 export interface Reason {
   text: string;
   remedies?: (Remedy)[];
+}
+
+/** A button beside a refusal: it sends `act`, or goes to what `show` names. show `task:NAME`, `library:NAME`, `pin:TASK/PIN`, `locus:NAME`, `source:TASK`, `connect`, `problems`, `save-as`; in applications `step:NUMBER`, `onikon:NAME`, `fits:FLOW:NUMBER` (what fits behind that step), `target:TYPE` (make one), `values:NUMBER` (of a step), `loop:NUMBER`, `configuration:PATH` */
+export interface Remedy {
+  label: string;
+  act?: AnyAct | null;
+  show?: string;
+}
+
+/** An open dictionary. */
+export interface DictionaryView {
+  name: string;
+  path: string;
+  order: number;
+  onikons: number;
+  faults?: (string)[];
+  is_shipped?: boolean;
+}
+
+/** A datum of a target; unit and bounds are those of the task that takes it, where one is known. */
+export interface ItemView {
+  name: string;
+  type: string;
+  count: number;
+  unit?: string;
+  meaning?: string;
+  low?: (number)[] | null;
+  high?: (number)[] | null;
+  default?: (unknown)[] | null;
+  dimension?: string;
+}
+
+/** An icon of a dictionary. */
+export interface OnikonView {
+  type: string;
+  role: '' | 'application' | 'end' | 'job' | 'nop' | 'start' | 'target';
+  order: number;
+  dictionary: string;
+  left: string;
+  right: string;
+  picture: string;
+  description?: string;
+  words?: Record<string, string>;
+  values?: ((string)[])[];
+  takes?: (string)[];
+  path?: string;
+  source?: string;
+  trouble?: string;
+}
+
+/** What is measured now, as the values of a target. */
+export interface TaughtView {
+  values: Record<string, (number)[]>;
+  source?: string;
+  subsystem?: string;
+  others?: (string)[];
+}
+
+/** A type of icon of the syntax definition. */
+export interface TypeView {
+  order: number;
+  role: '' | 'application' | 'end' | 'job' | 'nop' | 'start' | 'target';
+  left: string;
+  right: string;
+  items?: (ItemView)[];
+  takes?: string;
+}
+
+/** An open configuration. */
+export interface DocumentView {
+  name: string;
+  order: number;
+  path?: string;
+  base?: string;
+  is_dirty?: boolean;
+  is_moved?: boolean;
+  has_changed_on_disk?: boolean;
+  undo?: string;
+  redo?: string;
+  tasks?: Record<string, PlacedView>;
+  loci?: Record<string, LocusView>;
+  groups?: Record<string, GroupView>;
+  greyed?: Record<string, (Reason)[]>;
+  objections?: Record<string, (Reason)[]>;
+  problems?: Record<string, ProblemView>;
+  connection?: 'connecting' | 'live' | 'lost' | 'none';
+  subsystem?: string;
+  holder?: string;
+  is_held_here?: boolean;
+  offered_by?: string;
+  offered_to?: string;
+  is_offered_here?: boolean;
+}
+
+/** A supermodule: tasks that are handled as one, in their order of spawning and turning ON. */
+export interface GroupView {
+  tasks: (string)[];
+}
+
+/** Where the lines of a variable meet. */
+export interface LocusView {
+  x: number;
+  y: number;
+  is_shown?: boolean;
+  line?: 'idle' | 'live' | 'stale';
+  is_constant?: boolean;
+  writers?: (string)[];
+  readers?: (string)[];
+}
+
+/** A task on a canvas. */
+export interface PlacedView {
+  x: number;
+  y: number;
+  in_left?: boolean;
+  hz?: number;
+  rtpu?: string;
+  state?: '' | 'ASKING' | 'ERROR' | 'KILLING' | 'OFF' | 'ON' | 'SPAWNING' | 'WAITING';
+  note?: string;
+  is_missing?: boolean;
+  ask?: AskView | null;
+  error?: ErrorView | null;
+  warnings?: number;
+}
+
+/** Something wrong with a document, or worth knowing; `show` as in `Remedy`. */
+export interface ProblemView {
+  text: string;
+  level: 'fault' | 'note' | 'warning';
+  show?: string;
+  remedies?: (Remedy)[];
+}
+
+/** An open library. */
+export interface LibraryView {
+  name: string;
+  path: string;
+  order: number;
+  tasks: number;
+  faults?: (string)[];
+  is_shipped?: boolean;
 }
 
 /** A pin of a task icon; `y` lies below the icon's upper edge. */
@@ -468,112 +976,145 @@ export interface TaskView {
   code?: string;
 }
 
-/** An open library. */
-export interface LibraryView {
+/** A task that could stand for another one; with `reasons` it cannot. */
+export interface CandidateView {
   name: string;
-  path: string;
-  order: number;
-  tasks: number;
-  faults?: (string)[];
+  description?: string;
+  more?: (string)[];
+  reasons?: (string)[];
 }
 
-/** One value or vector that a task asks for. */
-export interface AskItem {
+/** The job that a configuration would make. */
+export interface DraftView {
   name: string;
   type: string;
-  count: number;
-  unit: string;
-  meaning: string;
-  default?: (unknown)[] | null;
-  low?: (number)[] | null;
-  high?: (number)[] | null;
+  left_edge: string;
+  right_edge: string;
+  warnings?: (string)[];
+  picture?: string;
+  description?: string;
+  path?: string;
 }
 
-/** What a task waits to be told before it comes on. */
-export interface AskView {
-  items: (AskItem)[];
-  reason?: string;
-  present?: Record<string, (number)[]>;
+/** An icon in small: the digits of its picture, and the keys of its edges. */
+export interface PeekIcon {
+  picture: string;
+  left?: string;
+  right?: string;
 }
 
-/** Why a task is in ERROR, and the ways out. */
-export interface ErrorView {
+/** What is in a file that could be opened, as much as a small drawing shows. */
+export interface PeekView {
+  name: string;
+  tasks?: Record<string, [number, number, number, number]>;
+  wires?: ([string, string])[];
+  flows?: ((PeekIcon)[])[];
+}
+
+/** The tasks of every flow that is not nested, by its subsystem. */
+export interface SeatsView {
+  flows?: Record<string, (SeatView)[]>;
+}
+
+/** A task that a flow uses, who stands for it now, and who else could: those that can come first. */
+export interface SeatView {
+  task: string;
+  taken_by: string;
+  candidates?: (CandidateView)[];
+}
+
+/** A text that can be edited, with its faults beside their lines. */
+export interface TextView {
+  path: string;
   text: string;
-  entry?: string;
+  stamp: string;
+  faults?: ([number, string])[];
+  is_read_only?: boolean;
+}
+
+/** The last seconds of a variable. */
+export interface CourseView {
+  variable: string;
+  unit: string;
+  at_s: (number)[];
+  values: (unknown)[];
+}
+
+/** Where a flow is; `state` is a word of `engine.flow.FlowState`. */
+export interface FlowRunView {
+  order: number;
+  state?: string;
+  step?: number;
+  action?: string;
+  within?: (string)[];
+  index?: number;
+  of?: number;
+  done?: number;
+  began_s?: number;
+  should_take_s?: number;
+  is_pausing?: boolean;
+  tag?: string;
+  waits_for?: (string)[];
+  waits_since_s?: number;
+  loops?: (string)[];
+  is_nested?: boolean;
+  text?: string;
+}
+
+/** Flows have begun together at a tag. */
+export interface MeetView {
+  tag: string;
+  flows: (string)[];
+  skew_us: number;
+  at_s: number;
+}
+
+/** The run of an application that goes on now, or the last one. */
+export interface RunView {
+  doc: string;
+  name: string;
+  number: number;
+  state?: 'beginning' | 'over' | 'running';
+  began_at_s?: number;
+  flows?: Record<string, FlowRunView>;
+  steps?: Record<string, StepRunView>;
+  asks?: Record<string, AskView>;
+  stops?: Record<string, StopView>;
+  meets?: (MeetView)[];
+  notes?: (string)[];
+  is_completed?: boolean;
+  cause?: string;
+  done?: number;
+  of?: number;
+  took_s?: number;
+}
+
+/** What has become of a step of the application in this run. */
+export interface StepRunView {
+  state?: 'done' | 'left' | 'running';
+  began_s?: number;
+  took_s?: number;
+  times?: number;
+}
+
+/** Why a flow stands still or the run has ended, and what can be done (X06). */
+export interface StopView {
+  text: string;
+  kind: string;
+  at_s: number;
+  subsystem?: string;
+  task?: string;
+  step?: number;
+  action?: string;
+  index?: number;
+  suspect?: string;
   path?: string;
   line?: number;
   traceback?: string;
-  at_s?: number;
-  values?: Record<string, unknown>;
-  remedies?: (Remedy)[];
-}
-
-/** A task on a canvas. */
-export interface PlacedView {
-  x: number;
-  y: number;
-  in_left?: boolean;
-  hz?: number;
-  rtpu?: string;
-  state?: '' | 'ASKING' | 'ERROR' | 'KILLING' | 'OFF' | 'ON' | 'SPAWNING' | 'WAITING';
-  note?: string;
-  is_missing?: boolean;
-  ask?: AskView | null;
-  error?: ErrorView | null;
-  warnings?: number;
-}
-
-/** Where the lines of a variable meet. */
-export interface LocusView {
-  x: number;
-  y: number;
-  is_shown?: boolean;
-  line?: 'idle' | 'live' | 'stale';
-  is_constant?: boolean;
-  writers?: (string)[];
-  readers?: (string)[];
-}
-
-/** Something wrong with a document, or worth knowing; `show` as in `Remedy`. */
-export interface ProblemView {
-  text: string;
-  level: 'fault' | 'note' | 'warning';
-  show?: string;
-  remedies?: (Remedy)[];
-}
-
-/** A supermodule: tasks that are handled as one, in their order of spawning and turning ON. */
-export interface GroupView {
-  tasks: (string)[];
-}
-
-/** An open configuration. */
-export interface DocumentView {
-  name: string;
-  order: number;
-  path?: string;
-  base?: string;
-  is_dirty?: boolean;
-  is_moved?: boolean;
-  has_changed_on_disk?: boolean;
-  undo?: string;
-  redo?: string;
-  tasks?: Record<string, PlacedView>;
-  loci?: Record<string, LocusView>;
-  groups?: Record<string, GroupView>;
-  greyed?: Record<string, (Reason)[]>;
-  objections?: Record<string, (Reason)[]>;
-  problems?: Record<string, ProblemView>;
-  connection?: 'connecting' | 'live' | 'lost' | 'none';
-  subsystem?: string;
-  holder?: string;
-  is_held_here?: boolean;
-}
-
-/** A processing unit. */
-export interface UnitView {
-  load?: number;
-  is_lost?: boolean;
+  waiting?: ([string, string])[];
+  courses?: (CourseView)[];
+  choices?: (Remedy)[];
+  meanings?: (string)[];
 }
 
 /** The runtime of this environment. */
@@ -587,6 +1128,21 @@ export interface RuntimeView {
   units?: Record<string, UnitView>;
   worlds?: Record<string, boolean>;
   subsystems?: Record<string, string>;
+  sessions?: Record<string, SessionView>;
+}
+
+/** Somebody who is connected with the runtime; a user may be there several times. */
+export interface SessionView {
+  role: string;
+  is_here?: boolean;
+  only_watches?: boolean;
+  is_you?: boolean;
+}
+
+/** A processing unit. */
+export interface UnitView {
+  load?: number;
+  is_lost?: boolean;
 }
 
 /** A button of the user's own, and the command behind it. */
@@ -619,28 +1175,15 @@ export interface Tree {
   buttons?: Record<string, ButtonView>;
   job_types?: (string)[];
   edges?: Record<string, [string, ([number, number])[]]>;
+  applications?: Record<string, ApplicationView>;
+  application_files?: Record<string, ApplicationFile>;
+  dictionaries?: Record<string, DictionaryView>;
+  onikons?: Record<string, OnikonView>;
+  types?: Record<string, TypeView>;
+  pictures?: Record<string, string>;
+  icon_clipboard?: string;
+  run?: RunView | null;
   people?: number;
-}
-
-/** A text that can be edited, with its faults beside their lines. */
-export interface TextView {
-  path: string;
-  text: string;
-  stamp: string;
-  faults?: ([number, string])[];
-  is_read_only?: boolean;
-}
-
-/** The job that a configuration would make. */
-export interface DraftView {
-  name: string;
-  type: string;
-  left_edge: string;
-  right_edge: string;
-  warnings?: (string)[];
-  picture?: string;
-  description?: string;
-  path?: string;
 }
 
 /** An act with the number by which it is answered. */
@@ -702,5 +1245,5 @@ export interface Say {
   at_s?: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;

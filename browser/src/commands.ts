@@ -1,13 +1,19 @@
 // What can be done by name, key or menu. The keymap, the palette, the menus and the help sheet all read this list.
 
-export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help'
+import { here, type Level } from './here.svelte'
+
+export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help' | 'application' | 'dictionary'
 
 export interface Command {
   id: string
   title: () => string
+  /** Other words by which it may be looked for. */
+  also?: () => string
   group: Group
   /** As in `Ctrl+Shift+Z`, `/`, `Delete`; the first is shown. Ctrl stands for the command key of a Mac, too. */
   keys?: readonly string[]
+  /** The level at which it means something; else at both. */
+  level?: Level
   when?: () => boolean
   run: () => unknown
   /** Whether its keys work while a text is being typed. */
@@ -22,7 +28,7 @@ export function command(one: Command): void {
 }
 
 export const allCommands = (): Command[] => [...commands.values()]
-export const isAvailable = (one: Command): boolean => one.when?.() ?? true
+export const isAvailable = (one: Command): boolean => (one.level === undefined || one.level === here.level) && (one.when?.() ?? true)
 export const findCommand = (id: string): Command | undefined => commands.get(id)
 
 export function run(id: string): void {

@@ -1,5 +1,6 @@
 // The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
 import type { Patch, Snapshot, Tree } from './api.gen'
+import { Exchange, withParts } from './exchanged'
 
 /** A tree whose maps are all there. What is optional inside a document or a task stays optional. */
 export type FullTree = Required<Tree>
@@ -20,8 +21,9 @@ export function fullTree(tree: Tree): FullTree {
   const empty: FullTree = {
     libraries: {}, tasks: {}, documents: {}, files: {}, clipboard: '', runtime: {},
     preferences: {}, buttons: {}, job_types: [], edges: {}, people: 0,
+    applications: {}, application_files: {}, dictionaries: {}, onikons: {}, types: {}, pictures: {}, icon_clipboard: '', run: null,
   }
-  return { ...empty, ...tree }
+  return withParts({ ...empty, ...tree })
 }
 
 export const desk: Desk = $state({ tree: fullTree({}), rev: -1, isLinked: false, isLocked: false, you: '', version: '' })
@@ -36,7 +38,9 @@ export function applySnapshot(snapshot: Snapshot): void {
 /** Take over a patch; false where it does not follow what is here, and a new snapshot is needed. */
 export function applyPatch(patch: Patch): boolean {
   if (patch.rev !== desk.rev + 1) return false
-  for (const [path, value] of patch.changes) change(path, value)
+  const exchange = new Exchange(desk.tree)
+  for (const [path, value] of patch.changes) if (!exchange.take(path, value)) change(path, value)
+  exchange.finish()
   desk.rev = patch.rev
   return true
 }

@@ -6,8 +6,11 @@ import { keep, kept } from './kept'
 
 export type Theme = 'auto' | 'light' | 'dark' | '1994'
 export type Language = 'en' | 'es'
+/** The lower level, where tasks are wired, and the upper one, where pictures are joined. */
+export type Level = 'tasks' | 'applications'
+export type Presentation = 'pictures' | 'both' | 'words'
 export type StripTab = 'tasks' | 'variables' | 'problems' | 'log'
-export type DialogName = '' | 'open' | 'connect' | 'preferences' | 'buttons' | 'source' | 'job' | 'saveAs' | 'help' | 'sheet' | 'saveGroup' | 'insert'
+export type DialogName = '' | 'open' | 'connect' | 'preferences' | 'buttons' | 'source' | 'job' | 'saveAs' | 'help' | 'sheet' | 'saveGroup' | 'insert' | 'newApplication' | 'target' | 'icon'
 
 /** The panel that is open beside everything else, and what it is about. */
 export interface Dialog {
@@ -22,7 +25,29 @@ export interface Wish {
   turn: number
 }
 
+/** A place in an application: behind this step of this flow; 0 is the start icon. */
+export interface Place {
+  flow: string
+  after: number
+}
+
 interface Here {
+  level: Level
+  /** Whether the lower level is hidden. */
+  isUpperOnly: boolean
+  /** Id of the application shown; empty: none is open. */
+  app: string
+  /** The steps picked in it, by their numbers. */
+  steps: SvelteSet<number>
+  /** Where the next icon goes: the insertion cursor. */
+  place: Place
+  /** The dictionary shown, by its path; empty: all together. */
+  dictionary: string
+  /** The icon selected in it. */
+  onikon: string
+  presentation: Presentation
+  /** Whether the dictionary shows only what fits at `place`. */
+  fitsOnly: boolean
   /** Id of the document shown. */
   doc: string
   picked: SvelteSet<string>
@@ -42,6 +67,8 @@ interface Here {
   /** Variables plotted in the strip. */
   plots: string[]
   sizes: { library: number; sheet: number; strip: number }
+  /** The same for the upper level. */
+  upperSizes: { dictionary: number; run: number; words: number }
   /** Middle of the canvas as seen, in its own coordinates; the canvas keeps it. */
   viewCentre: { x: number; y: number }
   /** The canvas scrolls to it. */
@@ -51,6 +78,15 @@ interface Here {
 const language: Language = globalThis.navigator?.language?.startsWith('es') ? 'es' : 'en'
 
 export const here: Here = $state({
+  level: kept<Level>('level', 'tasks'),
+  isUpperOnly: kept('isUpperOnly', false),
+  app: '',
+  steps: new SvelteSet<number>(),
+  place: { flow: '0', after: 0 },
+  dictionary: kept('dictionary', ''),
+  onikon: '',
+  presentation: kept<Presentation>('presentation', 'both'),
+  fitsOnly: false,
   doc: '',
   picked: new SvelteSet<string>(),
   pickedLocus: '',
@@ -65,6 +101,7 @@ export const here: Here = $state({
   pinned: [],
   plots: [],
   sizes: kept('sizes', { library: 236, sheet: 286, strip: 206 }),
+  upperSizes: kept('upperSizes', { dictionary: 252, run: 330, words: 138 }),
   viewCentre: { x: 300, y: 200 },
   wish: { show: '', doc: '', turn: 0 },
 })
@@ -74,8 +111,13 @@ export function remember(): void {
   $effect(() => keep('theme', here.theme))
   $effect(() => keep('language', here.language))
   $effect(() => keep('sounds', here.sounds))
+  $effect(() => keep('level', here.level))
+  $effect(() => keep('isUpperOnly', here.isUpperOnly))
+  $effect(() => keep('dictionary', here.dictionary))
+  $effect(() => keep('presentation', here.presentation))
   $effect(() => keep('library', here.library))
   $effect(() => keep('sizes', $state.snapshot(here.sizes)))
+  $effect(() => keep('upperSizes', $state.snapshot(here.upperSizes)))
 }
 
 export function openDialog(name: DialogName, data: Record<string, string> = {}): void {
@@ -93,9 +135,19 @@ export function pick(...tasks: string[]): void {
   here.pickedLocus = ''
 }
 
+/** Pick these steps of the application and nothing else. */
+export function pickSteps(...steps: number[]): void {
+  here.steps.clear()
+  for (const step of steps) here.steps.add(step)
+}
+
 /** Go to what the `show` words of a remedy name: select it, and let whoever draws it bring it into view. */
-export function reveal(show: string, doc: string = here.doc): void {
-  if (doc) here.doc = doc
+export function reveal(show: string, doc: string = here.level === 'applications' ? here.app : here.doc): void {
+  const isApplication = doc in desk.tree.applications
+  if (isApplication) here.app = doc
+  else if (doc) here.doc = doc
+  if (isApplication) here.level = 'applications'
+  else if (doc in desk.tree.documents && !here.isUpperOnly) here.level = 'tasks'
   const [kind, name = ''] = cut(show)
   if (kind === 'task') pick(name)
   else if (kind === 'pin') revealPin(name.split('/')[0] ?? '')
@@ -108,7 +160,22 @@ export function reveal(show: string, doc: string = here.doc): void {
   else if (kind === 'connect') openDialog('connect')
   else if (kind === 'problems') here.strip = 'problems'
   else if (kind === 'save-as') openDialog('saveAs')
-  here.wish = { show, doc: here.doc, turn: untrack(() => here.wish.turn) + 1 }
+  else revealUpper(kind, name)
+  here.wish = { show, doc, turn: untrack(() => here.wish.turn) + 1 }
+}
+
+/** The words of applications; the workspace brings steps and places into view, and opens a configuration or what a loop needs. */
+function revealUpper(kind: string, name: string): void {
+  if (['step', 'fits', 'loop', 'values', 'onikon'].includes(kind)) here.level = 'applications'
+  if (kind === 'step' || kind === 'loop') pickSteps(Number(name))
+  else if (kind === 'onikon') here.onikon = name
+  else if (kind === 'target') openDialog('target', { type: name })
+  else if (kind === 'values') openDialog('icon', { step: name })
+  else if (kind === 'fits') {
+    const at = name.lastIndexOf(':')
+    here.place = { flow: name.slice(0, at), after: Number(name.slice(at + 1)) }
+    here.fitsOnly = true
+  }
 }
 
 /** A pin's task stands on the canvas, or else in a library. */

@@ -5,6 +5,7 @@ from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutB
 from onika.runtime.device import Device
 from onika.runtime.function import module
 from onika.runtime.module import AskAgain, Module, ModuleError
+from onika.runtime.partner import Partner
 
 __all__ = [
     "AskAgain",
@@ -19,6 +20,7 @@ __all__ = [
     "OutBoth",
     "OutConst",
     "OutVar",
+    "Partner",
     "Signal",
     "finish",
     "illegal",

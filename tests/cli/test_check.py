@@ -2,8 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from onika.cli import check as room
-from onika.cli import main
+from onika.cli import check as room, main
 from onika.words.fault import Fault, Place
 
 FAULT = Fault(Place("a.rmod", 3), "one", "two", "left out")

@@ -1,7 +1,6 @@
 import pytest
 
-from onika.cli import console as room
-from onika.cli import main
+from onika.cli import console as room, main
 
 
 class Reached:

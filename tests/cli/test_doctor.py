@@ -1,7 +1,6 @@
 import pytest
 
-from onika.cli import doctor as room
-from onika.cli import main
+from onika.cli import doctor as room, main
 from onika.desk.machine import Offer
 
 GOOD = Offer("python", True, "3.11.7", "Onika needs it")

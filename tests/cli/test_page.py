@@ -31,11 +31,24 @@ def test_onika_alone_opens_the_page(began, capsys, words):  # R-C20
 
 
 def test_options_reach_the_program(began, tmp_path):  # R-C20
-    words = ["--port", "0", "--no-connect", "--no-diary", "--rtpu", "a", "--rtpu", "b", "--base", str(tmp_path)]
+    words = [
+        "--port",
+        "0",
+        "--upper",
+        "--no-connect",
+        "--no-diary",
+        "--rtpu",
+        "a",
+        "--rtpu",
+        "b",
+        "--base",
+        str(tmp_path),
+    ]
     assert commands.carry_out(words) == 0
     site, wishes, _ = began[0]
     assert site.directories[0].path == tmp_path
     assert (wishes.is_connected, wishes.has_diary, wishes.rtpus) == (False, False, ("a", "b"))
+    assert wishes.is_upper_only
 
 
 def test_only_one_way_to_a_runtime_may_be_named(began, capsys):

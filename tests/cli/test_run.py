@@ -1,7 +1,6 @@
 import pytest
 
-from onika.cli import main
-from onika.cli import run as room
+from onika.cli import main, run as room
 from onika.desk.outcome import Outcome
 from onika.wire import event
 
@@ -146,3 +145,35 @@ def test_an_early_end_says_so_by_its_exit_code(monkeypatch, capsys):  # R-E07
         monkeypatch.setattr(room, "run", run)
         assert main(["run", "go_home"]) == code
     assert "no answer" in capsys.readouterr().err
+
+
+def test_a_good_run_is_kept_as_a_test(runs, monkeypatch, tmp_path, capsys):  # R-X07
+    kept = []
+
+    def keep_in(path, settings, site, **more):
+        kept.append((path, settings.name, more["seen"]))
+        return len(kept) == 1, ("25 actions",)
+
+    monkeypatch.setattr(room, "keep_in", keep_in)
+    words = ["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]
+    assert main(words) == 0
+    assert kept == [(tmp_path / "a.test", "go_home", "")]
+    assert main(words) == 1
+    assert capsys.readouterr().err.splitlines() == ["test: 25 actions", "no test: 25 actions"]
+
+
+@pytest.mark.parametrize(
+    ("words", "remedy"),
+    [(["--keep-test", "a.test"], "give --virtual"), (["--virtual", "--keep-test", "a.txt"], ".test")],
+)
+def test_a_run_that_cannot_be_kept_is_refused_before_it_begins(runs, capsys, words, remedy):  # R-X07
+    with pytest.raises(SystemExit) as end:
+        main(["run", "go_home", *words])
+    assert (end.value.code, runs) == (2, [])
+    assert remedy in capsys.readouterr().err
+
+
+def test_a_run_that_failed_is_not_kept(runs, monkeypatch, tmp_path):  # R-X07
+    monkeypatch.setattr(room, "keep_in", lambda *_args, **_more: pytest.fail("it was kept"))
+    monkeypatch.setattr(room, "run", lambda settings, site, watcher: Outcome("go_home", faults=[]))
+    assert main(["run", "go_home", "--virtual", "--keep-test", str(tmp_path / "a.test")]) == 2

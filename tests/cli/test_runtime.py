@@ -2,8 +2,7 @@ from typing import ClassVar
 
 import pytest
 
-from onika.cli import main
-from onika.cli import runtime as room
+from onika.cli import main, runtime as room
 from onika.link.lost import Cause, LinkLost
 
 
@@ -60,6 +59,11 @@ def test_the_network_channel_is_opened_at_the_start_and_its_address_told(sits): 
     assert sits[0][2]["addresses"] == ("ws://127.0.0.1:41234",)
 
 
+def test_how_long_a_holder_may_be_silent_and_where_all_is_written_down_is_said_to_the_runtime(sits):  # R-X12
+    assert main(["runtime", "--audit", "trail", "--lease", "0.5"]) == 0
+    assert Launched.seen[0][3] == ("--audit", "trail", "--lease", "0.5")
+
+
 @pytest.mark.parametrize(
     ("words", "code", "said"),
     [(["--listen", "0.0.0.0:1"], 2, "--users: expected a file"), ([], 1, "the runtime is gone: it ended")],
@@ -86,6 +90,8 @@ def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words
         (["--script", "none"], "expected a file of lines, found none at 'none'"),
         (["--rtpu", "7"], "expected a name of letters, digits"),
         (["--base", "none"], "expected a base directory"),
+        (["--lease", "5"], "expected 0.3 to 3 seconds, found '5'"),
+        (["--lease", "soon"], "expected 0.3 to 3 seconds, found 'soon'"),
     ],
 )
 def test_a_wrong_command_line_is_told_and_ends_with_2(sits, capsys, words, said):

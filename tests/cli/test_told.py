@@ -1,7 +1,6 @@
 import pytest
 
-from onika.cli.told import asked_item, sentence, summary
-from onika.cli.told import lines as told
+from onika.cli.told import asked_item, lines as told, sentence, summary
 from onika.desk.outcome import Outcome
 from onika.wire import event
 from onika.words.condition import Condition
@@ -70,6 +69,11 @@ def test_a_virtual_run_tells_its_pace_and_its_hash_and_no_misses():  # R-X08
         "hash: abc",
         "picture: out.png",
     ]
+
+
+def test_a_virtual_run_that_had_to_do_with_the_outside_says_so():  # law 15
+    lines = list(summary(Outcome("go", result=result(hash="abc", outside=("flow0/view",))), ""))
+    assert lines[1:] == ["hash: abc", "not reproducible: flow0/view had to do with the outside"]
 
 
 def test_a_run_in_wall_time_tells_its_cycles_and_misses():  # R-A17

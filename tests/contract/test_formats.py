@@ -7,8 +7,7 @@ by the naive readers of `tests/files/independent`, which share no code with ours
 from collections.abc import Callable
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from tests.files.models import FORMATS, Format, tasks
 
 from onika.files import rmod
@@ -147,7 +146,7 @@ def test_what_1_3_can_say_is_written_as_1_3_and_the_rest_is_refused_under_it(for
         assert "2.0" not in head
         return
     words = {line.split(" ")[0] for line in body.splitlines()}
-    needed = words & {"TARGET", "BRANCH", "MARKERIF", "WHILEIF", "GROUP"}
+    needed = words & {"TARGET", "DESCIN", "BRANCH", "MARKERIF", "WHILEIF", "GROUP", "DIMENSION"}
     assert head == ("VERSION     2.0" if needed else "VERSION     1.3")
     _, faults = form.read("VERSION 1.3\n" + body)
     told = {fault.expected.removeprefix("VERSION 2.0 for a line ") for fault in faults}

@@ -9,8 +9,7 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from tests.contract.test_formats import every_format
 from tests.files.independent.judge import naive_readers, plain
 from tests.files.models import FORMATS, TYPES, Format

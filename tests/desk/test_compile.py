@@ -120,3 +120,13 @@ def test_the_units_of_a_plan_are_those_it_names(laboratory):  # R-A15, decision 
     _, plan = compiled(laboratory.application("twice", [job("winkC")], [job("blinkC")], parallel=True))
     assert rtpus_of(plan) == ("rt0", "rt1", "rt7")
     assert rtpus_of(Plan("none", (), ())) == ("rt0",)
+
+
+def test_every_action_says_where_it_stands_from_the_outermost_application_inwards(laboratory):  # R-E11
+    laboratory.application("inner", [job("winkC"), job("blinkC")])
+    _, plan = compiled(laboratory.application("outer", [job("winkC"), job("inner", "Complete application")]))
+    actions = plan.flows[0].actions
+    assert [len(one.spot) for one in actions] == [1, 2, 2]
+    assert actions[0].spot == (actions[0].line,)
+    assert [one.spot[1] for one in actions[1:]] == [one.line for one in actions[1:]]
+    assert actions[1].spot[0] == actions[2].spot[0] > actions[0].line

@@ -124,3 +124,12 @@ def test_what_is_no_file_of_a_base_directory_is_refused(base: BaseDirectory, sit
         (base.path / strange).write_text("VERSION 1.3\nEOF\n")
     (reason,) = reasons(base.path / name, site)
     assert reason.endswith("instead: no icon is made")
+
+
+def test_an_icon_keeps_what_it_says_in_other_languages_as_long_as_it_says_the_same(
+    base: BaseDirectory, site: Site
+) -> None:
+    words = (("es", "mueve"),)  # R-X11
+    base.save_onikon(Onikon("move", "Joint job", "move", (), drawn("M"), (), words))
+    assert made(base.configuration_file("move"), site).words == words
+    assert made(base.configuration_file("move"), site, description="go").words == ()

@@ -1,8 +1,10 @@
 import pytest
 
-from onika.desk.preparation import prepare_run
+from onika.desk.preparation import fault_of, prepare, prepare_run
 from onika.store.site import open_site
 from onika.testing.laboratory import HOLE, Laboratory, job, joints
+from onika.wire.request import FaultText
+from onika.words.fault import Place
 
 
 @pytest.fixture
@@ -106,3 +108,21 @@ def test_a_directory_that_is_not_there_is_noted(tmp_path):  # R-C20
     site = open_site([], {"ONIKA_LOCAL": str(tmp_path / "typo")}, None)
     for name in ("go_home", "nothing_like_it"):
         assert [note.place.file for note in prepare_run(name, site).notes] == [str(tmp_path / "typo")]
+
+
+def test_what_is_there_already_is_prepared_without_its_file(laboratory):  # R-E01, R-E12
+    site = open_site([laboratory.path], {}, None)
+    syntax, _ = site.syntax()
+    laboratory.application("inner", [job("opengripC").replace("MARKER      no", "MARKER      yes")])
+    laboratory.application("mine", [job("inner", "Complete application"), job("goneC")])
+    application, _ = site.application("mine", syntax)
+    prepared = prepare(application, Place("here"), site, syntax)
+    assert [fault.place.file for fault in prepared.faults] == ["here"]
+    assert prepared.plan.flows[0].actions[0].marker
+    passing = prepare(application, Place("here"), site, syntax, passes_breakpoints=True)
+    assert not passing.plan.flows[0].actions[0].marker
+
+
+def test_a_fault_that_a_runtime_tells_is_one_like_any_other():
+    told = FaultText("play.appl", 7, "a target within reach", "none", "nothing is run")
+    assert str(fault_of(told)) == "play.appl:7: expected a target within reach, found none; instead: nothing is run"

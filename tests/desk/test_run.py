@@ -368,6 +368,12 @@ def test_too_many_names_of_subsystems_are_refused_before_anything_runs(runtime):
     assert "1 different names" in outcome.faults[0].expected
 
 
+def test_the_seed_of_shaken_worlds_is_the_runtimes_business(runtime):  # R-X07
+    runtime.script = (GOOD,)
+    go(is_virtual=True, shake=7)
+    assert runtime.made.options == ("--shake", "7")
+
+
 def test_a_runtime_that_will_not_take_the_plan_refuses_the_run(runtime):  # law 23
     runtime.refuses = "code from another machine is not accepted"
     outcome, _ = go()

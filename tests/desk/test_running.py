@@ -178,3 +178,11 @@ def test_to_stop_is_the_runtimes_business(running):  # law 27
     one.stop("enough")
     assert runtime.asked[-1] == request.Stop("enough")
     assert one.pid == 4711
+
+
+def test_what_modules_declare_is_told_by_the_runtime(running, monkeypatch):  # R-X07, law 24
+    one, runtime = running()
+    assert one.sheets() == {}
+    monkeypatch.setattr(one._runtime, "ask", lambda asked: live.Described({asked.code[0].digest: "sheet"}))
+    assert one.sheets() == {one.plan.code[0].digest: "sheet"}
+    assert runtime.of(live.Describe)[0].code == one.plan.code

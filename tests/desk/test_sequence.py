@@ -180,3 +180,9 @@ def test_a_program_that_grows_without_measure_is_given_up():
 def test_every_program_ends(count):
     for line in lines(*[[job("a")]] * count, parallel=True):
         assert isinstance(line.program[-1], Halt)
+
+
+def test_loops_of_what_is_no_action_and_branches_without_flows_are_passed_over():  # R-E01
+    stray = icon("there", "Joint object", while_tag="l")
+    (line,) = lines([stray, job("a", while_tag="l", while_test=True), Branch(()), job("b")])
+    assert line.program == [Do(0), Do(1), Halt()]

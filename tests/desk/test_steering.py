@@ -101,6 +101,7 @@ def test_who_asks_where_the_flows_are():  # R-X03
 @pytest.mark.parametrize(
     ("line", "said"),
     [
+        ("", "expected one of pause, .* found ''"),
         ("dance", "expected one of pause, .* found 'dance'"),
         ("pause here", r"expected a flow \(flow0\) or its number, found 'here'"),
         ("pause 0 1", r"expected `pause \[FLOW\]`, found `pause 0 1`"),

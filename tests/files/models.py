@@ -57,6 +57,10 @@ def more_targets(names: st.SearchStrategy[str]) -> st.SearchStrategy[tuple[str, 
     return st.just(()) | st.lists(names, max_size=3).map(tuple)
 
 
+descriptions = st.just(()) | st.dictionaries(st.sampled_from(["es", "de", "pt-BR"]), some_prose, max_size=2).map(
+    lambda found: tuple(found.items())
+)
+"""In other languages; seldom any."""
 relations = st.sampled_from(["==", "!=", "<", ">", "<=", ">="])
 conditions = st.builds(
     lambda where, name, at, relation, number: f"{where}{name}{at} {relation} {number}",
@@ -149,7 +153,7 @@ def values(kind: IconType) -> st.SearchStrategy[Any]:
 
 def onikons_of(kind: IconType) -> st.SearchStrategy[Onikon]:
     more = more_targets(st.sampled_from(["Joint object", "Any object"])) if kind.needs_target else st.just(())
-    return st.builds(Onikon, names, st.just(kind.name), prose, values(kind), pictures, more)
+    return st.builds(Onikon, names, st.just(kind.name), prose, values(kind), pictures, more, descriptions)
 
 
 placeable = [kind for kind in TYPES.types if not (kind.is_start or kind.is_end)]
@@ -208,7 +212,10 @@ def syntaxes(draw: st.DrawFn) -> Syntax:
     edge_numbers = st.sampled_from(numbers_)
     moves = st.lists(st.tuples(st.integers(-20, 20), st.integers(-20, 20)), max_size=3).map(tuple)
     colours = st.tuples(*(st.integers(0, 255),) * 3)
-    items = st.lists(st.builds(DataItem, some_prose, st.sampled_from(ValueType), st.integers(1, 9)), max_size=3)
+    dimensions = st.just("") | svar_names
+    items = st.lists(
+        st.builds(DataItem, some_prose, st.sampled_from(ValueType), st.integers(1, 9), dimensions), max_size=3
+    )
     types = [IconType(name, draw(edge_numbers), draw(edge_numbers)) for name in SPECIAL_TYPES]
     for at in range(draw(st.integers(0, 3))):
         word = draw(st.sampled_from(["job", "Application", "OBJECT", "thing"]))
@@ -254,7 +261,7 @@ FORMATS = [
         is_extended=True,
     ),
     Format("application", appl.ENDING, applications, appl.write, lambda text: appl.read(text, "a", "f", TYPES), True),
-    Format("syntax", "OnikaUpperSetUp.dta", syntaxes(), syntax.write, lambda text: syntax.read(text, "s", "f")),
+    Format("syntax", "OnikaUpperSetUp.dta", syntaxes(), syntax.write, lambda text: syntax.read(text, "s", "f"), True),
     Format("preferences", ".onika", all_preferences, preferences.write, lambda text: preferences.read(text, "p", "f")),
     Format("buttons", ".onika.buttons", all_buttons, buttons.write, lambda text: buttons.read(text, "b", "f")),
     Format("picture", "picture.dta", pictures, picture.write, lambda text: picture.read(text, "p", "f")),

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.files.appl import read, write
+from onika.files.appl import read, salvage, write
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -176,3 +176,71 @@ def test_comments_in_branches_are_kept() -> None:
     kept = write(changed, former)
     assert kept.index("# choose") < kept.index("\nBRANCH") < kept.index("# chosen") < kept.index("\nENDBRANCH")
     assert read(kept, "work", "f", SYNTAX) == (changed, ())
+
+
+def salvaged(text: str) -> list[str]:
+    application, _ = salvage(text, "work", "f", SYNTAX)
+    assert application is not None
+    return [
+        " ".join(step.onikon.name if isinstance(step, Icon) else "_" for step in f.steps) for f in application.flows
+    ]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("EOF", "", ["grip move home", "move _ grip"]),
+        ("parallel", "perhaps", ["grip move home", "move _ grip"]),
+        ("ROUTINE     grip", "ROUTINE     no name", ["_ move home", "move _ grip"]),
+        ("UI          1.0", "UI          one", ["grip move _", "move _ grip"]),
+        ("PICT        8", "PICT        x", ["grip move home", "move _ grip"]),
+        ("MARKER      no", "MARKER      so", ["grip move home", "move _ grip"]),
+        ("ENDFLOW", "", ["grip move home", "move _ grip"]),
+    ],
+)
+def test_what_can_be_read_of_a_broken_text_is(old: str, new: str, expected: list[str]) -> None:  # issue: bad input
+    broken = TEXT.replace(old, new, 1)
+    application, faults = read(broken, "work", "f", SYNTAX)
+    assert application is None
+    assert salvaged(broken) == expected
+    assert salvage(broken, "work", "f", SYNTAX)[1] == faults
+
+
+def test_what_could_not_be_read_as_an_icon_is_written_again() -> None:
+    broken = TEXT.replace("UI          1.0", "UI          one", 1)
+    application, _ = salvage(broken, "work", "f", SYNTAX)
+    assert application is not None
+    assert write(application, broken) == broken
+
+
+def test_a_sound_text_is_the_same_either_way() -> None:
+    assert salvage(TEXT, "work", "f", SYNTAX) == read(TEXT, "work", "f", SYNTAX)
+
+
+@pytest.mark.parametrize("text", ["", "VERSION 9.9\nFLOW\nENDFLOW\nEOF\n", "VERSION 1.3\nEOF\n"])
+def test_where_nothing_can_be_read_there_is_nothing(text: str) -> None:
+    application, faults = salvage(text, "work", "f", SYNTAX)
+    assert application is None
+    assert faults
+
+
+@pytest.mark.parametrize(("branches", "is_there"), [(100, True), (101, False), (3000, False)])
+def test_branches_too_deep_for_anybody_are_not_opened(branches: int, is_there: bool) -> None:
+    deep = "VERSION 2.0\nFLOW\n" + "BRANCH\nFLOW\n" * branches + "ENDFLOW\nENDBRANCH\n" * branches + "ENDFLOW\nEOF\n"
+    assert (salvage(deep, "work", "f", SYNTAX)[0] is not None) == is_there
+
+
+def test_two_targets_of_unknown_type_beside_each_other_are_both_kept() -> None:  # R-D16
+    strange = icon("odd", "Complete job").replace("Complete job", "Odd object")
+    text = application(icon("grip", "Complete job"), strange, strange)
+    found, _ = read(text, "work", "f", SYNTAX)
+    assert found is not None
+    assert write(found).count("Odd object") == 2
+
+
+def test_the_version_says_what_kept_lines_need() -> None:  # R-B09
+    strange = icon("odd", "Complete job", "").replace("Complete job", "Odd object")
+    text = application(icon("grip", "Complete job"), strange.replace("ONIKON", "MARKERIF LAMP == 1\nONIKON"))
+    found, faults = read(text.replace("VERSION 1.3", "VERSION 2.0"), "work", "f", SYNTAX)
+    assert found is not None, faults
+    assert write(found).startswith("VERSION     2.0")

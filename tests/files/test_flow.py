@@ -1,6 +1,6 @@
 import pytest
 
-from onika.files.flow import DEEPEST, HEADS, has_extensions, read_flows, write_flow
+from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
 from onika.files.line import Reading, split
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
@@ -125,3 +125,10 @@ def test_marks_of_targets_in_branches_go_to_their_jobs() -> None:
     (step,) = flow.steps
     assert isinstance(step, Branch)
     assert [isinstance(one, Icon) and one.marker for one in step.flows[0].steps] == [True, False]
+
+
+def test_the_depth_of_flows_is_that_of_their_branches() -> None:
+    inner = AppFlow((Branch((AppFlow(()),)),))
+    assert depth([AppFlow(())]) == 0
+    assert depth([AppFlow(()), AppFlow((Branch((inner, AppFlow(()))),))]) == 2
+    assert depth([]) == 0

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 from onika.files.onk import read, write
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -70,3 +72,30 @@ def test_what_is_wrong_with_further_targets_is_named() -> None:
     assert expected(text.replace("Joint object", "Joint job")) == {"a type of target that the syntax defines"}
     assert expected(text.replace("Joint job", "Force job")) == set()
     assert expected(text.replace("Joint job", "Force job").replace("Joint object", "Odd object")) == set()
+
+
+SPOKEN = Onikon(
+    "hold", "Complete job", "close the hand", (), blank(), (), (("es", "cierra la mano"), ("pt-BR", "feche"))
+)
+
+
+def test_an_icon_says_what_it_is_in_several_languages_under_version_2_0() -> None:
+    text = write(SPOKEN)  # R-X11, R-B06, R-B09
+    assert text.startswith(
+        "VERSION     2.0\n\nONIKON      Complete job\nDESC        close the hand\n"
+        "DESCIN      es cierra la mano\nDESCIN      pt-BR feche\nUI          none\n"
+    )
+    assert read(text, "hold", "f", MORE) == (SPOKEN, ())
+    assert write(replace(SPOKEN, words=())).startswith("VERSION     1.3\n")
+
+
+def test_what_is_wrong_with_a_description_in_another_language_is_named() -> None:
+    def expected(text: str) -> set[str]:
+        return {fault.expected for fault in read(text, "hold", "f", MORE)[1]}
+
+    text = write(SPOKEN)  # R-B07
+    assert expected(text.replace("2.0", "1.3", 1)) == {"VERSION 2.0 for a line DESCIN"}
+    assert expected(text.replace("pt-BR", "es")) == {"DESCIN es once"}
+    meant = {"the code of a language and a description after DESCIN"}
+    assert expected(text.replace("pt-BR feche", "pt-BR")) == meant
+    assert expected(text.replace("es cierra", "Spanish cierra")) == meant

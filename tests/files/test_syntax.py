@@ -58,3 +58,17 @@ def test_types_stand_before_edges() -> None:
 def test_comments_of_the_former_text_are_kept() -> None:
     former = TEXT.replace("EDGENUM     7", "# red\nEDGENUM     7")
     assert write(SYNTAX, former) == former
+
+
+def test_a_constant_may_say_how_many_values_there_are_and_a_1_3_file_stays_as_it_is():  # R-D13, R-B09
+    kinds = tuple(IconType(name, 0, 0) for name in SPECIAL_TYPES)
+    joint = IconType("Joint object", 0, 0, (DataItem("endpoint", ValueType.DOUBLE, 6, "NDOF"),))
+    text = write(Syntax((*kinds, joint), (Edge(0, (1, 2, 3), ()),)))
+    assert text.startswith("VERSION     2.0\n")
+    known, faults = read(text, "s", "f")
+    assert faults == ()
+    assert [known.find("Joint object").items[0].takes(count) for count in (6, 4, 1, 0)] == [True, True, True, False]
+    refused, faults = read(text.replace("2.0", "1.3"), "s", "f")
+    assert (refused, [fault.expected for fault in faults]) == (None, ["VERSION 2.0 for a line DIMENSION"])
+    plain = DataItem("endpoint", ValueType.DOUBLE, 6)
+    assert [plain.takes(count) for count in (6, 4)] == [True, False]

@@ -94,7 +94,7 @@ def heard(connection):
 def test_a_request_comes_out_with_its_session_and_its_response_goes_back(house):  # R-F01, R-F07
     parent = house.parent()
     assert ask(parent, request.Abort("enough")) == request.Done()
-    assert house.calls == [Call(1, "owner#1", Role.OWNER, request.Abort("enough"))]
+    assert house.calls == [Call(1, "owner#1", Role.OWNER, request.Abort("enough"), "parent")]
 
 
 def test_what_is_no_request_is_refused_at_once(house):  # R-F07
@@ -237,3 +237,63 @@ def test_the_porters_end_is_told_and_those_who_are_there_stay(house):
     assert lost.name == "porter"
     assert "killed by signal 9" in lost.cause
     assert ask(guest, request.Abort("")) == request.Done()
+
+
+class Witnessed:
+    """Keeps what a gate says to its witness."""
+
+    def __init__(self):
+        self.seen = []
+
+    def answered(self, call, response):
+        self.seen.append((type(call.asked).__name__, call.session, call.address, type(response).__name__))
+
+    def garbage(self, session, text):
+        self.seen.append(("garbage", session))
+
+    def came(self, new, why_not):
+        self.seen.append(("came", new.caller.user, why_not))
+
+    def lost(self, session):
+        self.seen.append(("lost", session))
+
+    def told(self, one):
+        self.seen.append(("told", type(one).__name__))
+
+
+def test_its_witness_sees_every_request_with_its_answer_refused_ones_too(house):  # R-X12
+    witness = house.gate.watcher = Witnessed()
+    viewer = house.guest(Role.VIEWER)
+    (session,) = [one.name for one in house.gate.sessions()]
+    viewer.request(request.encode(live.Survey()))
+    viewer.request(request.encode(live.Take("s0")))
+    viewer.request(b"garbage")
+    house.gate.tell(event.Held("s0", "me"))
+    viewer.close()
+    house.serve()
+    house.gate.lost()
+    came, survey, take, garbage, told, lost = witness.seen
+    assert (survey[0], take[0], take[3]) == ("Survey", "Take", "Refused")
+    assert take[1:3] == (session, survey[2])
+    assert (came[0], garbage, told, lost) == ("came", ("garbage", session), ("told", "Held"), ("lost", session))
+
+
+def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
+    house.parent()
+    house.guest(Role.OPERATOR)
+    parent, guest = house.gate.sessions()
+    assert (parent.role, guest.role, guest.is_here) == ("owner", "operator", True)
+    before = house.gate.silent_ns(guest.name)
+    house.now += SECOND
+    assert house.gate.silent_ns(guest.name) == before + SECOND
+    assert house.gate.silent_ns(parent.name) is None
+    assert house.gate.silent_ns("nobody") is None
+
+
+def test_whoever_overhears_is_told_everything_at_once(house):  # law 29
+    told = []
+    house.gate.overhear(lambda one, subsystem: told.append((one, subsystem)))
+    house.gate.tell(event.Stopped(True, "x"), "flow0")
+    house.gate.overhear(None)
+    house.gate.tell(event.Stopped(False, ""))
+    assert told == [(event.Stopped(True, "x"), "flow0")]

@@ -2,8 +2,7 @@ import math
 import struct
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.host.history import MOST_NUMBERS, History
 from onika.ring.segment import Segment

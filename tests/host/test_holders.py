@@ -1,9 +1,10 @@
 import pytest
+from hypothesis import given, settings, strategies as st
 
 from onika.testing.hand import hand_with_tasks
 from onika.testing.rail import MASS, SERVO, rail
 from onika.testing.workshop import action
-from onika.wire import event, live, request
+from onika.wire import event, holding, live, request, steer
 
 
 @pytest.fixture
@@ -200,3 +201,323 @@ def test_the_servo_of_one_holder_is_not_answered_by_another(hand):  # R-X12
     hand.change(spawn=["mass", "servo"], on=["mass", "servo"], session="one")
     assert "held by one" in hand.outcome(hand.asker.ask(request.Reply("s0", "servo", "1.0"), "two"))
     assert hand.states["servo"] == "ASKING"
+
+
+SECOND = 1_000_000_000
+
+
+@pytest.fixture
+def watched():
+    """A hand whose holders have a lease of one second, which a test lets run out."""
+    hand = hand_with_tasks()
+    hand.asker.lease(SECOND)
+    return hand
+
+
+def silent(hand, session, seconds):
+    hand.asker.gate.silent[session] = round(seconds * SECOND)
+    hand.asker.program.serve()
+    hand.work()
+    hand.asker.gate.silent[session] = 0
+
+
+def there(hand, *sessions):
+    for session in sessions:
+        hand.asker.ask(holding.Sessions(), session)
+
+
+def offers(hand):
+    return [(one.holder, one.to, one.outcome) for one in hand.asker.of(event.Offered)]
+
+
+def test_a_subsystem_is_handed_over_while_it_moves(hand):  # R-X12
+    there(hand, "two")
+    hand.change(spawn=["counter"], on=["counter"], session="one")
+    assert hand.asker.ask(holding.Hand("s0", "two"), "one") == request.Done()
+    assert hand.change(off=["counter"], session="two").startswith("subsystem s0 is held by one")
+    assert hand.asker.ask(live.Take("s0"), "two") == request.Done()
+    assert hand.states == {"counter": "ON"}
+    assert held(hand) == [("s0", "one"), ("s0", "two")]
+    assert offers(hand) == [("one", "two", ""), ("one", "two", "accepted")]
+    assert hand.change(off=["counter"], session="one").startswith("subsystem s0 is held by two")
+
+
+def test_what_is_offered_is_for_the_one_it_is_offered_to(hand):  # R-X12
+    there(hand, "two", "three")
+    hand.change(spawn=["counter"], session="one")
+    hand.asker.ask(holding.Hand("s0", "two"), "one")
+    assert hand.asker.ask(live.Take("s0"), "three") == request.Refused("subsystem s0 is held by one")
+    assert isinstance(hand.asker.ask(holding.Decline("s0"), "three"), request.Refused)
+    assert hand.asker.ask(holding.Decline("s0"), "two") == request.Done()
+    assert hand.asker.ask(live.Take("s0"), "two") == request.Refused("subsystem s0 is held by one")
+    assert offers(hand)[-1] == ("one", "two", "two declines")
+
+
+def test_an_offer_is_withdrawn_and_ends_with_either_side(hand):  # R-X12
+    there(hand, "two", "three")
+    hand.change(spawn=["counter"], session="one")
+    for to in ("two", "three"):
+        hand.asker.ask(holding.Hand("s0", to), "one")
+    hand.asker.ask(holding.Hand("s0"), "one")
+    hand.asker.ask(holding.Hand("s0", "two"), "one")
+    leave(hand, "two")
+    hand.asker.ask(holding.Hand("s0", "three"), "one")
+    hand.asker.ask(live.Release("s0"), "one")
+    ends = [outcome for _, _, outcome in offers(hand) if outcome]
+    assert ends == ["withdrawn", "withdrawn", "two is gone", "it is released"]
+    assert isinstance(hand.asker.ask(holding.Hand("s0"), "one"), request.Refused)
+
+
+@pytest.mark.parametrize(
+    ("session", "to", "reason"),
+    [
+        ("two", "one", "subsystem s0 is held by one; only its holder hands it over"),
+        ("one", "nobody", "expected one of those who are there (two), found nobody"),
+        ("one", "one", "expected one of those who are there (two), found one"),
+        ("one", "two", "two only watches and can take nothing"),
+    ],
+)
+def test_what_cannot_be_handed_over_is_refused_with_the_reason(hand, session, to, reason):  # R-X12
+    hand.asker.ask(holding.OnlyWatch() if to == "two" else holding.Sessions(), "two")
+    hand.change(spawn=["counter"], session="one")
+    assert hand.asker.ask(holding.Hand("s0", to), session) == request.Refused(reason)
+
+
+def test_a_user_with_one_session_is_enough_of_a_name(hand):  # R-X12
+    there(hand, "ada#2", "bob#3", "bob#4")
+    hand.change(spawn=["counter"], session="one")
+    assert hand.asker.ask(holding.Hand("s0", "ada"), "one") == request.Done()
+    assert "bob#3, bob#4" in hand.asker.ask(holding.Hand("s0", "bob"), "one").reason
+
+
+def test_a_run_is_handed_over_and_goes_on(hand):  # R-X12
+    there(hand, "two")
+    perform(hand, "one")
+    hand.asker.send(live.Advance(0.2), "two")
+    hand.asker.program.advance(1)
+    assert hand.asker.ask(holding.Hand("flow0", "two"), "one") == request.Done()
+    hand.asker.ask(live.Take("flow0"), "two")
+    assert "was begun by two" in hand.asker.ask(steer.Pause("flow0"), "one").reason
+    leave(hand, "one")
+    assert hand.asker.to_the_end().completed
+
+
+def test_who_only_watches_changes_nothing_and_may_stop(hand):  # R-X12, law 27
+    assert hand.asker.ask(holding.OnlyWatch(), "two") == request.Done()
+    for asked in (live.Take("s0"), live.Change("s0"), live.Reset(), request.Abort("no"), steer.Resume("s0")):
+        assert "only watches" in hand.asker.ask(asked, "two").reason
+    assert isinstance(hand.asker.ask(live.Survey(), "two"), live.Standing)
+    assert hand.asker.ask(request.Stop("enough"), "two") == request.Done()
+
+
+def test_a_holder_releases_before_it_only_watches(hand):  # R-X12
+    hand.change(spawn=["counter"], session="one")
+    assert "holds s0" in hand.asker.ask(holding.OnlyWatch(), "one").reason
+    hand.asker.ask(live.Release("s0"), "one")
+    assert hand.asker.ask(holding.OnlyWatch(), "one") == request.Done()
+    there_now = hand.asker.ask(holding.Sessions(), "two").sessions
+    assert [(one.name, one.only_watches) for one in there_now] == [("one", True), ("two", False)]
+
+
+def test_a_holder_that_is_silent_for_its_lease_leaves_everything_off(watched):  # R-X12, network.md D4
+    watched.change(spawn=["counter"], on=["counter"], session="one")
+    silent(watched, "one", 0.999)
+    assert watched.states == {"counter": "ON"}
+    silent(watched, "one", 1.0)
+    assert watched.states == {"counter": "OFF"}
+    assert held(watched)[-1] == ("s0", "")
+    assert watched.asker.of(event.Held)[-1].cause == "its holder one has been silent for 1.0 s"
+
+
+def test_hardware_of_a_silent_holder_holds(watched):  # R-X12, law 17
+    watched.shop = rail()
+    watched.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")], session="one")
+    watched.let_pass(0.2)
+    silent(watched, "one", 1.2)
+    watched.asker.ask(live.Advance(0.5), "two")
+    where = watched.values("X")["X"]
+    watched.asker.ask(live.Advance(0.5), "two")
+    assert watched.values("X")["X"] == where
+    assert watched.states == {"mass": "OFF", "servo": "OFF"}
+
+
+def test_nothing_moves_again_before_a_holder_that_was_silent_takes_anew(watched):  # R-X12
+    watched.change(spawn=["counter"], on=["counter"], session="one")
+    silent(watched, "one", 1.5)
+    for asked in (live.Change("s0", on=(live.Turn("counter"),)), live.Clear("s0", "counter"), steer.Resume("s0")):
+        assert "was not heard for too long" in watched.asker.ask(asked, "one").reason
+    assert watched.states == {"counter": "OFF"}
+    assert watched.asker.ask(live.Take("s0"), "one") == request.Done()
+    assert watched.states == {"counter": "OFF"}
+    assert watched.change(on=["counter"], session="one") == ""
+
+
+def test_what_a_silent_holder_held_may_be_taken_by_another(watched):  # R-X12
+    watched.change(spawn=["counter"], on=["counter"], session="one")
+    silent(watched, "one", 1.5)
+    assert watched.asker.ask(live.Take("s0"), "two") == request.Done()
+    assert "held by two" in watched.asker.ask(live.Take("s0"), "one").reason
+
+
+@pytest.mark.parametrize(("on_loss", "completed"), [("stop", False), ("run", True)])
+def test_a_run_depends_on_its_lease_as_it_was_begun(watched, on_loss, completed):  # R-X12, R-E10
+    perform(watched, "one", on_loss=on_loss)
+    watched.asker.send(live.Advance(0.2), "two")
+    watched.asker.program.advance(1)
+    silent(watched, "one", 1.5)
+    assert watched.asker.to_the_end().completed is completed
+
+
+def test_a_run_that_paused_for_its_silent_holder_is_anybodys(watched):  # R-X12, R-E10
+    perform(watched, "one", on_loss="finish", goals=("5.0", "1.0"))
+    watched.asker.send(live.Advance(0.2), "two")
+    watched.asker.program.advance(1)
+    silent(watched, "one", 1.5)
+    assert watched.asker.to_the_end() is None
+    assert "was not heard" in watched.asker.ask(steer.Resume("flow0"), "one").reason
+    assert watched.asker.ask(live.Take("flow0"), "one") == request.Done()
+    assert watched.asker.ask(steer.Resume("flow0"), "one") == request.Done()
+    assert watched.asker.to_the_end().completed
+
+
+def test_a_plan_that_was_prepared_before_the_silence_is_not_begun_after_it(watched):  # R-X12
+    watched.asker.ask(live.Take("s1"), "one")
+    watched.shop = rail()
+    plan = watched.shop.plan([action("mass", "servo", arguments="5.0")])
+    watched.asker.ask(request.Prepare(plan, ()), "one")
+    silent(watched, "one", 1.5)
+    assert "no plan is prepared" in watched.asker.ask(request.Begin(), "one").reason
+    watched.asker.ask(request.Prepare(plan, ()), "one")
+    assert watched.asker.ask(request.Begin(), "one") == request.Done()
+
+
+SESSIONS = ("one", "two", "three")
+DEEDS = st.tuples(
+    st.sampled_from(
+        (
+            "take",
+            "take",
+            "hand",
+            "hand",
+            "turn",
+            "turn",
+            "silent",
+            "release",
+            "decline",
+            "leave",
+            "watch",
+            "stop",
+            "reset",
+        )
+    ),
+    st.sampled_from(SESSIONS),
+    st.sampled_from(SESSIONS),
+)
+
+
+class Rule:
+    """Who holds the subsystem, said once more and in short: what the runtime is compared with."""
+
+    def __init__(self):
+        self.holder, self.offered_to, self.is_on, self.is_stopped = "", "", False, False
+        self.there, self.lapsed, self.watching = set(), set(), set()
+
+    def do(self, deed, session, other):
+        if deed not in ("silent", "leave"):
+            self.there.add(session)
+        if session in self.watching and deed not in ("silent", "leave", "stop", "watch"):
+            return
+        getattr(self, deed)(session, other)
+
+    def give(self, session):
+        if session != self.holder:
+            self.holder, self.offered_to = session, ""
+
+    def take(self, session, _other):
+        if self.holder in ("", session) or self.offered_to == session:
+            self.give(session)
+            self.lapsed.discard(session)
+
+    def release(self, session, _other):
+        if self.holder == session:
+            self.give("")
+
+    def hand(self, session, other):
+        able = other in self.there - self.watching - {session}
+        if self.holder == session and session not in self.lapsed and able:
+            self.offered_to = other
+
+    def decline(self, session, _other):
+        if self.offered_to == session:
+            self.offered_to = ""
+
+    def turn(self, session, _other):
+        may = self.holder in ("", session) and session not in self.lapsed
+        if may and (self.is_on or not self.is_stopped):
+            self.give(session)
+            self.is_on = not self.is_on
+
+    def silent(self, session, _other):
+        if self.holder == session:
+            self.lapsed.add(session)
+            self.give("")
+            self.is_on = False
+
+    def leave(self, session, _other):
+        if self.holder == session:
+            self.give("")
+            self.is_on = False
+        if self.offered_to == session:
+            self.offered_to = ""
+        self.there.discard(session)
+
+    def watch(self, session, _other):
+        if self.holder != session:
+            self.watching.add(session)
+
+    def stop(self, _session, _other):
+        self.is_stopped, self.is_on = True, False
+
+    def reset(self, session, _other):
+        if self.holder in ("", session):
+            self.is_stopped = False
+
+
+def do(hand, deed, session, other):
+    asked = {
+        "take": live.Take("s0"),
+        "release": live.Release("s0"),
+        "hand": holding.Hand("s0", other),
+        "decline": holding.Decline("s0"),
+        "watch": holding.OnlyWatch(),
+        "stop": request.Stop("enough"),
+        "reset": live.Reset(),
+    }
+    if deed in asked:
+        hand.asker.ask(asked[deed], session)
+    elif deed == "turn":
+        word = "off" if hand.states["counter"] == "ON" else "on"
+        hand.change(**{word: ["counter"]}, session=session)
+    elif deed == "silent":
+        silent(hand, session, 1.5)
+    else:
+        leave(hand, session)
+
+
+@settings(max_examples=150, deadline=None)
+@given(st.lists(DEEDS, min_size=3, max_size=20))
+def test_there_are_never_two_writers_and_nothing_starts_by_itself(deeds):  # R-X12, network.md P4
+    hand, rule = hand_with_tasks(), Rule()
+    hand.asker.lease(SECOND)
+    hand.change(spawn=["counter"], session="one")
+    there(hand, *SESSIONS)
+    rule.there.update(SESSIONS)
+    rule.give("one")
+    for number, (deed, session, other) in enumerate(deeds):
+        do(hand, deed, session, other)
+        rule.do(deed, session, other)
+        standing = hand.asker.ask(live.Survey(), "witness").subsystems
+        (found,) = [(one.holder, one.tasks[0].state == "ON") for one in standing if one.name == "s0"]
+        assert found == (rule.holder, rule.is_on), deeds[: number + 1]
+        writers = {one for one in SESSIONS if not hand.asker.program.holders.refusal(one, live.Close("s0"), False)}
+        assert not rule.holder or writers <= {rule.holder}

@@ -2,8 +2,7 @@
 
 import pytest
 
-from onika.engine import news as said
-from onika.engine import orders
+from onika.engine import news as said, orders
 from onika.engine.engine import Engine
 from onika.host.loading import DirectLoading
 from onika.host.outlook import Outlook

@@ -1,8 +1,7 @@
 import os
 import select
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.host.post import Post
 
@@ -95,3 +94,13 @@ def test_it_can_be_waited_for():
     assert select.select([theirs], [], [], 0)[0] == [theirs]
     ours.close()
     theirs.close()
+
+
+def test_how_much_waits_is_known():  # law 30
+    ours, theirs = Post.pair()
+    assert ours.waiting == 0
+    while not ours.waiting:
+        ours.send(bytes(100_000))
+    assert ours.waiting == 1
+    theirs.close()
+    ours.close()

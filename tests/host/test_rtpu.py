@@ -11,8 +11,7 @@ from onika.host.heartbeat import SIZE, Heartbeat
 from onika.host.post import Post
 from onika.host.rtpu import Ready, Rtpu, Share
 from onika.ring.segment import Segment
-from onika.runtime import command, news
-from onika.runtime import table as tables
+from onika.runtime import command, news, table as tables
 from onika.words.shape import Shape
 
 COUNT = """

@@ -1,13 +1,16 @@
 from itertools import pairwise
+from time import monotonic_ns
 
 import pytest
 
+from onika.host.pace import Pace
 from onika.host.preparation import prepare
 from onika.host.runner import Runner
 from onika.host.virtual import VirtualDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
+from onika.testing.outsider import Outsider
 from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import Workshop, action
 from onika.testing.worlds import MassWorld
@@ -203,3 +206,109 @@ def test_before_a_run_nothing_happens():
     assert driver.advance(SECOND) is False
     assert driver.snapshots() == {}
     assert driver.is_at_rest()
+
+
+# Partners outside
+
+ASKS = """
+from onika.module import Local, Module, OutVar, Partner, finish
+
+class Asks(Module):
+    passive = PASSIVE
+    N = OutVar("int", "-", "what was answered")
+    PARTNER = Local("line", "-", "where it listens")
+    PATIENCE = Local("double", "s", "how long it may take", default=10.0)
+
+    def init(self):
+        self.partner = Partner(self.PARTNER, patience_s=self.PATIENCE)
+
+    def cycle(self):
+        self.partner.ask("count", t=self.now)
+
+    def sync(self):
+        self.N = self.partner.answer.number("n", 0, 100)
+"""
+
+ENOUGH = """
+from onika.module import InVar, Module, finish
+
+class Enough(Module):
+    trigger = True
+    N = InVar("int", "-", "what was answered")
+
+    def cycle(self):
+        return finish() if self.N >= 3 or self.now >= 0.5 else None
+"""
+
+
+@pytest.fixture
+def outsider(tmp_path):
+    with Outsider(tmp_path) as made:
+        yield made
+
+
+def outside_run(outsider, passive=False, patience="10.0", scale=None):
+    shop = Workshop()
+    local = {"PARTNER": outsider.address, "PATIENCE": patience}
+    shop.task("asks", ASKS.replace("PASSIVE", str(passive)), frequency=50.0, local=local, kind="synchronous")
+    shop.task("enough", ENOUGH, frequency=100.0)
+    run = Run(shop, [action("asks", "enough")], begin=Begin(watch=("N",)))
+    if scale:
+        run.driver._pace = Pace(scale, 0, monotonic_ns())
+    return run
+
+
+def test_the_clock_stands_while_a_partner_outside_is_awaited(outsider):  # law 15, R-F04
+    run = outside_run(outsider)
+    assert run.driver.advance(5_000_000)
+    now = run.driver.now
+    for _ in range(3):
+        assert run.driver.advance(5_000_000), "there is still something to do: to wait"
+        assert run.driver.now == now
+    call = outsider.accept()
+    times = []
+    while not run.runner.is_over:
+        if run.driver._executive.owed():
+            asked = call.read()
+            times.append(asked["t"])
+            call.answer(asked, n=len(times))
+        run.driver.advance(1_000_000)
+    assert times[:3] == pytest.approx([0.0, 0.02, 0.04])
+    assert run.result.completed
+    assert run.of(event.Done)[0].at_s == pytest.approx(0.05)
+
+
+def test_such_a_run_is_marked_as_one_that_may_not_repeat(outsider):  # law 15
+    run = outside_run(outsider, patience="0.02")
+    assert run.driver.outside == ()
+    run.to_the_end()
+    assert run.driver.outside == ("flow0/asks",)
+    run.driver.begin()
+    assert run.driver.outside == ()
+    assert Run(rail(), move("1.0")).to_the_end().driver.outside == ()
+
+
+@pytest.mark.parametrize("passive", [False, True])
+def test_a_partner_that_never_answers_stops_the_clock_no_longer_than_its_patience(outsider, passive):  # R-F04, law 15
+    run = outside_run(outsider, passive=passive, patience="0.05")
+    began = monotonic_ns()
+    run.to_the_end()
+    assert (monotonic_ns() - began) * 1e-9 < 2.0
+    assert run.result.completed is passive
+    told = run.of(event.Warned) if passive else run.of(event.Failed)
+    assert "no answer within 0.05 s" in told[0].text
+    assert [one.at_s for one in run.of(event.Done)] == ([pytest.approx(0.5)] if passive else [])
+
+
+def test_the_clock_stands_in_scaled_time_too(outsider):  # A16, law 15
+    run = outside_run(outsider, scale=1000.0)
+    for _ in range(20):
+        run.driver.advance(1_000_000)
+    assert run.driver.now == 0
+    assert run.driver.wait_s() == 0.001
+    call = outsider.accept()
+    while not run.runner.is_over:
+        if run.driver._executive.owed():
+            call.answer(call.read(), n=3)
+        run.driver.advance(1_000_000)
+    assert run.result.completed

@@ -1,6 +1,5 @@
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.host.worlds import open_world, refuse_unknown, split
 
@@ -9,6 +8,19 @@ def test_a_world_is_found_by_its_name():  # law 16
     world = open_world("boxes")
     assert {"arm_left", "gripper_left", "lamp"} <= {sheet.name for sheet in world.devices()}
     assert open_world("boxes") is not world
+
+
+def test_a_shaken_world_has_its_things_a_little_elsewhere_the_same_for_one_seed():  # R-X07
+    poses = [open_world("boxes", shake).poses() for shake in (None, 1, 1, 2)]
+    assert (poses[1] == poses[2]).all()
+    for one in (poses[1], poses[3]):
+        assert 1e-5 < abs(one - poses[0]).max() <= 0.0010001
+    assert abs(poses[3] - poses[1]).max() > 1e-5
+
+
+def test_a_world_that_cannot_be_shaken_is_as_it_is(monkeypatch):  # R-X07
+    monkeypatch.delattr("onika.workcell.boxes.BoxesWorld.shaken")
+    assert (open_world("boxes", 1).poses() == open_world("boxes").poses()).all()
 
 
 def test_an_unknown_world_names_those_there_are():  # law 16

@@ -152,15 +152,16 @@ def test_every_icon_reads_without_fault(name):  # R-B03
     onikon.argument_line(SYNTAX)
 
 
-def test_pictures_differ_unless_they_show_the_same_job_of_the_other_arm():
+def test_pictures_differ_unless_they_show_the_same_job_of_another_arm():
     shown = {}
     for name in names("dict", ".onk"):
-        shown.setdefault(read("onikon", name, SYNTAX).picture, set()).add(name.replace("_right", ""))
+        plain = name.replace("_right", "").replace("_scara", "")
+        shown.setdefault(read("onikon", name, SYNTAX).picture, set()).add(plain)
     assert all(len(same) == 1 for same in shown.values())
 
 
 def test_the_lamp_is_watched_in_all_jobs_of_the_left_arm():  # decision 19 of the runtime's law
-    for name in ("jmoveC", "cmoveC", "opengripC", "closegripC"):
+    for name in ("jmoveC", "cmoveC", "opengripC", "closegripC", "jmove_scaraC", "cmove_scaraC"):
         assert "led_monitor" in tasks_of(name)
 
 
@@ -180,7 +181,7 @@ def icons_of(name):
 @pytest.mark.parametrize("name", names("appl", ".appl"))
 def test_icons_in_applications_are_those_of_the_dictionaries_and_their_edges_fit(name):  # R-D03, Equation (7)
     for icon in icons_of(name):
-        assert icon.onikon == read("onikon", icon.onikon.name, SYNTAX)
+        assert icon.onikon == read("onikon", icon.onikon.name, SYNTAX).as_placed()
     assert all(misfits(flow, SYNTAX) == () for _, flow in every_flow(read("application", name, SYNTAX)))
 
 

@@ -1,7 +1,6 @@
 """The counter of loops."""
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.lifecycle import State
 from onika.store.site import shipped

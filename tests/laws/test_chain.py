@@ -3,7 +3,7 @@ import math
 import numpy as np
 
 from onika.laws import puma560
-from onika.laws.chain import chain_pose, links, text_of
+from onika.laws.chain import SLIDES, chain_pose, kinds_of, links, text_of
 from onika.laws.frames import dh_transform
 
 
@@ -25,6 +25,15 @@ def test_a_prismatic_joint_slides_along_the_former_z():
     dh, kind = np.array([[0.0, 0.0, 0.1, 0.0]]), np.ones(1)
     assert np.allclose(chain_pose(dh, kind, np.array([0.25]))[:3, 3], (0.0, 0.0, 0.35))
     assert links(dh, kind)[0].slides
+
+
+def test_a_full_turn_in_its_offset_says_that_a_joint_slides_and_changes_no_frame():  # R-K03
+    dh = np.array([[0.3, 0.7, 0.2, 0.5], [0.3, 0.7, 0.2, 0.5 + SLIDES]])
+    assert kinds_of(dh).tolist() == [0.0, 1.0]
+    turns, slides = links(dh, kinds_of(dh))
+    assert (turns.slides, slides.slides) == (False, True)
+    assert np.allclose(turns.position, slides.position)
+    assert np.allclose(turns.quaternion, slides.quaternion)
 
 
 def test_the_puma_at_home_points_straight_up():

@@ -2,8 +2,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.laws.frames import (
     as_array,
@@ -14,6 +13,7 @@ from onika.laws.frames import (
     quaternion_of_rotation,
     rotation_exp,
     rotation_log,
+    rotation_of_quaternion,
     rotation_of_rpy,
     rpy_of_rotation,
     turn_between,
@@ -118,3 +118,9 @@ def test_looking_straight_up_or_down_yaw_is_zero(pitch):
 def test_constants_of_the_wrong_number_are_refused_with_both_shapes():
     with pytest.raises(ValueError, match=r"\(6, 4\).*\(5,\)"):
         as_array([1, 2, 3, 4, 5], (6, 4))
+
+
+@settings(max_examples=50, deadline=None)
+@given(rotations)
+def test_a_quaternion_of_a_rotation_is_that_rotation(rotation):
+    assert np.allclose(rotation_of_quaternion(quaternion_of_rotation(rotation)), rotation, atol=1e-9)

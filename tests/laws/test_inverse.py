@@ -1,16 +1,22 @@
 import numpy as np
 import pytest
 
-from onika.laws import puma560
+from onika.laws import adept_one, puma560
 from onika.laws.arm import Arm
 from onika.laws.damped import DampedInverse
 from onika.laws.inverse import inverse_for
 from onika.laws.puma_inverse import PumaInverse
+from onika.laws.scara_inverse import ScaraInverse
 
 
 def test_a_table_of_the_family_gets_the_closed_form():
     inverse = inverse_for(puma560.DH, None, puma560.TOOL, puma560.QMIN, puma560.QMAX)
     assert isinstance(inverse, PumaInverse)
+
+
+def test_a_scara_is_known_by_its_table_too():  # R-K03
+    inverse = inverse_for(adept_one.DH, None, adept_one.TOOL, adept_one.QMIN, adept_one.QMAX)
+    assert isinstance(inverse, ScaraInverse)
 
 
 def test_any_other_table_gets_least_squares_and_the_same_answers():

@@ -2,8 +2,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.laws.frames import rotation_log, rotation_of_rpy
 from onika.laws.path import PEAK, Line, joint_duration, quintic

@@ -1,3 +1,5 @@
+from dataclasses import replace
+
 import pytest
 
 from onika.model.application import (
@@ -11,6 +13,8 @@ from onika.model.application import (
     every_flow,
     is_target,
     wanted_targets,
+    with_numbers_as_lines,
+    without_breakpoints,
 )
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -112,3 +116,19 @@ def test_every_flow_of_an_application_has_a_path() -> None:
     ]
     assert whole.has_hole
     assert actions(whole.flows[1], SYNTAX) == (Action(0, GRIP),)
+
+
+def test_steps_stand_at_the_lines_of_their_numbers_those_in_branches_too():
+    inner = replace(icon("Joint job"), number=4, line=70)
+    branch = Branch((AppFlow((inner, Hole(number=5))),), number=3, line=60)
+    here = Application("play", False, (AppFlow((replace(icon("Complete job"), number=2, line=9), branch)),))
+    job, moved = with_numbers_as_lines(here).flows[0].steps
+    assert (job.line, moved.line, [one.line for one in moved.flows[0].steps]) == (2, 3, [4, 5])
+
+
+def test_without_breakpoints_everything_else_is_as_it_was():  # R-D06
+    marked = replace(icon("Joint job"), marker=True, marker_if="Q > 1", synch_tag="meet")
+    here = Application("play", False, (AppFlow((Branch((AppFlow((marked,)),), line=4), marked)),))
+    branch, job = without_breakpoints(here).flows[0].steps
+    assert job == branch.flows[0].steps[0] == replace(icon("Joint job"), synch_tag="meet")
+    assert branch.line == 4

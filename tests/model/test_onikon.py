@@ -29,3 +29,10 @@ def test_an_action_has_an_empty_argument_line() -> None:
 def test_values_that_are_not_those_of_the_type_are_a_fault_of_the_program(kind: str, values: tuple) -> None:
     with pytest.raises(ValueError, match=r"expected .* found"):
         Onikon("x", kind, "", values, blank()).argument_line(SYNTAX)
+
+
+def test_what_an_icon_says_in_other_languages_stays_in_the_dictionary_when_it_is_placed():  # R-X11
+    spoken = Onikon("grip", "Complete job", "close the hand", (), blank(), (), (("es", "cierra la mano"),))
+    placed = spoken.as_placed()
+    assert (placed.words, placed.description) == ((), "close the hand")
+    assert placed.as_placed() is placed

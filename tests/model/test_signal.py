@@ -1,8 +1,7 @@
 """Signals."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.model.signal import END, SignalKind, finish, illegal, legal, off, shutdown, user_signal
 

@@ -76,7 +76,7 @@ def texts(me):
 
 def helps(me):
     me.page.keyboard.press("?")
-    expect(me.page.get_by_role("dialog", name="Keys and mouse")).to_be_visible()
+    expect(me.page.get_by_role("dialog", name="Help sheet")).to_be_visible()
 
 
 @pytest.mark.parametrize("screen", [first_start, canvas, sheet, job, preferences, files, texts, helps])

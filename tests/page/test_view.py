@@ -160,7 +160,7 @@ def test_the_command_list_finds_commands_tasks_and_files(me):  # R-G04
 
 def test_the_help_sheet_lists_keys_and_what_the_mouse_does(me):  # R-G04
     me.page.keyboard.press("?")
-    sheet = me.page.get_by_role("dialog", name="Keys and mouse")
+    sheet = me.page.get_by_role("dialog", name="Help sheet")
     for words in ("Shift + left, on a task", "Undo", "Ctrl", "Delete"):
         expect(sheet.get_by_text(words).first).to_be_visible()
     me.page.keyboard.press("Escape")

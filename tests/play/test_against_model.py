@@ -6,8 +6,7 @@ Every word is heard at once here; late words are the matter of `test_explored`.
 from itertools import count
 
 import pytest
-from hypothesis import settings
-from hypothesis import strategies as st
+from hypothesis import settings, strategies as st
 from hypothesis.stateful import (
     RuleBasedStateMachine,
     initialize,

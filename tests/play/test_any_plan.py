@@ -2,8 +2,7 @@
 
 from collections import Counter
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
 from onika.testing import build

@@ -2,8 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.testing.hand import BROKEN, SOURCE, SULKY, hand_with_tasks
 from onika.wire import event, live

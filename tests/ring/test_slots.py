@@ -6,8 +6,7 @@ import subprocess
 import sys
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.ring.segment import Segment
 from onika.ring.slots import LINE, Ring
@@ -273,3 +272,13 @@ def test_a_counter_that_was_put_back_is_found_where_something_was_sealed_since(b
     one.seal()
     one.words[0] -= back
     assert "its counter was put back" in one.faults()
+
+
+def test_the_values_since_a_count_are_there_as_far_as_they_were_not_written_over():  # law 29
+    ring = Ring(memoryview(bytearray(Ring.footprint(8))), 0, 8)
+    assert ring.since(0) == (0, [])
+    for number in range(1, 6):
+        ring.write(number.to_bytes(8, "little"))
+    assert ring.since(5) == (5, [])
+    assert [int.from_bytes(one, "little") for one in ring.since(3)[1]] == [4, 5]
+    assert [int.from_bytes(one, "little") for one in ring.since(0)[1]] == [3, 4, 5]

@@ -1,7 +1,6 @@
 """What is due, in which order."""
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.runtime.agenda import Agenda, Slot
 
@@ -206,3 +205,21 @@ def test_another_rank_of_what_is_not_listed_is_taken_over_when_it_enters():  # l
     agenda.enter(one, 0)
     agenda.enter(other, 0)
     assert run_all(agenda, 0) == ["b", "a"]
+
+
+def test_a_slot_that_resumes_is_due_at_the_next_point_of_its_grid():  # R-F04
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 7)
+    assert agenda.next_due(7) is one
+    agenda.leave(one)
+    agenda.resume(one, 23)
+    assert (agenda.next_release(), run_all(agenda, 29), run_all(agenda, 30)) == (30, [], ["a"])
+    assert (one.deadline, one.missed) == (50, 0)
+
+
+def test_a_slot_that_resumes_twice_or_was_to_enter_is_due_once():
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 3)
+    agenda.resume(one, 3)
+    agenda.resume(one, 4)
+    assert (run_all(agenda, 9), run_all(agenda, 10), run_all(agenda, 10)) == ([], ["a"], [])

@@ -1,8 +1,7 @@
 """What is counted of a task."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.runtime.counters import Counters
 

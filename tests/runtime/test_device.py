@@ -1,8 +1,7 @@
 """A task's end of a device."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.ring.device import Drive, Order
 from onika.runtime.binding import attach

@@ -1,8 +1,7 @@
 """What tasks cost, and whether one more is too much."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.runtime.load import MARGIN, TaskLoad, predict, use_of
 

@@ -1,8 +1,7 @@
 """Spawns and exchanges that wait for a gap."""
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news

@@ -188,12 +188,12 @@ def test_at_a_terminal_a_question_is_answered_at_the_prompt_and_ctrl_c_stops(tmp
         screen.type("0 -1 1 0 0 0 600\r")
         screen.until("main/jtraj ON")
         screen.type("\x03")
-        screen.until("main (stopped)> ")
+        screen.until("drive boxes:arm_left HELD")
         screen.type("\x04")
         screen.until("\r")
     finally:
         screen.close()
-    assert "drive boxes:arm_left HELD" in screen.shown
+    assert "main (stopped)> " in screen.shown
 
 
 def test_a_saved_file_is_new_code_while_the_others_keep_cycling(tmp_path, monkeypatch):  # R-X15, R-A14

@@ -96,7 +96,7 @@ def test_a_directory_or_file_that_is_closed_to_the_user_keeps_the_old_file(tmp_p
         "print(whole.write(Path(sys.argv[1]), 'new', '*'))"
     )
     as_nobody = ["setpriv", "--reuid=65534", "--clear-groups"] if os.geteuid() == 0 else []
-    for parent in (tmp_path, *list(tmp_path.parents)[:2]):
+    for parent in (tmp_path, *list(tmp_path.parents)[:3]):
         parent.chmod(0o755)
 
     def save():

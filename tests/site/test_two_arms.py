@@ -27,7 +27,10 @@ def told_of(capsys, *words):
     return code, told
 
 
-@pytest.mark.parametrize("time", [["--virtual"], ["--no-fifo"]], ids=["virtual", "wall"])
+WALL = pytest.param(["--no-fifo"], id="wall", marks=pytest.mark.slow)  # as long as the arms move
+
+
+@pytest.mark.parametrize("time", [pytest.param(["--virtual"], id="virtual"), WALL])
 def test_two_arms_put_the_boxes_together_and_meet_at_every_tag(capsys, time):  # R-K02, R-E04
     code, told = told_of(capsys, *time)
     result = told[-1]

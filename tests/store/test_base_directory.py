@@ -115,6 +115,17 @@ def test_what_another_changed_meanwhile_is_not_overwritten(base: BaseDirectory) 
     assert path.read_text() == theirs
 
 
+def test_a_broken_application_is_opened_as_far_as_it_can_be_read(base: BaseDirectory) -> None:
+    base.save_application(APPLICATION)  # R-B07
+    path = base.application_file("work")
+    path.write_text(path.read_text().replace("EOF", ""))
+    assert base.open_application("work", SYNTAX)[0] is None
+    found, faults = base.salvage_application("work", SYNTAX)
+    assert found is not None
+    assert (found.value, found.text) == (APPLICATION, path.read_text())
+    assert faults
+
+
 def test_a_task_is_saved_over_the_text_it_was_read_from(base: BaseDirectory) -> None:
     record = base.save_task(RmodText(TASK))  # R-B01, R-B07
     assert isinstance(record, RmodText)

@@ -76,7 +76,7 @@ def test_a_port_stands_on_the_page_by_its_name_in_the_table(tool):
 def test_a_device_and_a_target_stand_on_the_page_with_their_fields(tool):
     page = tool["laboratory"]()
     assert "| `boxes:gripper_left` | `opening` `speed` `force` | `signal` | `gripper` |" in page
-    assert "| Joint object | `endpoint` | double[6] | rad | `jtraj` `jvia` |" in page
+    assert "| Joint object | `endpoint` | double[NDOF] | rad | `jtraj` `jvia` `planner` |" in page
 
 
 def test_bounds_of_an_input_are_told_by_number_or_by_the_constant_that_holds_them(tool):

@@ -11,6 +11,7 @@ from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
+from onika.testing.laboratory import Laboratory, job
 from onika.web.program import Program, Wishes
 from onika.web.server import bound
 
@@ -130,3 +131,21 @@ def test_a_line_for_each_act_of_a_user_stands_in_the_diary(tmp_path):  # R-H01
     (file,) = (tmp_path / "state" / "diary").glob("*.log")
     lines = file.read_text().splitlines()
     assert sum("\ta\t" in line for line in lines) == 1
+
+
+def test_an_application_is_judged_soon_after_it_was_opened_and_when_its_files_change(tmp_path):  # R-E01
+    files = Laboratory(tmp_path / "base")
+    path = files.application("play", [job("goneC")])
+    with Running(tmp_path, str(path)) as running, running.browser() as socket:
+
+        def told(words):
+            return lambda one: one["t"] in ("Snapshot", "Patch") and words in json.dumps(one)
+
+        until(socket, told("there is no configuration goneC"))
+        files.plain_task("b", writes="B")
+        files.module("b", "# b\n")
+        files.configuration("goneC", "b 100")
+        until(
+            socket,
+            lambda one: one["t"] == "Patch" and any(p[-1] != "files" and "faults" in p for p, _ in one["changes"]),
+        )

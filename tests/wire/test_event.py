@@ -1,7 +1,7 @@
 import msgspec
 import pytest
 
-from onika.wire import event
+from onika.wire import event, holding
 
 ITEM = event.Item("level", "double", 2, "m", "how high", (0.5, 0.5), (0.0, 0.0), None)
 FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 2, 4.5, 20.0)
@@ -15,6 +15,8 @@ EVENTS = [
     event.Signalled("s0", "pd", "USER", 3, "three", 0.2),
     event.Lost("rt0", "was killed by signal 9", 0.2),
     event.Held("s0", "me"),
+    event.Offered("s0", "me", "you", "declined"),
+    event.Company((holding.SessionStanding("me", "owner", False, True),)),
     event.Stopped(True, "enough"),
     event.Asked("flow0", "gauge", "", (ITEM,), 0.3),
     event.Drive("boxes:arm_left", "HELD", 4, 2, -1, "stop"),

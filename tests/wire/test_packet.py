@@ -1,7 +1,6 @@
 import msgspec
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.wire.packet import (
     Ack,

@@ -3,7 +3,7 @@ import pytest
 
 from onika.testing.rail import rail
 from onika.testing.workshop import action
-from onika.wire import live, request, steer
+from onika.wire import holding, live, request, steer
 
 PLAN = rail().plan([action("mass", "servo", arguments="1")])
 REQUESTS = [
@@ -36,8 +36,8 @@ def test_a_response_travels_whole(one):  # R-F01, R-F07
 
 def test_every_request_and_every_response_is_tried():
     by_hand = (
-        set(live.LiveRequest.__args__) | set(steer.SteerRequest.__args__),
-        set(live.LiveResponse.__args__) | {steer.Positions},
+        {*live.LiveRequest.__args__, *steer.SteerRequest.__args__, *holding.HoldingRequest.__args__},
+        {*live.LiveResponse.__args__, steer.Positions, holding.Company},
     )
     # tried in files of their own
     assert {type(one) for one in REQUESTS} == set(request.Request.__args__) - by_hand[0]

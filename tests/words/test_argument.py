@@ -1,8 +1,7 @@
 """The argument line of a task."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.words.argument import join, split
 

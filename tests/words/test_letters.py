@@ -1,8 +1,7 @@
 """Texts and characters in memory."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.words import letters
 from onika.words.value import TEXT_CAPACITY, ValueType

@@ -1,8 +1,7 @@
 """Types with dimensions."""
 
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.words.shape import Shape
 from onika.words.value import TEXT_CAPACITY, ValueType

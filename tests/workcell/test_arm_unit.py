@@ -4,7 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from onika.laws import puma560
+from onika.laws import adept_one, puma560
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.layout import base, boxes, text
 from onika.workcell.plant import Plant
@@ -28,6 +28,13 @@ def test_its_sheet_says_who_it_is_and_where_it_stands():
     assert sheet.command == ("tau1", "tau2", "tau3", "tau4", "tau5", "tau6")
     assert sheet.identity["ROBOT"] == "puma560"
     assert np.array_equal(np.reshape(sheet.identity["BASE"], (4, 4)), base("right"))
+
+
+def test_a_scara_has_four_joints_and_its_own_name():  # R-K03
+    sheet = ArmUnit("left", base("left"), "scara").sheet
+    assert sheet.name == "scara_left"
+    assert sheet.command == ("tau1", "tau2", "tau3", "tau4")
+    assert sheet.identity["ROBOT"] == adept_one.ROBOT
 
 
 def test_before_it_is_in_the_world_it_stands_at_home():

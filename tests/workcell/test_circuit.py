@@ -47,3 +47,25 @@ def test_a_foot_must_stand_within_six_millimetres_of_its_patch(shift, closed):
 
 def test_a_box_turned_half_round_has_its_poles_exchanged():
     assert _contacts(half_turn="square") == [1.0, 1.0, 0.0, 0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize(
+    ("order", "lifted", "shift", "closed"),
+    [
+        (SIGNS, 0.0, 0.0, [1.0] * 6),
+        (SIGNS, 0.0, 0.004, [1.0, 1.0, 1.0, 1.0, 1.0, 1.0]),
+        (SIGNS, 0.0, 0.009, [1.0, 1.0, 0.0, 0.0, 1.0, 1.0]),
+        (SIGNS, 0.001, 0.0, [0.0] * 6),
+        (("triangle", "waves", "square", "cross"), 0.0, 0.0, [0.0, 0.0, 0.0, 0.0, 1.0, 1.0]),
+    ],
+)
+def test_without_forces_places_alone_close_the_contacts(order, lifted, shift, closed):  # R-K03, law 18
+    plant = Plant(text(boxes(0, 0.0), (), drawn=False))
+    for level, sign in enumerate(order):
+        dx = shift if level > 1 else 0.0
+        plant.data.joint(f"box_{sign}").qpos[:3] = 0.7 + dx, 0.0, TOP_M + SIZE_M[2] * (level + 0.5) + lifted * level
+    mujoco.mj_kinematics(plant.model, plant.data)
+    circuit, flags = Circuit(plant), np.full(6, 9.0)
+    circuit.press()
+    circuit.scan(flags)
+    assert flags.tolist() == closed

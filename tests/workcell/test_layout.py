@@ -22,6 +22,14 @@ def test_both_arms_reach_every_box_and_every_place_in_the_stack_and_above(side):
         assert not isinstance(q, str), f"{place}: {q}"
 
 
+def test_where_another_kind_is_named_it_stands_in_place_of_the_standard_one():  # R-K03
+    plant = Plant(text(boxes(0, 0.0), SIDES, drawn=False, kinds={"left": "scara"}))
+    assert plant.body("scara_left.link4")
+    assert plant.body("arm_right.link6")
+    with pytest.raises(KeyError):
+        plant.body("arm_left.link6")
+
+
 def test_upright_arms_touch_neither_each_other_nor_anything_else():  # R-K02
     plant = Plant(text(boxes(0, 0.0), SIDES, drawn=False))
     for side in SIDES:

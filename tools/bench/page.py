@@ -4,26 +4,18 @@ Numbers of one machine are comparable with each other only; frames are drawn by 
 """
 
 import argparse
-import json
 import os
 import random
-import re
-import shutil
 import statistics
-import subprocess
-import sys
 import tempfile
 import threading
 import time
-import urllib.request
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from itertools import pairwise
 from pathlib import Path
 
-import msgspec
+from browse.chromium import FLAGS, HOLD, PAINTED, framed, path
+from browse.guest import Guest
+from browse.program import program, said
 from playwright.sync_api import Page, sync_playwright
-from websockets.sync.client import connect
 
 from onika.files.rmod import RmodText
 from onika.model.configuration import Configuration, Placed
@@ -33,11 +25,9 @@ from onika.model.rules.loci import settled
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
-from onika.wire import page as messages
 
 BOXES = 500
 COLUMNS = 25
-FLAGS = ("--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking")
 
 WAVES = '''
 import math
@@ -51,29 +41,6 @@ class Waves(Module):
             for joint in range(6):
                 port[joint] = math.sin(self.now + number + joint)
 '''
-
-PAINTED = """
-() => {
-  window.took = []; window.frames = []
-  const channel = new MessageChannel()
-  let at = 0
-  channel.port1.onmessage = () => { window.took.push(performance.now() - at); at = 0 }
-  addEventListener('pointermove', () => {
-    if (at) return
-    at = performance.now()
-    requestAnimationFrame(() => channel.port2.postMessage(0))
-  }, true)
-  const tick = (now) => { window.frames.push(now); requestAnimationFrame(tick) }
-  requestAnimationFrame(tick)
-}
-"""
-
-HOLD = """
-const Plain = WebSocket
-window.WebSocket = class extends Plain { constructor(...words) { super(...words); window.held = this } }
-addEventListener('DOMContentLoaded', () => window.held?.addEventListener('message', (e) => {
-  const found = JSON.parse(e.data); if ('rev' in found) window.rev = found.rev }))
-"""
 
 ALL_STATES = """
 ([count, state]) => new Promise(done => {
@@ -123,51 +90,6 @@ def waves(folder: Path) -> None:
         base.save_task(RmodText(Task(f"waves{number}", f"waves{number}", outvar=outputs, frequency=100.0)))
     placed = tuple(Placed(f"waves{number}", 60 + number * 200, 60) for number in range(10))
     base.save_configuration(Configuration("waves", placed))
-
-
-@contextmanager
-def program(*words: str) -> Iterator[tuple[str, int, Callable[[], str]]]:
-    """Onika with the page: its address, its process, and the next address for another browser."""
-    with tempfile.TemporaryDirectory() as state:
-        environment = {**os.environ, "XDG_STATE_HOME": state}
-        started = subprocess.Popen(
-            [
-                sys.executable,
-                "-c",
-                "import sys; from onika.cli import main; sys.exit(main())",
-                "--port",
-                "0",
-                "--no-browser",
-                *words,
-            ],
-            stdout=subprocess.PIPE,
-            text=True,
-            env=environment,
-        )
-        try:
-            lines = started.stdout or ()
-
-            def following() -> str:
-                return next(found[0] for line in lines if (found := re.search(r"http://\S+", line)))
-
-            yield following(), started.pid, following
-        finally:
-            started.terminate()
-            started.wait(20)
-
-
-def said(title: str, value: str) -> None:
-    """One line."""
-    print(f"{title:<62}{value:>18}", flush=True)
-
-
-def framed(page: Page) -> tuple[float, float]:
-    """Frames a second and event to paint in ms, medians since last asked."""
-    frames, took = page.evaluate(
-        "() => { const f = window.frames, t = window.took; window.frames = []; window.took = []; return [f, t] }"
-    )
-    gaps = [b - a for a, b in pairwise(frames)]
-    return 1000 / statistics.median(gaps), statistics.median(took) if took else 0.0
 
 
 def dragging(page: Page, title: str) -> None:
@@ -273,49 +195,6 @@ def starting(browser_path: str) -> None:
     said("page can be used, from the command, s (median of 3)", f"{statistics.median(whole):.2f}")
 
 
-class Guest:
-    """A browser without a window: it speaks as the page does."""
-
-    def __init__(self, address: str) -> None:
-        class Stays(urllib.request.HTTPRedirectHandler):
-            def redirect_request(self, *_args: object) -> None:
-                return None
-
-        opener = urllib.request.build_opener(Stays)
-        try:
-            opener.open(address)
-        except urllib.error.HTTPError as redirect:
-            cookie = redirect.headers["set-cookie"].partition(";")[0]
-        origin = address.partition("/?")[0]
-        self.socket = connect(
-            origin.replace("http", "ws") + "/ws", additional_headers={"Cookie": cookie}, origin=origin, max_size=None
-        ).__enter__()
-        self.cid = 0
-
-    def do(self, asked: act.AnyAct) -> float:
-        """Seconds until the answer."""
-        self.cid += 1
-        began = time.perf_counter()
-        self.socket.send(msgspec.json.encode(messages.Ordered(self.cid, asked)).decode())
-        while True:
-            found = json.loads(self.socket.recv())
-            if found.get("cid") == self.cid:
-                if found["t"] == "Refused":
-                    raise RuntimeError(found["reason"])
-                return time.perf_counter() - began
-
-    def until(self, asked: act.AnyAct) -> None:
-        """Ask again until it is done: a runtime takes a moment to begin."""
-        for _ in range(100):
-            try:
-                self.do(asked)
-                return
-            except RuntimeError as refused:
-                why = refused
-                time.sleep(0.1)
-        raise why
-
-
 def acts() -> None:
     """Round trips of acts in a small and in the large configuration."""
     with tempfile.TemporaryDirectory() as folder:
@@ -388,7 +267,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--seconds", type=float, default=8.0, help="how long each watching lasts")
     given = parser.parse_args()
-    browser_path = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+    browser_path = path()
     if browser_path is None:
         print("no Chromium on the PATH: only what needs none")
     else:

@@ -13,7 +13,7 @@ import { stage } from '../lower/stage.svelte'
 type Given = Omit<Command, 'id' | 'title' | 'group'> & { group?: Command['group'] }
 
 function add(id: string, title: TextKey, given: Given): void {
-  command({ group: 'canvas', ...given, id: `canvas.${id}`, title: () => t(title) })
+  command({ group: 'canvas', level: 'tasks', ...given, id: `canvas.${id}`, title: () => t(title) })
 }
 
 const isHere = (): boolean => stage.document !== undefined && stage.hasKeyboard

@@ -4,11 +4,14 @@ import { announce } from '../announce'
 import { command } from '../commands'
 import { desk } from '../desk.svelte'
 import { closeDialog, here, openDialog, type DialogName, type Theme } from '../here.svelte'
-import { shownDocument, step } from '../shell/documents.svelte'
+import { goTo, shownDocument, shownId, shownOne, step } from '../shell/documents.svelte'
 import { openBlank, save } from '../shell/opening'
 import { stopEverything } from '../shell/stopping'
+import { startTutorial } from '../shell/tutorial.svelte'
 import { t } from '../texts/index.svelte'
 
+const isOpen = (): boolean => shownOne() !== undefined
+const isUpper = (): boolean => here.level === 'applications'
 const hasDocument = (): boolean => shownDocument() !== undefined
 const isConnected = (): boolean => ['live', 'lost'].includes(shownDocument()?.connection ?? '')
 const chosenTask = (): string => (here.picked.size === 1 ? [...here.picked][0]! : here.picked.size ? '' : here.libraryTask)
@@ -19,17 +22,23 @@ function turn(name: DialogName, data: Record<string, string> = {}): void {
   else openDialog(name, data)
 }
 
-command({ id: 'file.new', group: 'file', title: () => t('file.new'), keys: ['Alt+N'], run: openBlank })
-command({ id: 'file.open', group: 'file', title: () => t('file.open'), keys: ['Ctrl+O'], run: () => turn('open'), whileTyping: true })
-command({ id: 'file.save', group: 'file', title: () => t('file.save'), keys: ['Ctrl+S'], when: hasDocument, run: save, whileTyping: true })
-command({ id: 'file.saveAs', group: 'file', title: () => t('file.saveAs'), keys: ['Ctrl+Shift+S'], when: hasDocument, run: () => turn('saveAs'), whileTyping: true })
-command({ id: 'file.close', group: 'file', title: () => t('file.close'), keys: ['Alt+W'], when: hasDocument, run: () => act({ t: 'Close', doc: here.doc }, { x: 160, y: 40 }) })
-command({ id: 'file.next', group: 'file', title: () => t('file.next'), keys: ['Alt+PageDown'], run: () => step(1) })
-command({ id: 'file.previous', group: 'file', title: () => t('file.previous'), keys: ['Alt+PageUp'], run: () => step(-1) })
-command({ id: 'file.library', group: 'library', title: () => t('file.library'), run: () => turn('open', { what: 'library' }) })
+function switchLevel(): void {
+  goTo(isUpper() ? 'tasks' : 'applications')
+  announce(t(isUpper() ? 'levels.nowApplications' : 'levels.nowTasks'))
+}
 
-command({ id: 'edit.undo', group: 'edit', title: () => t('edit.undo'), keys: ['Ctrl+Z'], when: () => !!shownDocument()?.undo, run: () => act({ t: 'Undo', doc: here.doc }) })
-command({ id: 'edit.redo', group: 'edit', title: () => t('edit.redo'), keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], when: () => !!shownDocument()?.redo, run: () => act({ t: 'Redo', doc: here.doc }) })
+command({ id: 'file.new', group: 'file', level: 'tasks', title: () => t('file.new'), keys: ['Alt+N'], run: openBlank })
+command({ id: 'file.newApplication', group: 'file', level: 'applications', title: () => t('file.newApplication'), keys: ['Alt+N'], run: () => turn('newApplication') })
+command({ id: 'file.open', group: 'file', title: () => t('file.open'), keys: ['Ctrl+O'], run: () => turn('open'), whileTyping: true })
+command({ id: 'file.save', group: 'file', title: () => t('file.save'), keys: ['Ctrl+S'], when: isOpen, run: save, whileTyping: true })
+command({ id: 'file.saveAs', group: 'file', title: () => t('file.saveAs'), keys: ['Ctrl+Shift+S'], when: isOpen, run: () => turn('saveAs'), whileTyping: true })
+command({ id: 'file.close', group: 'file', title: () => t(isUpper() ? 'file.closeApplication' : 'file.close'), keys: ['Alt+W'], when: isOpen, run: () => act({ t: 'Close', doc: shownId() }, { x: 160, y: 40 }) })
+command({ id: 'file.next', group: 'file', title: () => t(isUpper() ? 'file.nextApplication' : 'file.next'), keys: ['Alt+PageDown'], run: () => step(1) })
+command({ id: 'file.previous', group: 'file', title: () => t(isUpper() ? 'file.previousApplication' : 'file.previous'), keys: ['Alt+PageUp'], run: () => step(-1) })
+command({ id: 'file.library', group: 'library', level: 'tasks', title: () => t('file.library'), run: () => turn('open', { what: 'library' }) })
+
+command({ id: 'edit.undo', group: 'edit', title: () => t('edit.undo'), keys: ['Ctrl+Z'], when: () => !!shownOne()?.undo, run: () => act({ t: 'Undo', doc: shownId() }) })
+command({ id: 'edit.redo', group: 'edit', title: () => t('edit.redo'), keys: ['Ctrl+Shift+Z', 'Ctrl+Y'], when: () => !!shownOne()?.redo, run: () => act({ t: 'Redo', doc: shownId() }) })
 
 const findField = (): HTMLInputElement | null => document.querySelector('.library [role=searchbox]')
 function find(): void {
@@ -37,22 +46,25 @@ function find(): void {
   findField()?.select()
 }
 const isOnCanvas = (): boolean => document.activeElement?.closest('.canvas') != null
-command({ id: 'library.find', group: 'library', title: () => t('library.find'), keys: ['Ctrl+F'], run: find, whileTyping: true })
-command({ id: 'library.findHere', group: 'library', title: () => t('library.findHere'), keys: ['/'], when: () => !isOnCanvas(), run: find })
-command({ id: 'task.source', group: 'library', title: () => t('task.source'), keys: ['Alt+S'], when: () => chosenTask() !== '', run: () => openDialog('source', { task: chosenTask(), kind: 'code' }) })
-command({ id: 'task.rmod', group: 'library', title: () => t('task.rmod'), keys: ['Alt+R'], when: () => chosenTask() !== '', run: () => openDialog('source', { task: chosenTask(), kind: 'rmod' }) })
+command({ id: 'library.find', group: 'library', level: 'tasks', title: () => t('library.find'), keys: ['Ctrl+F'], run: find, whileTyping: true })
+command({ id: 'library.findHere', group: 'library', level: 'tasks', title: () => t('library.findHere'), keys: ['/'], when: () => !isOnCanvas(), run: find })
+command({ id: 'task.source', group: 'library', level: 'tasks', title: () => t('task.source'), keys: ['Alt+S'], when: () => chosenTask() !== '', run: () => openDialog('source', { task: chosenTask(), kind: 'code' }) })
+command({ id: 'task.rmod', group: 'library', level: 'tasks', title: () => t('task.rmod'), keys: ['Alt+R'], when: () => chosenTask() !== '', run: () => openDialog('source', { task: chosenTask(), kind: 'rmod' }) })
 
 command({ id: 'run.stop', group: 'run', title: () => t('stop.everything'), keys: ['Ctrl+.', 'Pause'], run: stopEverything, whileTyping: true })
 command({ id: 'run.reset', group: 'run', title: () => t('stop.reset'), when: () => desk.tree.runtime.is_stopped === true, run: () => act({ t: 'Reset' }) })
-command({ id: 'run.connect', group: 'run', title: () => t('runtime.connect'), keys: ['Alt+C'], when: () => hasDocument() && !isConnected(), run: () => openDialog('connect') })
-command({ id: 'run.disconnect', group: 'run', title: () => t('connect.leave'), when: isConnected, run: () => act({ t: 'Disconnect', doc: here.doc }) })
-command({ id: 'run.take', group: 'run', title: () => t('holder.takeIt'), when: () => isConnected() && !shownDocument()?.is_held_here, run: () => act({ t: 'Take', doc: here.doc }) })
-command({ id: 'run.release', group: 'run', title: () => t('holder.release'), when: () => isConnected() && shownDocument()?.is_held_here === true, run: () => act({ t: 'Release', doc: here.doc }) })
+command({ id: 'run.connect', group: 'run', level: 'tasks', title: () => t('runtime.connect'), keys: ['Alt+C'], when: () => hasDocument() && !isConnected(), run: () => openDialog('connect') })
+command({ id: 'run.disconnect', group: 'run', level: 'tasks', title: () => t('connect.leave'), when: isConnected, run: () => act({ t: 'Disconnect', doc: here.doc }) })
+command({ id: 'run.take', group: 'run', level: 'tasks', title: () => t('holder.takeIt'), when: () => isConnected() && !shownDocument()?.is_held_here, run: () => act({ t: 'Take', doc: here.doc }) })
+command({ id: 'run.release', group: 'run', level: 'tasks', title: () => t('holder.release'), when: () => isConnected() && shownDocument()?.is_held_here === true, run: () => act({ t: 'Release', doc: here.doc }) })
 
 const isNowhere = (): boolean => document.activeElement === null || document.activeElement === document.body
 command({ id: 'view.closePanel', group: 'view', title: () => t('shell.closePanel'), keys: ['Escape'], when: () => here.dialog.name !== '' && isNowhere(), run: closeDialog })
+command({ id: 'view.level', group: 'view', title: () => t(isUpper() ? 'levels.goTasks' : 'levels.goApplications'), keys: ['Ctrl+Shift+L'], when: () => !here.isUpperOnly, run: switchLevel, whileTyping: true })
+command({ id: 'view.showLower', group: 'view', title: () => t(here.isUpperOnly ? 'levels.showLower' : 'levels.hideLower'), run: () => act({ t: 'Prefer', values: { shows_lower: here.isUpperOnly } }) })
 command({ id: 'view.palette', group: 'help', title: () => t('palette.title'), keys: ['Ctrl+K'], run: () => (here.isPaletteOpen = !here.isPaletteOpen), whileTyping: true })
 command({ id: 'view.help', group: 'help', title: () => t('help.title'), keys: ['?', 'F1'], run: () => turn('help') })
+command({ id: 'view.tutorial', group: 'help', title: () => t('tutorial.title'), run: startTutorial })
 command({ id: 'view.preferences', group: 'view', title: () => t('prefer.title'), keys: ['Ctrl+,'], run: () => turn('preferences'), whileTyping: true })
 command({ id: 'view.buttons', group: 'view', title: () => t('buttons.title'), run: () => turn('buttons') })
 
@@ -66,5 +78,5 @@ command({
     announce(t(`theme.${here.theme}`))
   },
 })
-command({ id: 'view.language', group: 'view', title: () => t('language.next'), run: () => (here.language = here.language === 'en' ? 'es' : 'en') })
+command({ id: 'view.language', group: 'view', title: () => t('language.next'), also: () => t('language.also'), run: () => (here.language = here.language === 'en' ? 'es' : 'en') })
 command({ id: 'view.sounds', group: 'view', title: () => (here.sounds ? t('sounds.off') : t('sounds.on')), run: () => (here.sounds = !here.sounds) })

@@ -3,7 +3,7 @@ import { command } from '../commands'
 import { desk } from '../desk.svelte'
 import { here, type StripTab } from '../here.svelte'
 import { watchAgain } from '../frames'
-import { asks } from '../run/asks.svelte'
+import { asking, asks } from '../run/asks.svelte'
 import { isWorldShown, plot, showWorld } from '../run/plots.svelte'
 import { t } from '../texts/index.svelte'
 
@@ -15,13 +15,14 @@ const TITLES = {
 } satisfies Record<StripTab, () => string>
 
 for (const [tab, title] of Object.entries(TITLES) as [StripTab, () => string][])
-  command({ id: `strip.${tab}`, title, group: 'view', run: () => (here.strip = tab) })
+  command({ id: `strip.${tab}`, title, group: 'view', level: 'tasks', run: () => (here.strip = tab) })
 
-command({ id: 'strip.refresh', title: () => t('strip.refresh'), group: 'run', run: watchAgain })
+command({ id: 'strip.refresh', title: () => t('strip.refresh'), group: 'run', level: 'tasks', run: watchAgain })
 command({
   id: 'strip.plotPicked',
   title: () => t('strip.plotPicked'),
   group: 'view',
+  level: 'tasks',
   when: () => here.pickedLocus !== '',
   run: () => plot(here.pickedLocus),
 })
@@ -29,6 +30,7 @@ command({
   id: 'strip.closePlots',
   title: () => t('strip.closePlots'),
   group: 'view',
+  level: 'tasks',
   when: () => here.plots.length > 0,
   run: () => (here.plots = []),
 })
@@ -36,6 +38,7 @@ command({
   id: 'strip.workcell',
   title: () => t('strip.showWorkcell'),
   group: 'view',
+  level: 'tasks',
   when: () => firstWorld() !== undefined,
   run: () => {
     const world = firstWorld()
@@ -46,6 +49,7 @@ command({
   id: 'strip.answer',
   title: () => t('ask.answer'),
   group: 'run',
+  level: 'tasks',
   when: () => firstAsking() !== undefined,
   run: () => asks.open(firstAsking() ?? ''),
 })
@@ -53,5 +57,5 @@ command({
 const firstWorld = (): string | undefined => Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
 
 function firstAsking(): string | undefined {
-  return Object.entries(desk.tree.documents[here.doc]?.tasks ?? {}).find(([, task]) => task.ask)?.[0]
+  return Object.keys(asking(desk.tree.documents[here.doc], desk.tree.run))[0]
 }

@@ -25,6 +25,12 @@ export function rgbOf(hex: string): Rgb {
   return [n >> 16, (n >> 8) & 255, n & 255]
 }
 
+/** Whether a colour is none: a grey, or nearly so. */
+export function isGrey(hex: string): boolean {
+  const [r, g, b] = rgbOf(hex)
+  return Math.max(r, g, b) - Math.min(r, g, b) < 32
+}
+
 /** The digit of the colour that looks most like this one. */
 export function nearestDigit([r, g, b]: Rgb, palette: readonly Rgb[]): string {
   let [best, least] = [0, Infinity]

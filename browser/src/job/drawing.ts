@@ -1,9 +1,13 @@
 // A picture being drawn: each stroke is a step that can be taken back.
 import { flooded, painted, withEllipse, withLine, withRectangle, type Picture } from '../geom/pixels'
 import type { Cell } from '../geom/strokes'
+import type { TextKey } from '../texts/index.svelte'
 
 export const TOOLS = ['pen', 'line', 'rectangle', 'circle', 'fill'] as const
 export type Tool = (typeof TOOLS)[number]
+
+/** The name of a colour, by its digit. */
+export const inkName = (digit: string): TextKey => `paint.ink${digit as '0'}`
 
 export interface Drawing {
   readonly picture: Picture

@@ -25,7 +25,7 @@ export function imageUrl(picture: Picture): string {
     const canvas = Object.assign(document.createElement('canvas'), { width: SIZE, height: SIZE })
     draw(canvas, picture)
     url = canvas.toDataURL()
-    if (made.size > 500) made.clear() // a picture being drawn makes many
+    if (made.size > 4000) made.clear() // a picture being drawn makes many, and so do dictionaries of a thousand icons
     made.set(picture, url)
   }
   return url

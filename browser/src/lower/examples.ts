@@ -1,5 +1,5 @@
-// Which configurations a first page offers: those that show most, then whatever there is.
-import type { ConfigurationFile } from '../api.gen'
+// What a first page offers: the configurations that show most, then whatever there is; and an application.
+import type { ApplicationFile, ConfigurationFile } from '../api.gen'
 import type { TextKey } from '../texts/index.svelte'
 
 /** What is said of those that come with the laboratories, in the order they are offered. */
@@ -21,4 +21,9 @@ export function examples(files: Readonly<Record<string, ConfigurationFile>>, mos
     .sort((a, b) => place(a) - place(b) || (b.tasks ?? 0) - (a.tasks ?? 0) || (a.name < b.name ? -1 : 1))
     .slice(0, most)
     .map((file) => ({ file, about: KNOWN[file.name] }))
+}
+
+/** The application that shows most: the assembly of the boxes; where it is not there, none. */
+export function application(files: Readonly<Record<string, ApplicationFile>>): ApplicationFile | undefined {
+  return Object.values(files).find((one) => one.name === 'assemble')
 }

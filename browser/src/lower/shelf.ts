@@ -1,6 +1,9 @@
 // How the icons of a library stand on their shelf: rows of cells of known height, so that only what is seen is drawn.
 import type { LibraryView, Reason, TaskView } from '../api.gen'
+import { walked } from '../geom/rows'
 import { isInput, shape, type Shape } from './pin'
+
+export { seen } from '../geom/rows'
 
 export const CELL = { width: 108, gap: 4, icon: 96, line: 12.5, head: 24 }
 const ICON = { least: 38, margin: 12, pin: 8, frame: 2 }
@@ -66,37 +69,9 @@ export function shelve(groups: readonly [string, readonly TaskView[]][], columns
   return { rows, height: top }
 }
 
-/** The rows that a window from `top` to `bottom` sees, found by halving. */
-export function seen(rows: readonly Row[], top: number, bottom: number): Row[] {
-  let [low, high] = [0, rows.length]
-  while (low < high) {
-    const middle = (low + high) >> 1
-    const row = rows[middle]!
-    if (row.top + row.height < top) low = middle + 1
-    else high = middle
-  }
-  let end = low
-  while (end < rows.length && rows[end]!.top <= bottom) end++
-  return rows.slice(low, end)
-}
-
 /** The task beside one, as the arrow keys go. */
-export function beside(rows: readonly Row[], name: string, key: string): string | undefined {
-  const lines = rows.filter((row) => row.cells.length).map((row) => row.cells.map((cell) => cell.task.name))
-  const all = lines.flat()
-  const line = lines.findIndex((names) => names.includes(name))
-  if (line < 0) return all[0]
-  const column = lines[line]!.indexOf(name)
-  const at = all.indexOf(name)
-  if (key === 'ArrowRight') return all[at + 1] ?? name
-  if (key === 'ArrowLeft') return all[at - 1] ?? name
-  if (key === 'Home') return all[0]
-  if (key === 'End') return all.at(-1)
-  const step = { ArrowDown: 1, ArrowUp: -1, PageDown: 6, PageUp: -6 }[key]
-  if (!step) return undefined
-  const next = lines[Math.max(0, Math.min(lines.length - 1, line + step))]
-  return next?.[Math.min(column, next.length - 1)] ?? name
-}
+export const beside = (rows: readonly Row[], name: string, key: string): string | undefined =>
+  walked(rows.filter((row) => row.cells.length).map((row) => row.cells.map((cell) => cell.task.name)), name, key)
 
 export const byOrder = (a: { order: number }, b: { order: number }): number => a.order - b.order
 

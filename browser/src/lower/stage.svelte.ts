@@ -57,6 +57,8 @@ class Stage {
   /** Where the pointer is over the canvas, in pixels of the page. */
   pointer: Point | undefined
   svg: SVGSVGElement | undefined
+  /** The turn of the last wish that was granted. */
+  wished = 0
   private readonly views = new Map<string, Seen>()
 
   get document(): DocumentView | undefined {

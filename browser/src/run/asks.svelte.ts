@@ -1,5 +1,14 @@
-// Which question is shown: those of the document shown come one after the other, in the order in which they were asked.
-import type { AskView, DocumentView } from '../api.gen'
+// Which question is shown: those of the document shown, and of the run, come one after the other as they were asked.
+import type { AskView, DocumentView, RunView } from '../api.gen'
+
+/** Who asks here: tasks of a document by their names, those of a run as `SUBSYSTEM/TASK`. */
+export function asking(doc: DocumentView | undefined, run?: RunView | null): Record<string, AskView> {
+  const own = Object.entries(doc?.tasks ?? {}).flatMap(([name, task]) => (task.ask ? [[name, task.ask] as const] : []))
+  return Object.fromEntries([...own, ...Object.entries(run?.asks ?? {})])
+}
+
+/** Whether it is a task of the run. */
+export const isOfRun = (task: string): boolean => task.includes('/')
 
 export class Asks {
   /** The task whose question is shown; empty: none. */
@@ -10,11 +19,10 @@ export class Asks {
   private readonly aside = new Map<string, AskView>()
   private order: string[] = $state([])
 
-  /** The state of a document as it is now. */
-  take(doc: DocumentView | undefined): void {
-    const asking = Object.entries(doc?.tasks ?? {}).flatMap(([name, task]) => (task.ask ? [[name, task.ask] as const] : []))
-    const names = new Set(asking.map(([name]) => name))
-    for (const [name, ask] of asking) if (this.aside.get(name) !== ask) this.aside.delete(name)
+  /** All who ask now, by their names. */
+  take(all: Readonly<Record<string, AskView>>): void {
+    const names = new Set(Object.keys(all))
+    for (const [name, ask] of Object.entries(all)) if (this.aside.get(name) !== ask) this.aside.delete(name)
     for (const name of [...this.aside.keys()]) if (!names.has(name)) this.aside.delete(name)
     const known = this.order.filter((name) => names.has(name))
     this.order = [...known, ...[...names].filter((name) => !known.includes(name))]

@@ -7,7 +7,7 @@ import {
 } from 'three'
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
 import { inks } from './inks'
-import { bodiesOf, ROW, type Shape, type World } from './world'
+import { bodiesOf, GLOW, ROW, type Shape, type World } from './world'
 
 const ENDLESS = 30
 /** Nobody sees more pictures than these, and nobody sees a smaller move: 0.2 mm, or as much of a turn. */
@@ -16,8 +16,7 @@ const SEEN = 0.0002
 /** Of its time a picture leaves so much to all else: without graphics hardware it is made by the processor that drives the arm. */
 const REST = 3
 const FROM = new Vector3(-1.15, -1.55, 0.75).normalize() // where one looks from at first
-/** Paints of what shines with a lamp: the air about it, and its glass. */
-const GLOW = 'glow'
+/** Paint of a lamp's glass. */
 const BULB = 'glass'
 
 export class Stage {
@@ -67,6 +66,7 @@ export class Stage {
   /** Rows of x y z w x y z. The first ones also decide from where one looks. */
   pose(rows: Float32Array): void {
     if (rows.length === this.posed.length && rows.every((value, k) => Math.abs(value - this.posed[k]) < SEEN)) return
+    if (!isWhole(rows)) return // a world that has not taken its first step yet
     this.posed = rows
     this.groups.forEach((group, k) => {
       const [x, y, z, qw, qx, qy, qz] = rows.subarray(k * ROW, (k + 1) * ROW)
@@ -147,7 +147,7 @@ export class Stage {
 
   /** Soon, and once; never more often than can be seen, and seldom where a picture takes long. */
   private draw(): void {
-    if (this.isDue) return
+    if (this.isDue || !this.isViewed) return // before the first poses the camera stands where the arm does
     this.isDue = true
     const picture = (): void => {
       this.isDue = false
@@ -213,6 +213,12 @@ export class Stage {
     glow.parent.add(lamp)
     return { sky, window, lamp }
   }
+}
+
+/** Whether every body has a direction: rows that nobody has filled yet are all zero. */
+function isWhole(rows: Float32Array): boolean {
+  for (let k = 0; k < rows.length; k += ROW) if (!rows.subarray(k + 3, k + ROW).some((one) => Math.abs(one) > SEEN)) return false
+  return true
 }
 
 /** The shapes of a scene; those of other kinds (meshes, height fields) are not drawn. */

@@ -40,6 +40,11 @@ export function isLit(given: unknown): boolean | undefined {
   return Array.isArray(given.lit) ? given.lit.length > 0 : Boolean(given.lit)
 }
 
+/** Paint of the air about a lamp, which shines with it. */
+export const GLOW = 'glow'
+
+export const hasLamp = (world: World | undefined): boolean => world?.shapes.some((shape) => shape.paint === GLOW) === true
+
 /** How many bodies the shapes belong to. */
 export const bodiesOf = (world: World): number => world.shapes.reduce((most, shape) => Math.max(most, shape.body), 0) + 1
 

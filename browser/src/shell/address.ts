@@ -1,18 +1,21 @@
-// The address of the page names what it shows: `#/config/joint_move?task=pd`.
+// The address of the page names what it shows: `#/config/joint_move?task=pd`, `#/appl/assemble`.
 
 export interface Place {
-  config: string
+  kind: 'config' | 'appl'
+  name: string
+  /** The task that is picked in a configuration. */
   task: string
 }
 
 export function read(hash: string): Place | undefined {
-  const found = /^#\/config\/([^?]+)(?:\?(.*))?$/.exec(hash)
+  const found = /^#\/(config|appl)\/([^?]+)(?:\?(.*))?$/.exec(hash) ?? /^#(appl)=([^?]+)$/.exec(hash)
   if (!found) return undefined
-  return { config: decoded(found[1]!), task: new URLSearchParams(found[2] ?? '').get('task') ?? '' }
+  const kind = found[1] === 'appl' ? 'appl' : 'config'
+  return { kind, name: decoded(found[2]!), task: new URLSearchParams(found[3] ?? '').get('task') ?? '' }
 }
 
-export function written({ config, task }: Place): string {
-  return `#/config/${encodeURIComponent(config)}${task ? `?task=${encodeURIComponent(task)}` : ''}`
+export function written({ kind, name, task }: Place): string {
+  return `#/${kind}/${encodeURIComponent(name)}${task ? `?task=${encodeURIComponent(task)}` : ''}`
 }
 
 function decoded(text: string): string {

@@ -3,7 +3,7 @@ import { act } from '../act'
 import { desk } from '../desk.svelte'
 import { here, openDialog } from '../here.svelte'
 import { keep, kept } from '../kept'
-import { show, shownDocument } from './documents.svelte'
+import { goTo, show, shownId, shownOne, type Opened } from './documents.svelte'
 
 const LONGEST = 8
 
@@ -13,27 +13,39 @@ export function remember(path: string): void {
   keep('recent', [path, ...recentPaths().filter((other) => other !== path)].slice(0, LONGEST))
 }
 
-/** Open beside the others, or go to where it is open already; false where it was refused. */
+/** Open a configuration or an application beside the others, or go to where it is open already; false where it was refused. */
 export async function open(path: string): Promise<boolean> {
-  const known = new Set(Object.keys(desk.tree.documents))
-  const value = await act({ t: 'Open', path })
-  const doc = typeof value === 'string' && value in desk.tree.documents ? value : newest(known) ?? byPath(path)
-  if (!doc) return false
-  show(doc)
-  remember(desk.tree.documents[doc]?.path || path)
+  const known = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'Open', path }), known) ?? byPath(path)
+  if (!id) return false
+  show(id)
+  remember(all()[id]?.path || path)
   return true
 }
 
 export async function openBlank(): Promise<void> {
-  const known = new Set(Object.keys(desk.tree.documents))
-  const value = await act({ t: 'New' })
-  const doc = typeof value === 'string' && value in desk.tree.documents ? value : newest(known)
-  if (doc) show(doc)
+  const known = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'New' }), known)
+  if (id) show(id)
 }
 
-const newest = (known: ReadonlySet<string>): string | undefined => Object.keys(desk.tree.documents).find((id) => !known.has(id))
-const byPath = (path: string): string | undefined =>
-  Object.entries(desk.tree.documents).find(([, one]) => one.path === path)?.[0]
+/** A blank application; false where it was refused. */
+export async function openBlankApplication(flows = 1, isParallel = false): Promise<boolean> {
+  const known = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'NewApplication', flows, is_parallel: isParallel }), known)
+  if (id) show(id)
+  return id !== undefined
+}
+
+const all = (): Readonly<Record<string, Opened>> => ({ ...desk.tree.documents, ...desk.tree.applications })
+
+/** What an act has opened: what it answered, else what is new. */
+function opened(answer: unknown, known: ReadonlySet<string>): string | undefined {
+  if (answer === undefined) return undefined
+  return typeof answer === 'string' && answer in all() ? answer : Object.keys(all()).find((id) => !known.has(id))
+}
+
+const byPath = (path: string): string | undefined => Object.entries(all()).find(([, one]) => one.path === path)?.[0]
 
 /** Reconfigure what is shown into another; false where it was refused, or waits for a yes. */
 export async function openInPlace(path: string): Promise<boolean> {
@@ -42,7 +54,15 @@ export async function openInPlace(path: string): Promise<boolean> {
   return true
 }
 
+/** Go to a configuration at the lower level: in the place of one that lives, as in the dissertation; else beside the others. */
+export async function goInto(path: string): Promise<void> {
+  if (here.isUpperOnly) return goTo('tasks') // which is refused, and says why
+  const { connection, tasks = {} } = desk.tree.documents[here.doc] ?? {}
+  if (connection !== 'live' || !Object.keys(tasks).length) await open(path)
+  else if (await openInPlace(path)) show(here.doc)
+}
+
 export function save(): void {
-  if (shownDocument()?.path) void act({ t: 'Save', doc: here.doc })
+  if (shownOne()?.path) void act({ t: 'Save', doc: shownId() })
   else openDialog('saveAs')
 }

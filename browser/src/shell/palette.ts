@@ -11,18 +11,21 @@ export interface Entry {
   label: string
   note?: string
   keys?: string
+  /** Found by these words, too, without showing them. */
+  also?: string
   /** Whether its label is the name of something rather than words. */
   isName?: boolean
   run: () => unknown
 }
 
 export function entries(): Entry[] {
-  return [...commands(), ...placed(), ...tasks(), ...files(), ...variables()]
+  const level = here.level === 'applications' ? [...onikons()] : [...placed(), ...tasks(), ...variables()]
+  return [...commands(), ...level, ...applications(), ...files()]
 }
 
 const commands = (): Entry[] =>
   allCommands().filter((one) => one.id !== 'view.palette' && isAvailable(one)).map((one) => ({
-    id: `c ${one.id}`, kind: t('palette.command'), label: one.title(), run: one.run, ...(one.keys?.[0] ? { keys: one.keys[0] } : {}),
+    id: `c ${one.id}`, kind: t('palette.command'), label: one.title(), run: one.run, ...(one.also ? { also: one.also() } : {}), ...(one.keys?.[0] ? { keys: one.keys[0] } : {}),
   }))
 
 const placed = (): Entry[] =>
@@ -39,8 +42,18 @@ const tasks = (): Entry[] =>
     },
   }))
 
+const onikons = (): Entry[] =>
+  Object.entries(desk.tree.onikons).map(([name, one]) => ({
+    id: `o ${name}`, kind: t('palette.onikon'), label: one.words?.[here.language] ?? (one.description || name), note: name, run: () => reveal(`onikon:${name}`),
+  }))
+
+const applications = (): Entry[] =>
+  Object.values(desk.tree.application_files).map((file) => ({
+    id: `a ${file.path}`, kind: t('palette.application'), label: file.name, note: file.base.split('/').at(-1) ?? '', isName: true, run: () => open(file.path),
+  }))
+
 const files = (): Entry[] =>
-  Object.values(desk.tree.files).map((file) => ({
+  (here.isUpperOnly ? [] : Object.values(desk.tree.files)).map((file) => ({
     id: `f ${file.path}`, kind: t('palette.file'), label: file.name, note: file.base.split('/').at(-1) ?? '', isName: true, run: () => open(file.path),
   }))
 
@@ -60,7 +73,7 @@ const NEVER = 9
 
 function rank(entry: Entry, words: readonly string[]): number {
   const label = entry.label.toLowerCase()
-  const rest = `${label} ${entry.kind} ${entry.note ?? ''}`.toLowerCase()
+  const rest = `${label} ${entry.kind} ${entry.note ?? ''} ${entry.also ?? ''}`.toLowerCase()
   if (!words.every((word) => rest.includes(word))) return NEVER
   const [first = ''] = words
   if (label === words.join(' ')) return 0

@@ -2,6 +2,7 @@
 import { addLine, type Line } from '../log.svelte'
 import { announce } from '../announce'
 import type { Say } from '../api.gen'
+import { heard } from '../texts/heard'
 import { play } from './sounds'
 import { here } from '../here.svelte'
 
@@ -17,7 +18,7 @@ export function say(message: Say): void {
   const line = addLine(message)
   if (line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
   toasts.lines = [...toasts.lines.filter((other) => other.text !== message.text), line].slice(-MOST)
-  announce(message.text)
+  announce(heard(message.text))
   if (here.sounds) play(message.level)
   setTimeout(() => dismiss(line.id), LASTS_MS[message.level])
 }

@@ -1,7 +1,12 @@
 // English. Every text of the page has a name here; the other languages must have the same names.
 import { enCanvas } from './en.canvas'
+import { enDictionary } from './en.dictionary'
+import { enHelp } from './en.help'
+import { enLevels } from './en.levels'
+import { enPerform } from './en.perform'
 import { enShell } from './en.shell'
 import { enStrip } from './en.strip'
+import { enUpper } from './en.upper'
 
-export const en = { ...enShell, ...enCanvas, ...enStrip }
+export const en = { ...enShell, ...enCanvas, ...enStrip, ...enUpper, ...enDictionary, ...enPerform, ...enLevels, ...enHelp }
 export type TextKey = keyof typeof en

@@ -1,12 +1,24 @@
 import { beforeEach, describe, expect, it } from 'vitest'
 import type { AskView, DocumentView } from '../../src/api.gen'
-import { Asks } from '../../src/run/asks.svelte'
+import { asking, Asks, isOfRun } from '../../src/run/asks.svelte'
 
 const ask = (): AskView => ({ items: [] })
-const doc = (asking: Record<string, AskView | undefined>): DocumentView => ({
+const view = (asking: Record<string, AskView | undefined>): DocumentView => ({
   name: 'd',
   order: 1,
   tasks: Object.fromEntries(Object.entries(asking).map(([name, one]) => [name, { x: 0, y: 0, ask: one }])),
+})
+
+const doc = (all: Record<string, AskView | undefined>): Record<string, AskView> => asking(view(all))
+
+describe('who asks', () => {
+  it('are tasks of the document and of the run, which are told apart', () => {
+    const [one, other] = [ask(), ask()]
+    const all = asking(view({ jtraj: one, pd: undefined }), { doc: 'a1', name: 'r', number: 1, asks: { 'flow0/jtraj': other } })
+    expect(all).toEqual({ jtraj: one, 'flow0/jtraj': other })
+    expect(Object.keys(all).map(isOfRun)).toEqual([false, true])
+    expect(asking(undefined, null)).toEqual({})
+  })
 })
 
 describe('questions of tasks (C13)', () => {

@@ -34,3 +34,22 @@ test('a patch out of turn changes nothing', () => {
   expect(applyPatch({ t: 'Patch', rev: 5, changes: [[['clipboard'], 'x']] })).toBe(false)
   expect([desk.rev, desk.tree.clipboard]).toEqual([1, 'pd'])
 })
+
+test('an application is exchanged when something in it changes, and what did not change stays the same', () => { // R-G07
+  patch([['applications', 'a1'], { name: 'one', order: 0, steps: { 1: { name: 'home' }, 2: { name: 'put' } } }])
+  const before = desk.tree.applications.a1!
+  const [first, second] = [before.steps?.[1], before.steps?.[2]]
+  patch([['applications', 'a1', 'steps', '2', 'breaks'], true], [['applications', 'a1', 'steps', '3'], { name: 'up' }], [['applications', 'a1', 'flows', '0'], { steps: [1] }])
+  const now = desk.tree.applications.a1!
+  expect(now).not.toBe(before)
+  expect([now.steps?.[1], now.steps?.[2], now.steps?.[3]]).toEqual([{ name: 'home' }, { name: 'put', breaks: true }, { name: 'up' }])
+  expect(now.steps?.[1]).toBe(first)
+  expect(second).toEqual({ name: 'put' })
+  expect(now.flows).toEqual({ 0: { steps: [1] } })
+  patch([['applications', 'a1', 'steps', '1'], null], [['applications', 'a1', 'steps', '2', 'breaks'], null])
+  expect(desk.tree.applications.a1!.steps).toEqual({ 2: { name: 'put' }, 3: { name: 'up' } })
+  patch([['applications', 'a1'], null], [['onikons', 'home'], { order: 1 }])
+  expect([desk.tree.applications.a1, desk.tree.onikons.home]).toEqual([undefined, { order: 1 }])
+  patch([['onikons', 'home'], null])
+  expect(desk.tree.onikons.home).toBeUndefined()
+})

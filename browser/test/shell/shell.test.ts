@@ -11,15 +11,17 @@ import { wear } from '../../src/shell/theme'
 
 describe('the address of the page', () => {
   test.each([
-    ['#/config/joint_move?task=pd', { config: 'joint_move', task: 'pd' }],
-    ['#/config/joint_move', { config: 'joint_move', task: '' }],
-    ['#/config/a%20b', { config: 'a b', task: '' }],
-    ['#/config/100%', { config: '100%', task: '' }],
+    ['#/config/joint_move?task=pd', { kind: 'config', name: 'joint_move', task: 'pd' }],
+    ['#/config/joint_move', { kind: 'config', name: 'joint_move', task: '' }],
+    ['#/config/a%20b', { kind: 'config', name: 'a b', task: '' }],
+    ['#/config/100%', { kind: 'config', name: '100%', task: '' }],
+    ['#/appl/assemble', { kind: 'appl', name: 'assemble', task: '' }],
+    ['#appl=assemble', { kind: 'appl', name: 'assemble', task: '' }],
   ])('%s', (hash, place) => expect(read(hash)).toEqual(place))
   test.each(['', '#', '#/other/x', '#/config/'])('“%s” names nothing', (hash) => expect(read(hash)).toBeUndefined())
   test('what is written is read', () => {
-    const place = { config: 'a b/ñ?', task: 'Q^_MEZ & co' }
-    expect(read(written(place))).toEqual(place)
+    const places = [{ kind: 'config', name: 'a b/ñ?', task: 'Q^_MEZ & co' }, { kind: 'appl', name: 'two arms', task: '' }] as const
+    for (const place of places) expect(read(written(place))).toEqual(place)
   })
 })
 

@@ -1,4 +1,5 @@
 // R-G03: every text in English and in Spanish, with the same values in it.
+import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { en, type TextKey } from '../../src/texts/en'
 import { es } from '../../src/texts/es'
@@ -22,4 +23,12 @@ test('values are filled in, and what has none stays to be seen', () => {
 
 test('one and many differ', () => {
   expect(['0', '1', '2'].map((n) => fill('{n} task|{n} tasks', { n: Number(n) }))).toEqual(['0 tasks', '1 task', '2 tasks'])
+})
+
+test('no two parts of the page have a text of the same name', () => {
+  const folder = new URL('../../src/texts/', import.meta.url)
+  const names = readdirSync(folder)
+    .filter((file) => /^en\..+\.ts$/.test(file))
+    .flatMap((file) => [...readFileSync(new URL(file, folder), 'utf8').matchAll(/^  '([^']+)':/gm)].map((found) => found[1]!))
+  expect(names.filter((name, k) => names.indexOf(name) !== k)).toEqual([])
 })

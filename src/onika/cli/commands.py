@@ -4,18 +4,21 @@ import argparse
 import sys
 
 from onika import __version__
-from onika.cli import check, console, doctor, icon, new, page, run, runtime, text
+from onika.cli import audit, check, console, doctor, icon, new, page, recording, run, runtime, test, text
 from onika.link.lost import LinkLost
 
 _COMMANDS = {
     "page": page,
     "run": run,
+    "test": test,
     "runtime": runtime,
+    "recording": recording,
     "console": console,
     "check": check,
     "new": new,
     "icon": icon,
     "text": text,
+    "audit": audit,
     "doctor": doctor,
 }
 

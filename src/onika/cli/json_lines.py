@@ -85,6 +85,7 @@ class JsonLines:
                 "skews_us": result.skews_us,
                 "failed": _plain(outcome.failed),
                 "hash": result.hash,
+                "outside": list(result.outside),
                 "printed": outcome.printed,
             }
         if drawn:

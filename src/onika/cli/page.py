@@ -21,7 +21,9 @@ _NEXT = "for another browser:"
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
     parser.set_defaults(complain=parser.error)
-    parser.add_argument("files", nargs="*", metavar="CONF", help="configurations to open, by name or file")
+    parser.add_argument(
+        "files", nargs="*", metavar="FILE", help="configurations and applications to open, by name or file"
+    )
     parser.add_argument(
         "--port", type=int, metavar="N", help=f"the port on this machine ({PORT}, else any that is free)"
     )
@@ -36,6 +38,7 @@ def describe(parser: argparse.ArgumentParser) -> None:
         help="a processing unit of its own runtime; may be given several times (rt0)",
     )  # fmt: skip
     parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
+    parser.add_argument("--upper", action="store_true", help="only the upper level: applications, no tasks")
     parser.add_argument("--no-diary", action="store_true", help="keep no log of what is done")
     add_base(parser)
 
@@ -59,6 +62,7 @@ def carry_out(given: argparse.Namespace) -> int:
         rtpus=tuple(dict.fromkeys(given.rtpu)) or ("rt0",),
         with_fifo=not given.no_fifo,
         has_diary=not given.no_diary,
+        is_upper_only=given.upper,
     )
     program = Program(site_here(given.base), wishes, state_directory())
     shows = not given.no_browser and _has_screen()

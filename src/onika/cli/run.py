@@ -16,16 +16,29 @@ from onika.cli.runtime import script_file
 from onika.cli.scale import scale
 from onika.desk import picture
 from onika.desk.outcome import Outcome
+from onika.desk.recorded import Source
 from onika.desk.run import run
 from onika.desk.settings import Elsewhere, RunSettings
+from onika.desk.trial.keeping import keep_in, unkeepable
 from onika.link.address import Address
 from onika.link.token import read_token
+from onika.model.redirect import Redirect
+from onika.store.site import Site
 from onika.words.condition import Condition
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("application", metavar="NAME|FILE", help="an application by name, or its .appl file")
+    parser.set_defaults(complain=parser.error)
+    parser.add_argument(
+        "application", nargs="?", default="", metavar="NAME|FILE", help="an application by name, or its .appl file"
+    )
+    parser.add_argument("--record", type=_new_file, metavar="RUN.mcap", help="record the run")
+    parser.add_argument(
+        "--from", dest="source", type=Path, metavar="RUN.mcap",
+        help="in place of an application: repeat a recorded run in virtual time",
+    )  # fmt: skip
+    parser.add_argument("--at", type=_instant, metavar="S", help="repeat it up to this instant, and go on from there")
     parser.add_argument("--virtual", action="store_true", help="in virtual time: as fast as it goes, always the same")
     parser.add_argument(
         "--expect", action="append", default=[], type=_expectation, metavar="'LAMP == 1'",
@@ -39,6 +52,9 @@ def describe(parser: argparse.ArgumentParser) -> None:
         help="input for a task that asks, by the input's name; several values with blanks or commas between them",
     )  # fmt: skip
     parser.add_argument("--picture", type=_new_file, metavar="OUT.png", help="draw the workcell at the end")
+    parser.add_argument(
+        "--keep-test", type=_new_file, metavar="OUT.test", help="keep a good run as a test, for `onika test` (virtual)"
+    )
     parser.add_argument("--json", action="store_true", help="one JSON object per line, the result last")
     parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="of the tasks' random numbers (0)")
     parser.add_argument(
@@ -60,6 +76,10 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--subsystem", action="append", default=[], metavar="NAME", help="a name for the next flow's subsystem (flow0)"
     )
+    parser.add_argument(
+        "--redirect", action="append", default=[], type=_redirect, metavar="[FLOW:]TASK=TASK",
+        help="another task in place of one, in one flow (0, 1 …) or in all: puma=scara; may be given several times",
+    )  # fmt: skip
     parser.add_argument("--script", type=script_file, metavar="FILE", help="lines that steer the run")
     parser.add_argument(
         "--on-error", choices=("abort", "wait"),
@@ -74,13 +94,17 @@ def describe(parser: argparse.ArgumentParser) -> None:
 
 def carry_out(given: argparse.Namespace) -> int:
     """Run it."""
+    if bool(given.application) == (given.source is not None):
+        given.complain("expected an application, or --from a recording")
+    if given.at is not None and given.source is None:
+        given.complain("expected --from a recording together with --at")
     if given.json:
         watcher: JsonLines | Live | Plain = JsonLines()
     else:
         watcher = Live() if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb" else Plain()
     settings = RunSettings(
         name=given.application,
-        is_virtual=given.virtual or given.scale is not None,
+        is_virtual=given.virtual or given.scale is not None or given.source is not None,
         expectations=tuple(given.expect),
         settle_s=given.settle,
         seed=given.seed,
@@ -93,13 +117,30 @@ def carry_out(given: argparse.Namespace) -> int:
         on_loss=given.on_loss,
         on_error=given.on_error or ("wait" if watcher.can_steer or given.script is not None else "abort"),
         script=given.script,
+        redirects=tuple(given.redirect),
+        record=given.record,
+        source=None if given.source is None else Source(given.source, given.at),
         elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token or "", given.ca),
     )
+    objection = "" if given.keep_test is None else unkeepable(settings, given.keep_test)
+    if objection:
+        given.complain(f"--keep-test: {objection}")
     with in_order(), watcher:
         outcome = run(settings, site_here(given.local), watcher)
     drawn = _draw(outcome, given.picture) if given.picture is not None else ""
     watcher.ended(outcome, drawn)
+    if given.keep_test is not None and outcome.exit_code == 0:
+        return _keep(given.keep_test, settings, site_here(given.local), outcome)
     return outcome.exit_code
+
+
+def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> int:
+    """Keep the run as a test; told on the error output, as JSON lines may go to the other one."""
+    seen = outcome.result.hash if outcome.result is not None else ""
+    with in_order():
+        is_kept, told = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen)
+    sys.stderr.write("".join(f"{'test' if is_kept else 'no test'}: {line}\n" for line in told))
+    return 0 if is_kept else 1
 
 
 def _is_terminal(stream: TextIO | None) -> bool:
@@ -127,6 +168,13 @@ def _joined(answers: list[tuple[str, str, str]]) -> tuple[tuple[str, str, str], 
 def _expectation(text: str) -> Condition:
     try:
         return Condition.parse(text)
+    except ValueError as wrong:
+        raise argparse.ArgumentTypeError(str(wrong)) from None
+
+
+def _redirect(text: str) -> Redirect:
+    try:
+        return Redirect.parse(text)
     except ValueError as wrong:
         raise argparse.ArgumentTypeError(str(wrong)) from None
 
@@ -159,6 +207,16 @@ def _seconds(text: str) -> float:
         seconds = -1.0
     if not 0.0 <= seconds <= 3600.0:
         raise argparse.ArgumentTypeError(f"expected seconds from 0 to 3600, found {text!r}")
+    return seconds
+
+
+def _instant(text: str) -> float:
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = -1.0
+    if not 0.0 <= seconds <= 1e6:
+        raise argparse.ArgumentTypeError(f"expected seconds from 0 to 1000000, found {text!r}")
     return seconds
 
 

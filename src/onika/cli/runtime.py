@@ -13,6 +13,8 @@ from onika.desk.runtime import Runtime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
 
+SHORTEST_S, LONGEST_S = 0.3, 3.0
+"""Three beats; and after three seconds a session is lost altogether."""
 _LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
 
 
@@ -37,6 +39,14 @@ def describe(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--users", metavar="FILE", help="who may connect: lines of name, role, SHA-256 of a token")
     parser.add_argument("--name", action="append", default=[], metavar="HOST", help="another name of this machine")
     parser.add_argument("--accept-code", action="store_true", help="take modules from other machines, too")
+    parser.add_argument(
+        "--audit",
+        metavar="FILE",
+        help="where commands and changes of holder are written down (~/.local/state); off: nowhere",
+    )
+    parser.add_argument(
+        "--lease", type=lease, metavar="SECONDS", help="after how long a silent holder holds nothing any more (1.0)"
+    )
     parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
     add_base(parser)
 
@@ -50,7 +60,7 @@ def carry_out(given: argparse.Namespace) -> int:
     site = site_here(given.base)
     scaled = () if given.scale is None else ("--scale", f"{given.scale:g}")
     is_virtual = given.virtual or given.scale is not None
-    launched = Runtime(rtpus, is_virtual, not given.no_fifo, (*listen, *scaled))
+    launched = Runtime(rtpus, is_virtual, not given.no_fifo, (*listen, *scaled, *_held(given)))
     with ExitStack() as stack:
         try:
             runtime = stack.enter_context(launched)
@@ -89,6 +99,23 @@ def _listen(given: argparse.Namespace) -> tuple[str, ...]:
     if words:
         given.complain(f"expected --listen HOST:PORT with {words[0]}, found none")
     return ()
+
+
+def _held(given: argparse.Namespace) -> tuple[str, ...]:
+    """The words about who holds what, and where that is written down."""
+    audit = () if given.audit is None else ("--audit", given.audit)
+    return audit if given.lease is None else (*audit, "--lease", f"{given.lease:g}")
+
+
+def lease(text: str) -> float:
+    """A time-out of holders; raises ArgumentTypeError for what is none."""
+    try:
+        seconds = float(text)
+    except ValueError:
+        seconds = 0.0
+    if not SHORTEST_S <= seconds <= LONGEST_S:
+        raise argparse.ArgumentTypeError(f"expected {SHORTEST_S:g} to {LONGEST_S:g} seconds, found {text!r}")
+    return seconds
 
 
 def unit(text: str) -> str:

@@ -113,5 +113,7 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
         yield f"expect {one.text}: " + ("yes" if holds else f"NO, found {'nothing' if value is None else value}")
     if result.hash:
         yield f"hash: {result.hash}"
+    if result.outside:
+        yield f"not reproducible: {', '.join(result.outside)} had to do with the outside"
     if drawn:
         yield drawn

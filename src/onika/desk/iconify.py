@@ -73,7 +73,8 @@ def iconify(
         return lent
     said = description if description is not None else former.value.description if former else ""
     shown = lent or (former.value.picture if former else drawn(found.name))
-    onikon = Onikon(found.name, kind.type, " ".join(said.split()), (), shown, kind.more_targets)
+    words = former.value.words if former and former.value.description == said else ()
+    onikon = Onikon(found.name, kind.type, " ".join(said.split()), (), shown, kind.more_targets, words)
     saved = found.home.save_onikon(onikon, former, overwrites=replaces)
     return (saved,) if isinstance(saved, Refusal) else Made(saved.path, onikon, faults)
 

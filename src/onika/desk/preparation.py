@@ -1,16 +1,21 @@
 """Preparing a run: from a name or file to a plan, with every fault that needs no runtime to be seen (E01)."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from onika.desk import redirection
 from onika.desk.compile import Compiler
-from onika.model.application import Application
+from onika.model.application import Application, without_breakpoints
+from onika.model.redirect import Redirect
 from onika.model.rules import meetings, readiness, warning
 from onika.model.rules.union import tasks_of
-from onika.store.program import Program, load
+from onika.model.syntax import Syntax
+from onika.store.opened import Faults
+from onika.store.program import Program, gather, home_of, joined, load
 from onika.store.site import Site
 from onika.wire.plan import Plan
-from onika.wire.request import TargetValues
+from onika.wire.request import FaultText, TargetValues
 from onika.words.fault import Fault, Place, parted
 
 
@@ -26,10 +31,15 @@ class PreparedRun:
     notes: tuple[Fault, ...] = ()
     """What is worth knowing and forbids nothing: what files were read with, inputs that nobody writes, names that
     stand twice."""
+    program: Program | None = None
+    """All that was read."""
 
 
-def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
-    """Read an application and all it needs, judge it by every rule, compile what is there."""
+def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = ()) -> PreparedRun:
+    """Read an application and all it needs, judge it by every rule, compile what is there.
+
+    redirects   the tasks that stand for others; the application's file is as it was
+    """
     path = site.application_file(name_or_path)
     if path is None:
         known = sorted({name for base in site.directories for name in base.applications})
@@ -42,7 +52,40 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
     program, read = load(path, site, syntax)
     if program is None:
         return _nothing(name_or_path, (*faults, *read))
-    place = Place(str(path))
+    return _judged(program, syntax, Place(str(path)), home_of(path, site), faults, redirects)
+
+
+def prepare(
+    application: Application,
+    place: Place,
+    home: Site,
+    syntax: Syntax,
+    *,
+    passes_breakpoints: bool = False,
+    redirects: Sequence[Redirect] = (),
+) -> PreparedRun:
+    """Judge and compile an application that is there already, with all that it needs read from `home`.
+
+    place   what stands for its file in faults and in the plan
+    """
+    program = gather(application, home, syntax)
+    if passes_breakpoints:
+        nested = {name: without_breakpoints(one) for name, one in program.applications.items()}
+        program = replace(program, application=without_breakpoints(application), applications=nested)
+    return _judged(program, syntax, place, home, (), redirects)
+
+
+def fault_of(told: FaultText) -> Fault:
+    """A fault that a runtime has found."""
+    place = Place(told.file, told.line)
+    return Fault(place, told.expected, told.found, told.instead, where=told.where, remedies=told.remedies)
+
+
+def _judged(
+    program: Program, syntax: Syntax, place: Place, home: Site, faults: Faults, redirects: Sequence[Redirect]
+) -> PreparedRun:
+    program = joined(program, sorted({one.new for one in redirects}), home)
+    sound = redirection.sound(redirects, program)
     judged = readiness.faults(
         program.application,
         syntax,
@@ -52,16 +95,21 @@ def prepare_run(name_or_path: str, site: Site) -> PreparedRun:
         applications=program.applications,
         files=program.files,
         unread=program.unread,
+        redirects=sound,
     )
-    folder = path.absolute().parent
-    home = site.at(folder.parent) if folder.name == "appl" else site
     places = _places(program, home)
-    compiler = Compiler(program, syntax, place, places, lambda name: str(home.application_file(name) or name))
+
+    def file_of(name: str) -> str:
+        return str(home.application_file(name) or name)
+
+    compiler = Compiler(program, syntax, place, places, file_of, sound)
     plan = compiler.plan()
+    found_later = (*compiler.faults, *redirection.faults(redirects, plan, program))
     met = meetings.findings(plan)
     told = _notes(program, home, places)
-    found, notes = parted((*faults, *program.faults, *judged, *compiler.faults, *met, *told, *site.absent()))
-    return PreparedRun(program.application.name, program.application, plan, tuple(compiler.targets), found, notes)
+    found, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *told, *home.absent()))
+    name = program.application.name
+    return PreparedRun(name, program.application, plan, tuple(compiler.targets), found, notes, program)
 
 
 def _notes(program: Program, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:

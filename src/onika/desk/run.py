@@ -5,20 +5,22 @@ from contextlib import contextmanager
 from dataclasses import replace
 from typing import Protocol
 
-from msgspec import structs
-
 from onika.desk import script
 from onika.desk.cast import Cast
 from onika.desk.compile import rtpus_of
 from onika.desk.interruption import Interruption
 from onika.desk.outcome import Outcome
-from onika.desk.preparation import PreparedRun, prepare_run
+from onika.desk.preparation import PreparedRun, fault_of, prepare_run
 from onika.desk.prompter import Prompter
+from onika.desk.recorded import RecordedRun, recorded_run
+from onika.desk.rehousing import chiefs, rehoused
 from onika.desk.running import Running
 from onika.desk.runtime import Conversation, Reached, Runtime, connect
 from onika.desk.script import Cue
 from onika.desk.settings import RunSettings
+from onika.desk.substitutes import with_substitutes
 from onika.link.lost import LinkLost
+from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
@@ -26,6 +28,7 @@ from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
+_RECORD = Place("--record")
 _LOOK_S = 0.05
 """How long a Ctrl-C, or a key, waits at most."""
 
@@ -67,6 +70,14 @@ class Watcher(Protocol):
         ...
 
 
+class NotRun(ValueError):
+    """An application is refused; `faults` are the reasons, all of them."""
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        super().__init__("; ".join(map(str, faults)))
+        self.faults = tuple(faults)
+
+
 @contextmanager
 def start(settings: RunSettings, site: Site) -> Iterator[Running]:
     """Begin an application, to be steered from a program; a run that goes on at the end of the block is aborted.
@@ -76,7 +87,7 @@ def start(settings: RunSettings, site: Site) -> Iterator[Running]:
     outcome = Outcome(settings.name)
     with _open(settings, site, outcome, is_held=settings.is_virtual) as opened:
         if opened is None:
-            raise ValueError("; ".join(map(str, outcome.faults)))
+            raise NotRun(outcome.faults)
         running, _ = opened
         running.begin()
         try:
@@ -106,7 +117,16 @@ def _open(
     settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
 ) -> Iterator[tuple[Running, tuple[Cue, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
-    prepared = prepare_run(settings.name, site)
+    recorded = None if settings.source is None else recorded_run(settings.source)
+    if isinstance(recorded, RecordedRun):
+        prepared = recorded.prepared
+        outcome.notes += recorded.notes
+    elif recorded is not None:
+        outcome.faults += recorded
+        yield None
+        return
+    else:
+        prepared = prepare_run(settings.name, site, _by_number(settings))
     outcome.name = prepared.name
     outcome.faults += prepared.faults
     outcome.notes += [str(note) for note in prepared.notes]
@@ -118,14 +138,19 @@ def _open(
     outcome.actions = sum(len(flow.actions) for flow in plan.flows)
     cues, faults = ((), []) if settings.script is None else script.load(settings.script, Cast.of(plan))
     outcome.faults += faults
-    with _runtime(settings, plan) as runtime:
+    outcome.faults += _unrecorded(settings)
+    if any(settings.elsewhere is not None and one.place == _RECORD for one in outcome.faults):
+        yield None
+        return
+    with _runtime(settings, plan, recorded) as runtime:
         _prepare(prepared, plan, runtime, outcome)
+        outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
         outcome.faults += _unheard_of(settings.expectations, plan)
         if outcome.faults:
             yield None
         else:
             can_hold = is_held and (settings.elsewhere is None or _is_virtual(runtime))
-            yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold), cues
+            yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold, recorded=recorded), cues
 
 
 def _follow(running: Running, prompter: Prompter, watcher: Watcher) -> None:
@@ -170,26 +195,35 @@ def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
     """The plan in subsystems of these names, one for each flow that is not nested; none: of its own."""
     if not names:
         return plan
-    chief = [flow.subsystem for flow in plan.flows if flow.parent is None]
+    chief = chiefs(plan)
     if len(set(names)) != len(chief):
         expected = f"{len(chief)} different names, one for each flow"
         outcome.faults.append(Fault(Place("--subsystem"), expected, " ".join(names), "nothing is run"))
         return plan
-    new = dict(zip(chief, names, strict=False))
-
-    def renamed(subsystem: str) -> str:
-        first, dot, rest = subsystem.partition(".")
-        return new.get(first, first) + dot + rest
-
-    return structs.replace(
-        plan, flows=tuple(structs.replace(one, subsystem=renamed(one.subsystem)) for one in plan.flows)
-    )
+    return rehoused(plan, dict(zip(chief, names, strict=False)))
 
 
-def _runtime(settings: RunSettings, plan: Plan) -> Runtime | Reached:
+def _by_number(settings: RunSettings) -> tuple[Redirect, ...]:
+    """Redirections whose flows are called by the names that they are given here."""
+    numbers = {name: str(number) for number, name in enumerate(settings.subsystems)}
+    return tuple(replace(one, flow=numbers.get(one.flow, one.flow)) for one in settings.redirects)
+
+
+def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
+    """Why no recording can be made there."""
+    if settings.record is None or settings.elsewhere is None:
+        return ()
+    found = f"one that runs already, at {settings.elsewhere.url}: values at write rate do not go over the link"
+    return (Fault(_RECORD, "a runtime that is launched here", found, "nothing is run"),)
+
+
+def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> Runtime | Reached:
+    if recorded is not None:
+        return Runtime(recorded.run.rtpus, True, False, recorded.run.options)
     if settings.elsewhere is not None:
         return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
-    options = () if settings.scale is None else ("--scale", f"{settings.scale:g}")
+    given = {"--scale": settings.scale, "--shake": settings.shake}
+    options = tuple(word for key, value in given.items() if value is not None for word in (key, f"{value:.15g}"))
     return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
 
 
@@ -201,7 +235,7 @@ def _is_virtual(runtime: Conversation) -> bool:
 def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: Outcome) -> None:
     answer = runtime.ask(request.Prepare(plan, prepared.targets))
     if isinstance(answer, request.Prepared):
-        outcome.faults += [fault for fault in map(_fault, answer.faults) if fault not in outcome.faults]
+        outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
         outcome.notes += answer.notes
     elif isinstance(answer, request.Refused):
         outcome.faults.append(Fault(Place("the runtime"), "a plan that it takes", answer.reason, "nothing is run"))
@@ -217,7 +251,3 @@ def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
             expected = "a variable that some task reads or writes"
             faults.append(Fault(Place("--expect"), expected, one.address, "nothing is run"))
     return faults
-
-
-def _fault(text: request.FaultText) -> Fault:
-    return Fault(Place(text.file, text.line), text.expected, text.found, text.instead)

@@ -19,6 +19,7 @@ from onika.desk.cast import Cast
 from onika.desk.objection import GOES_ON, objection
 from onika.desk.outcome import Outcome
 from onika.desk.preparation import PreparedRun
+from onika.desk.recorded import RecordedRun
 from onika.desk.runtime import Conversation
 from onika.desk.settings import RunSettings
 from onika.desk.steering import Act, Expect, Look, Order, Wait
@@ -27,6 +28,7 @@ from onika.desk.whereabouts import Whereabouts
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
+from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
 Faults = tuple[Fault, ...]
@@ -52,6 +54,7 @@ class Running:
         outcome: Outcome,
         *,
         is_held: bool,
+        recorded: RecordedRun | None = None,
         clock: Callable[[], float] = monotonic,
     ) -> None:
         self.prepared = prepared
@@ -64,6 +67,7 @@ class Running:
         self.stands = False
         """Whether the clock of a held run stands."""
         self._settings = settings
+        self._recorded = recorded
         self._runtime = runtime
         self._clock = clock
         self._began = clock()
@@ -94,12 +98,19 @@ class Running:
 
     def is_stuck(self) -> bool:
         """Whether no flow goes on by itself: only somebody who steers can help."""
-        if not self.whereabouts.is_stuck or self.whereabouts.is_asking:
+        if not self.whereabouts.is_stuck or self.whereabouts.is_asking or self._is_repeating():
             return False
         heard = [(one.state, one.action) for one in self.whereabouts.spots.values()]
         told = {one.subsystem: (one.state, one.action) for one in self.who()}
         # what was heard may be overtaken already by what the last order did
         return not told or heard == [told.get(name) for name in self.whereabouts.spots]
+
+    def _is_repeating(self) -> bool:
+        """Whether a recorded run has not come yet to the instant from which it goes on by itself."""
+        if self._recorded is None:
+            return False
+        answer = self._runtime.ask(live.Survey())
+        return isinstance(answer, live.Standing) and self._recorded.is_before(answer.now_s)
 
     def who(self) -> tuple[steer.Position, ...]:
         """Where every flow is, and who waits for whom (X03); none where the runtime does not say."""
@@ -117,12 +128,18 @@ class Running:
             raise ValueError(f"expected a value of {address}, found {answer}")
         return answer.values[name]
 
+    def sheets(self) -> dict[str, ModuleSheet]:
+        """What the modules of its tasks declare, each by the digest of its code."""
+        answer = self._runtime.ask(live.Describe(self.plan.code))
+        return answer.sheets if isinstance(answer, live.Described) else {}
+
     # -- what happens
 
     def begin(self) -> None:
         """Begin it; where the runtime will not, it is over, with the cause."""
         self._began = self._clock()
-        answer = self._runtime.ask(self._settings.begin(is_held=self.is_held))
+        asked = self._settings.begin(is_held=self.is_held)
+        answer = self._runtime.ask(asked if self._recorded is None else self._recorded.begin(asked))
         if isinstance(answer, request.Refused):
             self.lose(answer.reason)
         elif self.is_held:
@@ -215,6 +232,8 @@ class Running:
 
     def answer(self, asked: event.Asked, line: str | None) -> None:
         """Answer a task that asks; None ends the run."""
+        if self._recorded is not None and self._recorded.is_before(asked.at_s):
+            return
         self.whereabouts.is_asking = False
         cause = f"task {asked.task} asks for input and nobody answers"
         self._runtime.ask(request.Abort(cause) if line is None else request.Reply(asked.subsystem, asked.task, line))

@@ -21,6 +21,7 @@ from onika.link.token import read_token, token_path
 from onika.wire import event, live, request
 
 _PATIENCE_S = 60.0
+_PRINTED = "; it printed last: "
 _AWAY_NS = 10 * 1_000_000_000
 """How long a link to another machine may be cut before it is given up."""
 _AGAIN = (
@@ -194,7 +195,7 @@ class Runtime(Conversation):
         code = self._child.wait(0.5)
         how = "" if code is None else f"; it {_ended(code)}"
         printed = self._child.tail().strip()
-        said = f"; it printed last: {printed[-2000:]}" if printed else ""
+        said = f"{_PRINTED}{printed[-2000:]}" if printed else ""
         return LinkLost(cause, f"the runtime is gone: {lost}{how}{said}")
 
 
@@ -229,6 +230,11 @@ def connect(url: str, token: str = "", ca: Path | None = None) -> Reached:
     """
     address = Address.parse(url)
     return Reached(Opening(address, token or _token(address), ca))
+
+
+def in_short(reason: str) -> str:
+    """Why a runtime is gone, without what it printed last: that is for who looks closer."""
+    return reason.partition(_PRINTED)[0]
 
 
 def _token(address: Address) -> str:

@@ -5,7 +5,7 @@ What is at fault is passed over here: readiness tells it, and nothing runs.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from onika.model.application import Action, AppFlow, Application, Branch, Icon, actions, wanted_targets
@@ -24,6 +24,8 @@ class Doing:
     file: str
     within: tuple[str, ...]
     is_noop: bool
+    spot: tuple[int, ...] = ()
+    """Its line, behind those of the icons that run the applications around it, outermost first."""
 
 
 @dataclass(slots=True)
@@ -56,6 +58,8 @@ class _Context:
     fills: Mapping[str, Icon]
     scope: str | None
     """The instance of the parallel application whose flow it is; None: its tags meet nobody (decision 27)."""
+    spot: tuple[int, ...] = ()
+    """The lines of the icons that run the applications around it."""
 
 
 class Sequencer:
@@ -85,7 +89,7 @@ class Sequencer:
         line = self.lines[number]
         every = actions(flow, self._syntax)
         doing = {action.position: action for action in every}
-        found = loops(flow, every)
+        found = [one for one in loops(flow, every) if doing.keys() >= {one.start, one.end}]  # not at a stray target
         rounds = _Rounds(line, [(self._unique(_join(context, loop.tag)), loop) for loop in found])
         for position, step in enumerate(flow.steps):
             if isinstance(step, Branch):
@@ -105,7 +109,8 @@ class Sequencer:
             self._count += 1
             line.put(Do(len(line.doings)))
             is_noop = kind is not None and kind.is_noop
-            line.doings.append(Doing(icon, targets, context.file, context.within, is_noop))
+            spot = (*context.spot, icon.line)
+            line.doings.append(Doing(icon, targets, context.file, context.within, is_noop, spot))
             line.put(*([Rest(len(line.doings) - 1, icon.marker_if)] if icon.marker else []))
             return
         self._nested(number, icon, targets, context)
@@ -119,7 +124,8 @@ class Sequencer:
         fills = {plain_type(one.onikon.type): one for one in targets}
         is_parallel = application.is_parallel and len(application.flows) > 1
         scope = self._unique(_join(context, name)) if is_parallel else None
-        inner = _Context(self._file_of(name), (*context.path, name), (*context.within, name), fills, scope)
+        spot = (*context.spot, icon.line)
+        inner = _Context(self._file_of(name), (*context.path, name), (*context.within, name), fills, scope, spot)
         if is_parallel:
             self._parallel(number, application, inner)
         elif len(application.flows) == 1:
@@ -128,10 +134,12 @@ class Sequencer:
             self._branch(number, application.flows, (), inner, name)
 
     def _branch(
-        self, number: int, flows: Iterable[AppFlow], conditions: tuple[str, ...], context: _Context, name: str
+        self, number: int, flows: Sequence[AppFlow], conditions: tuple[str, ...], context: _Context, name: str
     ) -> None:
-        """One of several flows, then on behind them all."""
+        """One of several flows, then on behind them all; nothing where there is none."""
         line = self.lines[number]
+        if not flows:
+            return
         choice = line.here
         line.put(Choose((choice,)))  # where to is known when all are in line
         to, ends = [], []

@@ -3,6 +3,8 @@
 from dataclasses import dataclass
 from pathlib import Path
 
+from onika.desk.recorded import Source
+from onika.model.redirect import Redirect
 from onika.wire import request
 from onika.words.condition import Condition
 
@@ -40,8 +42,18 @@ class RunSettings:
     """What becomes of the run when this program is gone: `stop`, `finish` the current actions and pause, `run` on."""
     on_error: str = "abort"
     """When a task that is not passive fails: `abort`, or `wait` until somebody clears it, skips or aborts."""
+    redirects: tuple[Redirect, ...] = ()
+    """The tasks that stand for others; the application's file stays as it is."""
     script: Path | None = None
     """A file of lines that steer the run (`desk.script`)."""
+
+    shake: int | None = None
+    """In virtual time: a seed from which the things of the worlds are put a little elsewhere."""
+
+    record: Path | None = None
+    """The file of a recording to be made."""
+    source: Source | None = None
+    """A recording that is repeated up to an instant; its application, seed and answers count."""
 
     def begin(self, *, is_held: bool) -> request.Begin:
         """What a runtime is asked.
@@ -57,4 +69,5 @@ class RunSettings:
             on_loss=self.on_loss,
             on_error=self.on_error,
             is_held=is_held,
+            record="" if self.record is None else str(self.record.absolute()),
         )

@@ -60,7 +60,7 @@ class Verb:
 
 def act(line: str, cast: Cast) -> Act:
     """What a line means for these flows; raises ValueError that says what was expected and found."""
-    name, *words = line.split()
+    name, *words = line.split() or [""]
     verb = VERBS.get(name)
     if verb is None:
         raise ValueError(f"expected one of {', '.join(VERBS)}, found {name!r}")

@@ -1,6 +1,6 @@
 """The application file, `.appl` (dissertation §A.4)."""
 
-from onika.files.flow import HEADS, has_extensions, read_flows, write_flow
+from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
 from onika.files.layout import carry_comments
 from onika.files.line import Need, Reading, Slot, row, split
 from onika.files.version import EXTENDED, VERSION
@@ -21,10 +21,25 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
     Start and end icons are left out (decision 46), adjacent holes are one (decision 33), the marks of a target go to
     its job (decision 24).
     """
+    found, reading = _read(text, name, place_file, syntax)
+    return (None if reading.broken else found), reading.faults
+
+
+def salvage(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, tuple[Fault, ...]]:
+    """The same as far as the text can be read, also with faults: an icon that cannot leaves a hole with its lines.
+
+    None where there is no flow, where branches stand within each other too deep, and where the text is of a newer
+    version. Never to be run.
+    """
+    found, reading = _read(text, name, place_file, syntax)
+    return (None if found is None or depth(found.flows) > DEEPEST else found), reading.faults
+
+
+def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, Reading]:
     reading = Reading(place_file, "the application is left out")
     reading.open_versioned(text, extended=True)
     if reading.is_over:
-        return None, reading.faults
+        return None, reading
     head, *blocks = split(reading.lines, HEADS)
     found = reading.arrange(head, _HEAD)
     kinds = {"parallel": True, "conditional": False}
@@ -32,7 +47,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
     flows = read_flows(blocks, syntax, reading)
     if not flows:
         reading.fault(reading.end, "at least one FLOW", "none")
-    return (None if reading.broken else Application(name, is_parallel, flows)), reading.faults
+    return (Application(name, is_parallel, flows) if flows else None), reading
 
 
 def write(application: Application, former: str = "") -> str:

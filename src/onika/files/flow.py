@@ -37,7 +37,16 @@ def write_flow(flow: AppFlow, condition: str = "") -> str:
 def has_extensions(flow: AppFlow) -> bool:
     """Whether its lines are of version 2.0."""
     steps = [step for _, inner in flows_within(flow, "") for step in inner.steps]
-    return any(isinstance(step, Branch) or (isinstance(step, Icon) and is_extended(step)) for step in steps)
+    return any(isinstance(step, Branch) or is_extended(step) for step in steps)
+
+
+def depth(flows: Sequence[AppFlow]) -> int:
+    """How many branches stand within each other."""
+    found = -1
+    while flows:
+        flows = [one for flow in flows for step in flow.steps if isinstance(step, Branch) for one in step.flows]
+        found += 1
+    return max(found, 0)
 
 
 def _show(step: Step) -> str:
@@ -190,5 +199,5 @@ def _settled(steps: list[Step], syntax: Syntax, reading: Reading) -> AppFlow:
             job, target = steps[action.position], steps[at]
             if isinstance(job, Icon) and isinstance(target, Icon):
                 steps[action.position], steps[at] = marked(job, target, reading)
-    kept = [step for at, step in enumerate(steps) if not (isinstance(step, Hole) and at and steps[at - 1] == step)]
+    kept = [step for at, step in enumerate(steps) if not (step == Hole() and at and steps[at - 1] == step)]
     return AppFlow(tuple(kept))

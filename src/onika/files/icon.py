@@ -1,8 +1,10 @@
 """The lines that describe an onikon in `.onk` and `.appl` alike: ONIKON, DESC, UI, PICT (dissertation §A.3, §A.4).
 
-Of version 2.0 are the lines TARGET: the types of the further targets of an action, in their order.
+Of version 2.0 are the lines TARGET, the types of the further targets of an action in their order, and DESCIN, the
+description in another language behind its code: `DESCIN es abre la mano`.
 """
 
+import re
 from collections.abc import Mapping, Sequence
 
 from onika.files.line import Line, Need, Reading, Slot, one_line, row, show
@@ -16,9 +18,12 @@ SLOTS = (
     Slot("ONIKON"),
     Slot("TARGET", Need.OF_2_0, many=True),
     Slot("DESC", Need.SINCE_1_3),
+    Slot("DESCIN", Need.OF_2_0, many=True),
     Slot("UI", many=True),
     Slot("PICT", many=True),
 )
+
+_LANGUAGE = re.compile(r"[a-z]{2,3}(?:-[A-Za-z0-9]+)*\Z")
 
 Values = tuple[tuple[Value, ...], ...]
 
@@ -39,7 +44,8 @@ def read_icon(name: str, found: Mapping[str, list[Line]], syntax: Syntax, readin
     is_own = syntax.find(line.text) is not None
     description = found["DESC"][0].text if found["DESC"] else ""
     more = tuple(_target(target, kind, is_own, syntax, reading) for target in found["TARGET"])
-    return Onikon(name, kind.name if is_own else line.text, description, values, picture, more)
+    words = _words_in(found["DESCIN"], reading)
+    return Onikon(name, kind.name if is_own else line.text, description, values, picture, more, words)
 
 
 def write_icon(onikon: Onikon) -> str:
@@ -49,6 +55,7 @@ def write_icon(onikon: Onikon) -> str:
         row("ONIKON", one_line(onikon.type))
         + "".join(row("TARGET", one_line(kind)) for kind in onikon.more_targets)
         + row("DESC", one_line(onikon.description))
+        + "".join(row("DESCIN", language, one_line(text)) for language, text in onikon.words)
         + "".join(row("UI", text) for text in values)
         + "".join(row("PICT", text) for text in onikon.picture.rows)
     )
@@ -77,7 +84,21 @@ def _target(line: Line, kind: IconType, is_own: bool, syntax: Syntax, reading: R
 
 def needs_extension(onikon: Onikon) -> bool:
     """Whether its lines are of version 2.0."""
-    return bool(onikon.more_targets)
+    return bool(onikon.more_targets or onikon.words)
+
+
+def _words_in(lines: Sequence[Line], reading: Reading) -> tuple[tuple[str, str], ...]:
+    """The description in other languages, each once."""
+    found: dict[str, str] = {}
+    for line in lines:
+        language, _, text = line.text.partition(" ")
+        if not _LANGUAGE.match(language) or not text:
+            reading.fault(line.number, "the code of a language and a description after DESCIN", str(line))
+        elif language in found:
+            reading.fault(line.number, f"DESCIN {language} once", f"{line} again")
+        else:
+            found[language] = text
+    return tuple(found.items())
 
 
 def _values(lines: Sequence[Line], kind: IconType, reading: Reading) -> Values:
@@ -101,7 +122,7 @@ def _elements(line: Line, item: DataItem, reading: Reading) -> tuple[Value, ...]
     except ValueError as error:
         reading.fault(line.number, *_halves(error))
         return ()
-    if len(words) != item.count:
+    if not item.takes(len(words)):
         expected = f"{item.count} elements of type {item.type.value} for {item.name}"
         reading.fault(line.number, expected, f"{len(words)} in {line}")
     values: list[Value] = []
@@ -110,7 +131,7 @@ def _elements(line: Line, item: DataItem, reading: Reading) -> tuple[Value, ...]
             values.append(item.type.parse(word))
         except ValueError as error:
             reading.fault(line.number, *_halves(error))
-    return tuple(values)
+    return tuple(values) if len(values) == len(words) else ()  # fewer would be others
 
 
 def _words(line: Line, item: DataItem) -> list[str]:

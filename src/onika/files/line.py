@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass
 from enum import Enum
-from typing import TypeVar
+from typing import NamedTuple, TypeVar
 
 from onika.files import version
 from onika.words.fault import Fault, Place
@@ -16,12 +16,13 @@ from onika.words.fault import Fault, Place
 _T = TypeVar("_T")
 _BLANK = re.compile(r"[ \t]+")
 _CONTROL = re.compile(r"[\x00-\x08\x0a-\x1f\x7f-\x9f]")
+_STRANGE = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+"""A control sign that is no blank and ends no line: where a text has none, none of its lines has to be looked at."""
 _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
 _WHOLE = re.compile(r"[+-]?[0-9]{1,18}\Z")
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(NamedTuple):
     """One line that is no comment: its number from 1, its keyword and what follows, with inner blanks as they are."""
 
     number: int
@@ -271,13 +272,16 @@ def show(text: str) -> str:
 def _content(text: str, reading: Reading) -> list[Line]:
     """The lines that are no comments; signs that no text file holds are reported."""
     found = []
+    is_clean = _STRANGE.search(text) is None
     for number, raw in enumerate(text.removeprefix("\ufeff").split("\n"), start=1):
         line = raw.removesuffix("\r")
-        if _CONTROL.search(line):
+        if not is_clean and _CONTROL.search(line):
             reading.fault(number, "printable text", show(line))
             line = _CONTROL.sub("", line)
         line = line.strip(" \t")
         if line and not line.startswith("#"):
-            keyword, *rest = _BLANK.split(line, maxsplit=1)
-            found.append(Line(number, keyword, rest[0] if rest else ""))
+            keyword, _, rest = line.partition(" ")
+            if "\t" in keyword:
+                keyword, rest = _BLANK.split(line, maxsplit=1)
+            found.append(Line(number, keyword, rest.lstrip(" \t")))
     return found

@@ -4,11 +4,12 @@ import re
 from collections.abc import Sequence
 
 from onika.files.line import Reading, show
-from onika.model.picture import BLACK, SIZE, Picture, blank, framed
+from onika.model.picture import BLACK, SIZE, Picture, blank, framed, is_digits
 from onika.words.fault import Fault
 
 ENDING = ".dta"
 
+_DIGITS = "0123456789"
 _ROW = re.compile(rf"[0-9]{{{SIZE}}}\Z")
 
 
@@ -34,7 +35,8 @@ def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: Reading) -> P
     """
     if len(rows) != SIZE:
         reading.fault(rows[SIZE][0] if len(rows) > SIZE else last, f"{SIZE} rows of a picture", f"{len(rows)}")
-    wrong = [(number, text) for number, text in rows if not _ROW.match(text)]
+    is_whole = is_digits([text for _, text in rows], _DIGITS)
+    wrong = [] if is_whole else [(number, text) for number, text in rows if not _ROW.match(text)]
     for number, text in wrong:
         reading.fault(number, f"{SIZE} digits from 0 to 8", show(text))
     if wrong or len(rows) != SIZE:

@@ -9,6 +9,7 @@ from dataclasses import replace
 from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
 from onika.files.line import Line, Need, Reading, Slot, one_line, row
 from onika.model.application import Hole, Icon
+from onika.model.onikon import Onikon, fits
 from onika.model.syntax import Syntax
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
@@ -24,9 +25,14 @@ _ROUTINE = (
     *SLOTS,
 )
 
+_EXTENSIONS = frozenset(slot.keyword for slot in _ROUTINE if slot.need is Need.OF_2_0)
+
 
 def read_routine(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Icon | Hole | None:
-    """A routine as icon; a hole for a target of unknown type, None for the icons that begin and end a flow."""
+    """A routine as icon; None for the icons that begin and end a flow.
+
+    A hole with its lines for a target of unknown type, and for what is too broken for an icon.
+    """
     found = reading.arrange(block, _ROUTINE)
     line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
     name = reading.match(block[0], TASK_NAME, "the name of an icon")
@@ -36,7 +42,7 @@ def read_routine(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Ico
             order = "after" if one == "WHILETAG" else "before"
             reading.fault(given.number, f"{behind} {order} {one}", "none")
     icon = read_icon(name, found, syntax, reading)
-    if icon is None:
+    if icon is None or not name or not _is_whole(icon, syntax):
         return Hole(block[0].number, "".join(row(at.keyword, at.rest) for at in block))
     kind = syntax.find(icon.type)
     if kind and (kind.is_start or kind.is_end):
@@ -66,8 +72,11 @@ def write_routine(icon: Icon) -> str:
     return "".join(parts) + write_icon(icon.onikon)
 
 
-def is_extended(icon: Icon) -> bool:
+def is_extended(step: Icon | Hole) -> bool:
     """Whether its lines are of version 2.0."""
+    if isinstance(step, Hole):
+        return any(line.split(maxsplit=1)[0] in _EXTENSIONS for line in step.kept.splitlines())
+    icon = step
     return bool(icon.marker_if or (icon.while_if and icon.while_tag is not None)) or needs_extension(icon.onikon)
 
 
@@ -100,6 +109,12 @@ def marked(job: Icon, target: Icon, reading: Reading) -> tuple[Icon, Icon]:
         while_if=job.while_if or target.while_if,
     )
     return whole, Icon(target.onikon, line=target.line)
+
+
+def _is_whole(icon: Onikon, syntax: Syntax) -> bool:
+    """Whether its values are those of its type, as far as that is known."""
+    kind = syntax.find(icon.type)
+    return kind is None or fits(icon.values, kind.items)
 
 
 def _agree(one: str | None, other: str | None, meaning: str, target: Icon, reading: Reading) -> None:

@@ -1,19 +1,24 @@
-"""The syntax definition file, `OnikaUpperSetUp.dta` (dissertation §A.7)."""
+"""The syntax definition file, `OnikaUpperSetUp.dta` (dissertation §A.7).
+
+Of version 2.0 is the line DIMENSION behind NELEMS, as `DIMENSION NDOF`: there are as many elements as that constant of
+the robot says, and NELEMS is what is usual.
+"""
 
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
 from onika.files.line import Line, Need, Reading, Slot, one_line, row, show, split
-from onika.files.version import VERSION
+from onika.files.version import EXTENDED, VERSION
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.words.fault import Fault
+from onika.words.name import SVAR_NAME
 from onika.words.value import ValueType
 
 NAME = "OnikaUpperSetUp.dta"
 
 _HEAD = (Slot("VERSION", Need.OPTIONAL),)
 _TYPE = (Slot("ONIKON"), Slot("LEFTEDGE"), Slot("RIGHTEDGE"))
-_ITEM = (Slot("VARNAME"), Slot("DATATYPE"), Slot("NELEMS"))
+_ITEM = (Slot("VARNAME"), Slot("DATATYPE"), Slot("NELEMS"), Slot("DIMENSION", Need.OF_2_0))
 _EDGE = (Slot("EDGENUM"), Slot("RGB"), Slot("NUMVERTS"), Slot("VERTICES"))
 _TYPES = {kind.value: kind for kind in ValueType}
 
@@ -23,7 +28,7 @@ _Found = Mapping[str, Line | None]
 def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fault, ...]]:
     """The syntax of a text, whole or not at all; `name` completes the form of all formats."""
     reading = Reading(place_file, f"{name} is left out")
-    reading.open_versioned(text)
+    reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
     head, *blocks = split(reading.lines, {"ONIKON", "EDGENUM"})
@@ -46,7 +51,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fa
 
 def write(syntax: Syntax, former: str = "") -> str:
     """The text of a syntax, with the comments of its former text."""
-    parts = [row("VERSION", VERSION)]
+    parts = [row("VERSION", EXTENDED if _is_extended(syntax) else VERSION)]
     parts += ["\n" + _show_type(kind) for kind in syntax.types]
     parts += ["\n" + _show_edge(edge) for edge in syntax.edges]
     return carry_comments(former, "".join([*parts, "\n", row("EOF")]))
@@ -56,8 +61,17 @@ def _show_type(kind: IconType) -> str:
     parts = [row("ONIKON", one_line(kind.name)), row("LEFTEDGE", str(kind.left_edge))]
     parts.append(row("RIGHTEDGE", str(kind.right_edge)))
     for item in kind.items:
-        parts += [row("VARNAME", one_line(item.name)), row("DATATYPE", item.type.value), row("NELEMS", str(item.count))]
+        parts += [
+            row("VARNAME", one_line(item.name)),
+            row("DATATYPE", item.type.value),
+            row("NELEMS", str(item.count)),
+        ]
+        parts += [row("DIMENSION", item.dimension)] if item.dimension else []
     return "".join(parts)
+
+
+def _is_extended(syntax: Syntax) -> bool:
+    return any(item.dimension for kind in syntax.types for item in kind.items)
 
 
 def _show_edge(edge: Edge) -> str:
@@ -92,6 +106,7 @@ def _item(found: _Found, reading: Reading) -> DataItem:
         _text(found["VARNAME"], "the name of a data item", reading),
         reading.choice(found["DATATYPE"], _TYPES, ValueType.STRING),
         reading.whole(found["NELEMS"], 1, low=1),
+        reading.match(found["DIMENSION"], SVAR_NAME, "the name of a constant"),
     )
 
 

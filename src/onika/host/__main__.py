@@ -1,14 +1,18 @@
 """Starts a runtime: launched (`--link-fd N --parent PID`), or reachable by `--listen HOST:PORT`, or both."""
 
 import argparse
+import os
 import secrets
 import select
 import sys
+from functools import partial
 from time import monotonic_ns
 
+from onika.host.audit import OFF, Audit, open_for
 from onika.host.ending import Ending
 from onika.host.gate import Gate
 from onika.host.inquiry import Inquiry
+from onika.host.leases import LEASE_NS
 from onika.host.listening import Wanted, judge
 from onika.host.loader import Loader
 from onika.host.memory import bound
@@ -20,8 +24,11 @@ from onika.host.rtpu import preload
 from onika.host.schedule import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
 from onika.host.virtual import VirtualDriver
 from onika.host.wall import WallDriver
+from onika.host.witness import Witness
+from onika.host.worlds import open_world
 from onika.link.guests import Guests
 from onika.link.launcher import die_with_parent, inherit
+from onika.wire import event
 
 _SLICE_NS = 20_000_000
 _REST_NS = 300_000_000
@@ -35,17 +42,22 @@ def main(words: list[str]) -> None:
     ending = Ending(is_launched=given.parent is not None)
     open_outlets()
     porter = _porter(given)
+    audit = _audit(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
     inquiry = Inquiry(loader)
     gate = Gate(Guests(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
+    if audit is not None:
+        _watch(gate, audit)
     if given.link_fd is not None:
         gate.adopt(inherit(given.link_fd))
     try:
         if given.virtual:
             preload()
             patience = Patience()
-            virtual = VirtualDriver(rtpus, gate.tell, watch=patience.watch, scale=given.scale)
+            worlds = partial(open_world, shake=given.shake)
+            virtual = VirtualDriver(rtpus, gate.tell, worlds, watch=patience.watch, scale=given.scale)
+            virtual.options = () if given.shake is None else ("--shake", str(given.shake))
             bound()
             still_garbage()
             _virtual(Program(gate, virtual, inquiry, rtpus), gate, virtual, ending)
@@ -55,11 +67,14 @@ def main(words: list[str]) -> None:
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
-                _wall(Program(gate, wall, inquiry, rtpus), gate, wall, ending)
+                _wall(Program(gate, wall, inquiry, rtpus, round(given.lease * 1e9)), gate, wall, ending)
             finally:
                 wall.close()
     finally:
         loader.close()
+        if audit is not None:
+            audit.note("the runtime ends")
+            audit.close()
         if porter is not None:
             porter.close()
 
@@ -70,7 +85,10 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--parent", type=int)
     parser.add_argument("--virtual", action="store_true")
     parser.add_argument("--scale", type=float)
+    parser.add_argument("--shake", type=int)
     parser.add_argument("--no-fifo", action="store_true")
+    parser.add_argument("--audit", default="")
+    parser.add_argument("--lease", type=float, default=LEASE_NS * 1e-9)
     parser.add_argument("--rtpu", action="append", default=[])
     parser.add_argument("--listen", default="", metavar="HOST:PORT")
     parser.add_argument("--cert", default="")
@@ -82,6 +100,27 @@ def _given(words: list[str]) -> argparse.Namespace:
     if (given.link_fd is None) != (given.parent is None) or (given.link_fd is None and not given.listen):
         parser.error("expected --link-fd N --parent PID, or --listen HOST:PORT, or both")
     return given
+
+
+def _audit(given: argparse.Namespace) -> Audit | None:
+    """The audit trail: where it was asked for, else in wall time, which moves something, at its usual place."""
+    if given.audit == OFF or (given.virtual and not given.audit):
+        return None
+    try:
+        return open_for(given.audit)
+    except OSError as wrong:
+        sys.stderr.write(f"there is no audit trail: {wrong}\n")
+        if given.audit:
+            raise SystemExit(2) from None
+    return None
+
+
+def _watch(gate: Gate, audit: Audit) -> None:
+    def complain(text: str) -> None:
+        gate.tell(event.Lost("audit trail", f"it cannot be written: {text}", 0.0))
+
+    audit.note("the runtime begins", True, about=f"process {os.getpid()}")
+    gate.watcher = Witness(audit, complain)
 
 
 def _porter(given: argparse.Namespace) -> Porter | None:

@@ -35,3 +35,23 @@ class Loading(Protocol):
     ) -> list[str | None] | Fault:
         """Why each target is out of reach, or None."""
         ...
+
+    def poses(
+        self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
+    ) -> list[list[float]] | Fault | None:
+        """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
+        ...
+
+    def postures(
+        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+    ) -> list[list[float] | str] | Fault | None:
+        """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
+        ...
+
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
+        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+        ...
+
+    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together; none: they can."""
+        ...

@@ -8,7 +8,7 @@ from onika.model.rules.order import constant_order
 from onika.model.task import LocalLine, Task, TaskType
 from onika.runtime.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
-from onika.wire.plan import PlannedTask
+from onika.wire.plan import Code, Plan, PlannedTask
 from onika.words.fault import Fault, Place
 
 NOT_RUN = "the application is not run"
@@ -19,6 +19,14 @@ _FASTEST_HZ = 1e6
 
 GivenRate = tuple[Place, str, str, float]
 """Where a rate stands, the job it is given in (` in JOB`, empty: the task's own file), the task, the rate in hertz."""
+
+
+def at_action(plan: Plan, flow: int, action: int, expected: str, found: str, instead: str = NOT_RUN) -> Fault:
+    """A fault of one action of a plan: it stands at its icon, and says in which flow and which action of it."""
+    one = plan.flows[flow].actions[action]
+    inside = f" of {' / '.join(one.within)}" if one.within else ""
+    where = f"{plan.flows[flow].subsystem}, action {action + 1}{inside}: {one.name}"
+    return Fault(Place(one.place, one.line), expected, found, instead, where=where)
 
 
 def conflicts(wired: Sequence[WiredTask]) -> list[Fault]:
@@ -78,6 +86,32 @@ def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
         elif name not in known:
             expected = f"a device of world {world} ({', '.join(known)})"
             faults.append(Fault(Place(one.task.place), expected, f"DEVICE {one.device}", NOT_RUN))
+    return faults
+
+
+def unfit(one: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loading) -> list[Fault]:
+    """A device that is not the one which a robot's task means: another robot, or one that stands elsewhere."""
+    if not one.device or not constants:
+        return []
+    reason = loading.fits(code, dict(constants), one.device)
+    if isinstance(reason, Fault):
+        return [reason]
+    return [_union(one, f"the device that {one.name} means as {one.device}", reason)] if reason else []
+
+
+def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
+    """Devices of one world that cannot be used together, as arms with forces and others without (law 18)."""
+    worlds: dict[str, dict[str, WiredTask]] = {}
+    for one in (one for one in tasks if one.device and one.sheet.hardware):
+        world, _, name = (one.device or "").partition(":")
+        worlds.setdefault(world, {})[name] = one
+    faults = []
+    for world, claimed in worlds.items():
+        reasons = loading.company(world, tuple(sorted(claimed))) if len(claimed) > 1 else ()
+        if isinstance(reasons, Fault):
+            return [reasons]
+        last = max(claimed.values(), key=lambda one: one.name)
+        faults += [_union(last, f"devices of {world} that can be used together", reason) for reason in reasons]
     return faults
 
 

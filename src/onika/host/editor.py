@@ -18,8 +18,7 @@ from onika.model.rules.reconfiguration import exchange
 from onika.runtime import command, news
 from onika.runtime.sheet import differences
 from onika.runtime.wiring import WiredTask, disagreements, wire
-from onika.wire import live as asked
-from onika.wire import request
+from onika.wire import live as asked, request
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
@@ -239,7 +238,7 @@ class Editor:
 def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
     """All that is wrong, as it travels."""
     texts = (
-        request.FaultText(one.place.file, one.place.line, one.expected, one.found, one.instead)
+        request.FaultText(one.place.file, one.place.line, one.expected, one.found, one.instead, one.where, one.remedies)
         for one in sorted(set(faults))
     )
     return request.Prepared(tuple(texts), tuple(notes))

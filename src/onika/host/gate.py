@@ -14,7 +14,7 @@ from onika.link.happening import Asked
 from onika.link.port import ServerPort
 from onika.link.session import Session
 from onika.link.terms import CHILD, Terms
-from onika.wire import event, request
+from onika.wire import event, holding, request
 from onika.wire.packet import Bye, encode
 
 _EVERY = "*"
@@ -32,6 +32,7 @@ class Call:
     session: str
     role: Role
     asked: request.Request
+    address: str = ""
 
 
 class Descriptor(Protocol):
@@ -59,6 +60,30 @@ class Door(Protocol):
         ...
 
 
+class Watcher(Protocol):
+    """Sees what is asked and told, and what came of it; see `host.witness`."""
+
+    def answered(self, call: Call, response: request.Response) -> None:
+        """A request was answered."""
+        ...
+
+    def garbage(self, session: str, text: str) -> None:
+        """Something came that is no request."""
+        ...
+
+    def came(self, new: Introduction, why_not: str) -> None:
+        """Somebody has connected, or was turned away."""
+        ...
+
+    def lost(self, session: str) -> None:
+        """A session is gone."""
+        ...
+
+    def told(self, one: event.Event) -> None:
+        """Something was told."""
+        ...
+
+
 class Gate:
     """All sessions of a runtime; every request gets exactly one response, now or later."""
 
@@ -71,7 +96,11 @@ class Gate:
         self._accepts_code = accepts_code
         self._parent: Session | None = None
         self._told: list[tuple[event.Event, str, str]] = []
+        self._ear: Callable[[event.Event, str], None] | None = None
         self._tickets: dict[int, tuple[Session, int]] = {}
+        self._calls: dict[int, Call] = {}
+        self.watcher: Watcher | None = None
+        """Who writes down what happens here."""
         self._count = 0
         self._turn = 0
 
@@ -118,6 +147,14 @@ class Gate:
         trigger's finish and the next job.
         """
         self._told.append((one, subsystem, session))
+        if self.watcher is not None:
+            self.watcher.told(one)
+        if self._ear is not None:
+            self._ear(one, subsystem)
+
+    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+        """From now on this one hears every event as it is told, and the subsystem it is about; none: nobody does."""
+        self._ear = ear
 
     def flush(self) -> None:
         """Send what was told."""
@@ -157,6 +194,9 @@ class Gate:
         """Answer a request; what was told before goes first."""
         self.flush()
         session, number = self._tickets.pop(ticket)
+        call = self._calls.pop(ticket, None)
+        if self.watcher is not None and call is not None:
+            self.watcher.answered(call, response)
         session.reply(number, request.encode(response), self._clock())
 
     def close(self, reason: str) -> None:
@@ -165,9 +205,23 @@ class Gate:
         for session in self._guests.sessions:
             session.close(reason, self._clock())
 
+    def sessions(self) -> tuple[holding.SessionStanding, ...]:
+        """Who is known; here is who has a connection."""
+        known = self._guests.sessions
+        return tuple(holding.SessionStanding(one.name, one.caller.role.word, bool(one.ports)) for one in known)
+
+    def silent_ns(self, session: str) -> int | None:
+        """How long a session has not been heard; None: it is not known, or the launching program, whose end is told."""
+        found = self._guests.find(session)
+        return None if found is None or found is self._parent else self._clock() - found.heard_ns
+
     def lost(self) -> list[str]:
         """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""
-        return self._guests.lost(self._clock())
+        lost = self._guests.lost(self._clock())
+        if self.watcher is not None:
+            for session in lost:
+                self.watcher.lost(session)
+        return lost
 
     def _stirring(self, sessions: list[Session], now: int) -> list[Session]:
         """Those with something to take in or to do; the system is asked once for all, so that idle ones cost little."""
@@ -185,6 +239,8 @@ class Gate:
         for new, connected in self._porter.arrivals():
             carrier = SocketCarrier(connected, buffer_limit=_WAITING, turn=_PACKETS, turn_bytes=_BYTES)
             why = self._guests.admit(new, carrier, self._clock())
+            if self.watcher is not None:
+                self.watcher.came(new, why)
             if why:
                 carrier.send(encode(Bye("refused", why)))
                 carrier.close()
@@ -199,13 +255,17 @@ class Gate:
         try:
             asked = request.decode_request(each.body)
         except ValueError as wrong:
+            if self.watcher is not None:
+                self.watcher.garbage(session.name, str(wrong))
             self.reply(self._count, request.Refused(f"expected a request, found something else: {wrong}"))
             return None
+        call = Call(self._count, session.name, session.caller.role, asked, session.caller.address)
+        self._calls[self._count] = call
         why = refusal(session.caller, asked, self._accepts_code)
         if why:
             self.reply(self._count, request.Refused(why))
             return None
-        return Call(self._count, session.name, session.caller.role, asked)
+        return call
 
     def _say(self, body: bytes, subsystem: str, name: str, now: int) -> None:
         for session in self._guests.sessions:

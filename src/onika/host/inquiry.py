@@ -8,24 +8,28 @@ from collections import OrderedDict, deque
 from time import monotonic_ns
 from typing import Any
 
-from onika.host.loader import (
-    PATIENCE_S,
+from onika.host.loader import PATIENCE_S, Loader, encode, fault_of
+from onika.host.post import Post
+from onika.host.question import (
     Answer,
+    AskCompany,
     AskConstants,
     AskDevices,
+    AskFit,
+    AskPoses,
+    AskPostures,
     AskReach,
     AskSheet,
     Constants,
     Devices,
     Lines,
-    Loader,
+    Objections,
+    Poses,
+    Postures,
     Question,
     Reach,
     Sheet,
-    encode,
-    fault_of,
 )
-from onika.host.post import Post
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
@@ -78,6 +82,30 @@ class Inquiry:
         """Why each target is out of reach, or None."""
         answer = self._answer(AskReach(code, constants, targets), code)
         return answer.reasons if isinstance(answer, Reach) else fault_of(answer)
+
+    def poses(
+        self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
+    ) -> list[list[float]] | Fault | None:
+        """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
+        answer = self._answer(AskPoses(code, constants, targets), code)
+        return answer.nines if isinstance(answer, Poses) else fault_of(answer)
+
+    def postures(
+        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+    ) -> list[list[float] | str] | Fault | None:
+        """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
+        answer = self._answer(AskPostures(code, constants, nines), code)
+        return answer.found if isinstance(answer, Postures) else fault_of(answer)
+
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
+        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+        answer = self._answer(AskFit(code, constants, device), code)
+        return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
+
+    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together; none: they can."""
+        answer = self._answer(AskCompany(world, devices), Code("", world, world, ""))
+        return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
 
     def expect(self, codes: tuple[Code, ...]) -> None:
         """These modules will be asked about: begin with all of them."""

@@ -9,12 +9,33 @@ import sys
 from time import monotonic_ns
 from typing import Any
 
-from msgspec import Struct, msgpack
+from msgspec import msgpack
 
 from onika.host.loading import DirectLoading
 from onika.host.outlet import open_outlets
 from onika.host.post import Post
 from onika.host.process import start
+from onika.host.question import (
+    Answer,
+    AskCompany,
+    AskConstants,
+    AskDevices,
+    AskFit,
+    AskPoses,
+    AskPostures,
+    AskReach,
+    AskSheet,
+    Constants,
+    Devices,
+    Lines,
+    Objections,
+    Poses,
+    Postures,
+    Question,
+    Reach,
+    Sheet,
+    Wrong,
+)
 from onika.host.rtpu import preload
 from onika.link.launcher import die_with_parent
 from onika.wire.plan import Code
@@ -24,70 +45,6 @@ from onika.words.fault import Fault, Place
 
 PATIENCE_S = 10.0
 """How long a module may take to be imported and looked at."""
-
-Lines = tuple[tuple[str, tuple[str, ...]], ...]
-
-
-class AskSheet(Struct, frozen=True, tag=True):
-    """Ask for the sheet of a module."""
-
-    code: Code
-
-
-class AskConstants(Struct, frozen=True, tag=True):
-    """Ask for a robot module's constants."""
-
-    code: Code
-    local: Lines
-
-
-class AskReach(Struct, frozen=True, tag=True):
-    """Ask which targets are out of reach."""
-
-    code: Code
-    constants: dict[str, Any]
-    targets: list[tuple[str, list[Any]]]
-
-
-class AskDevices(Struct, frozen=True, tag=True):
-    """Ask for the devices of a world."""
-
-    world: str
-
-
-class Sheet(Struct, frozen=True, tag=True):
-    """The answer to AskSheet, and how long the module took to load where its libraries are there already."""
-
-    sheet: ModuleSheet
-    cost_ns: int = 0
-
-
-class Constants(Struct, frozen=True, tag=True):
-    """The answer to AskConstants."""
-
-    values: dict[str, Any]
-
-
-class Reach(Struct, frozen=True, tag=True):
-    """The answer to AskReach: a reason for each target out of reach."""
-
-    reasons: list[str | None]
-
-
-class Devices(Struct, frozen=True, tag=True):
-    """The answer to AskDevices."""
-
-    names: tuple[str, ...]
-
-
-class Wrong(Struct, frozen=True, tag=True):
-    """The module cannot be used."""
-
-    fault: FaultText
-
-
-Question = AskSheet | AskConstants | AskReach | AskDevices
-Answer = Sheet | Constants | Reach | Devices | Wrong
 
 encode = msgpack.Encoder().encode
 decode_question = msgpack.Decoder(Question).decode
@@ -124,6 +81,30 @@ class Loader:
         """Why each target is out of reach, or None."""
         answer = self._ask(AskReach(code, constants, targets), code)
         return answer.reasons if isinstance(answer, Reach) else fault_of(answer)
+
+    def poses(
+        self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
+    ) -> list[list[float]] | Fault | None:
+        """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
+        answer = self._ask(AskPoses(code, constants, targets), code)
+        return answer.nines if isinstance(answer, Poses) else fault_of(answer)
+
+    def postures(
+        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+    ) -> list[list[float] | str] | Fault | None:
+        """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
+        answer = self._ask(AskPostures(code, constants, nines), code)
+        return answer.found if isinstance(answer, Postures) else fault_of(answer)
+
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
+        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+        answer = self._ask(AskFit(code, constants, device), code)
+        return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
+
+    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together; none: they can."""
+        answer = self._ask(AskCompany(world, devices), Code("", world, world, ""))
+        return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
 
     def close(self) -> None:
         """End the process."""
@@ -197,6 +178,18 @@ def _answer(question: Question, loading: DirectLoading) -> Answer:
         case AskReach():
             found = loading.resolve(question.code, question.constants, question.targets)
             return _wrong(found) if isinstance(found, Fault) else Reach(found)
+        case AskPoses():
+            found = loading.poses(question.code, question.constants, question.targets)
+            return _wrong(found) if isinstance(found, Fault) else Poses(found)
+        case AskPostures():
+            found = loading.postures(question.code, question.constants, question.nines)
+            return _wrong(found) if isinstance(found, Fault) else Postures(found)
+        case AskFit():
+            found = loading.fits(question.code, question.constants, question.device)
+            return _wrong(found) if isinstance(found, Fault) else Objections((found,) if found else ())
+        case AskCompany():
+            found = loading.company(question.world, question.devices)
+            return _wrong(found) if isinstance(found, Fault) else Objections(found)
 
 
 def _wrong(fault: Fault) -> Wrong:

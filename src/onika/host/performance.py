@@ -3,6 +3,8 @@
 from collections.abc import Callable, Mapping
 from time import monotonic_ns
 
+from msgspec import structs
+
 from onika.engine.news import Pause
 from onika.host.preparation import Preparation
 from onika.host.runner import Runner
@@ -62,10 +64,19 @@ class Performance:
         self._over_since = self._over_since or monotonic_ns()
         return is_at_rest() or monotonic_ns() - self._over_since > _REST_NS
 
-    def end(self, digest: str) -> None:
-        """Tell the result."""
+    def result(self, digest: str, outside: tuple[str, ...] = ()) -> event.Result:
+        """What came of it; `outside` are the tasks that make it one which may not repeat (law 15)."""
         wall = (monotonic_ns() - self._began_wall) * 1e-9
-        self._tell(self.runner.tally.result(self._actions, wall, digest))
+        result = self.runner.tally.result(self._actions, wall, digest)
+        return structs.replace(result, outside=tuple(one for one in outside if one.split("/")[0] in self.names))
+
+    def end(self, result: event.Result) -> None:
+        """Tell the result."""
+        self._tell(result)
+
+    def warn(self, text: str, at_s: float) -> None:
+        """Tell whoever watches what is worth knowing of the run as a whole."""
+        self._tell(event.Warned(self.names[0], "", text, at_s))
 
     def _tell(self, one: event.Event) -> None:
         flow = getattr(one, "flow", 0)

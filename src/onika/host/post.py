@@ -40,6 +40,11 @@ class Post:
         """Whether something still waits to be sent."""
         return bool(self._outbox)
 
+    @property
+    def waiting(self) -> int:
+        """How many datagrams wait."""
+        return len(self._outbox)
+
     def send(self, body: bytes, descriptors: tuple[int, ...] = ()) -> None:
         """Send one datagram, now or as soon as there is room; nothing happens once the other end is gone."""
         if not (self._outbox or descriptors or self.is_closed):

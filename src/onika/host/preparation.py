@@ -1,6 +1,6 @@
 """What can be found wrong with a plan before anything moves, from its modules: all at once (E01, laws 24 to 26)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -8,19 +8,23 @@ from onika.host.asking import Loading
 from onika.host.checks import (
     NOT_RUN,
     absent_devices,
+    at_action,
     conflicts,
     cycles,
     shapeless,
     shared_devices,
+    unfit,
+    unfit_together,
     wrong_rates,
 )
 from onika.host.conditions import wrong_conditions
+from onika.host.resolution import resolve, told
 from onika.model.planned import task_of
 from onika.runtime.sheet import differences, strangers
 from onika.runtime.user_input import UserInput
 from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wire
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
-from onika.wire.request import TargetValues
+from onika.wire.request import Resolved, TargetValues
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
 
@@ -35,6 +39,8 @@ class Preparation:
     triggers: dict[tuple[int, int], str | None] = field(default_factory=dict)
     constants: dict[int, dict[str, Any]] = field(default_factory=dict)
     """By flow: what robot modules say of themselves before they live, by variable."""
+    resolved: list[Resolved] = field(default_factory=list)
+    """Joint targets that other robots take by way of their poses."""
     faults: list[Fault] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
 
@@ -42,7 +48,13 @@ class Preparation:
 def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Preparation:
     """Look at every module, task, flow, argument line and target of a plan."""
     found = Preparation(plan, {code.digest: code for code in plan.code})
-    sheets = _sheets(plan.code, loading, found.faults)
+    used = {task.digest for flow in plan.flows for task in flow.tasks}
+    sheets = _sheets([code for code in plan.code if code.digest in used], loading, found.faults)
+    resolution = resolve(plan, targets, sheets, loading)
+    found.plan = plan = resolution.plan
+    found.resolved = resolution.resolved
+    found.faults += resolution.faults
+    found.notes += told(plan, resolution.resolved)
     for number, flow in enumerate(plan.flows):
         wired = _wired(flow, sheets, found)
         found.flows.append(wired)
@@ -50,13 +62,15 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
             found.faults += disagreements(wired) + missing_constants(wired) + conflicts(wired) + cycles(wired)
         _actions(number, flow, wired, found)
         _rates(flow, sheets, found)
-        _values(number, flow, wired, targets, loading, found)
+        refused = {action for flow_of, action in resolution.refused if flow_of == number}
+        _values(number, flow, wired, [one for one in resolution.targets if one.flow == number], loading, found, refused)
     found.faults += shared_devices(
         [wire(task, sheets[task.digest]) for flow in plan.flows for task in flow.tasks if task.digest in sheets]
     )
     if all(len(wired) == len(flow.tasks) for wired, flow in zip(found.flows, plan.flows, strict=True)):
         found.faults += wrong_conditions(plan.flows, found.flows, found.constants)
-    found.faults += absent_devices([one for flow in found.flows for one in flow], loading)
+    everyone = [one for flow in found.flows for one in flow]
+    found.faults += absent_devices(everyone, loading) + unfit_together(everyone, loading)
     found.faults = sorted(set(found.faults))
     found.notes = list(dict.fromkeys(found.notes))
     return found
@@ -118,8 +132,7 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: 
         triggers = [one.name for one in present if one.sheet.trigger]
         found.triggers[number, index] = triggers[0] if triggers else None
         if not triggers and len(present) == len(action.tasks) and not action.lacks_tasks:
-            place = Place(action.place, action.line)
-            found.faults.append(Fault(place, f"a trigger that ends job {action.job}", "none", NOT_RUN))
+            found.faults.append(at_action(found.plan, number, index, f"a trigger that ends job {action.job}", "none"))
         if len(triggers) > 1:
             others = ", ".join(triggers[1:])
             found.notes.append(
@@ -146,8 +159,12 @@ def _values(
     targets: Sequence[TargetValues],
     loading: Loading,
     found: Preparation,
+    refused: Collection[int],
 ) -> None:
-    """Argument lines against the triggers' inputs, and the reach of every target."""
+    """Argument lines against the triggers' inputs, and the reach of every target.
+
+    refused   the actions of whose targets it is said already that they are none for this robot
+    """
     constants: dict[str, Any] = {}
     robots = []
     for one in (one for one in wired if one.sheet.hardware):
@@ -158,41 +175,55 @@ def _values(
             continue
         aliases = dict(one.task.aliases)
         constants |= {aliases.get(name, name): value for name, value in published.items()}
+        found.faults += unfit(one, code, published, loading)
         if published:
             robots.append((one, code, published))
     found.constants[number] = constants
     found.faults += shapeless(wired, constants)
-    refused = _arguments(number, flow, wired, constants, found)
+    wrong, counted = _arguments(number, flow, wired, constants, found.plan, found.triggers)
+    wrong = {index: fault for index, fault in wrong.items() if index not in refused}
+    counted -= set(refused)
     for one, code, published in robots:
         users = [
-            target
-            for target in targets
-            if target.flow == number and target.action not in refused and one.name in flow.actions[target.action].tasks
+            target for target in targets if target.action in counted and one.name in flow.actions[target.action].tasks
         ]
-        _reach(flow, users, loading.resolve(code, published, [(t.kind, list(t.values)) for t in users]), found)
+        reasons = loading.resolve(code, published, [(t.kind, list(t.values)) for t in users])
+        _reach(number, users, reasons, found, wrong)
+    found.faults += wrong.values()
 
 
 def _arguments(
-    number: int, flow: PlannedFlow, wired: Sequence[WiredTask], constants: dict[str, Any], found: Preparation
-) -> set[int]:
+    number: int,
+    flow: PlannedFlow,
+    wired: Sequence[WiredTask],
+    constants: dict[str, Any],
+    plan: Plan,
+    triggers: Mapping[tuple[int, int], str | None],
+) -> tuple[dict[int, Fault], set[int]]:
+    """What is wrong with the argument line of each action; the actions whose lines have as many values as are taken."""
     by_name = {one.name: one for one in wired}
-    refused = set()
+    wrong: dict[int, Fault] = {}
+    counted = set()
+    inputs: dict[str, UserInput] = {}
     for index, action in enumerate(flow.actions):
-        trigger = by_name.get(found.triggers.get((number, index)) or "")
+        trigger = by_name.get(triggers.get((number, index)) or "")
         if trigger is None or not action.arguments:
+            counted.add(index)
             continue
-        coded = {port: constants[svar] for port, svar in _coded(trigger).items() if svar in constants}
         try:
-            UserInput(trigger.sheet.inputs, coded).parse(action.arguments)
+            if trigger.name not in inputs:
+                coded = {port: constants[svar] for port, svar in _coded(trigger).items() if svar in constants}
+                inputs[trigger.name] = UserInput(trigger.sheet.inputs, coded)
+            known = inputs[trigger.name]
+            if known.takes(action.arguments):
+                counted.add(index)
+            known.parse(action.arguments)
         except KeyError:
-            continue  # a bound that only a running task supplies: seen at the run
-        except ValueError as wrong:
-            refused.add(index)
-            target = action.target or action.job
-            found.faults.append(
-                Fault(Place(action.place, action.line), f"values for {trigger.name}", f"{target}: {wrong}", NOT_RUN)
-            )
-    return refused
+            counted.add(index)  # a bound that only a running task supplies: seen at the run
+        except ValueError as error:
+            said = f"{action.target or action.job}: {error}"
+            wrong[index] = at_action(plan, number, index, f"values for {trigger.name}", said)
+    return wrong, counted
 
 
 def _coded(wired: WiredTask) -> dict[str, str]:
@@ -200,14 +231,19 @@ def _coded(wired: WiredTask) -> dict[str, str]:
 
 
 def _reach(
-    flow: PlannedFlow, users: Sequence[TargetValues], reasons: list[str | None] | Fault, found: Preparation
+    number: int,
+    users: Sequence[TargetValues],
+    reasons: list[str | None] | Fault,
+    found: Preparation,
+    wrong: dict[int, Fault],
 ) -> None:
+    """Targets out of reach; what is said of one so is not said again of its values."""
     if isinstance(reasons, Fault):
         found.faults.append(reasons)
         return
     for target, reason in zip(users, reasons, strict=True):
         if reason is not None:
-            action = flow.actions[target.action]
-            found.faults.append(
-                Fault(Place(action.place, action.line), "a target within reach", f"{action.target}: {reason}", NOT_RUN)
-            )
+            wrong.pop(target.action, None)
+            name = found.plan.flows[number].actions[target.action].target
+            expected = "a target within reach"
+            found.faults.append(at_action(found.plan, number, target.action, expected, f"{name}: {reason}"))

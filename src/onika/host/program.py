@@ -2,36 +2,50 @@
 
 from collections.abc import Callable
 from time import monotonic_ns
-from typing import Protocol
+from typing import Protocol, get_args
+
+from msgspec.structs import replace
 
 from onika.host.asking import Loading
+from onika.host.company import Company
 from onika.host.description import describe
 from onika.host.editor import Editor, refused
 from onika.host.gate import Call, Gate
 from onika.host.helm import Helm
 from onika.host.holders import Holders
 from onika.host.inquiry import Inquiry, NotYet
+from onika.host.leases import Leases
 from onika.host.listener import Listener
 from onika.host.look import Look, Seen
 from onika.host.performance import Performance
 from onika.host.post import Post
 from onika.host.preparation import Preparation, inspect, prepare
+from onika.host.recorder import Recorder, Seen as Recorded
 from onika.host.stage import Stage, Tables, Tell
+from onika.link.caller import Role
 from onika.runtime.subsystem import Subsystem
-from onika.wire import event, live, request, steer
+from onika.wire import event, holding, live, request, steer
 
-_AT_ONCE = (request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch)
+_AT_ONCE = (
+    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch),
+    *get_args(holding.HoldingRequest),
+)
 """What never waits behind another request."""
 
 Answer = Callable[[request.Response], None]
 
 
-class Driver(Tables, Seen, Protocol):
+class Driver(Tables, Seen, Recorded, Protocol):
     """Where everything happens: in wall or in virtual time."""
 
     @property
     def digest(self) -> str:
         """Of everything that happened since `begin`, where that is the same every time; else empty."""
+        ...
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """The tasks that had to do with the outside since `begin`, where without them it were the same every time."""
         ...
 
     def listen(self, listener: Listener) -> None:
@@ -70,7 +84,7 @@ class Driver(Tables, Seen, Protocol):
 class Program:
     """One runtime: subsystems held by hand and by applications, side by side."""
 
-    def __init__(self, gate: Gate, driver: Driver, loading: Loading, rtpus: tuple[str, ...]) -> None:
+    def __init__(self, gate: Gate, driver: Driver, loading: Loading, rtpus: tuple[str, ...], lease_ns: int = 0) -> None:
         self._gate = gate
         self._driver = driver
         self._loading = loading
@@ -80,8 +94,11 @@ class Program:
         driver.listen(self.stage)
         self._editor = Editor(self.stage, loading)
         self._helm = Helm(self.stage)
-        self._holders = Holders(self.stage, gate.tell, self._helm)
+        self._company = Company(gate, lambda: self.holders.watching)
+        self.holders = Holders(self.stage, gate.tell, self._helm, self._company.sessions)
+        self.leases = Leases(self.holders, gate.silent_ns, lease_ns)
         self._look = Look(self.stage, driver, gate, rtpus)
+        self._recorder = Recorder(self.stage, driver, gate, rtpus)
         self.is_stopped = False
         self.is_over = False
 
@@ -91,34 +108,49 @@ class Program:
         return bool(self.stage.performances)
 
     def readers(self) -> list[Post]:
-        """What to wait for besides the gate and the driver: the loader."""
-        return [self._loading.post] if isinstance(self._loading, Inquiry) else []
+        """What to wait for besides the gate and the driver: the loader, and who writes a recording."""
+        return [*([self._loading.post] if isinstance(self._loading, Inquiry) else []), *self._recorder.readers()]
 
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
-        due_ns = self._look.due_ns(monotonic_ns())
-        return most_s if due_ns is None else min(most_s, due_ns * 1e-9)
+        now = monotonic_ns()
+        due = [one for one in (self._look.due_ns(now), self.leases.due_ns()) if one is not None]
+        return min([most_s, *(one * 1e-9 for one in due)])
 
     def serve(self) -> None:
         """Carry out what was asked; look after sessions that are gone."""
         self._try_again()
-        for call in self._gate.requests():
+        calls = self._gate.requests()
+        for session in self.leases.judge(self._driver.now):  # before anything that takes time
+            self._prepared.pop(session, None)
+        self.holders.expire(monotonic_ns())
+        for call in calls:
             self._serve(call)
+        self._company.look()
         for session in self._gate.lost():
             self._prepared.pop(session, None)
             self.stage.hold.release(session)
+            self.stage.repeat.end(session)
+            self._recorder.lost(session)
             self._look.forget(session)
-            self._holders.lost(session, self._driver.now)
+            self.holders.lost(session, self._driver.now)
 
     def advance(self, wall_ns: int) -> bool:
         """Let everything go on for about so long; tell what is over. False: nothing happens by itself."""
-        goes_on = self._driver.advance(wall_ns)
-        self.stage.hold.say(self._driver.now)
+        self._repeat()
+        goes_on = self._driver.advance(wall_ns) or self.stage.is_repeat_due
+        if not self.stage.repeat.is_on(self._driver.now):
+            self.stage.hold.say(self._driver.now)
+        self._recorder.serve()
         for performance in list(self.stage.performances):
             if performance.is_through(self._driver.is_at_rest):
+                result = performance.result(self._driver.digest, self._driver.outside)
+                if not self._recorder.may_end(performance, result):
+                    continue
                 self.stage.performances.remove(performance)
                 self.stage.hold.release(performance.session)
-                performance.end(self._driver.digest)
+                self.stage.repeat.end(performance.session)
+                performance.end(result)
         self._look.show(monotonic_ns())
         return goes_on
 
@@ -133,12 +165,15 @@ class Program:
         prepared = self._prepared.get(session)
         if prepared is None:
             return request.Refused("no plan is prepared, or it has faults")
-        refusal = self._holders.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
+        refusal = self.holders.occupied(session, [flow.subsystem for flow in prepared.plan.flows])
         if refusal or self.is_stopped:
             return request.Refused(refusal or "the runtime is stopped; reset it first")
         gone = [one for flow in prepared.plan.flows for task in flow.tasks if (one := self.stage.gone(task.rtpu))]
         if gone:
             return request.Refused(f"{gone[0]}; start the runtime anew")
+        refusal = self._recorder.begin(session, asked, prepared)
+        if refusal:
+            return request.Refused(refusal)
         subsystems = {}
         for number, flow in enumerate(prepared.plan.flows):
             rtpus = {task.name: self.stage.unit(task.rtpu) for task in flow.tasks}
@@ -151,7 +186,9 @@ class Program:
         tell, name = self._gate.tell, prepared.plan.flows[0].subsystem
         if asked.is_held and self._driver.is_virtual:
             tell = self.stage.hold.begin(session, name, self._driver.now)
+        self.stage.repeat.begin(session, asked, self._driver.now)
         self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, tell))
+        self.holders.began(session)
         return request.Done()
 
     def _serve(self, call: Call) -> None:
@@ -171,14 +208,24 @@ class Program:
         if is_behind and not isinstance(call.asked, _AT_ONCE):
             self._kept.append((call, answer))
             return
-        refusal = self._holders.refusal(call.session, call.asked, self.is_stopped)
+        refusal = self.holders.refusal(call.session, call.asked, self.is_stopped)
+        refusal = refusal or self.stage.repeat.refusal(call.session, call.asked, self._driver.now)
         try:
             if refusal:
                 answer(request.Refused(refusal))
             else:
                 self._carry_out(call, answer)
+                self._recorder.command(call.session, call.asked)
         except NotYet:
             self._kept.append((call, answer))
+
+    def _repeat(self) -> None:
+        """What is due of a run that is repeated is asked in the name of who began it."""
+        driver, repeat = self._driver, self.stage.repeat
+        asked = repeat.take(driver.now, driver.turn, self.stage.is_asking)
+        if asked is not None:
+            self._carry_out(Call(0, repeat.session, Role.OWNER, asked), lambda _: None)
+            self._recorder.command(repeat.session, asked)
 
     def _carry_out(self, call: Call, answer: Answer) -> None:
         match call.asked:
@@ -206,7 +253,8 @@ class Program:
 
     def _try_again(self) -> None:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
-        if isinstance(self._loading, Inquiry) and self._loading.take():
+        has_come = self._recorder.has_come()
+        if (isinstance(self._loading, Inquiry) and self._loading.take()) or has_come:
             kept, self._kept = self._kept, []
             for call, answer in kept:
                 self._try(call, answer)
@@ -217,7 +265,8 @@ class Program:
                 self._loading.expect(asked.plan.code)
                 prepared = prepare(asked.plan, asked.targets, self._loading)
                 self.take(session, prepared)
-                return refused(prepared.faults, prepared.notes)
+                self._recorder.keep(session, asked)
+                return replace(refused(prepared.faults, prepared.notes), resolved=tuple(prepared.resolved))
             case request.Inspect():
                 return refused(*inspect(asked.tasks, asked.code, self._loading))
             case live.Describe():
@@ -244,7 +293,7 @@ class Program:
     def _by_hand(self, session: str, asked: request.Request) -> request.Response:
         match asked:
             case live.Change():
-                return self._holders.takes(session, asked.subsystem, self._editor.change(asked))
+                return self.holders.takes(session, asked.subsystem, self._editor.change(asked))
             case live.Reinit():
                 return self._editor.reinit(asked)
             case live.Swap():
@@ -254,7 +303,15 @@ class Program:
             case live.Close():
                 return self._editor.close(asked)
             case live.Take() | live.Release():
-                return self._holders.change(session, asked)
+                return self.holders.change(session, asked)
+            case holding.Hand():
+                return self.holders.hand(session, asked, monotonic_ns())
+            case holding.Decline():
+                return self.holders.decline(session, asked)
+            case holding.OnlyWatch():
+                return self.holders.only_watch(session)
+            case holding.Sessions():
+                return self._company.answer(session)
         return self._look.answer(session, asked, self.is_stopped)
 
     def _touch(self, asked: live.Touch) -> request.Response:

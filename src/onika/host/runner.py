@@ -7,8 +7,7 @@ function. It waits for nothing.
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from onika.engine import news as said
-from onika.engine import orders
+from onika.engine import news as said, orders
 from onika.engine.engine import Engine
 from onika.host.births import Births
 from onika.host.cause import Cause, Kind

@@ -7,6 +7,7 @@ from onika.host.forecast import Forecast
 from onika.host.hold import Hold
 from onika.host.live import LiveSubsystem
 from onika.host.performance import Performance
+from onika.host.repeat import Repeat
 from onika.host.roll import Roll
 from onika.host.units import Units
 from onika.ring.segment import Segment
@@ -34,6 +35,11 @@ class Tables(Units, Protocol):
         """Whether time is virtual."""
         ...
 
+    @property
+    def turn(self) -> int:
+        """In virtual time: how often everything due at the present instant has been carried out."""
+        ...
+
     def share(self, name: str, segment: Segment) -> None:
         """Let the RTPUs see a table."""
         ...
@@ -54,6 +60,7 @@ class Stage:
         self.roll = Roll(units, self._alive)
         self.forecast = Forecast()
         self.hold = Hold(tell)
+        self.repeat = Repeat()
         self._asked_loads_at = 0
         self.until = 0
         """Up to when the clock goes on in virtual time though no application runs."""
@@ -127,7 +134,7 @@ class Stage:
     @property
     def is_moving(self) -> bool:
         """Whether the virtual clock goes on: not while a task of an application asks, or nothing wants it to."""
-        if self.hold.stands(self._units.now):
+        if self._stands:
             return False
         is_running = False
         for one in self.performances:  # asked at every instant of virtual time
@@ -145,14 +152,32 @@ class Stage:
     def is_still(self) -> bool:
         """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
         lives = any(live.members for live in self.live.values()) or self._is_let_pass
-        if self.is_asking or self.hold.stands(self._units.now):
+        if self.is_asking or self._stands:
             return True
         return not (lives or any(one.runner.is_moving for one in self.performances))
 
     @property
+    def is_repeat_due(self) -> bool:
+        """Whether something is to be asked anew, at this instant, of a run that is repeated."""
+        return self.repeat.is_due(self._units.now, self._units.turn, self.is_asking)
+
+    @property
+    def _stands(self) -> bool:
+        """Whether the clock waits: for whoever holds it, or for what is asked anew."""
+        if self.repeat.session and self.repeat.is_on(self._units.now):
+            return self.is_repeat_due
+        return self.hold.stands(self._units.now)
+
+    @property
     def _is_let_pass(self) -> bool:
         """Whether somebody lets time pass that no run needs: `advance`, or who holds the clock of a run that rests."""
-        return self._units.now < max(self.until, self.hold.wake_at() or 0)
+        return self._units.now < max(self.until, self._let_to or 0)
+
+    @property
+    def _let_to(self) -> int | None:
+        """Up to when the clock goes on in any case: for what is repeated, and only then for who holds the clock."""
+        now = self._units.now
+        return self.repeat.wake_at(now) if self.repeat.is_on(now) else self.hold.wake_at()
 
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Tell whose task it is."""
@@ -186,7 +211,7 @@ class Stage:
 
     def wake_at(self) -> int | None:
         """The next time somebody has something to do."""
-        earliest = self.hold.wake_at()
+        earliest = self._let_to
         for one in self.performances:
             wake = one.runner.wake_at()
             if wake is not None and (earliest is None or wake < earliest):

@@ -55,6 +55,13 @@ class VirtualDriver:
         self._listener: Listener | None = None
         self._hash = hashlib.sha256()
         self._hash_at = 0
+        self._outside: set[str] = set()
+        self.with_fifo = False
+        self.options: tuple[str, ...] = ()
+        """What the runtime was started with beside, which changes what happens."""
+        self._look: Callable[[], None] | None = None
+        self.turn = 0
+        """How often everything that was due at the present instant has been carried out."""
 
     @property
     def now(self) -> int:
@@ -127,6 +134,11 @@ class VirtualDriver:
         """A run starts now: what happens from here on is its digest."""
         self._hash = hashlib.sha256()
         self._hash_at = self._now
+        self._outside.clear()
+
+    def each_instant(self, look: Callable[[], None] | None) -> None:
+        """Call this one at the end of every instant; none: nobody."""
+        self._look = look
 
     def advance(self, wall_ns: int) -> bool:
         """Run for about so much wall time; False when there is nothing to do until somebody says something."""
@@ -137,6 +149,8 @@ class VirtualDriver:
         if self._pace is not None:
             return self._keep_pace(self._pace, listener)
         while listener.is_moving:
+            if not self._answered(until):
+                return True
             if not self._instant(listener):
                 return False
             if self._commands:
@@ -149,6 +163,8 @@ class VirtualDriver:
         """How long the loop may sleep before `advance` has something to do."""
         if self._pace is None or self._listener is None:
             return 0.1
+        if self._executive.owed():
+            return 0.001
         following = self._next(self._listener)
         return 0.02 if following is None else min(0.02, self._pace.wait_s(following))
 
@@ -175,6 +191,11 @@ class VirtualDriver:
         """Of everything that happened in this run: the worlds every 50 ms and every word to the runner."""
         return self._hash.hexdigest()
 
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """The tasks that had to do with the outside since `begin`: with them no run repeats (law 15)."""
+        return tuple(sorted(self._outside))
+
     def is_at_rest(self) -> bool:
         """Steps the worlds once, so that the last commands act; then every drive holds."""
         for name, bus in self._buses.items():
@@ -190,14 +211,16 @@ class VirtualDriver:
 
     def _keep_pace(self, pace: Pace, listener: Listener) -> bool:
         """Everything that is due as far as the clock may go; the worlds go all the way."""
-        allowed = pace.allowed(monotonic_ns(), stands=listener.is_still)
-        while not listener.is_still:
+        answered = self._answered(0)
+        allowed = pace.allowed(monotonic_ns(), stands=listener.is_still or not answered)
+        while answered and not listener.is_still:
             following = self._next(listener)
             if following is None or following > allowed:
                 break
             self._instant(listener)
             self._deliver()
-        if not listener.is_still and allowed > self._now:
+            answered = self._answered(0)
+        if answered and not listener.is_still and allowed > self._now:
             self._step_worlds(allowed)
         return False
 
@@ -209,19 +232,40 @@ class VirtualDriver:
     def _instant(self, listener: Listener) -> bool:
         """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
         wake = listener.wake_at()
-        now = self._executive.next_release()
+        release = now = self._executive.next_release()
         if now is None or (wake is not None and wake < now):
             now = wake
         if now is None:
             return False
         if now > self._now:
-            self._step(now)
+            self._step_worlds(now)
+            if release == now:  # at the times of tasks only: it must not matter when somebody looks, or stops the clock
+                self._fingerprint(now)
         if now == wake:
             listener.tick(now)
             self._deliver()
         self._take_events()
         while (heard := self._executive.run_due(now, _AT_ONCE)) is not None:
             self._hear(heard)
+            self._deliver()
+        self.turn += 1
+        if self._look is not None:
+            self._look()
+        return True
+
+    def _answered(self, until: int) -> bool:
+        """Whether no outside partner owes an answer; waits for it up to this time of the wall. The clock stands."""
+        executive = self._executive
+        if not executive.speaks:
+            return True
+        self._outside.update("/".join(address) for address in executive.speaking)
+        while owed := executive.owed():
+            left = until - monotonic_ns()
+            if left <= 0:
+                return False
+            select.select(owed, [], [], left * 1e-9)
+        for address in executive.settled():
+            self._hear(executive.event(address, self._now))
             self._deliver()
         return True
 
@@ -230,19 +274,19 @@ class VirtualDriver:
         events = self._executive.events()
         if events:
             for descriptor in select.select(list(events), [], [], 0)[0]:
+                self._outside.add("/".join(events[descriptor]))
                 self._hear(self._executive.event(events[descriptor], self._now))
                 self._deliver()
 
-    def _step(self, now: int) -> None:
-        """All worlds step to this time, and are looked at for the digest."""
-        self._step_worlds(now)
+    def _fingerprint(self, now: int) -> None:
+        """The worlds are looked at for the digest, if it is time."""
         if now >= self._hash_at:
             self._hash_at = now + _HASHED_EVERY_NS
             for bus in self._buses.values():
                 self._hash.update(bus.world.fingerprint())
 
     def _step_worlds(self, now: int) -> None:
-        self._now = now
+        self._now, self.turn = now, 0
         for name, bus in self._buses.items():
             bus.step(now)
             events = bus.world.take_events()

@@ -25,6 +25,9 @@ class WallDriver:
     def __init__(self, rtpus: Sequence[str], tell: Callable[[event.Event], None], with_fifo: bool) -> None:
         self._zero = monotonic_ns()
         self._tell = tell
+        self.with_fifo = with_fifo
+        self.turn = 0
+        self.options: tuple[str, ...] = ()
         self._supervisor = Supervisor(self._zero, with_fifo)
         self._segments: list[Segment] = []
         self._opened: set[str] = set()
@@ -47,6 +50,11 @@ class WallDriver:
     def digest(self) -> str:
         """Nothing: wall time never repeats."""
         return ""
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Nobody: wall time never repeats in any case."""
+        return ()
 
     @property
     def now(self) -> int:
@@ -131,6 +139,9 @@ class WallDriver:
 
     def begin(self) -> None:
         """A run starts now; wall time has no digest."""
+
+    def each_instant(self, look: Callable[[], None] | None) -> None:
+        """Nobody is called: instants of wall time have no end."""
 
     def advance(self, wall_ns: int) -> bool:
         """Let time pass; never waits. False: nothing has to be done before somebody says something."""

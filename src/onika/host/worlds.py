@@ -9,12 +9,17 @@ from onika.runtime.bus import World
 GROUP = "onika.worlds"
 
 
-def open_world(name: str) -> World:
-    """A new world; raises ValueError with the known names where there is none called so."""
+def open_world(name: str, shake: int | None = None) -> World:
+    """A new world; raises ValueError with the known names where there is none called so.
+
+    `shake` is a seed: its things then stand a little elsewhere, where the world knows how (a method `shaken`).
+    """
     offered = entry_points(group=GROUP)
     if name not in offered.names:
         raise ValueError(f"expected a world ({', '.join(sorted(offered.names)) or 'none installed'}), found {name!r}")
-    return cast(World, offered[name].load()())
+    kind = offered[name].load()
+    shaken = getattr(kind, "shaken", None) if shake is not None else None
+    return cast(World, kind() if shaken is None else shaken(shake))
 
 
 def refuse_unknown(world: str, opened: Collection[str]) -> None:

@@ -7,7 +7,7 @@ so that one code serves every serial arm, and fast: about 2 us a question.
 import mujoco
 import numpy as np
 
-from onika.laws.chain import Link, links, text_of
+from onika.laws.chain import Link, kinds_of, links, text_of
 from onika.laws.frames import Array, Numbers, as_array, quaternion_of_rotation
 
 _SMALL = 1e-9  # a moving body needs some mass: what a chain without a table of masses is given
@@ -16,10 +16,11 @@ _SMALL = 1e-9  # a moving body needs some mass: what a chain without a table of 
 class Arm:
     """A serial arm of n joints.
 
-    `dh` double[n,4]: a m, alpha rad, d m, theta offset rad (standard DH). `dyn` double[n,9]: mass kg, centre x y z m in
-    frame i, principal inertia about it kg m2, armature kg m2, viscous friction N m s/rad. `load` double[4]: mass kg and
-    centre m, in the last DH frame. `base`, `tool` double[4,4]: frame 0 in the world, the tool in the last DH frame.
-    `kind` double[n]: 0 revolute, 1 prismatic. What is left out is nothing: no mass, no load, no offset.
+    `dh` double[n,4]: a m, alpha rad, d m, theta offset rad (standard DH), a full turn more where the joint slides.
+    `dyn` double[n,9]: mass kg, centre x y z m in frame i, principal inertia about it kg m2, armature kg m2, viscous
+    friction N m s/rad (kg and N s/m where it slides). `load` double[4]: mass kg and centre m, in the last DH frame.
+    `base`, `tool` double[4,4]: frame 0 in the world, the tool in the last DH frame. `kind` double[n]: 0 revolute,
+    1 prismatic; left out, it is read from `dh`. What else is left out is nothing: no mass, no load, no offset.
     """
 
     def __init__(
@@ -38,7 +39,7 @@ class Arm:
         self.load = as_array(np.zeros(4) if load is None else load, (4,))
         self.base = as_array(np.eye(4) if base is None else base, (4, 4))
         self.tool = as_array(np.eye(4) if tool is None else tool, (4, 4))
-        self.kind = as_array(np.zeros(n) if kind is None else kind, (n,))
+        self.kind = as_array(kinds_of(self.dh) if kind is None else kind, (n,))
         self.viscous = self.dyn[:, 8].copy()
         self._built = False
 

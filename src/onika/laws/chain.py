@@ -1,5 +1,6 @@
 """A chain of joints read from a Denavit-Hartenberg table, as places that MuJoCo understands."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,6 +8,9 @@ import numpy as np
 from onika.laws.frames import Array, dh_transform, quaternion_of_rotation
 
 REVOLUTE, PRISMATIC = 0, 1
+
+SLIDES = 2.0 * math.pi
+"""Added to a row's theta offset it says that the joint slides; a full turn more changes no frame."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +25,11 @@ class Link:
     quaternion: tuple[float, ...]
     axis: tuple[float, ...]
     anchor: tuple[float, ...]
+
+
+def kinds_of(dh: Array) -> Array:
+    """What the rows say of their joints: double[n], 0 revolute, 1 prismatic where theta is a full turn or more."""
+    return (dh[:, 3] >= SLIDES - 1e-9).astype(np.float64)
 
 
 def links(dh: Array, kind: Array) -> tuple[Link, ...]:

@@ -120,6 +120,18 @@ def quaternion_of_rotation(rotation: Array) -> Array:
     return np.array(_quaternion(rotation.tolist()))
 
 
+def rotation_of_quaternion(quaternion: Numbers) -> Array:
+    """The rotation of a unit quaternion (w, x, y, z)."""
+    w, x, y, z = (float(number) for number in quaternion)
+    return np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
+
+
 def _quaternion(rotation: Rows) -> tuple[float, float, float, float]:
     (r00, r01, r02), (r10, r11, r12), (r20, r21, r22) = rotation
     parts = (r00 + r11 + r22, r00, r11, r22)

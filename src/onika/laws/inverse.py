@@ -4,9 +4,11 @@ from typing import Protocol
 
 import numpy as np
 
+from onika.laws.chain import kinds_of
 from onika.laws.damped import DampedInverse
 from onika.laws.frames import Array, Numbers, as_array
 from onika.laws.puma_inverse import PumaInverse, is_puma_family
+from onika.laws.scara_inverse import ScaraInverse, is_scara_family
 
 
 class Inverse(Protocol):
@@ -28,10 +30,10 @@ def inverse_for(
     qmax: Numbers,
     kind: Numbers | None = None,
 ) -> Inverse:
-    """The inverse of an arm given by constants (units as in `Arm`); `qmin`, `qmax` double[n]."""
+    """The inverse of an arm given by constants (units and kinds as in `Arm`); `qmin`, `qmax` double[n]."""
     n = np.size(dh) // 4
     table = as_array(dh, (n, 4))
-    kinds = as_array(np.zeros(n) if kind is None else kind, (n,))
+    kinds = as_array(kinds_of(table) if kind is None else kind, (n,))
     lows, highs = as_array(qmin, (n,)), as_array(qmax, (n,))
     frames = (
         as_array(np.eye(4) if base is None else base, (4, 4)),
@@ -39,4 +41,6 @@ def inverse_for(
     )
     if is_puma_family(table, kinds):
         return PumaInverse(table, *frames, lows, highs)
+    if is_scara_family(table, kinds):
+        return ScaraInverse(table, *frames, lows, highs)
     return DampedInverse(table, *frames, lows, highs, kinds)

@@ -1,7 +1,7 @@
 """An application: one or more flows of icons and holes (dissertation §5.5, §A.4)."""
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 from onika.model.onikon import Onikon
@@ -25,6 +25,8 @@ class Icon:
     """The condition while which the loop goes on, in place of the test's return value; empty: the return value."""
     line: int = field(default=0, compare=False)
     """Where it stood in the file it was read from, for messages; 0 elsewhere."""
+    number: int = field(default=0, compare=False)
+    """What it is called while it is open, one after the other from 1; 0 elsewhere."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +37,7 @@ class Hole:
     """As that of an icon."""
     kept: str = ""
     """The lines of the target of unknown type that stands there, which are written again as they are."""
+    number: int = field(default=0, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,6 +51,7 @@ class Branch:
     flows: tuple["AppFlow", ...]
     conditions: tuple[str, ...] = ()
     line: int = field(default=0, compare=False)
+    number: int = field(default=0, compare=False)
 
 
 Step = Icon | Hole | Branch
@@ -141,6 +145,31 @@ def flows_within(flow: AppFlow, path: str) -> Iterator[tuple[str, AppFlow]]:
         if isinstance(step, Branch):
             for number, inner in enumerate(step.flows):
                 yield from flows_within(inner, f"{path}, step {position}, branch {number}")
+
+
+def without_breakpoints(application: Application) -> Application:
+    """The same application with no breakpoint in it, in a branch neither."""
+    return _with_steps(application, lambda icon: replace(icon, marker=False, marker_if=""))
+
+
+def with_numbers_as_lines(application: Application) -> Application:
+    """The same application, each step at the line of its number: what is told of a line is told of a step."""
+    return _with_steps(application, lambda icon: replace(icon, line=icon.number), by_number=True)
+
+
+def _with_steps(application: Application, change: Callable[[Icon], Icon], *, by_number: bool = False) -> Application:
+    """With every icon changed; `by_number`: holes and branches stand at the lines of their numbers too."""
+
+    def changed(step: Step) -> Step:
+        if isinstance(step, Icon):
+            return change(step)
+        line = step.number if by_number else step.line
+        if isinstance(step, Hole):
+            return replace(step, line=line)
+        return replace(step, line=line, flows=tuple(AppFlow(tuple(map(changed, one.steps))) for one in step.flows))
+
+    flows = tuple(AppFlow(tuple(map(changed, flow.steps))) for flow in application.flows)
+    return replace(application, flows=flows)
 
 
 def _targets(steps: tuple[Step, ...], at: int, wanted: tuple[str, ...], syntax: Syntax) -> tuple[Icon | Hole, ...]:

@@ -1,11 +1,17 @@
 """An onikon: the picture of a job, target or application with its type and values (dissertation §5.4, §A.3)."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 from onika.model.picture import Picture
-from onika.model.syntax import Syntax
+from onika.model.syntax import DataItem, Syntax
 from onika.words import argument
 from onika.words.value import Value
+
+
+def fits(values: Sequence[Sequence[Value]], items: Sequence[DataItem]) -> bool:
+    """Whether there are as many values of each data item as there can be."""
+    return len(values) == len(items) and all(item.takes(len(some)) for item, some in zip(items, values, strict=True))
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,6 +25,12 @@ class Onikon:
     picture: Picture
     more_targets: tuple[str, ...] = ()
     """Of an action: the types of the targets that follow the one its own type names (requirement D13)."""
+    words: tuple[tuple[str, str], ...] = ()
+    """Its description in other languages, each with the code of its language before it (requirement X11)."""
+
+    def as_placed(self) -> "Onikon":
+        """This icon as it is placed in an application: what it says in other languages stays in the dictionary."""
+        return replace(self, words=()) if self.words else self
 
     def argument_line(self, syntax: Syntax) -> str:
         """The values in the order of the definition, as the argument line of a task (decision 40).
@@ -27,8 +39,7 @@ class Onikon:
         """
         kind = syntax.find(self.type)
         items = kind.items if kind else ()
-        counts = tuple(len(values) for values in self.values)
-        if kind is None or counts != tuple(item.count for item in items):
+        if kind is None or not fits(self.values, items):
             expected = ", ".join(f"{item.count} {item.type.value}" for item in items) or "no values"
             raise ValueError(f"expected {expected} for `{self.name}` of type {self.type!r}, found {self.values!r}")
         return argument.join(

@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, field
 from functools import lru_cache
+from typing import NamedTuple
 
 from onika.words.value import ValueType
 
@@ -21,6 +22,12 @@ class DataItem:
     name: str
     type: ValueType
     count: int
+    dimension: str = ""
+    """The constant that says how many there really are, as NDOF of the robot; `count` is then what is usual (D13)."""
+
+    def takes(self, number: int) -> bool:
+        """Whether so many elements can be meant; where a constant says how many, that is seen before the run."""
+        return number == self.count or (bool(self.dimension) and number > 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,47 +42,49 @@ class IconType:
     @property
     def is_start(self) -> bool:
         """The type of the icon that begins every flow."""
-        return same_type(self.name, START)
+        return _meaning(self.name).is_start
 
     @property
     def is_end(self) -> bool:
         """The type of the icon that ends every flow."""
-        return same_type(self.name, END)
+        return _meaning(self.name).is_end
 
     @property
     def is_noop(self) -> bool:
         """An action that does nothing (requirement D11)."""
-        return same_type(self.name, COMPLETE_NOP)
+        return _meaning(self.name).is_noop
 
     @property
     def is_target(self) -> bool:
         """Data for the action before it."""
-        return has_word(self.name, "object")
+        return _meaning(self.name).is_target
 
     @property
     def is_complete(self) -> bool:
         """An action that never takes a target."""
-        return has_word(self.name, "complete")
+        return _meaning(self.name).is_complete
 
     @property
     def is_application(self) -> bool:
         """An action that runs an application."""
-        return has_word(self.name, "application") and not (self.is_start or self.is_end or self.is_target)
+        return _meaning(self.name).is_application
 
     @property
     def is_job(self) -> bool:
         """An action that runs a configuration."""
-        return has_word(self.name, "job") and not self.is_target
+        return _meaning(self.name).is_job
 
     @property
     def is_action(self) -> bool:
         """An action of any kind: job, application or no-op."""
-        return self.is_job or self.is_application or self.is_noop
+        meaning = _meaning(self.name)
+        return meaning.is_job or meaning.is_application or meaning.is_noop
 
     @property
     def needs_target(self) -> bool:
         """An action that is followed by its target."""
-        return (self.is_job or self.is_application) and not self.is_complete
+        meaning = _meaning(self.name)
+        return (meaning.is_job or meaning.is_application) and not meaning.is_complete
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,3 +175,29 @@ def same_type(one: str, other: str) -> bool:
 @lru_cache(maxsize=1024)  # asked for every icon, again and again, and there are few types
 def _words(name: str) -> tuple[str, ...]:
     return tuple(name.lower().split())
+
+
+class _Meaning(NamedTuple):
+    """What the words of a type's name say (requirement D22)."""
+
+    is_start: bool
+    is_end: bool
+    is_noop: bool
+    is_target: bool
+    is_complete: bool
+    is_application: bool
+    is_job: bool
+
+
+@lru_cache(maxsize=1024)
+def _meaning(name: str) -> _Meaning:
+    is_start, is_end, is_target = same_type(name, START), same_type(name, END), has_word(name, "object")
+    return _Meaning(
+        is_start=is_start,
+        is_end=is_end,
+        is_noop=same_type(name, COMPLETE_NOP),
+        is_target=is_target,
+        is_complete=has_word(name, "complete"),
+        is_application=has_word(name, "application") and not (is_start or is_end or is_target),
+        is_job=has_word(name, "job") and not is_target,
+    )

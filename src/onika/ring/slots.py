@@ -156,6 +156,16 @@ class Ring:
         self.reader(memoryview(target))()
         return bytes(target)
 
+    def since(self, seen: int) -> tuple[int, list[bytes]]:
+        """The count, and the values published after the count `seen`, oldest first, as far as they still lie here."""
+        words, slots = self.words, self._slots
+        while True:
+            count: int = words[0]
+            first = max(seen + 1, count - 2)
+            found = [bytes(slots[n & 3]) for n in range(first, count + 1)]
+            if words[0] - first < 3:
+                return count, found
+
     def writer(self, source: memoryview) -> Callable[[], None]:
         """A fast function that publishes what lies in `source` (bytes, `size` of them) at the time of the call."""
         words, slots = self.words, self._slots

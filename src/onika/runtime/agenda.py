@@ -48,6 +48,15 @@ class Agenda:
         slot.is_listed = False
         self._coming[slot] = now
 
+    def resume(self, slot: Slot, now: int) -> None:
+        """Due at the next point of the common grid, and no sooner."""
+        self._coming.pop(slot, None)
+        self._renew(slot)
+        slot.is_listed = True
+        slot.release = _next_on_grid(now, slot.period)
+        slot.deadline = slot.release + slot.period
+        heappush(self._releases, (slot.release, slot.deadline, *slot.key, slot.epoch, slot))
+
     def leave(self, slot: Slot) -> None:
         """Not due any more; what still lies in the queues is stale by its epoch."""
         self._renew(slot)

@@ -103,10 +103,13 @@ class Exchange:
             new.counters.begin(now)
             new.is_first = True
         self._unit.exchange(old, new)
+        if was_on:
+            self._unit.speak_on(new, now)
         new.publish_constants(first_values=not was_on)
         if was_on and not new.goes_on:
             new.publish()
         self._farewell(old, new, "kill", now)
+        old.part()
         self._calls.warn(new, now)
         self._unit.tell(news.Swapped(*new.address, hashlib.sha256(new.spawn.source.encode()).hexdigest()))
 

@@ -95,7 +95,7 @@ class Executive:
                 self._after_cycle(task, signal, now)
             most -= 1
             goes_on = slot.epoch == epoch
-            if goes_on and not task.is_periodic:
+            if goes_on and not task.is_periodic and (task.is_owed or not task.asks):
                 agenda.leave(slot)
                 goes_on = False
             if unit.news or not most:
@@ -109,13 +109,37 @@ class Executive:
         """The descriptors that synchronous tasks which are ON wait for; their owner waits for them with its own."""
         return dict(self._unit.events)
 
+    @property
+    def speaks(self) -> bool:
+        """Whether a task is ON that has an outside partner; asked at every instant of virtual time."""
+        return bool(self._unit.speaking)
+
+    @property
+    def speaking(self) -> Sequence[Address]:
+        """The tasks that are ON and have asked an outside partner something."""
+        return [address for address, task in self._unit.speaking.items() if task.partner and task.partner.questions]
+
+    def owed(self) -> list[int]:
+        """The descriptors of the outside partners that owe an answer by now: in virtual time the clock stands."""
+        partners = [task.partner for task in self._unit.speaking.values() if task.partner and task.is_owed]
+        for partner in partners:
+            partner.hear()
+        return [partner.fileno() for partner in partners if partner.is_awaited]
+
+    def settled(self) -> list[Address]:
+        """The synchronous tasks to which their partner's answer is to be told, or that there is none: as events."""
+        return [address for address, task in self._unit.speaking.items() if task.is_synchronous and task.is_settled]
+
     def event(self, address: Address, now: int) -> list[news.News]:
         """The event of a synchronous task has arrived; nothing happens unless it is ON."""
         task = self.tasks.get(address)
         if task is not None and task.is_on and task.is_synchronous:
+            was_owed = task.is_owed or task.is_settled
             signal = self._calls.event(task, now)
             self._after_cycle(task, signal, now)
             self._calls.watch("")
+            if was_owed and task.is_on and not task.is_owed:
+                self._unit.agenda.resume(task.slot, now)  # it asks again at its rate
         return self._unit.take_news()
 
     # Inner

@@ -74,6 +74,7 @@ class Life:
             self._leave(task, Step.OFF, now)
         self._unit.dismiss(address)
         self._calls.attempt(task, "kill", now, task.module.kill)
+        task.part()
         task.hold()
         task.step(Step.KILL)
         self._unit.tell(news.Changed(*address, State.KILLED.value, now, activation=task.activation))

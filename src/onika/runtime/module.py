@@ -11,6 +11,8 @@ from onika.runtime.device import Device
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
+    from onika.runtime.partner import Partner
+
 
 class ModuleError(Exception):
     """What a module raises when it cannot do its work; goes to its `error` entry first (dissertation §C.2)."""
@@ -30,6 +32,7 @@ class Module:
     Every entry point may be left out. None of them may wait: what must wait or compute for long gets an RTPU of its
     own. `dt` is the period in seconds, `now` the time of this cycle in seconds since the subsystem's start; take time
     from nowhere else. `random` is seeded by the run and the task. `device` is there where LOCAL has a DEVICE line.
+    `partner` is an outside program that the module talks with, where its `init` makes one.
     """
 
     trigger: ClassVar[bool] = False
@@ -65,6 +68,7 @@ class Module:
         self.now = 0.0
         self.random = random.Random(0)  # noqa: S311 - noise for simulation, no secret
         self.device: Device = Device.absent()
+        self.partner: Partner | None = None
         self.warnings: list[str] = []
         self.in_force: frozenset[str] = frozenset()
 
@@ -113,17 +117,19 @@ class Module:
         """
 
     def cycle(self) -> Signal | None:
-        """One period of a periodic task, or the one run of an aperiodic one.
+        """One period of a periodic task, or the one run of an aperiodic one; of a synchronous one with a partner: ask.
 
         Anything that can be called without arguments may stand here, on the class or set by `init`: a compiled
         function, a `partial`, a C function. What it returns is a signal, None or the number 0 (nothing happened).
         """
 
     def sync(self) -> Signal | None:
-        """A synchronous task's event has arrived."""
+        """A synchronous task's event has arrived; where it has a partner: the answer has."""
 
     def fileno(self) -> int:
         """Of a synchronous module: the file descriptor whose input is its event; asked once it is on. Never -1."""
+        if self.partner is not None:
+            return self.partner.fileno()
         raise ModuleError("a synchronous module says with `fileno` which descriptor it waits for")
 
     def off(self) -> None:
@@ -163,3 +169,27 @@ class Module:
         A target of a type the robot knows nothing of is none of its business: None.
         """
         return [None for _ in targets]
+
+    @classmethod
+    def poses(cls, constants: dict[str, Any], targets: list[Any]) -> list[Any] | None:
+        """Of a robot module: the Cartesian targets that joint targets are, so that another robot can take them.
+
+        Of each target the first NDOF values count. None: this robot knows of no poses.
+        """
+        return None
+
+    @classmethod
+    def postures(cls, constants: dict[str, Any], nines: list[Any]) -> list[Any] | None:
+        """Of a robot module: joint values for Cartesian targets, each nearest to those before it, or a reason why not.
+
+        None: this robot knows of no poses.
+        """
+        return None
+
+    @classmethod
+    def fits(cls, constants: dict[str, Any], said: dict[str, Any]) -> str | None:
+        """Of a hardware module: why the device that says this of itself is not the one meant; None: nothing is wrong.
+
+        Asked before a run, so that it is told before anything moves; `init` has the last word.
+        """
+        return None

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from msgspec import structs
 
 from onika.model.lifecycle import State, Step, after
-from onika.model.signal import Signal, SignalKind
+from onika.model.signal import Signal, SignalKind, off
 from onika.runtime.agenda import Slot
 from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of
 from onika.runtime.command import BoundPort, Spawn
@@ -16,6 +16,7 @@ from onika.runtime.containment import Containment
 from onika.runtime.counters import Counters
 from onika.runtime.device import SILENCE_NS, Device
 from onika.runtime.module import LawBroken, Module, ModuleError
+from onika.runtime.partner import Partner
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
 
@@ -77,6 +78,28 @@ class RunningTask:
         return self.module.device if self.spawn.device is not None else None
 
     @property
+    def partner(self) -> Partner | None:
+        """The outside program that the task talks with, if it has one."""
+        return self.module.partner
+
+    @property
+    def is_owed(self) -> bool:
+        """Whether its partner owes it an answer."""
+        partner = self.module.partner
+        return partner is not None and partner.is_awaited
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether something has come of its question that it has not been told yet."""
+        partner = self.module.partner
+        return partner is not None and partner.is_settled
+
+    @property
+    def asks(self) -> bool:
+        """Whether it asks at its rate, and goes on with the answer: synchronous with a partner."""
+        return self.is_synchronous and self.module.partner is not None
+
+    @property
     def is_on(self) -> bool:
         """Whether it is ON."""
         return self.state is State.ON
@@ -113,6 +136,8 @@ class RunningTask:
         began = perf_counter_ns()
         entry()
         self.init_took_ns = perf_counter_ns() - began
+        if self.module.partner is not None:
+            self.module.partner.task = f"{self.spawn.subsystem}/{self.spawn.task}"
         self.no_strays()
         if self._wanted:
             self._input = UserInput(sheet_of(type(self.module)).inputs, self._constants())
@@ -163,6 +188,8 @@ class RunningTask:
     def begin(self, now: int, inputs: SimpleNamespace) -> None:
         """All of `on` but what others see of it."""
         self.look()
+        if self.module.partner is not None:
+            self.module.partner.begin()
         if self.hardware:
             self._begin_hold(now)
         self.module.on(inputs)
@@ -202,8 +229,21 @@ class RunningTask:
         return signal
 
     def event(self, now: int) -> Signal | None:
-        """The event of a synchronous task has come: as a cycle, through `sync`."""
+        """The event of a synchronous task has come: as a cycle, through `sync`.
+
+        Where it has a partner, the event may be nothing yet, and what comes of a question may be that it has none: then
+        a passive task falls silent, and any other has a fault.
+        """
         began = perf_counter_ns()
+        if self.module.partner is not None:
+            try:
+                if not self.module.partner.has_answered():
+                    return None
+            except ModuleError as missing:
+                if not self.passive:
+                    raise
+                self.module.warn(f"{missing}: it goes off")
+                return off()
         for read in self._reads:
             read()
         self.module.now = now * 1e-9
@@ -231,11 +271,18 @@ class RunningTask:
         finally:
             self.hold()
             self.binding.rest()
+            if self.module.partner is not None:
+                self.module.partner.rest()
 
     def hold(self) -> None:
         """Put the task's device in hold, whatever its module thinks."""
         if self.spawn.device is not None:
             self.module.device.hold()
+
+    def part(self) -> None:
+        """The task is gone: so are the connection to its partner and the program it started."""
+        if self.module.partner is not None:
+            self.module.partner.close()
 
     def parse(self, line: str) -> SimpleNamespace:
         """The user input of an argument line; raises ValueError where it cannot be used."""

@@ -24,6 +24,8 @@ class Unit:
         self.agenda = Agenda()
         self.slots: MutableMapping[Slot, RunningTask] = {}
         self.events: dict[int, Address] = {}
+        self.speaking: dict[Address, RunningTask] = {}
+        """What is ON and has an outside partner."""
         self.news: list[news.News] = []
         self.prepared = Preparations()
         self.is_stopped = False
@@ -80,20 +82,33 @@ class Unit:
     def enter(self, task: RunningTask, now: int) -> None:
         """The task cycles from now on."""
         task.counters.on_since_ns = now
-        if not task.is_synchronous:
+        if not task.is_synchronous or task.asks:
             self.agenda.enter(task.slot, now)
+        if task.partner is not None:
+            self.speaking[task.address] = task
 
     def leave(self, task: RunningTask, now: int) -> None:
         """The task cycles no more; harmless where it did not."""
         task.counters.end(now)
         self.agenda.leave(task.slot)
         self.forget_event(task)
+        self.speaking.pop(task.address, None)
 
     def await_event(self, task: RunningTask) -> None:
         """Wait for the descriptor that a synchronous module names; raises what the module or `select` says of it."""
         descriptor = task.module.fileno()
         select.select([descriptor], [], [], 0)  # says at once what is no descriptor
         self.events[descriptor] = task.address
+
+    def speak_on(self, new: RunningTask, now: int) -> None:
+        """After an exchange while ON: the new task talks with its own partner, if any, and asks at its next time."""
+        self.speaking.pop(new.address, None)
+        if new.partner is not None:
+            self.speaking[new.address] = new
+        if new.is_synchronous:
+            self.agenda.leave(new.slot)
+        if new.asks and not new.is_owed:
+            self.agenda.resume(new.slot, now)
 
     def forget_event(self, task: RunningTask) -> None:
         """Wait for the task's descriptor no more."""

@@ -35,6 +35,10 @@ class UserInput:
         self._scalar = {sheet.name: not Shape.parse(sheet.shape).dims for sheet in sheets}
         self._foreseen: dict[str, SimpleNamespace] = {}
 
+    def takes(self, line: str) -> bool:
+        """Whether a line has as many words as there are values; raises ValueError for one that is no line of words."""
+        return len(argument.split(line)) == sum(item.count for item in self.items)
+
     def foresee(self, lines: Iterable[str]) -> None:
         """These may come next, and no others are expected any more: read them now, as far as they can be read."""
         self._foreseen = {}

@@ -128,6 +128,10 @@ class BaseDirectory:
         """The application `name`, to be saved again."""
         return open_file(self.application_file(name), name, partial(appl.read, syntax=syntax))
 
+    def salvage_application(self, name: str, syntax: Syntax) -> tuple[Opened[Application] | None, Faults]:
+        """The application `name` as far as its file can be read, also where that is at fault."""
+        return open_file(self.application_file(name), name, partial(appl.salvage, syntax=syntax))
+
     def save_task(self, record: RmodText, task: Task | None = None, *, overwrites: bool = False) -> RmodText | Refusal:
         """Save a task with what `task` changes in it; a new record, and one under another name, is a new file.
 

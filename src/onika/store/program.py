@@ -1,7 +1,7 @@
 """A program: an application with all that was found for it on a site (dissertation §5.9.2)."""
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from onika.files import appl, text
@@ -44,10 +44,34 @@ def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults
     application, faults = appl.read(content, path.name.removesuffix(appl.ENDING), str(path), syntax)
     if application is None:
         return None, faults
-    folder = path.absolute().parent
-    gathering = _Gathering(site.at(folder.parent) if folder.name == "appl" else site, syntax)
-    program = gathering.program(application, faults)
+    program = gather(application, home_of(path, site), syntax, faults)
     return program, program.faults
+
+
+def gather(application: Application, site: Site, syntax: Syntax, faults: Faults = ()) -> Program:
+    """An application with the configurations, tasks and code it needs; `faults` are those of its own file."""
+    return _Gathering(site, syntax).program(application, faults)
+
+
+def joined(program: Program, names: Iterable[str], site: Site) -> Program:
+    """A program with further tasks that may live in it, and their code; those that are nowhere are left out."""
+    tasks, code, faults = dict(program.tasks), dict(program.code), list(program.faults)
+    for name in names:
+        record, found = site.task(name) if name not in tasks else (None, ())
+        faults += found
+        if record is None:
+            continue
+        tasks[name] = record.task
+        path = site.code_file(record.task)
+        if path is not None:
+            code.setdefault(record.task.module, path)
+    return replace(program, tasks=tasks, code=code, faults=tuple(faults))
+
+
+def home_of(path: Path, site: Site) -> Site:
+    """The site as the application in the file `path` sees it: its own base directory comes first (decision 35)."""
+    folder = path.absolute().parent
+    return site.at(folder.parent) if folder.name == "appl" else site
 
 
 class _Gathering:

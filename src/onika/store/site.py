@@ -49,15 +49,20 @@ class Site:
 
     # -- the user's and the installation's files
 
+    @property
+    def syntax_files(self) -> tuple[Path, ...]:
+        """Where the syntax may be defined, the user's own first."""
+        own = () if self.home is None else (self.home / f".{syntax.NAME}", self.home / syntax.NAME)
+        return (*own, self.prefs / syntax.NAME)
+
     def syntax(self) -> tuple[Syntax | None, Faults]:
         """The user's own syntax definition, else the shipped one; whole, never merged (decision 39).
 
         A faulty one is reported and the next is taken; None only where the shipped one is at fault.
         """
-        own = () if self.home is None else (self.home / f".{syntax.NAME}", self.home / syntax.NAME)
         found: list[Fault] = []
-        for path in (*own, self.prefs / syntax.NAME):
-            if path in own and not path.exists():
+        for path in self.syntax_files:
+            if path != self.syntax_files[-1] and not path.exists():
                 continue
             content, faults = text.load(path, str(path))
             found += faults
@@ -137,6 +142,11 @@ class Site:
         bases = (*((home,) if home else ()), *self.directories)
         return next((path for base in bases if (path := base.code_file(task.module)).is_file()), None)
 
+    def configuration_file(self, name: str) -> Path | None:
+        """The file of the configuration `name`, in the first base directory that holds it."""
+        base = self._first(name, BaseDirectory.configuration_file)
+        return base.configuration_file(name) if base else None
+
     def application_file(self, name_or_path: str) -> Path | None:
         """The file of an application given by its name, or by a path where that ends with `.appl` or holds a `/`."""
         if name_or_path.endswith(appl.ENDING) or os.sep in name_or_path:
@@ -178,13 +188,13 @@ class Site:
         return tuple(fault for kind, names in zip(_FOLDERS, kinds, strict=True) for fault in self._twice(kind, names))
 
     def absent(self) -> Faults:
-        """Directories of the search path that are none, as notes (requirement C20)."""
+        """Directories of the search path that are none, as notes (requirement C20); the user's own may be absent."""
         return tuple(
             Fault(
                 Place(str(base.path)), "a base directory of the search path", "none", "it is passed over", is_note=True
             )
             for base in self.directories
-            if not base.path.is_dir()
+            if not base.path.is_dir() and base.path != self.own
         )
 
     def _twice(self, folder: str, names: Callable[[BaseDirectory], tuple[str, ...]]) -> Iterator[Fault]:
@@ -242,10 +252,11 @@ def shipped_directories() -> tuple[Path, ...]:
 def open_site(local: Iterable[Path], environment: Mapping[str, str], home: Path | None) -> Site:
     """The site of a session: the directories `local`, those of ONIKA_LOCAL, the user's own, the shipped laboratories.
 
+    The user's own is among them before it is there: what is saved in it first is found at once.
     ONIKA_LOCAL is a list parted like PATH; ONIKA_DIR names a directory whose `prefs` stand for the shipped ones.
     """
     named = [Path(part) for part in environment.get("ONIKA_LOCAL", "").split(os.pathsep) if part]
-    own = [home / OWN] if home is not None and (home / OWN).is_dir() else []
+    own = [] if home is None else [home / OWN]
     paths = dict.fromkeys(path.absolute() for path in (*local, *named, *own, *shipped_directories()))
     root = environment.get("ONIKA_DIR")
     prefs = Path(root) / "prefs" if root else shipped() / "prefs"

@@ -1,14 +1,16 @@
 """Whoever asks a runtime program, without a link: requests in, replies and events out, in virtual time."""
 
 from collections import deque
+from collections.abc import Callable
 
 from onika.host.gate import Call
+from onika.host.leases import Leases
 from onika.host.program import Program
 from onika.host.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.testing.rail import YardLoading
 from onika.testing.worlds import MassWorld
-from onika.wire import event, live, reading, request
+from onika.wire import event, holding, live, reading, request
 
 SECOND = 1_000_000_000
 
@@ -24,12 +26,25 @@ class OpenGate:
         self.attends: dict[str, tuple[str, ...]] = {}
         self.shown: list[tuple[str, str, reading.Reading]] = []
         self.gone: list[str] = []
+        self.known: dict[str, Role] = {}
+        self.silent: dict[str, int] = {}
+        """By session: for how long it has not been heard, in ns."""
+        self.overhear(None)
 
     def requests(self) -> list[Call]:
         """What was asked."""
         calls = list(self.waiting)
         self.waiting.clear()
+        self.known |= {one.session: one.role for one in calls if one.session not in self.known}
         return calls
+
+    def sessions(self) -> tuple[holding.SessionStanding, ...]:
+        """All that have asked something and are not gone."""
+        return tuple(holding.SessionStanding(name, role.word) for name, role in self.known.items())
+
+    def silent_ns(self, session: str) -> int | None:
+        """How long a session has not been heard, as a test says it; None: its lease never ends."""
+        return self.silent.get(session)
 
     def reply(self, ticket: int, response: request.Response) -> None:
         """Each request is answered once."""
@@ -43,6 +58,11 @@ class OpenGate:
         event.decode(event.encode(one))
         self.told.append(one)
         self.heard.append((subsystem, session, one))
+        self.ear(one, subsystem)
+
+    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+        """From now on this one hears everything too."""
+        self.ear = ear or (lambda _one, _subsystem: None)
 
     def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
         """What a session hears."""
@@ -55,6 +75,8 @@ class OpenGate:
     def lost(self) -> list[str]:
         """The sessions that are gone."""
         gone, self.gone = self.gone, []
+        for session in gone:
+            self.known.pop(session, None)
         return gone
 
 
@@ -66,6 +88,10 @@ class Asker:
         self.driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
         self.program = Program(self.gate, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
         self._count = 0
+
+    def lease(self, length_ns: int) -> None:
+        """From now on holders are there only as long as the gate hears them."""
+        self.program.leases = Leases(self.program.holders, self.gate.silent_ns, length_ns)
 
     def send(self, asked: request.Request, session: str = "me") -> int:
         """Ask, and look for the answer later; its ticket."""

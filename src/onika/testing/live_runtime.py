@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from onika.model.lifecycle import IllegalTransition, State, Step, after
-from onika.wire import event, live, request, steer
+from onika.wire import event, holding, live, request, steer
 from onika.wire.plan import PlannedTask
 
 
@@ -62,6 +62,7 @@ class LiveRuntime:
         """Kinds of requests that are refused, by their class's name, with the reason."""
         self.positions: tuple[steer.Position, ...] = ()
         """Where flows are said to be; an application runs in them."""
+        self.sessions: tuple[holding.SessionStanding, ...] = (holding.SessionStanding("you", "owner"),)
         self.faults: tuple[request.FaultText, ...] = ()
         """What the next code or plan is found to be wrong with."""
 
@@ -247,6 +248,12 @@ class LiveRuntime:
                 self._hand(asked)
                 holder = "you" if isinstance(asked, live.Take) else ""
                 self._told.append(event.Held(asked.subsystem, holder))
+            case holding.Sessions():
+                return holding.Company("you", self.sessions)
+            case holding.Hand():
+                self._told.append(event.Offered(asked.subsystem, "you", asked.to, "" if asked.to else "withdrawn"))
+            case holding.Decline():
+                self._told.append(event.Offered(asked.subsystem, "anna#2", "you", "you declines"))
             case live.Scene():
                 scene = self.scenes.get(asked.world)
                 return request.Refused(f"no world {asked.world} is open") if scene is None else live.Scenery(scene)

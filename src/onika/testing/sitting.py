@@ -28,12 +28,14 @@ from onika.wire.view import ButtonView, Tree
 class Sitting:
     """Acts go in by `do`; whatever a page would be told is kept, and its copy of the tree stays equal."""
 
-    def __init__(self, folder: Path, tasks: Iterable[Task] = (), model: Model | None = None) -> None:
+    def __init__(
+        self, folder: Path, tasks: Iterable[Task] = (), model: Model | None = None, site: Site | None = None
+    ) -> None:
         self.base = BaseDirectory(folder)
         for task in tasks:
             self.base.save_task(RmodText(task))
         self.home = folder / "home"
-        self.site = Site((self.base,), shipped() / "prefs", self.home)
+        self.site = site or Site((self.base,), shipped() / "prefs", self.home)
         opened = model or Model(Shelf(open_libraries([self.base])))
         self.orders: list[Order] = []
         self.says: list[page.Say] = []

@@ -54,6 +54,7 @@ class Workshop:
         aliases: Mapping[str, str] | None = None,
         rtpu: str = "unknown",
         module: str = "",
+        kind: str = "",
     ) -> PlannedTask:
         """A task of a module with this source, which is named like the task unless said otherwise."""
         code = Code(sha256(source.encode()).hexdigest(), module or name, f"{module or name}.py", source)
@@ -67,7 +68,7 @@ class Workshop:
             place=f"{name}.rmod",
             rtpu=rtpu,
             frequency=frequency,
-            type="periodic" if frequency else "aperiodic",
+            type=kind or ("periodic" if frequency else "aperiodic"),
             aliases=tuple((aliases or {}).items()),
             local=tuple((key, tuple(words.split())) for key, words in (local or {}).items()),
             **ports,

@@ -4,7 +4,7 @@ import asyncio
 import os
 import socket
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -20,6 +20,8 @@ from onika.desk.environment.launching import Launching
 from onika.desk.environment.recovery import Recovery, reopened
 from onika.desk.environment.station import Station
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.upper.run import judging
+from onika.desk.upper.run.judging import Judge
 from onika.store.site import Site
 from onika.web.app import application
 from onika.web.door import Door
@@ -32,6 +34,10 @@ _LOOK_S = 1.0
 
 _FRAME_S = 1 / 60
 _KEEP_S = 0.1
+_JUDGE_S = 0.1
+_STALE_S = 1.0
+"""Between two looks at whether files that applications use have changed."""
+
 _NAME = "Onika"
 
 
@@ -42,6 +48,7 @@ class Wishes:
     files           configurations to open
     url, token      a runtime that runs already; empty: one of its own
     is_connected    whether what is opened is connected at once
+    is_upper_only   whether the lower level is hidden in this session, whatever is preferred (G05)
     """
 
     files: tuple[str, ...] = ()
@@ -51,6 +58,7 @@ class Wishes:
     rtpus: tuple[str, ...] = ("rt0",)
     with_fifo: bool = True
     has_diary: bool = True
+    is_upper_only: bool = False
 
 
 class Program:
@@ -73,7 +81,7 @@ class Program:
         launching = Launching(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
         station = Station(launching, post)
         disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
-        model, says = opening.opened(self._site, self._state, os.environ)
+        model, says = opening.opened(self._site, self._state, self._settings())
         environment = Environment(model, HANDLERS, surroundings, station)
         hall = Hall(environment, station)
         hall.remember(says)
@@ -82,7 +90,12 @@ class Program:
         station.begin(environment)
         self._open(environment)
         diary = self._diary(environment)
-        beside = (self._show(hall), self._look(environment, disk), self._keep(environment, kept, autosave))
+        beside = (
+            self._show(hall),
+            self._look(environment, disk),
+            self._keep(environment, kept, autosave),
+            self._judge(environment),
+        )
         try:
             await serve(application(door, hall), listening, beside, lambda: on_ready(_address(listening, door.key)))
         finally:
@@ -92,6 +105,10 @@ class Program:
             if diary is not None:
                 diary.close()
             self._leave(environment, surroundings, kept, autosave)
+
+    def _settings(self) -> Mapping[str, str]:
+        """What the system says of this session, and what was asked for when it was begun."""
+        return {**os.environ, "ONIKA_LOWER": "no"} if self._wishes.is_upper_only else os.environ
 
     def _leave(
         self, environment: Environment, surroundings: Surroundings, kept: Recovery | None, autosave: Autosave
@@ -149,7 +166,20 @@ class Program:
             await asyncio.sleep(_LOOK_S)
             changed = await asyncio.to_thread(disk.changed, environment.model)
             if changed:
-                environment.become(partial(refreshing.refreshed, changed=changed))
+                environment.become(partial(refreshing.refreshed, changed=changed, site=self._site))
+
+    async def _judge(self, environment: Environment) -> None:
+        """Whether what is open could be run, soon after it was changed."""
+        judge, stale_at = Judge(self._site), 0.0
+        while True:
+            await asyncio.sleep(_JUDGE_S)
+            cases = judge.cases(environment.model)
+            if not cases and time.monotonic() >= stale_at and environment.model.applications:
+                stale_at = time.monotonic() + _STALE_S
+                cases = await asyncio.to_thread(judge.stale, environment.model)
+            for case in cases:
+                judgement = await asyncio.to_thread(judge.judge, case)
+                environment.become(partial(judging.judged, doc=case.opened.id, judgement=judgement))
 
     async def _keep(self, environment: Environment, kept: Recovery | None, autosave: Autosave) -> None:
         """What is not saved, soon after it was changed."""

@@ -8,6 +8,8 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
+from onika.wire.holding import SessionStanding
+
 
 class Began(Struct, frozen=True, tag=True):
     """An action begins; `index` counts from 0."""
@@ -128,6 +130,23 @@ class Held(Struct, frozen=True, tag=True):
 
     subsystem: str
     holder: str
+    cause: str = ""
+    """Why, where that is worth a word: it was handed over, or the holder is not heard any more."""
+
+
+class Offered(Struct, frozen=True, tag=True):
+    """A holder offers a subsystem to another session; with an outcome the offer is over."""
+
+    subsystem: str
+    holder: str
+    to: str
+    outcome: str = ""
+
+
+class Company(Struct, frozen=True, tag=True):
+    """Who is there now; told to those who attend to `holding.COMPANY`."""
+
+    sessions: tuple[SessionStanding, ...]
 
 
 class Stopped(Struct, frozen=True, tag=True):
@@ -231,6 +250,8 @@ class Result(Struct, frozen=True, tag=True):
     """At each meeting of flows, between the first cycles of the first and the last of them."""
     switches_us: tuple[float, ...] = ()
     """From each trigger's finish to the first cycle of the next action's tasks, in the runtime's time."""
+    outside: tuple[str, ...] = ()
+    """Of a virtual run: the tasks, SUBSYSTEM/TASK, that had to do with the outside, so that it may not repeat."""
 
 
 Event = (
@@ -249,6 +270,8 @@ Event = (
     | Signalled
     | Lost
     | Held
+    | Offered
+    | Company
     | Stopped
     | Stood
 )

@@ -127,6 +127,8 @@ class PlannedAction(Struct, frozen=True):
     """Whether it does nothing and takes no time (requirement D11); it has no tasks."""
     within: tuple[str, ...] = ()
     """The nested applications and branches it stands in, outermost first."""
+    spot: tuple[int, ...] = ()
+    """Its line in its file, behind those of the icons that run the applications around it, outermost first."""
 
 
 class PlannedFlow(Struct, frozen=True):
@@ -139,6 +141,8 @@ class PlannedFlow(Struct, frozen=True):
     """Empty: the actions one after the other, each with its tag and its breakpoint."""
     parent: int | None = None
     """The flow that begins this one again and again, where it belongs to a nested parallel application."""
+    replaced: tuple[tuple[str, PlannedTask], ...] = ()
+    """Of a redirected flow: the names of tasks that stand for others, each with the task that it stands for."""
 
 
 class Plan(Struct, frozen=True):

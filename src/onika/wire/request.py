@@ -3,6 +3,7 @@
 import msgspec
 from msgspec import Struct
 
+from onika.wire.holding import Company, HoldingRequest
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Plan, PlannedTask
 from onika.wire.steer import Positions, SteerRequest
@@ -16,6 +17,9 @@ class FaultText(Struct, frozen=True):
     expected: str
     found: str
     instead: str
+    where: str = ""
+    """The flow and the action that it concerns, in words."""
+    remedies: tuple[str, ...] = ()
 
 
 class Prepare(Struct, frozen=True, tag=True):
@@ -32,6 +36,20 @@ class TargetValues(Struct, frozen=True):
     action: int
     kind: str
     values: tuple[float | int | str, ...]
+    name: str = ""
+
+
+class Resolved(Struct, frozen=True):
+    """A joint target that another robot takes by way of its pose, since the flow is redirected (law 26)."""
+
+    flow: int
+    action: int
+    target: str
+    task: str
+    """The robot's task that stands for `instead_of`."""
+    instead_of: str
+    were: tuple[float | int | str, ...]
+    values: tuple[float | int | str, ...]
 
 
 class Inspect(Struct, frozen=True, tag=True):
@@ -39,6 +57,16 @@ class Inspect(Struct, frozen=True, tag=True):
 
     tasks: tuple[PlannedTask, ...]
     code: tuple[Code, ...]
+
+
+class Recorded(Struct, frozen=True):
+    """A request as it was made in a run that is repeated: at an instant, after so many turns of the clock at it."""
+
+    at_ns: int
+    """Since the run's start."""
+    turn: int
+    body: bytes
+    """The request, as `encode` makes it."""
 
 
 class Begin(Struct, frozen=True, tag=True):
@@ -59,6 +87,12 @@ class Begin(Struct, frozen=True, tag=True):
     """When a task that is not passive fails: `abort`, or `wait` until somebody says Recover, Skip or Abort."""
     is_held: bool = False
     """In virtual time: whether the clock stands until `steer.Onward` lets it go on."""
+    record: str = ""
+    """The file of a recording on this machine; empty: none is made."""
+    repeat: tuple[Recorded, ...] = ()
+    """In virtual time: what is asked by itself, in the order in which it was once."""
+    repeat_until_ns: int = 0
+    """Up to when nobody else may ask anything but to end it; -1: to the end."""
 
 
 class Reply(Struct, frozen=True, tag=True):
@@ -94,6 +128,7 @@ class Prepared(Struct, frozen=True, tag=True):
 
     faults: tuple[FaultText, ...]
     notes: tuple[str, ...] = ()
+    resolved: tuple[Resolved, ...] = ()
 
 
 class Done(Struct, frozen=True, tag=True):
@@ -112,8 +147,9 @@ class Worlds(Struct, frozen=True, tag=True):
     snapshots: dict[str, bytes]
 
 
-Request = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit | SteerRequest | LiveRequest
-Response = Prepared | Done | Refused | Worlds | Positions | LiveResponse
+_RunRequest = Prepare | Inspect | Begin | Reply | Abort | Stop | Snapshot | Quit
+Request = _RunRequest | SteerRequest | LiveRequest | HoldingRequest
+Response = Prepared | Done | Refused | Worlds | Positions | Company | LiveResponse
 
 encode = msgspec.msgpack.Encoder().encode
 decode_request = msgspec.msgpack.Decoder(Request).decode

@@ -1,7 +1,7 @@
 """What is wrong with something a user gave us, as values that are collected and shown (requirement B07)."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -25,9 +25,15 @@ class Fault:
     instead: str
     is_note: bool = False
     """Whether it is only worth knowing: what happens instead is what everybody would want, and nothing is refused."""
+    where: str = field(default="", compare=False)
+    """The flow and the action of a run that it concerns, in words, where its place does not say so."""
+    remedies: tuple[str, ...] = field(default=(), compare=False)
+    """What could be done or taken instead, likeliest first."""
 
     def __str__(self) -> str:
-        return f"{self.place}: expected {self.expected}, found {self.found}; instead: {self.instead}"
+        at = f" ({self.where})" if self.where else ""
+        text = f"{self.place}: expected {self.expected}, found {self.found}{at}; instead: {self.instead}"
+        return f"{text} (you can: {'; '.join(self.remedies)})" if self.remedies else text
 
 
 def parted(faults: Iterable[Fault]) -> tuple[tuple[Fault, ...], tuple[Fault, ...]]:

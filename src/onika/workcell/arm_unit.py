@@ -1,35 +1,45 @@
-"""An arm as a device: six torques come, six joint angles go; it holds its posture by a servo of its own."""
+"""An arm as a device: torques come, joint angles go; it holds its posture by a servo of its own."""
 
 import math
 from collections.abc import Sequence
+from typing import ClassVar
 
 import numpy as np
 
-from onika.laws import puma560
 from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
+from onika.workcell.layout import KINDS, STANDARD
 from onika.workcell.plant import Plant
 from onika.workcell.unit import Unit, row_of
 
 
 class ArmUnit(Unit):
-    """A PUMA 560 whose command is six torques (N m) and whose state is six joint angles (rad)."""
+    """An arm whose command is a torque for each joint (N m; N where it slides), whose state its angles (rad; m).
 
-    def __init__(self, side: str, base: Array) -> None:
-        joints = range(1, puma560.NDOF + 1)
-        name = f"arm_{side}"
+    `kind` is one of `layout.KINDS`; its body in the world and the device are called by it and the side.
+    """
+
+    mode: ClassVar[str] = ""
+    """What stands behind its name, where it is another device than the arm with its motors."""
+    command: ClassVar[str] = "tau"
+    """What a command consists of."""
+
+    def __init__(self, side: str, base: Array, kind: str = STANDARD) -> None:
+        self.kind, self.robot = kind, KINDS[kind].robot
+        joints = range(1, self.robot.NDOF + 1)
+        name = f"{kind}_{side}"
         sheet = DeviceSheet(
-            name,
+            name + self.mode,
             ("time", "drive", *(f"q{k}" for k in joints)),
-            tuple(f"tau{k}" for k in joints),
-            {"ROBOT": puma560.ROBOT, "BASE": tuple(base.ravel().tolist())},
+            tuple(f"{self.command}{k}" for k in joints),
+            {"ROBOT": self.robot.ROBOT + self.mode, "BASE": tuple(base.ravel().tolist())},
         )
-        super().__init__(sheet, side, holds=True)
+        super().__init__(sheet, side, holds=not self.mode)
         self._joints = [f"{name}.joint{k}" for k in joints]
         self._motors = [f"{name}.motor{k}" for k in joints]
-        self._goal = puma560.HOME.copy()
-        self._pull, self._brake = np.zeros(puma560.NDOF), np.zeros(puma560.NDOF)
-        self._q: Array = puma560.HOME.copy()
+        self._goal = self.robot.HOME.copy()
+        self._pull, self._brake = np.zeros(self.robot.NDOF), np.zeros(self.robot.NDOF)
+        self._q: Array = self.robot.HOME.copy()
         self.state[2:] = self._q
         self._angles = self.row[2:]
 
@@ -45,7 +55,7 @@ class ArmUnit(Unit):
         try:
             self._signal_row[:] = values
         except TypeError:  # a list or tuple: no memory to copy from
-            self._signal[:] = np.array(values, dtype=np.float64).reshape(puma560.NDOF)
+            self._signal[:] = np.array(values, dtype=np.float64).reshape(self.robot.NDOF)
         return math.isfinite(sum(self._signal_row))
 
     def capture(self) -> None:
@@ -56,17 +66,17 @@ class ArmUnit(Unit):
         """tau = bias + KP (goal - q) - KD qd, clipped by the motors."""
         pull, brake = self._pull, self._brake
         np.subtract(self._goal, self._q, out=pull)
-        pull *= puma560.KP
-        np.multiply(self._qd, puma560.KD, out=brake)
+        pull *= self.robot.KP
+        np.multiply(self._qd, self.robot.KD, out=brake)
         pull -= brake
         pull += self._bias
         self._signal[:] = pull
 
     def restart(self) -> None:
-        """Straight up and at rest."""
-        self._q[:] = puma560.HOME
+        """Where it starts, at rest."""
+        self._q[:] = self.robot.HOME
         self._qd[:] = 0.0
-        self._goal[:] = puma560.HOME
+        self._goal[:] = self.robot.HOME
 
     def refresh(self, time: float) -> None:
         """Joint angles."""

@@ -1,6 +1,7 @@
 """The world of the box assembly: four boxes on a table, up to two arms, and a lamp that lights by touch (§6.2)."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -11,10 +12,12 @@ from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet, DriveEvent, Order
 from onika.workcell import layout
 from onika.workcell.arm_unit import ArmUnit
+from onika.workcell.arms import Arms
 from onika.workcell.drive import NEVER_NS, Happening, Mode, happening_of
 from onika.workcell.gripper_unit import GripperUnit
+from onika.workcell.kinematics import Kinematics
 from onika.workcell.lamp_unit import LampUnit
-from onika.workcell.layout import SIDES, base
+from onika.workcell.layout import SIDES
 from onika.workcell.panic_button import PanicButton
 from onika.workcell.part import STEP_S
 from onika.workcell.plant import Plant
@@ -27,10 +30,11 @@ _DRIVE = int(Order.DRIVE)  # plain numbers compare quicker than names
 
 
 class BoxesWorld:
-    """The physical world, in steps of 2 ms of its own time; devices are claimed, commanded and read by name.
+    """A world in steps of 2 ms of its own time; devices are claimed, commanded and read by name.
 
     `offsets_m` moves each box by up to plus or minus that much on x and y, drawn from `seed`. An arm is part of the
-    world from the first claim of it or of its gripper on.
+    world from the first claim of it or of its gripper on. Which kind stands there, and whether the world has forces or
+    is in the kinematic mode, follows from the arms that are claimed: `arm_left`, `arm_left_kin`, `scara_left` ...
     """
 
     step_ns = round(STEP_S * 1e9)
@@ -39,20 +43,32 @@ class BoxesWorld:
         self._boxes = layout.boxes(seed, offsets_m)
         self.now_ns = 0
         self._lamp = LampUnit()
-        arms: list[Unit] = [unit for side in SIDES for unit in (ArmUnit(side, base(side)), GripperUnit(side))]
-        self._units: dict[str, Unit] = {unit.sheet.name: unit for unit in (*arms, self._lamp)}
-        self._buttons = {one.name: one for one in (PanicButton(unit) for unit in arms if isinstance(unit, ArmUnit))}
+        self._arms = Arms()
+        self._hands = {side: GripperUnit(side) for side in SIDES}
+        everything: list[Unit] = [*self._arms.units, *self._hands.values(), self._lamp]
+        self._units: dict[str, Unit] = {unit.sheet.name: unit for unit in everything}
+        self._buttons = {one.name: one for one in map(PanicButton, self._arms)}
         self._sides: tuple[str, ...] = ()
         self._fenced: set[int] = set()
         self._events: list[DriveEvent] = []
         self._sense_ns = 0
         self._due_ns = NEVER_NS
-        self._plant = Plant(layout.text(self._boxes, self._sides, drawn=False))
+        self._plant = Plant(self._text(drawn=False))
         self._bind()
+        self._begin()
+
+    @classmethod
+    def shaken(cls, seed: int) -> "BoxesWorld":
+        """The same world with each box up to a millimetre from its place, as they never stand twice alike."""
+        return cls(seed, layout.SHAKEN_M)
 
     def devices(self) -> tuple[DeviceSheet, ...]:
         """All devices there are or can be."""
         return tuple(unit.sheet for unit in self._units.values())
+
+    def objections(self, devices: Sequence[str]) -> tuple[str, ...]:
+        """Why these devices cannot be used together; none: they can."""
+        return tuple(self._arms.objections(devices))
 
     def claim(self, device: str, epoch: int) -> DeviceSheet:
         """Give the device to the writer `epoch`; raises ValueError for one unknown or taken, and for a dead writer."""
@@ -61,8 +77,7 @@ class BoxesWorld:
             raise ValueError(f"expected a free device, found {device!r} claimed already")
         if epoch in self._fenced:
             raise ValueError(f"expected a living writer, found epoch {epoch}, which died")
-        if unit.side and unit.side not in self._sides:
-            self._add(unit.side)
+        self._admit(unit)
         unit.epoch, unit.drive.last_ns = epoch, -1
         return unit.sheet
 
@@ -76,7 +91,7 @@ class BoxesWorld:
     def fence(self, epoch: int) -> None:
         """The writer `epoch` died: its devices trip and are free to be claimed; what it still sends is ignored."""
         self._fenced.add(epoch)
-        for unit in self._units.values():
+        for unit in self._acting:
             if unit.epoch == epoch:
                 self._feed(unit, Happening.FENCE)
                 unit.epoch = None
@@ -98,14 +113,14 @@ class BoxesWorld:
 
     def step(self, until_ns: int) -> None:
         """Advance in whole steps up to `until_ns` at most, then publish all states."""
-        model, data, h = self._plant.model, self._plant.data, self.step_ns
+        model, data, h, advance = self._plant.model, self._plant.data, self.step_ns, self._advance
         now = self.now_ns
         while now + h <= until_ns:
             if now > self._due_ns:
                 self._listen(now)
             for unit in self._holding:
                 unit.hold()
-            mj_step(model, data)
+            advance(model, data)
             now += h
             self.now_ns = now
             if now >= self._sense_ns:
@@ -120,27 +135,26 @@ class BoxesWorld:
 
     def stop(self) -> None:
         """Hold every drive and let no command through until `reset` or `go_on`."""
-        for unit in self._units.values():
+        for unit in self._acting:
             self._feed(unit, Happening.STOP)
 
     def go_on(self) -> None:
         """Leave a stop without moving anything: drives hold until they are commanded, pressed buttons stay."""
-        for unit in self._units.values():
+        for unit in self._acting:
             if unit.drive.mode is Mode.STOPPED:
                 self._feed(unit, Happening.RESET)
         self._press_again()
 
     def reset(self) -> None:
         """Boxes and arms back to their start, at rest; all drives hold. Time, claims and pressed buttons go on."""
-        for unit in self._units.values():
+        for unit in self._acting:
             self._feed(unit, Happening.RESET)
         self._press_again()
         mujoco.mj_resetData(self._plant.model, self._plant.data)
         for unit in self._present:
             unit.restart()
         self._sense_ns = self.now_ns
-        self._plant.settle()
-        self._publish()
+        self._begin()
 
     def parts(self) -> Mapping[str, str]:
         """What a hand can touch in this world, and the values that it takes."""
@@ -161,7 +175,7 @@ class BoxesWorld:
 
     def scene(self) -> list[Shape3d]:
         """What there is to draw; changes when an arm is added."""
-        return shapes(Plant(layout.text(self._boxes, self._sides, drawn=True)))
+        return shapes(Plant(self._text(drawn=True)))
 
     def poses(self) -> npt.NDArray[np.float32]:
         """Place (m) and quaternion (w, x, y, z) of each body, float32[bodies,7]."""
@@ -175,9 +189,7 @@ class BoxesWorld:
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
         qpos = tuple(self._plant.data.qpos.tolist())
-        return encode(
-            Snapshot(layout.text(self._boxes, self._sides, drawn=True), qpos, self.now_ns * 1e-9, self._lamp.lit)
-        )
+        return encode(Snapshot(self._text(drawn=True), qpos, self.now_ns * 1e-9, self._lamp.lit))
 
     def fingerprint(self) -> bytes:
         """Time, positions and speeds, byte for byte: equal runs have equal fingerprints."""
@@ -211,11 +223,11 @@ class BoxesWorld:
                 self._feed(button.unit, Happening.PRESS)
 
     def _listen(self, now: int) -> None:
-        for unit in self._units.values():
+        for unit in self._acting:
             happening = unit.drive.silence(now)
             if happening is not None:
                 self._feed(unit, happening)
-        self._due_ns = min(unit.drive.due_ns for unit in self._units.values())
+        self._due_ns = min(unit.drive.due_ns for unit in self._acting)
 
     def _feed(self, unit: Unit, happening: Happening) -> None:
         """Something happened to a drive: move it, hold where it stops following, report what others see of it."""
@@ -234,29 +246,54 @@ class BoxesWorld:
         unit.follows = unit.epoch if unit.drive.mode is Mode.DRIVEN else None
         self._holding = [one for one in self._present if one.holds and one.drive.mode is not Mode.DRIVEN]
 
-    def _add(self, side: str) -> None:
-        """One more arm, between two steps: compile anew, then everything takes its state back by name."""
+    def _admit(self, unit: Unit) -> None:
+        """Make room for a device: its arm may be new in the world, of another kind or in the other mode."""
+        acting = set(self._present)
+        changed = isinstance(unit, ArmUnit) and self._arms.admit(unit)
+        if unit.side in ("", *self._sides) and not changed:
+            return
+        self._sides = tuple(one for one in SIDES if one in (unit.side, *self._sides))
+        # between two steps: compile anew, then everything takes its state back by name
         before = self._plant
-        self._sides = tuple(one for one in SIDES if one == side or one in self._sides)
-        self._plant = Plant(layout.text(self._boxes, self._sides, drawn=False))
+        self._plant = Plant(self._text(drawn=False))
         self._bind()
-        for unit in self._present:
-            if unit.side == side:
-                unit.restart()
+        newcomers = [one for one in self._present if one not in acting]
+        for one in newcomers:
+            one.restart()
         self._plant.take(before)
-        self._plant.settle()
-        self._publish()
+        for one in newcomers:
+            one.capture()
+        self._begin()
+
+    def _text(self, drawn: bool) -> str:
+        return layout.text(self._boxes, self._sides, drawn, self._arms.kinds())
 
     def _bind(self) -> None:
-        self._present: list[Unit] = [unit for unit in self._units.values() if unit.side in ("", *self._sides)]
+        arms = self._arms.acting
+        self._acting: list[Unit] = [one for side in SIDES for one in (arms[side], self._hands[side])] + [self._lamp]
+        self._present: list[Unit] = [unit for unit in self._acting if unit.side in ("", *self._sides)]
+        for button in self._buttons.values():
+            button.unit = arms[button.unit.side]
         for unit in self._present:
             unit.bind(self._plant)
         self._holding = [one for one in self._present if one.holds and one.drive.mode is not Mode.DRIVEN]
-        self._due_ns = min(unit.drive.due_ns for unit in self._units.values())
+        self._due_ns = min(unit.drive.due_ns for unit in self._acting)
+
+    def _begin(self) -> None:
+        """Go on from the plant's present positions: with physics, or without forces."""
+        self._plant.settle()
+        self._advance: Callable[[Any, Any], None] = mj_step
+        self._feel = self._plant.sense
+        if self._arms.kinematic:
+            hands = [self._hands[side].sheet.name for side in self._sides]
+            kinematics = Kinematics(self._plant, self._arms.moving(self._sides), hands)
+            self._advance, self._feel = kinematics.step, kinematics.feel
+            self._plant.settle()
+        self._publish()
 
     def _sense(self) -> None:
         self._sense_ns = self.now_ns + _SENSE_NS
-        self._plant.sense()
+        self._feel()
         for unit in self._present:
             unit.sense()
 

@@ -10,6 +10,10 @@ from itertools import pairwise
 from onika.laws.frames import Array
 from onika.workcell.box import METAL, PATCH_M, SIGNS
 from onika.workcell.plant import Plant
+from onika.workcell.unit import row_of
+
+CLOSE_M = 2e-4
+"""How near a foot must be to its patch, in height, to stand on it where there are no forces."""
 
 PRESS_N = 0.02
 """Normal force from which on metal conducts."""
@@ -31,7 +35,15 @@ class Circuit:
         ]
         self._places: Array = plant.data.site_xpos[sites[0] : sites[-1] + 1]
         names = [f"box_{sign}.patch_{tag}" for sign in SIGNS[:-1] for tag, _, _ in METAL]
-        self._presses = memoryview(plant.data.sensordata[plant.sensors(names)])
+        self._presses = row_of(plant.data.sensordata[plant.sensors(names)])
+
+    def press(self) -> None:
+        """Where there are no forces: press each patch on which the foot that belongs to it stands, and no other."""
+        places = self._places.tolist()
+        for number in range(CONTACTS):
+            k = 4 * (number // 2) + number % 2
+            rests = abs(places[k][2] - places[k + 2][2]) <= CLOSE_M and math.dist(places[k], places[k + 2]) <= PATCH_M
+            self._presses[number] = 2.0 * PRESS_N if rests else 0.0
 
     def scan(self, flags: Array) -> None:
         """Write 1.0 for each closed contact and 0.0 for each open one into `flags` double[6]."""

@@ -1,23 +1,34 @@
 """Where things stand in the box assembly, and the documents made of them (§6.2)."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
 from onika.laws.frames import Array
+from onika.workcell.arm import ArmKind, arm
 from onika.workcell.box import SIGNS, Box
 from onika.workcell.gripper import Gripper
 from onika.workcell.paint import paints
 from onika.workcell.part import ARMS, Part, document
-from onika.workcell.puma import arm
+from onika.workcell.puma import PUMA
+from onika.workcell.scara import SCARA
 from onika.workcell.table import TOP_M, floor, table
 from onika.workcell.view import LOOK, view
 
 LAYOUT_M = {"waves": (0.70, 0.0), "triangle": (0.70, 0.28), "square": (0.70, -0.28), "cross": (0.50, -0.18)}
 """Where the boxes stand at the start, x and y in the world."""
 
+SHAKEN_M = 0.001
+"""How far a box may stand from its place where things are a little elsewhere each time."""
+
 SIDES = ("left", "right")
 """The arms: the left one's frame 0 is the world's, the right one faces it across the table."""
+
+KINDS: Mapping[str, ArmKind] = {"arm": PUMA, "scara": SCARA}
+"""The arms that may stand at either side, by the first word of their names: `arm_left`, `scara_left` ..."""
+
+STANDARD = "arm"
+"""The kind that stands where nothing else is said."""
 
 RIGHT_BASE_M = 1.25
 """Distance between the arms along x; both reach all boxes and their places in the stack."""
@@ -41,12 +52,15 @@ def boxes(seed: int, offsets_m: float) -> tuple[Box, ...]:
     )
 
 
-def text(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool) -> str:
-    """The MJCF document of these boxes and the arms of these sides, to be stepped or to be drawn."""
-    return document("boxes", _parts(stack, sides, drawn), LOOK if drawn else "")
+def text(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool, kinds: Mapping[str, str] | None = None) -> str:
+    """The MJCF document of these boxes and the arms of these sides, to be stepped or to be drawn.
+
+    `kinds` says by its side which arm is of another kind than the standard one.
+    """
+    return document("boxes", _parts(stack, sides, drawn, kinds or {}), LOOK if drawn else "")
 
 
-def _parts(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool) -> Iterator[Part]:
+def _parts(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool, kinds: Mapping[str, str]) -> Iterator[Part]:
     if drawn:
         yield paints()
         yield view(len(sides))
@@ -55,4 +69,5 @@ def _parts(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool) -> Iterato
     for box in stack:
         yield box.part(drawn)
     for side in sides:
-        yield arm(f"arm_{side}", base(side), ARMS[SIDES.index(side)], Gripper(f"gripper_{side}"), drawn)
+        kind, touch = kinds.get(side, STANDARD), ARMS[SIDES.index(side)]
+        yield arm(KINDS[kind], f"{kind}_{side}", base(side), touch, Gripper(f"gripper_{side}"), drawn)

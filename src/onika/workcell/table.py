@@ -1,7 +1,7 @@
 """The floor and the table as parts: the table's top is where all heights of the assembly are counted from."""
 
+from onika.workcell.arm import SHOULDER_M
 from onika.workcell.part import THINGS, Part
-from onika.workcell.puma import SHOULDER_M
 
 TOP_M = -0.36
 """Height of the table's top in the world, whose origin is the left arm's shoulder."""
@@ -13,6 +13,12 @@ def floor(drawn: bool) -> Part:
     """An endless floor."""
     look = 'material="paper"' if drawn else str(THINGS)
     return Part(bodies=f'<geom name="floor" type="plane" size="0 0 0.05" pos="0 0 {-SHOULDER_M}" {look}/>')
+
+
+def top_at(x: float, y: float) -> float:
+    """How high in the world something lies on the table at this place, or beside it on the floor."""
+    on_it = abs(x - _MIDDLE) <= _HALF[0] and abs(y) <= _HALF[1]
+    return TOP_M if on_it else -SHOULDER_M
 
 
 def table(drawn: bool) -> Part:

@@ -40,7 +40,8 @@ def test_the_living_tasks_are_listed_by_subsystem(sit):  # R-A06
 def test_the_library_says_what_there_is_to_use(sit):
     one = sit()
     said = one.does("library j*")
-    assert [line.split()[0] for line in said] == ["name", "jtraj", "jvia", "jmoveC", "jmove_rightC", "jmove_viaC"]
+    jobs = ["jmoveC", "jmove_rightC", "jmove_scaraC", "jmove_viaC"]
+    assert [line.split()[0] for line in said] == ["name", "jtraj", "jvia", *jobs]
     assert "joint path of fifth order" in said[1]
     assert one.does("library nothing") == ["nothing is called so"]
 

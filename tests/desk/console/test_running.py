@@ -16,6 +16,17 @@ def test_an_application_is_begun_and_its_end_told(sit):  # R-A16
     assert one.session.running == ""
 
 
+def test_an_application_is_redirected_by_further_words(sit):  # R-E09, R-A16
+    one = sit()
+    one.does("run go_home 0:puma=puma_kin")
+    (flow,) = one.asked(request.Prepare)[0].plan.flows
+    assert [(name, old.name) for name, old in flow.replaced] == [("puma_kin", "puma")]
+    one.does("wait run")
+    assert one.fails("run go_home puma").expected == "[FLOW:]TASK=TASK"
+    said = one.console.carry_out("run go_home puma=gripper")
+    assert any("does not write" in fault.found for fault in said)
+
+
 def test_home_is_the_application_go_home(sit):  # R-A16
     one = sit()
     one.does("home")

@@ -28,6 +28,8 @@ from onika.wire import event
         (event.Signalled("main", "x", "ILLEGAL", 0, "why", 1.0), "     1.00 s  main/x signals ILLEGAL: why", Tone.NOTE),
         (event.Lost("rt1", "killed", 1.0), "     1.00 s  LOST rt1: killed", Tone.FAULT),
         (event.Held("main", ""), "main is held by nobody", Tone.NOTE),
+        (event.Held("main", "", "silent"), "main is held by nobody: silent", Tone.NOTE),
+        (event.Offered("main", "a", "b", "accepted"), "a offers main to b: accepted", Tone.NOTE),
         (event.Stopped(True, "smoke"), "STOPPED: smoke; every drive holds until `reset`", Tone.FAULT),
         (event.Stopped(False, ""), "motion is allowed again", Tone.GOOD),
         (

@@ -1,6 +1,5 @@
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.desk.console.value import flat, shown, type_of, words
 from onika.words.argument import split

@@ -1,14 +1,18 @@
 from dataclasses import replace
+from pathlib import Path
 
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.desk.environment.autosave import APART_S, REST_S, Autosave, Change
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
 from onika.desk.environment.history import History, Step
 from onika.desk.environment.model import Model
+from onika.desk.upper.flow.open_application import Judgement, OpenApplication
+from onika.model.application import AppFlow, Application, Icon
 from onika.model.configuration import Configuration, Placed
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
 from onika.store.opened import Opened
 
 
@@ -94,3 +98,21 @@ def test_after_every_writing_the_disk_holds_what_is_not_saved(acts):
             assert disk == unsaved
         else:
             assert autosave.due_s <= now_s + APART_S + REST_S
+
+
+def application(name, doc="a2"):
+    steps = (Icon(Onikon(name, "Complete job", "", (), blank())),)
+    return OpenApplication(doc, Application("b", False, (AppFlow(steps),)))
+
+
+def test_applications_that_are_not_saved_are_kept_too():  # R-X10
+    autosave = Autosave()
+    opened = application("grip")
+    saved = replace(application("grip", "a3"), opened=Opened(opened.application, Path("/b.appl"), ""))
+    autosave.look(Model(documents={"c1": document(1)}, applications={"a2": opened, "a3": saved}), 0.0)
+    assert autosave.take(REST_S) == (Change("c1", document(1)), Change("a2", opened))
+    judged = replace(opened, judgement=Judgement(opened.application))
+    autosave.look(Model(documents={"c1": document(1)}, applications={"a2": judged}), 5.0)
+    assert autosave.due_s is None, "what is wrong with it is no change"
+    autosave.look(Model(documents={"c1": document(1)}), 9.0)
+    assert autosave.take_all(9.0) == (Change("a2", None),)

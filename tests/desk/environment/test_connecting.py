@@ -4,6 +4,8 @@ from onika.desk.environment.connecting import connected
 from onika.desk.environment.losing import lost
 from onika.model.task import Task
 from onika.testing.duet import Duet
+from onika.testing.laboratory import job
+from onika.testing.rehearsal import Rehearsal
 from onika.wire import act, live, request
 
 TASKS = (
@@ -189,3 +191,10 @@ def test_where_another_runtime_cannot_be_reached_the_one_before_is_not_shown_any
     assert duet.answer(act.Connect(doc, url="ws://lab:7994", confirmed=True)).no
     runtime = duet.environment.tree.runtime
     assert (runtime.state, runtime.address, runtime.text) == ("lost", "ws://lab:7994", "nobody is there")
+
+
+def test_the_runtime_on_which_an_application_runs_is_not_left(tmp_path):  # R-C18
+    play = Rehearsal(tmp_path)
+    play.run(play.open([job("aC")]))
+    no = play.no(act.Connect(play.new("c"), url="ws://there", confirmed=True))
+    assert no.remedies[0].act == act.Steer("abort")

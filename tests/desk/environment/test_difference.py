@@ -2,8 +2,7 @@ import copy
 from typing import Any
 
 import msgspec
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.desk.environment.difference import difference
 from onika.wire.view import DocumentView, LocusView, PlacedView, Tree

@@ -48,7 +48,7 @@ def test_a_file_of_the_same_size_and_time_that_was_exchanged_is_another(disk, ba
 def test_files_that_are_none_of_ours_are_not_looked_at(disk, base):
     for name in ("notes.txt", ".hidden.rmod", "x.rmod~", ".a.rmod.saving", "c.conf"):
         (base / "module" / name).write_text("")
-    (base / "dict" / "d.onk").write_text("")
+    (base / "dict" / "d.conf").write_text("")
     assert disk.changed(Model()) == set()
 
 
@@ -90,3 +90,23 @@ def test_all_files_of_a_base_directory_that_is_new_are_told(disk, tmp_path, base
     assert list(bases(Site((BaseDirectory(base),), shipped()), model)) == [base, tmp_path / "far"]
     assert disk.changed(model) == {tmp_path / "far" / "conf" / "c.conf"}
     assert disk.changed(model) == set()
+
+
+def test_what_defines_the_syntax_is_looked_at_too(base, tmp_path):  # R-D02
+    (tmp_path / "home").mkdir()
+    (tmp_path / "prefs").mkdir()
+    disk = Disk(Site((BaseDirectory(base),), tmp_path / "prefs", tmp_path / "home"))
+    own, shared = tmp_path / "home" / ".OnikaUpperSetUp.dta", tmp_path / "prefs" / "OnikaUpperSetUp.dta"
+    own.write_text("")
+    assert disk.changed(Model()) == {own}
+    own.unlink()
+    shared.write_text("")
+    assert disk.changed(Model()) == {own, shared}
+    assert disk.changed(Model()) == set()
+
+
+def test_icons_and_applications_are_looked_at_too(disk, base):  # R-D01
+    (base / "dict" / "d.onk").write_text("")
+    (base / "appl").mkdir()
+    (base / "appl" / "a.appl").write_text("")
+    assert disk.changed(Model()) == {base / "dict" / "d.onk", base / "appl" / "a.appl"}

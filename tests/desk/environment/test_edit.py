@@ -1,7 +1,6 @@
 from dataclasses import replace
 
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.desk.environment.edit import aliased, carried, rebased
 from onika.model.task import LocalLine, Task

@@ -48,6 +48,7 @@ def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
         (act.Stop(), None, "stop none 0 none 0 main"),
         (act.Draft("c2"), None, "try_job move c2 none 0 dict"),
         (act.MakeJob("c2", "7"), None, "new_job move c2 none 0 dict"),
+        (act.MakeTarget("", "Joint object", (("1", "2"), ("3",)), ""), None, "new_target none 0 none 0 dict"),
         (act.Note("select_icon", "pd", "x", "y", "z", "lexi"), None, "select_icon pd x y z lexi"),
         (act.Note(""), None, "none none 0 none 0 root"),
     ],
@@ -63,7 +64,7 @@ def test_what_was_refused_is_marked():  # R-H01
 
 
 def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_none():  # R-H01
-    of_the_page = {act.Watch, act.Scene}
+    of_the_page = {act.Watch, act.Scene, act.Peek, act.Seats}
     assert set(_EVENTS) == set(get_args(act.AnyAct)) - of_the_page - {act.Note}
     assert entry(act.Watch(), Answer(), NAMES) is None
 

@@ -6,6 +6,8 @@ import pytest
 from onika.desk.environment.frames import Frames
 from onika.model.task import Task
 from onika.testing.duet import Duet
+from onika.testing.laboratory import job
+from onika.testing.rehearsal import Rehearsal
 from onika.wire import live, page, reading
 
 
@@ -57,3 +59,15 @@ def test_another_runtime_begins_with_nothing(model):
     frames.put({"Untitled-1/A": variable(1.0)}, None, model)
     frames.clear()
     assert frames.take() is None
+
+
+def test_what_belongs_to_a_run_is_shown_under_its_application(tmp_path):  # R-E11, R-C14
+    play = Rehearsal(tmp_path)
+    doc = play.open([job("aC")])
+    play.run(doc)
+    frames = Frames()
+    figure = live.TaskFigure("flow0", "a", "m", "rt0", 1, "P", 0, "ON", *[0] * 14)
+    frames.put({"flow0/A": variable(3.0)}, live.Figures((figure,), {}), play.environment.model)
+    frame = frames.take()
+    assert frame.values == {f"{doc}/A": 3.0, f"{doc}/flow0/A": 3.0}
+    assert frame.figures[f"{doc}/flow0/a"]["state"] == "ON"

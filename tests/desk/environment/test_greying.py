@@ -1,5 +1,4 @@
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.desk.environment.greying import Greying
 from onika.desk.environment.remedy import reasons

@@ -3,8 +3,7 @@ import pytest
 from onika.files import conf
 from onika.model.configuration import Group
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Placed as Standing
-from onika.model.rules.reconfiguration import exchange
+from onika.model.rules.reconfiguration import Placed as Standing, exchange
 from onika.model.task import Task
 from onika.testing.duet import Duet
 from onika.testing.laboratory import Laboratory

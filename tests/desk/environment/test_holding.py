@@ -2,7 +2,7 @@ import pytest
 
 from onika.model.task import Task
 from onika.testing.duet import Duet
-from onika.wire import act, event, live, request
+from onika.wire import act, event, holding, live, request
 
 
 @pytest.fixture
@@ -51,3 +51,50 @@ def test_what_is_not_connected_is_held_by_nobody(duet):
     doc = duet.new("a")
     assert duet.no(act.Take(doc)).remedies[0].act == act.Connect(doc)
     assert duet.no(act.Release("c9")).reason == "this configuration is no longer open"
+
+
+def test_a_subsystem_is_offered_to_another_and_no_more(duet):  # R-X12
+    doc = duet.connected("a")
+    duet.do(act.Hand(doc, "anna#2"))
+    assert holding.Hand("Untitled-1", "anna#2") in duet.carried_out
+    assert duet.environment.tree.documents[doc].offered_to == "anna#2"
+    duet.do(act.Hand(doc))
+    assert duet.environment.tree.documents[doc].offered_to == ""
+    duet.rebuffs = {holding.Hand: request.Refused("bob#3 only watches and can take nothing")}
+    assert duet.answer(act.Hand(doc, "bob#3")).no.reason == "bob#3 only watches and can take nothing"
+
+
+def test_what_is_handed_over_can_only_be_watched_from_then_on(duet):  # R-X12
+    doc = duet.connected("a")
+    duet.do(act.Hand(doc, "anna#2"))
+    duet.tell(event.Held("Untitled-1", "anna#2", "you has handed it over"))
+    assert not duet.environment.tree.documents[doc].is_held_here
+    assert "Untitled-1: you has handed it over" in [one.text for one in duet.says]
+    assert duet.no(act.Hand(doc, "anna#2")).reason == "Untitled-1 is not held here, so it cannot be handed over"
+    assert "held by anna#2" in duet.no(act.Toggle(doc, "a")).reason
+
+
+def test_what_is_offered_here_is_taken_or_declined(duet):  # R-X12
+    doc = duet.connected("a")
+    duet.tell(event.Held("Untitled-1", "anna#2"))
+    assert duet.no(act.Decline(doc)).reason == "nobody offers Untitled-1 to this environment"
+    duet.tell(event.Offered("Untitled-1", "anna#2", "you"))
+    duet.do(act.Decline(doc))
+    assert holding.Decline("Untitled-1") in duet.carried_out
+    duet.tell(event.Offered("Untitled-1", "anna#2", "you"))
+    duet.do(act.Take(doc))
+    shown = duet.environment.tree.documents[doc]
+    assert (shown.is_held_here, shown.offered_by) == (True, "")
+
+
+def test_who_only_wants_to_watch_releases_first(duet):  # R-X12
+    doc = duet.connected("a")
+    assert duet.no(act.OnlyWatch()).remedies[0].act == act.Release(doc)
+    duet.do(act.Release(doc))
+    assert duet.do(act.OnlyWatch()) == "this environment only watches from now on"
+    assert holding.OnlyWatch() in duet.carried_out
+
+
+def test_of_a_document_that_is_closed_nothing_is_handed_over(duet):
+    for asked in (act.Hand("c9", "anna#2"), act.Decline("c9")):
+        assert duet.no(asked).reason == "this configuration is no longer open"

@@ -8,6 +8,7 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.site import shipped
+from onika.testing.cabinet import Cabinet, plain
 from onika.testing.sitting import Sitting
 from onika.wire import act
 
@@ -122,3 +123,27 @@ def test_no_job_is_made_of_nothing(sitting):  # R-C16
     sitting.do(act.Save(doc, "empty", str(sitting.base.path)))
     assert sitting.no(act.Draft(doc)).reason == "empty has no tasks"
     assert "no longer open" in sitting.no(act.Draft("c9")).reason
+
+
+def test_the_dictionary_has_the_job_at_once(tmp_path):  # R-C16, R-D01
+    cabinet = Cabinet(tmp_path)
+    doc = cabinet.do(act.Open("pauseC"))
+    cabinet.do(act.Save(doc, "napC", str(cabinet.own.path)))
+    cabinet.do(act.MakeJob(doc, BLANK, "wait"))
+    view = cabinet.icon("napC")
+    assert (view.type, view.description, view.trouble) == ("Pause job", "wait", "")
+    assert view.source == str(cabinet.own.configuration_file("napC"))
+    cabinet.look()
+    assert cabinet.icon("napC") == view
+
+
+def test_an_icon_keeps_what_it_says_in_other_languages_as_long_as_it_says_the_same(tmp_path):  # R-X11
+    cabinet = Cabinet(tmp_path)
+    doc = cabinet.do(act.Open("pauseC"))
+    cabinet.do(act.Save(doc, "napC", str(cabinet.own.path)))
+    cabinet.own.save_onikon(replace(plain("napC", "Pause job", "wait"), words=(("es", "espera"),)))
+    cabinet.look()
+    cabinet.do(act.MakeJob(doc, BLANK, "wait", overwrites=True))
+    assert cabinet.icon("napC").words == {"es": "espera"}
+    cabinet.do(act.MakeJob(doc, BLANK, "rest", overwrites=True))
+    assert cabinet.icon("napC").words == {} and "in other languages (es) is gone" in cabinet.says[-1].text

@@ -24,6 +24,7 @@ def test_a_page_sees_every_preference_by_its_name(sitting):  # R-G01
     assert sitting.environment.tree.preferences == asdict(Preferences()) | {
         "shows_warnings": True,
         "keeps_diary": True,
+        "shows_lower": True,
     }
 
 

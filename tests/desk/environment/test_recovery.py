@@ -13,6 +13,7 @@ from onika.desk.environment.recovery import Recovery, reopened
 from onika.desk.environment.rescue import Rescue, rescue_of
 from onika.model.configuration import Configuration, Placed
 from onika.model.task import Task
+from onika.testing.gallery import Gallery
 from onika.testing.sitting import Sitting
 from onika.wire import act
 
@@ -162,3 +163,21 @@ def test_a_file_of_a_rescue_is_plain_text(tmp_path):
     (path,) = recovery.folder.glob("*.json")
     assert "RMODFILE" in json.loads(path.read_text())["text"]
     recovery.leave()
+
+
+def test_applications_are_had_back_beside_configurations(tmp_path):  # R-X10
+    gallery = Gallery(tmp_path / "base")
+    doc, conf = gallery.begun("grip", "open"), gallery.do(act.New())
+    model = gallery.environment.model
+    rescues = [rescue_of(model.applications[doc]), rescue_of(model.documents[conf])]
+    after = Gallery(tmp_path / "base")
+    after.environment.become(lambda model: reopened(model, rescues))
+    assert list(after.environment.tree.applications) == ["a1"]
+    assert after.flow("a1") == "grip open"
+    assert after.view("a1").is_dirty
+    after.environment.become(lambda model: reopened(model, rescues[:1]))
+    assert after.view("a3").name == "Untitled-3"
+    assert "is open as it was" in after.says[-1].text
+    lost = Sitting(tmp_path / "other")
+    lost.environment.become(lambda model: reopened(model, rescues[:1]))
+    assert "cannot be had back" in lost.says[-1].text

@@ -1,7 +1,8 @@
-from onika.desk.environment.remedy import plain, reasons
+from onika.desk.environment.remedy import overwriting, plain, reasons
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.wire import act
+from onika.words.fault import Refusal
 
 CUBIC = Task("cubic", "cubic", outvar=("Q_REF",))
 TRAPEZ = Task("trapez", "trapez", outvar=("Y",), aliases=(("Y", "Q_REF"),))
@@ -24,3 +25,12 @@ def test_another_alias_is_given_at_its_pin():  # R-X01, decision 9
     task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
     (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
     assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", "pin:t/B")]
+
+
+def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
+    again = act.Save("a1", overwrites=True)
+    assert overwriting(Refusal("the disk is full", ("save it elsewhere",)), again) == ()
+    (removed,) = overwriting(Refusal("it was removed", ("save it all the same", "save it elsewhere")), again)
+    (there,) = overwriting(Refusal("it is there", ("save it elsewhere", "overwrite it")), again)
+    assert (removed.label, there.label) == ("Save it all the same", "Overwrite it")
+    assert removed.act == there.act == again

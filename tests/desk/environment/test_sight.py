@@ -33,6 +33,17 @@ def test_a_file_at_fault_is_left_out_and_told(tmp_path):  # R-C01
     assert any("bad.rmod" in fault for fault in library.faults)
 
 
+def test_libraries_in_which_nothing_is_to_be_seen_come_last(tmp_path):  # R-C01
+    (tmp_path / "a" / "conf").mkdir(parents=True)
+    sitting = Sitting(tmp_path / "a", ())
+    for name, text in (("b", "nothing"), ("c", "")):
+        (tmp_path / name / "module").mkdir(parents=True)
+        (tmp_path / name / "module" / ("bad.rmod" if text else "note")).write_text(text)
+        sitting.do(act.OpenLibrary(str(tmp_path / name)))
+    libraries = sitting.environment.tree.libraries.values()
+    assert [one.name for one in sorted(libraries, key=lambda one: one.order)] == ["b", "a", "c"]
+
+
 def test_without_a_runtime_there_is_no_state_and_every_line_is_idle(tmp_path):  # R-C25
     sitting = Sitting(tmp_path, TASKS)
     doc = sitting.new("a", "b")

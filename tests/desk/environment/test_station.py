@@ -217,3 +217,15 @@ def test_the_end_lets_the_runtime_go(lab):  # R-A15
     lab.do(act.Connect(lab.new()))
     lab.station.end()
     assert lab.lines[0].is_left
+
+
+def test_a_runtime_that_was_started_here_is_exchanged_for_another(lab):  # R-E10
+    doc = lab.new("a")
+    lab.do(act.Connect(doc))
+    lab.lines[0].silent = (live.Scene,)
+    given = []
+    lab.environment.do(act.Scene("boxes"), "me", given.append)
+    lab.do(act.StartAnew(confirmed=True))
+    assert len(lab.lines) == 2 and lab.lines[0].is_left and not lab.lines[1].is_left
+    assert "started anew" in given[0].no.reason
+    assert lab.environment.tree.documents[doc].connection == "none"

@@ -91,3 +91,11 @@ LINES = ICON.write().removeprefix("WHERE\n").removesuffix("END WHERE\n")
 )
 def test_what_is_wrong_is_told_with_its_line(text: str, told: str) -> None:
     assert told in again(text)[1]
+
+
+def test_a_placed_icon_is_named_though_its_dictionary_says_it_in_other_languages_too() -> None:
+    spoken = replace(HOME, words=(("es", "casa"),))  # R-D14, R-X11
+    glossary = Glossary({HOME.name: spoken}.get)
+    assert glossary.refer(HOME) == HOME.name
+    assert glossary.write() == ""
+    assert glossary.find(HOME.name, 1) == HOME

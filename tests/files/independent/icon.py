@@ -28,6 +28,15 @@ def lines(script: Script, types: Types) -> dict[str, Any]:
         if "object" not in targets[-1].split():
             raise ValueError(target)
     description = blanks(script.maybe("DESC", ""))
+    others: dict[str, str] = {}
+    while (other := script.new("DESCIN")) is not None:
+        code, _, text = blanks(other).partition(" ")
+        small = code.split("-")[0]
+        if code in others or not text or not (2 <= len(small) <= 3 and small.isascii() and small.islower()):
+            raise ValueError("a language in " + other)
+        if not all(part and part.isascii() and part.isalnum() for part in code.split("-")) or not small.isalpha():
+            raise ValueError("a language in " + other)
+        others[code] = text
     values: list[Any] = []
     for data, count in items:
         values.append([_value(data, word) for word in _elements(script.take("UI"), data, count)])
@@ -35,7 +44,14 @@ def lines(script: Script, types: Types) -> dict[str, Any]:
             raise ValueError("elements")
     if not items and script.take("UI") != "none":
         raise ValueError("none")
-    return {"ONIKON": kind, "TARGET": targets, "DESC": description, "UI": values, "PICT": picture(script)}
+    return {
+        "ONIKON": kind,
+        "TARGET": targets,
+        "DESC": description,
+        "DESCIN": others,
+        "UI": values,
+        "PICT": picture(script),
+    }
 
 
 def picture(script: Script) -> list[str]:

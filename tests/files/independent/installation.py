@@ -1,5 +1,6 @@
 """A.5 to A.8: preferences, buttons, the syntax and the pictures of start and stop, read naively."""
 
+import re
 from typing import Any
 
 from .icon import row
@@ -68,7 +69,7 @@ def buttons(text: str) -> list[tuple[str, str, bool]]:
 
 
 def syntax(text: str) -> dict[str, Any]:
-    script = Script(text)
+    script = Script(text, extended=True)
     types, edges = [], []
     while script.next == "ONIKON":
         kind = blanks(script.take("ONIKON"))
@@ -78,7 +79,10 @@ def syntax(text: str) -> dict[str, Any]:
             item = blanks(script.take("VARNAME")), one_of(script.take("DATATYPE"), *DATA), number(script.take("NELEMS"))
             if item[2] < 1 or not item[0]:
                 raise ValueError("item")
-            items.append(item)
+            constant = script.new("DIMENSION")
+            if constant is not None and not re.fullmatch(r"[A-Z][A-Z0-9_^]*", constant):
+                raise ValueError(constant)
+            items.append((*item, constant or ""))
         if not kind or (items and "object" not in kind.lower().split(" ")):
             raise ValueError(kind)
         types.append((kind, left, right, items))

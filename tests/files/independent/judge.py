@@ -94,6 +94,7 @@ def _onikon(found: Onikon) -> dict[str, Any]:
         "ONIKON": found.type.lower(),
         "TARGET": [kind.lower() for kind in found.more_targets],
         "DESC": found.description,
+        "DESCIN": dict(found.words),
         "UI": values,
         "PICT": list(found.picture.rows),
     }
@@ -117,7 +118,12 @@ def _icon(found: Icon) -> dict[str, Any]:
 
 def _syntax(found: Syntax) -> dict[str, Any]:
     types = [
-        (kind.name, kind.left_edge, kind.right_edge, [(item.name, item.type.value, item.count) for item in kind.items])
+        (
+            kind.name,
+            kind.left_edge,
+            kind.right_edge,
+            [(item.name, item.type.value, item.count, item.dimension) for item in kind.items],
+        )
         for kind in found.types
     ]
     edges = [(edge.number, list(edge.rgb), [move for pair in edge.vertices for move in pair]) for edge in found.edges]

@@ -1,7 +1,6 @@
 from collections import namedtuple
 
-from hypothesis import given
-from hypothesis import strategies as st
+from hypothesis import given, strategies as st
 
 from onika.model.rules.agreement import claims, contested, declared, device_of, disagreements, rivals
 from onika.model.task import LocalLine, Task

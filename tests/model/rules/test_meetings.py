@@ -1,7 +1,6 @@
 """Deadlocks of tags in words: who waits where for whom (R-X03)."""
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.rules import meetings
 from onika.testing.tree import Act, Loop, Pick, Side, planned

@@ -1,7 +1,6 @@
 from collections.abc import Mapping
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 from tests.model.rules.upper import SYNTAX, application, branch, flow, job, outline, part, texts
 
 from onika.model.application import Application

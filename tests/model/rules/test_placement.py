@@ -1,7 +1,6 @@
 from dataclasses import replace
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.placement import Company, alias_refusals, greyed, meets_constant, refusals
 from onika.model.task import Task

@@ -1,5 +1,4 @@
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import Change, Placed, dependents, difference, exchange

@@ -1,7 +1,6 @@
 """Who can come to wait for whom for ever, beside a plain search that moves one flow at a time (R-X03, decision 26)."""
 
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.waits import Wait, Waits
 from onika.testing.tree import Act, Loop, Pick, Side, planned

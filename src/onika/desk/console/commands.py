@@ -152,21 +152,20 @@ FLOWS = (
 WHOLE = (
     Command(
         "run",
-        "run APPLICATION",
+        "run APPLICATION [[FLOW:]TASK=TASK …]",
         "run an application\nIn a script the next line waits for its end, or for a question, which it may answer."
-        "\nThen `wait run` waits for the end.",
+        "\nThen `wait run` waits for the end."
+        "\n`puma=scara` redirects it to another task in all flows, `0:puma=scara` in one; its file stays as it is.",
         running.run,
-        ("application",),
-        1,
+        ("application", ""),
         1,
     ),
     Command(
         "begin",
-        "begin APPLICATION",
+        "begin APPLICATION [[FLOW:]TASK=TASK …]",
         "run an application, and go on with the next line at once",
         running.begin,
-        ("application",),
-        1,
+        ("application", ""),
         1,
     ),
     Command("abort", "abort [CAUSE]", "end the run: tasks off, drives in hold", running.abort),
@@ -196,6 +195,19 @@ WHOLE = (
         "take", "take [SUBSYSTEM]", "become the one who may change a subsystem", holding.take, ("subsystem",), 0, 1
     ),
     Command("release", "release [SUBSYSTEM]", "let another change it", holding.release, ("subsystem",), 0, 1),
+    Command(
+        "hand",
+        "hand [SESSION [SUBSYSTEM]]",
+        "offer a subsystem to another session\n"
+        "It is told, and says `take` or `decline`; what is ON stays ON. Without a name the offer is withdrawn;\n"
+        "after a minute it is over. `sessions` says who is there.",
+        holding.hand,
+        ("", "subsystem"),
+        0,
+        2,
+    ),
+    Command("decline", "decline [SUBSYSTEM]", "say no to what is offered", holding.decline, ("subsystem",), 0, 1),
+    Command("sessions", "sessions", "who is there, and what each of them holds", holding.sessions, most=0),
     Command("open", "open [HOST:PORT]", "say where others reach this runtime", holding.open_channel, most=1),
     Command("listen", "listen [HOST:PORT]", "the same as open", holding.open_channel, most=1),
     Command("network", "network", "the same as open", holding.open_channel, most=0),

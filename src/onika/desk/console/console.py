@@ -108,8 +108,9 @@ class Console:
 
         watch = command(
             "watch",
-            "watch NAME… [HZ]  |  watch off",
-            "show variables whenever they change",
+            "watch NAME… [HZ]  |  watch off  |  watch only",
+            "show variables whenever they change\n"
+            "`watch only`: this console changes nothing any more, whatever is typed; it may still stop everything.",
             self._watch.command,
             "variable",
         )

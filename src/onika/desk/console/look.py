@@ -4,8 +4,7 @@ import re
 from fnmatch import fnmatchcase
 from typing import Any
 
-from onika.desk.console import status as columns
-from onika.desk.console import table
+from onika.desk.console import status as columns, table
 from onika.desk.console.face import Tone
 from onika.desk.console.library import Library
 from onika.desk.console.life import missing

@@ -5,8 +5,11 @@ from onika.desk.console.face import Tone
 from onika.desk.console.library import Library
 from onika.desk.console.passing import ended, until_asked
 from onika.desk.console.session import Faults, Session
+from onika.desk.objection import objection
 from onika.desk.preparation import prepare_run
+from onika.model.redirect import Redirect
 from onika.wire import request
+from onika.words.fault import Place
 
 Words = tuple[str, ...]
 HOME = "go_home"
@@ -26,7 +29,11 @@ def begin(session: Session, words: Words) -> Faults:
     """Begin an application, and go on with the next line at once, in a script too."""
     if session.running:
         return session.no("no application that runs", session.running)
-    prepared = prepare_run(words[0], session.site)
+    try:
+        redirects = tuple(map(Redirect.parse, words[1:]))
+    except ValueError as wrong:
+        return (objection(Place("line"), str(wrong), "nothing is run"),)
+    prepared = prepare_run(words[0], session.site, redirects)
     for note in prepared.notes:
         session.say(f"note: {note}", Tone.NOTE)
     if prepared.faults or prepared.plan is None:

@@ -6,6 +6,7 @@ from typing import Protocol
 from onika.desk.cast import Cast
 from onika.desk.console import told
 from onika.desk.console.face import Face, Tone
+from onika.desk.preparation import fault_of
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.words.fault import Fault, Place
@@ -121,9 +122,7 @@ class Session:
             case request.Prepared():
                 for note in answer.notes:
                     self.say(f"note: {note}", Tone.NOTE)
-                return tuple(
-                    Fault(Place(one.file, one.line), one.expected, one.found, one.instead) for one in answer.faults
-                )
+                return tuple(map(fault_of, answer.faults))
             case live.Accepted():
                 return self._outcome(getattr(asked, "subsystem", self.subsystem), answer.number)
         return ()

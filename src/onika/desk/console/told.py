@@ -37,8 +37,8 @@ def lines(one: event.Event) -> Iterator[Line]:
             yield from _flows(one)
         case event.Lost():
             yield f"{_at(one.at_s)}  LOST {one.name}: {one.cause}", Tone.FAULT
-        case event.Held():
-            yield f"{one.subsystem} is held by {one.holder or 'nobody'}", Tone.NOTE
+        case event.Held() | event.Offered():
+            yield _held(one)
         case event.Stopped():
             yield _stopped(one)
         case event.Result():
@@ -115,6 +115,17 @@ def _stopped(one: event.Stopped) -> Line:
     if one.is_stopped:
         return f"STOPPED{cause}; every drive holds until `reset`", Tone.FAULT
     return f"motion is allowed again{cause}", Tone.GOOD
+
+
+def _held(one: event.Held | event.Offered) -> Line:
+    """Who may change a subsystem, or is to."""
+    if isinstance(one, event.Held):
+        cause = f": {one.cause}" if one.cause else ""
+        return f"{one.subsystem} is held by {one.holder or 'nobody'}{cause}", Tone.NOTE
+    text = f"{one.holder} offers {one.subsystem} to {one.to or 'nobody'}"
+    if one.outcome:
+        return f"{text}: {one.outcome}", Tone.NOTE
+    return f"{text}, who may `take {one.subsystem}` or `decline {one.subsystem}`", Tone.ASK
 
 
 def _result(one: event.Result) -> Iterator[Line]:

@@ -2,6 +2,7 @@
 
 from typing import Any
 
+from onika.desk.console import holding
 from onika.desk.console.face import Tone
 from onika.desk.console.life import positive
 from onika.desk.console.look import value
@@ -23,7 +24,9 @@ class Watch:
         self._shown: dict[tuple[str, str], Any] = {}
 
     def command(self, session: Session, words: Words) -> Faults:
-        """`watch NAME… [HZ]`; `watch off` ends it; without words it says what is watched."""
+        """`watch NAME… [HZ]`; `watch off` ends it; without words it says what is watched; `watch only`: no changes."""
+        if words == ("only",):
+            return holding.only_watch(session)
         if words == ("off",):
             self._names = ()
             return ()

@@ -5,6 +5,12 @@ from dataclasses import dataclass
 
 from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
+from onika.desk.upper.flow.open_application import OpenApplication
+from onika.model.application import Application
+from onika.model.configuration import Configuration
+
+Kept = Document | OpenApplication
+"""What is kept: configurations and applications, which have different ids."""
 
 REST_S = 0.3
 """After the last act."""
@@ -18,24 +24,25 @@ class Change:
     """The document that is to be kept under an id from now on; None: none any more."""
 
     doc: str
-    document: Document | None
+    document: Kept | None
 
 
 class Autosave:
     """Told of every model by `look`; when it is `due_s`, `take` gives what is to be written."""
 
     def __init__(self) -> None:
-        self._open: Mapping[str, Document] = {}
-        self._unsaved: dict[str, Document] = {}
-        self._kept: dict[str, Document] = {}
+        self._open: Mapping[str, Kept] = {}
+        self._unsaved: dict[str, Kept] = {}
+        self._kept: dict[str, Kept] = {}
         self._first_s: float | None = None
         self._last_s = 0.0
         self._taken_s = float("-inf")
 
     def look(self, model: Model, now_s: float) -> None:
         """The model has changed, or may have."""
-        before, self._unsaved = self._unsaved, self._to_keep(model.documents)
-        self._open = model.documents
+        every: dict[str, Kept] = {**model.documents, **model.applications}
+        before, self._unsaved = self._unsaved, self._to_keep(every)
+        self._open = every
         if not self._changed():
             self._first_s = None
         elif self._first_s is None:
@@ -63,12 +70,12 @@ class Autosave:
         self._taken_s = now_s if changes else self._taken_s
         return changes
 
-    def _to_keep(self, documents: Mapping[str, Document]) -> dict[str, Document]:
+    def _to_keep(self, documents: Mapping[str, Kept]) -> dict[str, Kept]:
         """The documents that are not saved; those that are as they were need no second look."""
         found = {}
         for doc, one in documents.items():
             is_known = self._open.get(doc) is one
-            if doc in self._unsaved if is_known else one.is_dirty or one.is_moved:
+            if doc in self._unsaved if is_known else _is_unsaved(one):
                 found[doc] = one
         return found
 
@@ -80,11 +87,19 @@ class Autosave:
         return [*(doc for doc in self._kept if doc not in self._unsaved), *new]
 
 
-def _are_alike(one: Mapping[str, Document], other: Mapping[str, Document]) -> bool:
+def _are_alike(one: Mapping[str, Kept], other: Mapping[str, Kept]) -> bool:
     return one.keys() == other.keys() and all(_is_alike(one[doc], other[doc]) for doc in one)
 
 
-def _is_alike(one: Document, other: Document) -> bool:
+def _is_unsaved(one: Kept) -> bool:
+    return one.is_dirty or (isinstance(one, Document) and one.is_moved)
+
+
+def _is_alike(one: Kept, other: Kept) -> bool:
     """Whether the same is kept of both: what lives and what was done before does not count."""
     is_of_one_file = one.opened is other.opened and one.base == other.base
-    return is_of_one_file and one.content.configuration == other.content.configuration
+    return is_of_one_file and _content(one) == _content(other)
+
+
+def _content(one: Kept) -> Configuration | Application:
+    return one.content.configuration if isinstance(one, Document) else one.application

@@ -7,6 +7,7 @@ import msgspec
 
 from onika.desk.environment import following
 from onika.desk.environment.birth import birth
+from onika.desk.environment.company import ask_company
 from onika.desk.environment.content import Content
 from onika.desk.environment.describing import describe
 from onika.desk.environment.document import Document
@@ -20,6 +21,8 @@ from onika.desk.environment.outcome import Done, No, Order, Reach
 from onika.desk.environment.pursuit import living_units
 from onika.desk.environment.refusing import refusal
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.watching import is_going
+from onika.desk.upper.dictionary import limits
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy
 from onika.words.name import TASK_NAME
@@ -72,7 +75,8 @@ def connected(model: Model, doc: str, standing: live.Standing, outside: Surround
     model = model.with_document(_stepped(document, found))
     done = _spawned(model, found, outside)
     described = describe(done.model)
-    orders, says = (*done.orders, *described.orders), (*found.says, *done.says)
+    bounds = limits.connected(described.model, described.model.documents[doc])
+    orders, says = (*done.orders, *described.orders, *bounds), (*found.says, *done.says)
     return Done(described.model, value=f"connected with {known.subsystem}", orders=orders, says=says)
 
 
@@ -82,6 +86,8 @@ def _elsewhere(model: Model, asked: act.Connect) -> No | None:
         return None
     users = [one for one in model.documents.values() if one.live is not None and one.live.state == "live"]
     here = model.runtime.address or "the runtime that was started here"
+    if is_going(model):
+        return No("an application runs on the runtime that would be left", (Remedy("Abort it", act.Steer("abort")),))
     if users:
         remedies = tuple(Remedy(f"Disconnect {one.name}", act.Disconnect(one.id)) for one in users)
         return No(f"{users[0].name} is connected with {here}, and there is one runtime at a time", remedies)
@@ -126,7 +132,8 @@ def _standing(
         return _not_connected(model, document, former, refusal(response))
     name = document.live.subsystem
     holders = [one.holder for one in response.subsystems if one.name == name]
-    return connected(model, doc, response, outside, holders[0] if is_taken and holders else "")
+    done = connected(model, doc, response, outside, holders[0] if is_taken and holders else "")
+    return replace(done, orders=(*done.orders, ask_company()))
 
 
 def _not_connected(model: Model, document: Document, former: Live | None, reason: str) -> No:

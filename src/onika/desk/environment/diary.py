@@ -12,6 +12,7 @@ from onika.desk.environment.environment import Answer
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.upper.flow.recorded import names_in
 from onika.wire import act, page
 
 
@@ -53,7 +54,9 @@ class Diary:
         if self._wrong and not self._is_told:
             self._is_told = True
             self._say(page.Say("warning", f"the diary cannot be written: {self._wrong}"))
-        self._names |= {one.id: one.name for one in self._model().documents.values()}
+        model = self._model()
+        self._names |= {one.id: one.name for one in model.documents.values()}
+        self._names |= names_in(model, (getattr(asked, "doc", ""), str(answer.value)))
         found = entry(asked, answer, self._names)
         if found is not None:
             self._put(found)

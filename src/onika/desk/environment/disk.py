@@ -3,12 +3,18 @@
 import os
 from collections.abc import Iterable, Mapping
 from pathlib import Path
+from typing import Protocol
 
 from onika.desk.environment.model import Model
-from onika.files import conf, rmod
+from onika.files import appl, conf, onk, rmod
 from onika.store.site import Site
 
-_FOLDERS = {"module": (rmod.ENDING, ".py"), "conf": (conf.ENDING,)}
+_FOLDERS = {
+    "module": (rmod.ENDING, ".py"),
+    "conf": (conf.ENDING,),
+    "dict": (onk.ENDING,),
+    "appl": (appl.ENDING,),
+}
 
 Mark = tuple[int, int, int]
 """When a file was written, its size, and which one it is: a file that is exchanged is another one."""
@@ -20,26 +26,31 @@ class Disk:
     def __init__(self, site: Site) -> None:
         self._site = site
         self._folders: dict[str, dict[str, Mark]] = _look(_paths(base.path for base in site.directories), {})
+        self._single = _single(site, {})
 
     def changed(self, model: Model) -> set[Path]:
         """The files that were written, made or removed since the last look.
 
         Of a base directory that was not looked at before these are all: nobody knows since when they are so.
         """
-        former = self._folders
+        former, single = self._folders, self._single
         self._folders = _look(_paths(bases(self._site, model)), former)
-        return {
+        self._single = _single(self._site, single)
+        changed = {
             Path(folder, name)
             for folder, marks in self._folders.items()
             for name in _different(former.get(folder, {}), marks)
         }
+        return changed | {Path(path) for path in _different(single, self._single)}
 
 
 def bases(site: Site, model: Model) -> Iterable[Path]:
-    """The base directories that matter: of the search path, of the open libraries and of the open documents."""
+    """The base directories that matter: of the search path and of what is open."""
     yield from (base.path for base in site.directories)
     yield from (library.base.path for library in model.shelf.libraries)
+    yield from (dictionary.base.path for dictionary in model.dictionaries)
     yield from (document.base for document in model.documents.values() if document.base is not None)
+    yield from (one.base for one in model.applications.values() if one.base is not None)
 
 
 def _paths(found: Iterable[Path]) -> dict[str, tuple[str, ...]]:
@@ -68,7 +79,17 @@ def _marks(folder: str, endings: tuple[str, ...], former: dict[str, Mark]) -> di
     return found
 
 
-def _mark(entry: os.DirEntry[str], former: Mark | None) -> Mark | None:
+def _single(site: Site, former: Mapping[str, Mark]) -> dict[str, Mark]:
+    """The files that stand in no base directory: those that may define the syntax."""
+    found = {str(path): _mark(path, former.get(str(path))) for path in site.syntax_files}
+    return {path: mark for path, mark in found.items() if mark is not None}
+
+
+class _File(Protocol):
+    def stat(self) -> os.stat_result: ...
+
+
+def _mark(entry: _File, former: Mark | None) -> Mark | None:
     """A link is what it leads to; one that leads nowhere, or a file removed just now, is none."""
     try:
         status = entry.stat()

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from onika.desk.environment.content import Content
-from onika.desk.environment.history import History
+from onika.desk.environment.history import History, Step
 from onika.desk.environment.live import Live
 from onika.model.configuration import Configuration
 from onika.store.opened import Opened
@@ -17,7 +17,7 @@ class Document:
 
     id: str
     content: Content
-    history: History = field(default_factory=History)
+    history: History[Step] = field(default_factory=History)
     opened: Opened[Configuration] | None = None
     """The file as it was read or saved last; None: it has none yet."""
     base: Path | None = None

@@ -9,7 +9,7 @@ from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
 from onika.desk.environment.on_document import closed, on_document
 from onika.desk.environment.outcome import Done, No, Order
-from onika.desk.environment.remedy import plain
+from onika.desk.environment.remedy import overwriting, plain
 from onika.desk.environment.surroundings import Surroundings
 from onika.files import text
 from onika.model.configuration import Configuration
@@ -63,7 +63,7 @@ def save(model: Model, document: Document, asked: act.Save, outside: Surrounding
     done = BaseDirectory(base).save_configuration(configuration, former, overwrites=asked.overwrites)
     if isinstance(done, Refusal):
         again = act.Save(asked.doc, asked.name, asked.base, overwrites=True)
-        remedies = (Remedy("Overwrite it", again), Remedy("Save as…", show="save-as"))
+        remedies = (*overwriting(done, again), Remedy("Save as…", show="save-as"))
         return No(plain(done.reason), remedies)
     content = replace(document.content, configuration=configuration)
     saved = replace(document, content=content, opened=done, base=base, has_changed_on_disk=False)

@@ -7,6 +7,9 @@ from pathlib import Path
 from onika.desk.environment.document import Document
 from onika.desk.environment.remedy import plain
 from onika.desk.environment.trouble import said
+from onika.desk.upper.kinds import role_of
+from onika.desk.upper.naming import a_kind, in_words, kind_named
+from onika.files import conf
 from onika.model.onikon import Onikon
 from onika.model.rules import conflict, warning
 from onika.model.rules.iconify import ActionType, job_type
@@ -26,6 +29,7 @@ class Draft:
     warnings  what will not work, and what is lost
     notes     what is odd and never forbidden (C08)
     former    the icon that it has already
+    source    the file that it is made of
     taken     why another icon would be lost where this one is saved; empty: none would
     """
 
@@ -35,8 +39,14 @@ class Draft:
     edges: tuple[int, int]
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
+    source: Path
     former: Opened[Onikon] | None = None
     taken: str = ""
+
+    @property
+    def says(self) -> str:
+        """What it is then, in words."""
+        return "a job" if self.source.suffix == conf.ENDING else "an icon for other applications"
 
     @property
     def path(self) -> Path:
@@ -55,8 +65,8 @@ def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
     tasks = _tasks(document, site.at(home.path))
     kind = job_type(document.content.configuration, tasks, syntax)
     if not isinstance(kind, ActionType):
-        return tuple(plain(one.reason) for one in kind)
-    former, taken = _former(document, home, syntax)
+        return tuple(in_words(plain(one.reason)) for one in kind)
+    former, taken = former_of(document.name, home, syntax, "job")
     acting = syntax.acting(kind.type)
     standing = [tasks[name] for name in document.content.names]
     warnings = (
@@ -65,8 +75,8 @@ def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
             f"{later.name} and {earlier.name} may not stand together"
             for later, earlier, _ in conflict.conflicts(standing)
         ),
-        *_of_type(kind, syntax, former),
-        *_namesakes(document.name, home, site),
+        *of_type(kind, syntax, former),
+        *namesakes(document.name, home, site),
     )
     return Draft(
         name=document.name,
@@ -75,6 +85,7 @@ def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
         edges=(acting.left_edge, acting.right_edge) if acting else (0, 0),
         warnings=warnings,
         notes=_notes(document, standing),
+        source=home.configuration_file(document.name),
         former=former,
         taken=taken,
     )
@@ -85,29 +96,28 @@ def _tasks(document: Document, site: Site) -> dict[str, Task]:
     return {name: record.task for name, record in records.items() if record}
 
 
-def _former(document: Document, home: BaseDirectory, syntax: Syntax) -> tuple[Opened[Onikon] | None, str]:
-    """The icon that the configuration has; and why what stands in its place is none of its own (decision 34)."""
-    path = home.onikon_file(document.name)
+def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[Opened[Onikon] | None, str]:
+    """The icon that a job or application has; and why what stands in its place is none of its own (decision 34)."""
+    path = home.onikon_file(name)
     if not path.exists():
         return None, ""
-    former, faults = home.open_onikon(document.name, syntax)
+    former, faults = home.open_onikon(name, syntax)
     if former is None:
         return None, f"{path} cannot be read and would be lost: {'; '.join(map(str, faults))}"
-    kind = syntax.acting(former.value.type)
-    if kind is None or not kind.is_job:
-        return None, f"{path} is the icon of something else, a {former.value.type}, which would be lost"
+    if role_of(syntax.acting(former.value.type)) != role:
+        return None, f"{path} is the icon of something else, {a_kind(former.value.type)}, which would be lost"
     return former, ""
 
 
-def _of_type(kind: ActionType, syntax: Syntax, former: Opened[Onikon] | None) -> Iterator[str]:
+def of_type(kind: ActionType, syntax: Syntax, former: Opened[Onikon] | None) -> Iterator[str]:
     """A type that is not defined (D16), and an icon that says another one (decision 36)."""
     if syntax.find(kind.type) is None:
-        yield f"the syntax does not define {kind.type}: its icon acts as a complete job"
+        yield f"the syntax does not define {kind_named(kind.type)}: its icon acts as a complete {_role(kind, syntax)}"
     if former and (former.value.type, former.value.more_targets) != (kind.type, kind.more_targets):
-        yield f"its icon says {former.value.type}, as it was before"
+        yield f"its icon says {kind_named(former.value.type)}, as it was before"
 
 
-def _namesakes(name: str, home: BaseDirectory, site: Site) -> Iterator[str]:
+def namesakes(name: str, home: BaseDirectory, site: Site) -> Iterator[str]:
     """Other icons of that name: of two the first on the search path counts (D15)."""
     paths = [base.path.resolve() for base in site.directories]
     own = paths.index(home.path.resolve()) if home.path.resolve() in paths else None
@@ -117,6 +127,10 @@ def _namesakes(name: str, home: BaseDirectory, site: Site) -> Iterator[str]:
         if place != own and base.onikon_file(name).exists():
             counts = "this one" if own is not None and own < place else "that one"
             yield f"{base.path} has an icon {name} too: {counts} counts, as it comes first"
+
+
+def _role(kind: ActionType, syntax: Syntax) -> str:
+    return role_of(syntax.acting(kind.type))
 
 
 def _notes(document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:

@@ -9,6 +9,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from onika.desk.environment.environment import Answer
+from onika.desk.upper.flow import recorded
+from onika.desk.upper.flow.on_application import is_application
 from onika.wire import act
 
 HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
@@ -41,6 +43,30 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Rate: ("set_rate", "conf"),
     act.Unit: ("set_rtpu", "conf"),
     act.Check: ("check_conf", "conf"),
+    act.NewApplication: ("new_appl", "appl"),
+    act.InsertIcon: ("insert_icon", "appl"),
+    act.InsertBranch: ("insert_branch", "appl"),
+    act.SetConditions: ("set_conditions", "appl"),
+    act.ExchangeIcon: ("exchange_icon", "appl"),
+    act.RemoveIcons: ("delete_icon", "appl"),
+    act.MoveIcons: ("move_icon", "appl"),
+    act.CopyIcons: ("copy_icon", "appl"),
+    act.CutIcons: ("cut_icon", "appl"),
+    act.PasteIcons: ("paste_icon", "appl"),
+    act.EditIcon: ("edit_icon", "appl"),
+    act.SetBreakpoint: ("set_marker", "appl"),
+    act.SetSynchTag: ("set_synchtag", "appl"),
+    act.SetLoop: ("set_whiletag", "appl"),
+    act.RemoveLoop: ("remove_whiletag", "appl"),
+    act.AddFlow: ("add_flow", "appl"),
+    act.RemoveFlow: ("delete_flow", "appl"),
+    act.SetParallel: ("set_parallel", "appl"),
+    act.OpenDictionary: ("open_dict", "dict"),
+    act.CloseDictionary: ("close_dict", "dict"),
+    act.MakeTarget: ("new_target", "dict"),
+    act.EditOnikon: ("edit_icon", "dict"),
+    act.RemoveOnikon: ("delete_icon", "dict"),
+    act.Teach: ("teach_target", "dict"),
     act.OpenLibrary: ("open_lexi", "lexi"),
     act.CloseLibrary: ("close_lexi", "lexi"),
     act.Alias: ("set_alias", "lexi"),
@@ -62,16 +88,28 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Reset: ("reset", "main"),
     act.Take: ("take", "conf"),
     act.Release: ("release", "conf"),
+    act.Hand: ("hand_over", "conf"),
+    act.Decline: ("decline", "conf"),
+    act.OnlyWatch: ("only_watch", "main"),
     act.Draft: ("try_job", "dict"),
     act.MakeJob: ("new_job", "dict"),
     act.Prefer: ("set_preference", "main"),
     act.Press: ("press_button", "button"),
     act.Halt: ("halt_button", "button"),
     act.SetButton: ("set_button", "button"),
+    act.Run: ("run_appl", "appl"),
+    act.Steer: ("steer_appl", "appl"),
+    act.Redirect: ("redirect_task", "appl"),
+    act.SkipTo: ("skip_to_icon", "appl"),
+    act.Dismiss: ("dismiss_run", "appl"),
+    act.StartAnew: ("start_runtime_anew", "main"),
 }
 """Not here: what a page asks for by itself, which no user does."""
 
-_THINGS = ("tasks", "task", "new", "svars", "name", "library", "path", "url", "values", "loci")
+_BOTH = (act.Open, act.Close, act.Save, act.Reload, act.Keep, act.Undo, act.Redo, act.Check, act.MakeJob, act.Draft)
+"""Acts on either kind of document: of an application they are called so, and stand in its window."""
+
+_THINGS = ("onikon", "tasks", "task", "new", "svars", "name", "library", "path", "url", "values", "loci", "line")
 """The fields of acts that name what is acted upon; the first that says something counts."""
 
 
@@ -101,6 +139,8 @@ def entry(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entry 
     if type(asked) not in _EVENTS:
         return None
     event, window = _EVENTS[type(asked)]
+    if isinstance(asked, _BOTH) and _is_of_application(asked, answer):
+        event, window = event.replace("conf", "appl").replace("job", "appl_icon"), window.replace("conf", "appl")
     match asked:
         case act.Turn():
             event = "turn_on_task" if asked.is_on else "turn_off_task"
@@ -114,6 +154,8 @@ def entry(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entry 
 
 def _things(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tuple[str, str, str, str]:
     """Object, its id, associated object, its id."""
+    if of_application := recorded.things(asked, answer.value, names):
+        return of_application
     doc: str = getattr(asked, "doc", "")
     document = (names.get(doc, ""), doc)
     match asked:
@@ -134,12 +176,20 @@ def _things(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tupl
     return _listed(things), _ids(doc, things), *document
 
 
+def _is_of_application(asked: act.AnyAct, answer: Answer) -> bool:
+    """Whether an act that both kinds of documents know was about an application."""
+    if isinstance(asked, act.Open):
+        return is_application(str(answer.value or "")) or asked.path.endswith(".appl")
+    return is_application(getattr(asked, "doc", ""))
+
+
 def _named(asked: act.AnyAct) -> tuple[str, ...]:
     """What an act names beside its document."""
     found: list[str] = []
     for name in _THINGS:
         value = getattr(asked, name, ())
-        found += [value] if isinstance(value, str) and value else [] if isinstance(value, str) else value
+        several = [value] if isinstance(value, str) else value or ()
+        found += [one for one in several if one and isinstance(one, str)]  # the values of a target name nothing
         if found and not isinstance(asked, act.Move):
             break
     return tuple(found)

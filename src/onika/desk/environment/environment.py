@@ -11,6 +11,7 @@ from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.surroundings import Surroundings
 from onika.desk.environment.tree import Projector
+from onika.desk.upper.flow import past
 from onika.wire import act, event, live, page, request
 from onika.wire.view import Tree
 
@@ -157,6 +158,8 @@ class Environment:
 
     def _stepped(self, before: Model, done: Done, by: str, asked: act.AnyAct) -> Model:
         """With one more step in the history of the document that was changed."""
+        if done.doc in before.applications and done.doc in done.model.applications:
+            return done.model if isinstance(asked, act.Undo | act.Redo) else past.stepped(before, done, by)
         if not done.doc or done.doc not in done.model.documents or done.doc not in before.documents:
             return done.model
         old, new = before.documents[done.doc], done.model.documents[done.doc]

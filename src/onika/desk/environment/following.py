@@ -9,28 +9,35 @@ from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.pursuit import noted, pursue_all
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.upper.dictionary import limits
+from onika.desk.upper.run import hearing as hearing_run, steering as steering_run
 from onika.wire import event, live, request
 
 
 def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
     """Have the running system follow what differs between two models; a no where it cannot."""
     del outside
+    marked = steering_run.marks(before, after)
     if before.documents is after.documents and before.shelf is after.shelf:
-        return Done(after)
+        return Done(after, orders=marked)
     model, docs = noted(after, before.shelf)
     changed = (one.id for one in model.documents.values() if one.id in docs or _is_changed(before, one))
     done = pursue_all(model, tuple(changed))
     if isinstance(done, No):
         return done
     described = _described(before, done.model)
-    orders = (*done.orders, *_left(before, after), *described.orders)
-    return replace(done, model=described.model, orders=orders, replies=_given_up(before, after))
+    orders = (*done.orders, *_left(before, after), *described.orders, *marked)
+    return replace(done, model=described.model, orders=orders, replies=given_up(before, after))
 
 
 def heard(model: Model, told: event.Event, outside: Surroundings) -> Done:
     """What a runtime has told."""
     del outside
-    return hearing.heard(model, told)
+    done = hearing.heard(model, told)
+    run = hearing_run.heard(done.model, told)
+    says, replies = (*done.says, *run.says), (*done.replies, *run.replies)
+    orders = (*done.orders, *run.orders, *limits.heard(run.model, told))
+    return replace(run, orders=orders, says=says, replies=replies)
 
 
 def _is_changed(before: Model, document: Document) -> bool:
@@ -48,7 +55,7 @@ def _described(before: Model, after: Model) -> Done:
     return Done(after) if is_same or after.runtime.state != "linked" else describe(after)
 
 
-def _given_up(before: Model, after: Model) -> tuple[tuple[Order, request.Response], ...]:
+def given_up(before: Model, after: Model) -> tuple[tuple[Order, request.Response], ...]:
     """The answers to acts that waited in documents that are no longer open, or no longer connected."""
     homes = {one.id for one in after.documents.values() if one.live and one.live.state == "live"}
     gone = [one for one in before.documents.values() if one.live and one.id not in homes]

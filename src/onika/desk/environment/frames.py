@@ -8,7 +8,7 @@ import numpy as np
 
 from onika.desk.environment.model import Model
 from onika.desk.environment.tally import Tally
-from onika.desk.environment.watching import homes_of
+from onika.desk.environment.watching import homes_of, keys_of
 from onika.wire import live, page, reading
 
 _WORLD = "world:"
@@ -30,11 +30,13 @@ class Frames:
         if not readings and figures is None:
             return
         docs = {subsystem: doc for doc, subsystem in homes_of(model).items()}
+        if model.run is not None:
+            docs |= {home: f"{model.run.doc}/{home}" for home in model.run.homes}
         rows = {} if figures is None else self._tally.add(figures, docs)
         with self._lock:
             self._figures |= rows
             for key, body in readings.items():
-                self._read(key, body, docs)
+                self._read(key, body, model)
 
     def take(self) -> page.Frame | None:
         """What has come since the last call; None: nothing."""
@@ -51,15 +53,14 @@ class Frames:
             self._tally = Tally()
             self._values, self._figures, self._poses = {}, {}, {}
 
-    def _read(self, key: str, body: bytes, docs: Mapping[str, str]) -> None:
+    def _read(self, key: str, body: bytes, model: Model) -> None:
         one = reading.decode(body)
         if isinstance(one, reading.Poses):
             self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(one.rows), "lit": one.lit}
             return
         self._at_s = one.now_ns * 1e-9
-        subsystem, _, name = key.rpartition("/")
-        if subsystem in docs:
-            self._values[f"{docs[subsystem]}/{name}"] = one.value
+        for shown in keys_of(model, key):
+            self._values[shown] = one.value
 
 
 def _rows(rows: bytes) -> list[list[float]]:

@@ -13,7 +13,7 @@ from onika.desk.environment.documents import read
 from onika.desk.environment.model import Model
 from onika.desk.environment.on_document import closed, on_document
 from onika.desk.environment.outcome import Done, No
-from onika.desk.environment.remedy import plain
+from onika.desk.environment.remedy import overwriting, plain
 from onika.desk.environment.surroundings import Surroundings
 from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
@@ -71,7 +71,7 @@ def save_group(model: Model, asked: act.SaveGroup, outside: Surroundings) -> Don
     done = directory.save_configuration(_part(model, document, one), overwrites=asked.overwrites)
     if isinstance(done, Refusal):
         again = act.SaveGroup(asked.doc, asked.name, asked.base, overwrites=True)
-        return No(plain(done.reason), (Remedy("Overwrite it", again), *_elsewhere(asked, base, outside)))
+        return No(plain(done.reason), (*overwriting(done, again), *_elsewhere(asked, base, outside)))
     return Done(model, value=str(done.path))
 
 

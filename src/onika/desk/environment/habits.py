@@ -1,6 +1,6 @@
-"""What a user wants of the environment that the preference file has no line for (requirements C08, C20, H01).
+"""What a user wants of the environment that the preference file has no line for (requirements C08, C20, G05, H01).
 
-They are kept as `habits.json` in the state directory; ONIKA_WARNINGS rules over the file.
+They are kept as `habits.json` in the state directory; ONIKA_WARNINGS and ONIKA_LOWER rule over the file.
 """
 
 from collections.abc import Mapping
@@ -19,23 +19,26 @@ _NO = ("", "0", "no", "off", "false")
 
 @dataclass(frozen=True, slots=True)
 class Habits:
-    """Whether warnings are shown, and whether a diary is kept."""
+    """Whether warnings are shown, whether a diary is kept, and whether the lower level is there to be gone to."""
 
     shows_warnings: bool = True
     keeps_diary: bool = True
+    shows_lower: bool = True
 
 
 def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Habits, str]:
     """The habits of a user, and a sentence where the file cannot be read: then the defaults hold."""
     found, wrong = _kept(state / NAME if state else None)
-    warnings = environment.get("ONIKA_WARNINGS")
-    return (found if warnings is None else replace(found, shows_warnings=warnings.lower() not in _NO)), wrong
+    named = {"shows_warnings": "ONIKA_WARNINGS", "shows_lower": "ONIKA_LOWER"}
+    said = {habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment}
+    return replace(found, **said), wrong
 
 
-def keep(state: Path | None, habits: Habits) -> Refusal | None:
-    """Write them; without a state directory they hold for this session."""
+def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:
+    """Write these, beside what is kept of the others; without a state directory they hold for this session."""
     if state is None:
         return None
+    habits = replace(_kept(state / NAME)[0], **values)
     try:
         state.mkdir(parents=True, exist_ok=True)
     except OSError as error:

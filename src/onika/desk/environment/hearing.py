@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import msgspec
 
-from onika.desk.environment import pursuit
+from onika.desk.environment import company, pursuit
 from onika.desk.environment.document import Document
 from onika.desk.environment.facts import settled
 from onika.desk.environment.live import Live, TaskFacts
@@ -25,11 +25,15 @@ def heard(model: Model, told: event.Event) -> Done:
             return pursuit.edited(model, document.id, told.number, told.cause) if document else Done(model)
         case event.Held():
             return _held(model, told)
+        case event.Offered():
+            return company.offered(model, told)
+        case event.Company():
+            return company.came(model, told)
         case event.Stopped():
             return _stopped(model, told)
         case event.Lost():
             return _lost(model, told)
-        case event.Drive() if told.state in ("TRIPPED", "PRESSED"):
+        case event.Drive() if told.state in ("TRIPPED", "PRESSED") and not model.runtime.is_stopped:
             why = f": {told.cause}" if told.cause else ""
             return Done(model, says=(page.Say("error", f"drive {told.device} is {told.state}{why}"),))
     return Done(model)
@@ -107,7 +111,10 @@ def _held(model: Model, told: event.Held) -> Done:
     document = _home(model, told.subsystem)
     if document is None or document.live is None:
         return Done(model)
-    return Done(model.with_document(replace(document, live=replace(document.live, holder=told.holder))))
+    was_here = document.live.is_held_here
+    known = replace(document.live, holder=told.holder, offer=None)
+    says = (page.Say("warning", f"{told.subsystem}: {told.cause}", document.id),) if was_here and told.cause else ()
+    return Done(model.with_document(replace(document, live=known)), says=says)
 
 
 def _stopped(model: Model, told: event.Stopped) -> Done:

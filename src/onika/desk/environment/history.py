@@ -3,6 +3,7 @@
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Generic, Protocol, TypeVar
 
 from onika.desk.environment.content import Content
 from onika.desk.environment.shelf import Shelf
@@ -11,6 +12,14 @@ from onika.model.task import Task
 from onika.store.opened import Opened
 
 _KEPT = 500
+
+
+class _Labelled(Protocol):
+    @property
+    def label(self) -> str: ...
+
+
+_S = TypeVar("_S", bound=_Labelled)
 
 Edits = Mapping[str, Task | None]
 """Tasks as they were changed in this session, by name; None: as its file says."""
@@ -43,30 +52,30 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class History:
+class History(Generic[_S]):
     """The steps of a document, oldest first, and those taken back, the next to be done again last."""
 
-    past: tuple[Step, ...] = ()
-    future: tuple[Step, ...] = ()
+    past: tuple[_S, ...] = ()
+    future: tuple[_S, ...] = ()
 
     @property
-    def last(self) -> Step | None:
+    def last(self) -> _S | None:
         """What Undo takes back."""
         return self.past[-1] if self.past else None
 
     @property
-    def next(self) -> Step | None:
+    def next(self) -> _S | None:
         """What Redo does again."""
         return self.future[-1] if self.future else None
 
-    def done(self, step: Step) -> "History":
+    def done(self, step: _S) -> "History[_S]":
         """With one more step; what was taken back is gone."""
         return History((*self.past, step)[-_KEPT:])
 
-    def undone(self) -> "History":
+    def undone(self) -> "History[_S]":
         """With the last step taken back; raises IndexError where there is none."""
         return History(self.past[:-1], (*self.future, self.past[-1]))
 
-    def redone(self) -> "History":
+    def redone(self) -> "History[_S]":
         """With the next step done again; raises IndexError where there is none."""
         return History((*self.past, self.future[-1]), self.future[:-1])

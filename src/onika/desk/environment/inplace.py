@@ -16,8 +16,7 @@ from onika.desk.environment.pursuit import living_units
 from onika.desk.environment.surroundings import Surroundings
 from onika.model.configuration import Configuration
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Placed as Standing
-from onika.model.rules.reconfiguration import exchange
+from onika.model.rules.reconfiguration import Placed as Standing, exchange
 from onika.wire import act
 from onika.wire.view import Remedy
 

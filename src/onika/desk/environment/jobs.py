@@ -1,50 +1,67 @@
-"""A configuration becomes a job: its type, its warnings, its picture and its file (requirement C16, §5.6.2)."""
+"""A configuration or an application becomes an icon: type, warnings, picture, file (C16, D09, §5.6.2, §5.6.4)."""
 
 from dataclasses import replace
 
+import msgspec
+
+from onika.desk.environment import listing
 from onika.desk.environment.document import Document
 from onika.desk.environment.draft import Draft, drafted
 from onika.desk.environment.model import Model
 from onika.desk.environment.on_document import closed
 from onika.desk.environment.outcome import Done, No
-from onika.desk.environment.remedy import plain
+from onika.desk.environment.remedy import overwriting, plain
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.upper.dictionary.dictionaries import shown_at_once
+from onika.desk.upper.flow import iconifying
+from onika.desk.upper.naming import kind_named
+from onika.desk.upper.painted import painted
+from onika.desk.upper.words import forgotten, told_again
 from onika.model.onikon import Onikon
-from onika.model.picture import BLACK, SIZE, Picture, framed
 from onika.wire import act, page
 from onika.wire.view import DraftView, Remedy
 from onika.words.fault import Refusal
 
 
 def draft(model: Model, asked: act.Draft, outside: Surroundings) -> Done | No:
-    """What job a configuration would make; the value is a `view.DraftView`."""
+    """What icon a configuration or an application would make; the value is a `view.DraftView`."""
     found = _drafted(model, asked.doc, outside)
     return found if isinstance(found, No) else Done(model, value=_view(found))
 
 
 def make_job(model: Model, asked: act.MakeJob, outside: Surroundings) -> Done | No:
-    """Save the onikon of a configuration beside it; the value is the path of its file."""
+    """Save the onikon of a configuration or application beside it; the value is the path of its file."""
     found = _drafted(model, asked.doc, outside)
     if isinstance(found, No):
         return found
-    picture = _picture(asked.picture)
+    picture = painted(asked.picture)
     if isinstance(picture, str):
         return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
     name, path = found.name, found.path
+    meant = Remedy("Replace it", msgspec.structs.replace(asked, overwrites=True))
     if path.exists() and not asked.overwrites:
-        meant = act.MakeJob(asked.doc, asked.picture, asked.description, overwrites=True)
-        return No(found.taken or f"{path} is there already", (Remedy("Replace it", meant),))
-    made = Onikon(name, found.kind.type, " ".join(asked.description.split()), (), picture, found.kind.more_targets)
+        return No(found.taken or f"{path} is there already", (meant,))
+    description = " ".join(asked.description.split())
+    words = told_again(found.former.value, description) if found.former else ()
+    made = Onikon(name, found.kind.type, description, (), picture, found.kind.more_targets, words)
     saved = found.home.save_onikon(made, found.former, overwrites=asked.overwrites)
     if isinstance(saved, Refusal):
-        meant = act.MakeJob(asked.doc, asked.picture, asked.description, overwrites=True)
-        return No(plain(saved.reason), () if asked.overwrites else (Remedy("Replace it", meant),))
-    text = f"{name} is a job now: {made.type}, in {saved.path}"
-    return Done(model, value=str(saved.path), says=(page.Say("success", text, asked.doc),))
+        again = overwriting(saved, msgspec.structs.replace(asked, overwrites=True), "Replace it")
+        return No(plain(saved.reason), () if asked.overwrites else again)
+    text = f"{name} is {found.says} now: {kind_named(made.type)}, in {saved.path}"
+    source = listing.again(found.source, model.syntax)
+    model = source.beside(model) if source else model  # what was saved just now is what the icon is judged by
+    now = shown_at_once(model, saved.path, outside.site)
+    gone = forgotten(found.former.value, description) if found.former else ""
+    lost = (page.Say("warning", gone, asked.doc),) if gone else ()
+    return Done(now, value=str(saved.path), says=(page.Say("success", text, asked.doc), *lost))
 
 
 def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
-    """The draft of a document that is saved; else why there is none."""
+    """The draft of what is open and saved; else why there is none."""
+    application = model.applications.get(doc)
+    if application is not None:
+        return iconifying.drafted(model, application, outside.site)
     document = model.documents.get(doc)
     if document is None:
         return closed()
@@ -83,13 +100,3 @@ def _view(found: Draft) -> DraftView:
         description=former.description if former else "",
         path=str(found.path),
     )
-
-
-def _picture(digits: str) -> Picture | str:
-    """The picture of 1024 digits, its border made black; a 9 is black too (decision 38). Else what is wrong."""
-    if len(digits) != SIZE * SIZE or not (digits.isascii() and digits.isdigit()):
-        strange = sorted({one for one in digits if not (one.isascii() and one.isdigit())})
-        found = f"{len(digits)} signs" + (f", among them {strange[0]!r}" if strange else "")
-        return f"expected {SIZE * SIZE} digits from 0 to 8, found {found}"
-    rows = digits.replace("9", BLACK)
-    return framed([rows[start : start + SIZE] for start in range(0, len(rows), SIZE)])

@@ -9,14 +9,13 @@ from onika.desk.environment.clash import clashes
 from onika.desk.environment.describing import forgotten
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No
-from onika.desk.environment.remedy import plain
 from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.telling import told
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.library import Library, reopen_libraries
-from onika.store.opened import Faults
 from onika.wire import act, page
 from onika.wire.view import Remedy
 
@@ -38,9 +37,8 @@ def open_library(model: Model, asked: act.OpenLibrary, _outside: Surroundings) -
         return Done(model, value=str(known.base.path))
     base = BaseDirectory(path)
     done = rearranged(model, (*(one.base for one in model.shelf.libraries), base), frozenset())
-    files, faults = listing.listed([base])
-    files = {**done.model.files, **files}
-    return replace(done, model=replace(done.model, files=files), value=str(path), says=(*done.says, *told(faults)))
+    found = listing.listed([base], model.syntax)
+    return replace(done, model=found.beside(done.model), value=str(path), says=(*done.says, *told(found.faults)))
 
 
 def close_library(model: Model, asked: act.CloseLibrary, _outside: Surroundings) -> Done | No:
@@ -50,8 +48,7 @@ def close_library(model: Model, asked: act.CloseLibrary, _outside: Surroundings)
     if len(left) == len(bases):
         return No(f"the library {asked.library} is not open")
     done = rearranged(model, left, frozenset())
-    files = {path: file for path, file in model.files.items() if file.base != asked.library}
-    return replace(done, model=replace(done.model, files=files))
+    return replace(done, model=listing.without(done.model, listing.of_base(model, asked.library)))
 
 
 def reread(model: Model, changed: Set[Path]) -> Done:
@@ -78,11 +75,6 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
     against = clashes(model, shelf, names & former.tasks.keys())
     says += [page.Say("warning", one.text) for one in against]
     return Done(pins.resettled(replace(model, shelf=shelf), former), says=tuple(says))
-
-
-def told(faults: Faults) -> tuple[page.Say, ...]:
-    """Faults of files as lines."""
-    return tuple(page.Say("info" if one.is_note else "warning", plain(str(one))) for one in faults)
 
 
 def _no_base(path: Path) -> No | None:
@@ -130,4 +122,4 @@ def _is_elsewhere(name: str, former: Shelf, shelf: Shelf) -> bool:
 def _news(former: Iterable[Library], libraries: Iterable[Library]) -> list[page.Say]:
     """Faults that were not told yet."""
     known = {fault for library in former for fault in library.faults}
-    return [say for one in libraries for say in told(tuple(fault for fault in one.faults if fault not in known))]
+    return list(told(fault for one in libraries for fault in one.faults if fault not in known))

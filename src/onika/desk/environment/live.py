@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, Literal
 
 from onika.desk.environment.content import Content
-from onika.desk.environment.history import Edits, History
+from onika.desk.environment.history import Edits, History, Step
 from onika.wire import event
 
 
@@ -34,7 +34,7 @@ class Base:
     """What the runtime was asked for up to now: what a document differs in from it is still to be asked."""
 
     content: Content
-    history: History = field(default_factory=History)
+    history: History[Step] = field(default_factory=History)
     edits: Edits = field(default_factory=dict)
     """Tasks of the libraries that have changed since, as they were."""
 
@@ -46,7 +46,7 @@ class Pending:
     before: Base | None = None
     """Of a change of the subsystem: what to go back to where it fails."""
     after: Content | None = None
-    present: History = field(default_factory=History)
+    present: History[Step] = field(default_factory=History)
     """The history with the steps that it carries out."""
     tasks: frozenset[str] = frozenset()
     """Which tasks it touches."""
@@ -54,6 +54,15 @@ class Pending:
     """Orders of acts that waited for this change and are answered with it."""
     number: int | None = None
     """By which its outcome is told; None: it was not accepted yet."""
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """Who would hand a subsystem over, to whom, and whether that is this environment."""
+
+    holder: str
+    to: str
+    is_here: bool
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +74,8 @@ class Live:
     tasks: Mapping[str, TaskFacts] = field(default_factory=dict)
     """Those that live or are about to, by name."""
     holder: str = ""
+    offer: "Offer | None" = None
+    """What its holder would hand over."""
     me: str = ""
     """The name by which the runtime knows this environment; empty: it was not told yet."""
     base: Base | None = None

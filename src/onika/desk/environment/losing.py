@@ -8,7 +8,11 @@ import msgspec
 from onika.desk.environment.live import Live
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
+from onika.desk.runtime import in_short
+from onika.desk.upper.run.hearing import lost as run_lost
 from onika.wire import page, view
+
+_ENDED = "The runtime has ended. Run starts a new one."
 
 
 def lost(model: Model, reason: str) -> Done:
@@ -23,8 +27,10 @@ def lost(model: Model, reason: str) -> Done:
         else one
         for key, one in model.documents.items()
     }
-    runtime = view.RuntimeView("lost", model.runtime.address, reason)
-    return Done(replace(model, documents=documents, runtime=runtime), says=(page.Say("error", reason),))
+    runtime = view.RuntimeView("lost", model.runtime.address, reason)  # there it is told in full
+    done = run_lost(replace(model, documents=documents, runtime=runtime), in_short(reason))
+    said = f"The runtime at {runtime.address} is gone." if runtime.address else _ENDED
+    return replace(done, says=(page.Say("error", said), *done.says))
 
 
 def with_loads(model: Model, loads: Mapping[str, float]) -> Done:

@@ -78,6 +78,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
         units={one.name: view.UnitView(round(one.load, 2), one.is_lost) for one in standing.rtpus},
         worlds=dict.fromkeys(standing.worlds, True),
         subsystems={one.name: one.application or one.holder for one in standing.subsystems},
+        sessions=former.sessions,
     )
 
 

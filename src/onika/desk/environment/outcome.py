@@ -26,6 +26,8 @@ class Reach:
 
     url: str = ""
     token: str = ""
+    is_anew: bool = False
+    """Whether one that was started here ends first."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -40,14 +40,15 @@ def prefer(model: Model, asked: act.Prefer, outside: Surroundings) -> Done | No:
     if wrong:
         return No("; ".join(f"{name}: {why}" for name, why in wrong.items()), fields=wrong)
     of_file = {name: value for name, value in taken.items() if name not in _HABITS}
+    of_habits = {name: value for name, value in taken.items() if name in _HABITS}
     preferred = replace(model.preferences, **of_file)
     changed = replace(
         model,
         preferences=preferred,
-        habits=replace(model.habits, **{name: value for name, value in taken.items() if name in _HABITS}),
+        habits=replace(model.habits, **of_habits),
         shelf=model.shelf if not of_file else replace(model.shelf, preferences=preferred),
     )
-    return Done(changed, says=tuple(_kept(model, changed, of_file, outside)))
+    return Done(changed, says=tuple(_kept(of_file, of_habits, outside)))
 
 
 def shown(model: Model) -> dict[str, Any]:
@@ -61,11 +62,11 @@ def leave(model: Model, outside: Surroundings) -> str:
     return refused.reason if refused else ""
 
 
-def _kept(before: Model, after: Model, values: Mapping[str, Any], outside: Surroundings) -> Iterator[page.Say]:
-    """Write what has changed; a no is told, and the change holds for this session."""
-    refused = [_filed(values, outside)] if values else []
-    if after.habits != before.habits:
-        refused.append(habits.keep(outside.state, after.habits))
+def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Surroundings) -> Iterator[page.Say]:
+    """Write what was asked for; a no is told, and the change holds for this session."""
+    refused = [_filed(of_file, outside)] if of_file else []
+    if of_habits:
+        refused.append(habits.keep(outside.state, of_habits))
     for one in refused:
         if one is not None:
             yield page.Say("warning", f"{plain(one.reason)}; it holds for this session")

@@ -1,6 +1,6 @@
 """Where a task that asks stands at present: what it measures of the kind that it asks for, as a possible answer."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import partial
 
@@ -13,17 +13,26 @@ from onika.wire import live, request
 
 def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...]:
     """Ask for what a task measures of the same shape and unit as its inputs have; nothing where it measures none."""
-    wanted = _wanted(model, task)
-    if document.live is None or not wanted:
+    if document.live is None:
         return ()
-    moving = [name for name, facts in document.live.tasks.items() if facts.state == "ON" and name in model.shelf.tasks]
-    written = {svar for name in moving for svar in model.shelf.tasks[name].outputs}
-    wanted = {name: svar for name, svar in wanted.items() if svar in written}  # else it is old, or never was
+    wanted = measured(model, task, [name for name, facts in document.live.tasks.items() if facts.state == "ON"])
     if not wanted:
         return ()
     names = tuple(dict.fromkeys(wanted.values()))
     then = partial(_told, doc=document.id, task=task, wanted=wanted)
     return (Order(live.Read(document.live.subsystem, names), then, is_aside=True),)
+
+
+def measured(model: Model, task: str, moving: Collection[str]) -> dict[str, str]:
+    """By input of a task: the variable of its kind that it reads and that one of the tasks that are ON writes."""
+    known = model.shelf.tasks
+    written = {svar for name in moving if name in known for svar in known[name].outputs}
+    return {name: svar for name, svar in _wanted(model, task).items() if svar in written}  # else it is old
+
+
+def values_of(values: live.Values, wanted: Mapping[str, str]) -> dict[str, tuple[float, ...]]:
+    """What was read, by input."""
+    return {name: tuple(_flat(values.values[svar])) for name, svar in wanted.items() if svar in values.values}
 
 
 def _wanted(model: Model, name: str) -> Mapping[str, str]:
@@ -48,8 +57,7 @@ def _told(model: Model, response: request.Response, doc: str, task: str, wanted:
     facts = known.tasks.get(task) if known else None
     if document is None or known is None or facts is None or not isinstance(response, live.Values):
         return Done(model)
-    present = {name: tuple(_flat(response.values[svar])) for name, svar in wanted.items() if svar in response.values}
-    known = known.with_task(task, replace(facts, present=present))
+    known = known.with_task(task, replace(facts, present=values_of(response, wanted)))
     return Done(model.with_document(replace(document, live=known)))
 
 

@@ -15,10 +15,12 @@ from pathlib import Path
 
 from onika.desk.environment import rescue as rescues
 from onika.desk.environment.autosave import Change
+from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
-from onika.desk.environment.rescue import Rescue, document_of, rescue_of
-from onika.files import text, whole
+from onika.desk.environment.rescue import Rescue, application_of, document_of, rescue_of
+from onika.desk.upper.flow.open_application import OpenApplication
+from onika.files import appl, text, whole
 from onika.wire import page
 from onika.words.fault import Refusal
 
@@ -83,16 +85,31 @@ def reopened(model: Model, found: Sequence[Rescue]) -> Done:
     """With the documents that were not saved, as unsaved as they were; each is told."""
     says = []
     for one in found:
-        doc = f"c{model.opened + 1}"
-        is_taken = not one.path and any(other.name == one.name for other in model.documents.values())
+        number = model.opened + 1
+        names = {other.name for other in model.documents.values()}
+        names |= {other.name for other in model.applications.values()}
+        name = model.blank_name() if not one.path and one.name in names else ""
         try:
-            document = document_of(one, doc, model.blank_name() if is_taken else "")
+            document = _of(model, one, number, name)
         except ValueError as wrong:
             says.append(page.Say("warning", f"{one.name} was not saved and cannot be had back: {wrong}"))
             continue
-        model = replace(model.with_document(document), opened=model.opened + 1)
-        says.append(page.Say("info", f"{document.name} was not saved when Onika ended: it is open as it was", doc))
+        if isinstance(document, Document):
+            model = replace(model.with_document(document), opened=number)
+        else:
+            model = replace(model.with_application(document), opened=number)
+        said = f"{document.name} was not saved when Onika ended: it is open as it was"
+        says.append(page.Say("info", said, document.id))
     return Done(model, says=tuple(says))
+
+
+def _of(model: Model, one: Rescue, number: int, name: str) -> Document | OpenApplication:
+    """What was rescued, under the next id; raises ValueError."""
+    if one.kind != appl.ENDING:
+        return document_of(one, f"c{number}", name)
+    if model.syntax is None:
+        raise ValueError("there are no types of icons")
+    return application_of(one, f"a{number}", model.syntax, name)
 
 
 def _read(folder: Path) -> Iterator[Rescue]:

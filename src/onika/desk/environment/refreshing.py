@@ -8,28 +8,36 @@ from onika.desk.environment import libraries, listing
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
 from onika.desk.environment.history import Step
-from onika.desk.environment.libraries import told
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
 from onika.desk.environment.remedy import plain
-from onika.files import conf, text
+from onika.desk.environment.telling import told
+from onika.desk.upper.dictionary import defining, dictionaries
+from onika.desk.upper.flow import on_disk
+from onika.files import conf, syntax, text
 from onika.model.configuration import Configuration
-from onika.store.base_directory import BaseDirectory
 from onika.store.opened import Faults, Opened, open_file
+from onika.store.site import Site
 from onika.wire import page
 
 _LABEL = "reading the file again"
 
 
-def refreshed(model: Model, changed: Set[Path]) -> Done:
-    """With the libraries, the list of configurations and the open documents as the files are now.
+def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Done:
+    """With libraries, dictionaries, lists and open documents as the files are now; `site` is where the syntax is found.
 
     The same model where the files say what was known: what was saved here is nothing new.
     """
     done = libraries.reread(model, changed)
     model, says = done.model, [*done.says]
-    configurations = sorted(path for path in changed if listing.is_configuration(path))
-    model, faults = _listed(model, configurations)
+    model, faults = _listed(model, sorted(changed))
+    icons = dictionaries.reread(model, changed)
+    model, says = icons.model, [*says, *icons.says]
+    if site is not None and any(syntax.NAME in path.name for path in changed):
+        defined = defining.redefined(model, site)
+        model, says = defined.model, [*says, *defined.says]
+    opened = on_disk.refreshed(model, changed)
+    model, says = opened.model, [*says, *opened.says]
     for document in model.documents.values():
         if document.opened is not None and document.opened.path in changed:
             now, said, wrong = _document(document, document.opened)
@@ -40,18 +48,17 @@ def refreshed(model: Model, changed: Set[Path]) -> Done:
 
 
 def _listed(model: Model, paths: Iterable[Path]) -> tuple[Model, Faults]:
-    """With these configurations in the list as they are now."""
-    files, faults = dict(model.files), list[Faults]()
+    """With these configurations and applications in their lists as they are now."""
+    found, gone = listing.Listed(), list[str]()
     for path in paths:
-        if not path.is_file():
-            files.pop(str(path), None)
+        if not (listing.is_configuration(path) or listing.is_application(path)):
             continue
-        base = BaseDirectory(path.parent.parent)
-        if path.stem in base.configurations:
-            files[str(path)], wrong = listing.entry(base, path.stem)
-            faults.append(wrong)
-    same = files == model.files
-    return (model if same else replace(model, files=files)), tuple(one for some in faults for one in some)
+        again = listing.again(path, model.syntax)
+        if again is None:
+            gone.append(str(path))
+        else:
+            found = found.and_(again)
+    return found.beside(listing.without(model, gone)), found.faults
 
 
 def _document(document: Document, opened: Opened[Configuration]) -> tuple[Document, list[page.Say], Faults]:

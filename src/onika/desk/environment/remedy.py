@@ -22,6 +22,16 @@ def plain(text: str) -> str:
     return text.replace("`", "")
 
 
+def overwriting(refused: Refusal, again: act.AnyAct, label: str = "Overwrite it") -> tuple[Remedy, ...]:
+    """The button that saves all the same; none where that would be refused too, as on a full disk."""
+    match refused.remedies:
+        case ("save it elsewhere",):
+            return ()
+        case ("save it all the same", *_):
+            return (Remedy("Save it all the same", again),)
+    return (Remedy(label, again),)
+
+
 def _remedy(words: str, doc: str, task: Task) -> Remedy:
     named = _NAMED.match(words)
     if other := _OTHER.match(words):

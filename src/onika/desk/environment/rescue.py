@@ -1,13 +1,17 @@
 """What is kept of a document that is not saved, so that it can be had back after a crash; as JSON."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 
 import msgspec
 
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
-from onika.files import conf, text
+from onika.desk.upper.flow.open_application import OpenApplication
+from onika.desk.upper.flow.unread import told
+from onika.files import appl, conf, text
+from onika.model.flow_path import numbered
+from onika.model.syntax import Syntax
 from onika.store.opened import Opened
 
 
@@ -16,10 +20,11 @@ class Rescue:
     """A document.
 
     name    what it is called
-    text    as a `.conf` file would hold it
+    text    as a `.conf` or `.appl` file would hold it
     base    the base directory of its file; empty: it has none
     path    its file; empty: it has none
     former  what that file held when it was read or saved last
+    kind    the ending of such files
     """
 
     name: str
@@ -27,14 +32,17 @@ class Rescue:
     base: str = ""
     path: str = ""
     former: str = ""
+    kind: str = conf.ENDING
 
 
-def rescue_of(document: Document) -> Rescue:
+def rescue_of(document: Document | OpenApplication) -> Rescue:
     """What is to be kept of a document."""
     opened = document.opened
+    is_configuration = isinstance(document, Document)
     return Rescue(
         name=document.name,
-        text=conf.write(document.content.configuration),
+        text=_text(document),
+        kind=conf.ENDING if is_configuration else appl.ENDING,
         base=str(document.base or ""),
         path=str(opened.path) if opened else "",
         former=opened.text if opened else "",
@@ -68,5 +76,38 @@ def document_of(rescue: Rescue, doc: str, name: str = "") -> Document:
         Content(configuration),
         opened=opened,
         base=Path(rescue.base) if rescue.base else None,
-        has_changed_on_disk=path is not None and text.load(path, str(path))[0] != rescue.former,
+        has_changed_on_disk=_has_changed(rescue),
     )
+
+
+def application_of(rescue: Rescue, doc: str, syntax: Syntax, name: str = "") -> OpenApplication:
+    """The same of an application; raises ValueError."""
+    name = name or rescue.name
+    application, faults = appl.salvage(rescue.text, name, name, syntax)
+    if application is None:
+        raise ValueError("; ".join(map(str, faults)))
+    application, last = numbered(application, 0)
+    here = OpenApplication(doc, application, last, base=Path(rescue.base) if rescue.base else None)
+    if not rescue.path:
+        return here
+    path = Path(rescue.path)
+    former, wrong = appl.salvage(rescue.former, rescue.name, rescue.path, syntax)
+    is_partial = appl.read(rescue.former, rescue.name, rescue.path, syntax)[0] is None
+    return replace(
+        here,
+        opened=Opened(former, path, rescue.former) if former else None,
+        told=told(former, wrong, is_partial=is_partial) if former else (),
+        is_partial=is_partial,
+        has_changed_on_disk=_has_changed(rescue),
+    )
+
+
+def _text(document: Document | OpenApplication) -> str:
+    if isinstance(document, Document):
+        return conf.write(document.content.configuration)
+    return appl.write(document.application)
+
+
+def _has_changed(rescue: Rescue) -> bool:
+    path = Path(rescue.path)
+    return bool(rescue.path) and text.load(path, rescue.path)[0] != rescue.former

@@ -7,18 +7,25 @@ from onika.desk.environment.document import Document
 from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.wiring import Seen, group_views, locus_views, placed_views
 from onika.model.task import Task
+from onika.store.site import is_shipped
 from onika.wire.view import DocumentView, LibraryView, PinView, ProblemView, Reason, TaskView
 
 _V = TypeVar("_V")
 
 
 def library_views(shelf: Shelf) -> dict[str, LibraryView]:
-    """The open libraries, by their paths."""
+    """The open libraries, by their paths; those in which nothing is to be seen come last."""
+    libraries = sorted(shelf.libraries, key=lambda one: not one.tasks and not one.faults)
     return {
         str(one.base.path): LibraryView(
-            one.base.path.name, str(one.base.path), order, len(one.tasks), tuple(str(fault) for fault in one.faults)
+            name=one.base.path.name,
+            path=str(one.base.path),
+            order=order,
+            tasks=len(one.tasks),
+            faults=tuple(str(fault) for fault in one.faults),
+            is_shipped=is_shipped(one.base.path),
         )
-        for order, one in enumerate(shelf.libraries)
+        for order, one in enumerate(libraries)
     }
 
 
@@ -116,6 +123,9 @@ def document_view(
         subsystem=live.subsystem if live else "",
         holder=live.holder if live else "",
         is_held_here=live.is_held_here if live else False,
+        offered_by=live.offer.holder if live and live.offer else "",
+        offered_to=live.offer.to if live and live.offer else "",
+        is_offered_here=live.offer.is_here if live and live.offer else False,
     )
 
 

@@ -15,7 +15,7 @@ from onika.desk.environment.frames import Frames
 from onika.desk.environment.outcome import Order, Reach
 from onika.desk.environment.talk import Talk
 from onika.desk.environment.watching import Watching
-from onika.desk.runtime import Conversation
+from onika.desk.runtime import Conversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request
 
@@ -163,9 +163,11 @@ class Station:
 
     def _reach(self, reach: Reach) -> str:
         """Have the runtime there; why it is not, else empty."""
-        if self._talk is not None and (not reach.url or reach.url == self._url):
+        if self._talk is not None and not reach.is_anew and (not reach.url or reach.url == self._url):
             return ""
+        orphans = self._talk.orphans("the runtime was started anew") if self._talk is not None else []
         self._leave()
+        self._reply(orphans)
         token = reach.token or self._tokens.get(reach.url, "")
         try:
             self._entered = self._opening(reach.url, token)
@@ -181,7 +183,7 @@ class Station:
 
     def _lose(self, talk: Talk, reason: str) -> None:
         environment = self._environment
-        orphans = talk.orphans(reason)
+        orphans = talk.orphans(in_short(reason))
         self._leave()
         if environment is not None:
             self._post(lambda: environment.become(lambda model: losing.lost(model, reason)))

@@ -1,5 +1,6 @@
 """What an act may look at outside the model: files, time, and whatever else is not a value."""
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,6 +15,7 @@ class Surroundings:
 
     site      where names are found
     clock     seconds that never go back
+    calendar  seconds since 1970
     state     the directory of what outlives a session: diary and recovery; None: nothing does
     commands  runs the commands of buttons; None: they cannot be run
     """
@@ -22,3 +24,4 @@ class Surroundings:
     clock: Callable[[], float]
     state: Path | None = None
     commands: Commands | None = None
+    calendar: Callable[[], float] = time.time

@@ -8,7 +8,7 @@ from onika.desk.environment import edit, libraries, pins
 from onika.desk.environment.clash import clashes, refused
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No
-from onika.desk.environment.remedy import plain
+from onika.desk.environment.remedy import overwriting, plain
 from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.surroundings import Surroundings
 from onika.files import rmod
@@ -83,7 +83,7 @@ def save_task(model: Model, asked: act.SaveTask, _outside: Surroundings) -> Done
     done = base.save_task(record, changed, overwrites=asked.overwrites)
     if isinstance(done, Refusal):
         remedies = (
-            Remedy("Overwrite it", act.SaveTask(asked.task, overwrites=True)),
+            *overwriting(done, act.SaveTask(asked.task, overwrites=True)),
             Remedy("Take it as the file says", act.ForgetTask(asked.task)),
         )
         return No(plain(done.reason), remedies)

@@ -12,7 +12,14 @@ from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.sight import document_view, library_views, task_views
 from onika.desk.environment.trouble import problems
 from onika.desk.environment.wiring import Seen
-from onika.wire.view import DocumentView, Tree
+from onika.desk.upper.dictionary.sight import dictionary_views, onikon_views
+from onika.desk.upper.flow.on_application import is_running
+from onika.desk.upper.flow.open_application import OpenApplication
+from onika.desk.upper.flow.sight import ApplicationSight
+from onika.desk.upper.kinds import type_views
+from onika.desk.upper.naming import several
+from onika.desk.upper.pictures import Album
+from onika.wire.view import ApplicationView, DocumentView, Tree
 
 
 class Projector:
@@ -22,6 +29,8 @@ class Projector:
         self._made: dict[str, tuple[tuple[Any, ...], Any]] = {}
         self._seen: dict[str, Seen] = {}
         self._greying: dict[str, Greying] = {}
+        self._sights: dict[str, ApplicationSight] = {}
+        self._album = Album()
 
     def project(self, model: Model) -> Tree:
         """The tree of a model."""
@@ -36,14 +45,53 @@ class Projector:
             tasks=self._once("tasks", (model.shelf,), lambda: self._tasks(model.shelf)),
             documents=documents,
             files=dict(model.files),
+            application_files=dict(model.application_files),
             clipboard=" ".join(one.task for one in model.buffer.placed),
             runtime=model.runtime,
             preferences=self._once("preferences", (model.preferences, model.habits), lambda: preferring.shown(model)),
             buttons=self._once("buttons", (model.buttons, model.runs), lambda: buttons.shown(model)),
             job_types=model.job_types,
             edges=dict(model.edges),
+            applications=self._applications(model),
+            icon_clipboard=several(model.icons) if model.icons else "",
+            **self._dictionaries(model),
+            run=model.run.view if model.run is not None else None,
             people=model.people,
         )
+
+    def _applications(self, model: Model) -> dict[str, ApplicationView]:
+        """What is shown of open applications, by their ids."""
+        for closed in self._sights.keys() - model.applications.keys():
+            del self._sights[closed], self._made[f"application {closed}"]
+        return {
+            opened.id: self._application(opened, order, model)
+            for order, opened in enumerate(model.applications.values())
+        }
+
+    def _application(self, opened: OpenApplication, order: int, model: Model) -> ApplicationView:
+        sight = self._sights.setdefault(opened.id, ApplicationSight())
+        runs = is_running(model, opened.id)
+        of = (opened, order, runs, model.syntax, model.dictionaries)
+        view: ApplicationView = self._once(
+            f"application {opened.id}", of, lambda: sight.view(opened, order, model, is_running=runs)
+        )
+        return view
+
+    def _dictionaries(self, model: Model) -> dict[str, Any]:
+        """What is shown of dictionaries, their icons and the types of these."""
+        opened, shelf, syntax = model.dictionaries, model.shelf, model.syntax
+        files = (model.files, model.application_files, model.sources)
+        former = self._made.get("onikons", ((), {}))[1]
+        tasks = (shelf.libraries, shelf.edits, shelf.sheets, model.limits)
+        drawn = (opened, model.applications, model.flow_pictures)
+        return {
+            "dictionaries": self._once("dictionaries", (opened,), lambda: dictionary_views(model)),
+            "onikons": self._once(
+                "onikons", (opened, syntax, shelf.libraries, *files), lambda: onikon_views(model, former)
+            ),
+            "types": self._once("types", (syntax, *tasks), lambda: type_views(model)),
+            "pictures": self._once("pictures", drawn, lambda: self._album.shown(*drawn)),
+        }
 
     def _document(self, document: Document, order: int, model: Model) -> DocumentView:
         shelf, key = model.shelf, f"document {document.id}"

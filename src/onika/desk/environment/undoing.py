@@ -101,7 +101,7 @@ class _Way:
         return edit.rebased(end, start, task) if end and start and task else end
 
 
-def _restored(model: Model, document: Document, way: _Way, history: History, cannot: str) -> Done | No:
+def _restored(model: Model, document: Document, way: _Way, history: History[Step], cannot: str) -> Done | No:
     wanted = moved_wanted(document.content.wanted, way.start, way.end) if document.live else {}
     names = {one.task for one in way.end.configuration.placed}
     kept = {name: is_on for name, is_on in wanted.items() if name in names}

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from math import isnan
 
 from onika.desk.environment.model import Model
-from onika.wire import live
+from onika.wire import holding, live
 
 FASTEST_HZ = 60.0
 _SLOWEST_HZ = 0.1
@@ -23,9 +23,39 @@ class Watching:
         """What is asked of the runtime with which the documents of this model are connected."""
         homes = homes_of(model)
         keys = [key.partition("/") for key in sorted(self.variables)]
-        readings = tuple(f"{homes[doc]}/{name}" for doc, _, name in keys if doc in homes and name)
+        of_documents = [f"{homes[doc]}/{name}" for doc, _, name in keys if doc in homes and name]
+        of_run = [home for doc, _, name in keys if (home := _home_in_run(model, doc, name))]
+        readings = tuple(dict.fromkeys((*of_documents, *of_run)))
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
-        return live.Attend(("*",), readings, tuple(sorted(self.worlds)), hz)
+        # others' runs tell the same words
+        heard = (*sorted(homes.values()), holding.COMPANY) if is_going(model) else ("*",)
+        return live.Attend(heard, readings, tuple(sorted(self.worlds)), hz)
+
+
+def keys_of(model: Model, key: str) -> tuple[str, ...]:
+    """Under which names a reading `SUBSYSTEM/NAME` is shown: `DOC/NAME`, of a run `DOC/SUBSYSTEM/NAME` too."""
+    subsystem, _, name = key.rpartition("/")
+    of_documents = [f"{doc}/{name}" for doc, home in homes_of(model).items() if home == subsystem]
+    run = model.run
+    if run is None or subsystem not in run.view.flows:
+        return tuple(of_documents)
+    is_first = _home_in_run(model, run.doc, name) == key
+    return (*of_documents, f"{run.doc}/{key}", *([f"{run.doc}/{name}"] if is_first else []))
+
+
+def is_going(model: Model) -> bool:
+    """Whether an application of this environment runs, or is about to."""
+    return model.run is not None and not model.run.is_over
+
+
+def _home_in_run(model: Model, doc: str, name: str) -> str:
+    """Where a variable `[SUBSYSTEM/]NAME` of the run of an application is; else empty."""
+    if model.run is None or model.run.doc != doc or not name:
+        return ""
+    try:
+        return "/".join(model.run.cast.home(name))
+    except ValueError:
+        return ""
 
 
 def homes_of(model: Model) -> dict[str, str]:

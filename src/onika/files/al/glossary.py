@@ -62,7 +62,7 @@ class Glossary:
     def _define(self, onikon: Onikon, bare: Onikon) -> int:
         """The variant of a new onikon: 1 is the dictionary's where that has the name, else the first."""
         known = self.dictionary(onikon.name)
-        same = known is not None and replace(known, values=()) == bare
+        same = known is not None and replace(known.as_placed(), values=()) == bare
         reached = self._counts.setdefault(onikon.name, 0 if known is None else 1)
         variant = 1 if same else reached + 1
         if not same:
@@ -76,7 +76,10 @@ class Glossary:
     def find(self, name: str, variant: int) -> Onikon | None:
         """What a name in the text stands for."""
         found = self.icons.get((name, variant))
-        return self.dictionary(name) if found is None and variant == 1 else found
+        if found is not None or variant != 1:
+            return found
+        known = self.dictionary(name)
+        return known.as_placed() if known else None
 
 
 def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading: Reading) -> Glossary:

@@ -100,7 +100,7 @@ def _item(phrase: Phrase, item: DataItem) -> tuple[Value, ...]:
     tokens: list[Token] = []
     while phrase.left and not phrase.left[0].says(";", ")"):
         tokens.append(phrase.token(_what(item), "word", "text"))
-    if len(tokens) != item.count:
+    if not item.takes(len(tokens)):
         found = f"{len(tokens)} in {show(joined(tokens))}" if tokens else f"none before {phrase.rest()}"
         raise ValueError(f"expected {_what(item)}, found {found}")
     return tuple(item.type.parse(token.value) for token in tokens)

@@ -1,10 +1,11 @@
 """Whether an application can be run: every fault at once with its place (requirement E01, dissertation §5.9.2)."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from onika.model.application import Application
 from onika.model.configuration import Configuration
+from onika.model.redirect import Redirect
 from onika.model.rules import endless, hole, job, loop, nesting, shape, subsystem, tag
 from onika.model.rules.nesting import Nest
 from onika.model.rules.outline import Outline
@@ -33,11 +34,13 @@ def faults(
     applications: Mapping[str, Application] | None = None,
     files: Mapping[str, str] | None = None,
     unread: frozenset[str] = frozenset(),
+    redirects: Sequence[Redirect] = (),
 ) -> tuple[Fault, ...]:
     """Everything that keeps `application` from running, and notes; none but notes: it can.
 
     `configurations`, `tasks` and `applications`, those that nested icons run, hold what was found, by name; `files`
-    gives the files of these applications. `unread` names what is there and at fault, as is told elsewhere.
+    gives the files of these applications. `unread` names what is there and at fault, as is told elsewhere. What lives
+    together is judged with the tasks that `redirects` put in place of others.
     """
     laboratory = _Laboratory(syntax, configurations, tasks, unread)
     nest = nesting.nest(Outline.of(application, syntax, place.file), syntax, applications or {}, files or {})
@@ -48,7 +51,7 @@ def faults(
         found += _fillings(outline, nest, syntax)
     found += endless.faults(nest, syntax)
     if not nest.is_too_much:
-        found += _together(nest, laboratory)
+        found += _together(nest, laboratory, redirects)
     return tuple(dict.fromkeys(found))
 
 
@@ -71,13 +74,14 @@ def _fillings(outline: Outline, nest: Nest, syntax: Syntax) -> Iterator[Fault]:
             yield from hole.fillings(outline, inner, (passage, action), syntax)
 
 
-def _together(nest: Nest, laboratory: _Laboratory) -> Iterator[Fault]:
+def _together(nest: Nest, laboratory: _Laboratory, redirects: Sequence[Redirect]) -> Iterator[Fault]:
     """The configurations, each where it is used first, and what lives in one subsystem."""
     found = subsystem.subsystems(nest, laboratory.syntax)
-    uses = {name: use for one in reversed(found.values()) for name, use in one.uses.items()}
+    judged: set[Configuration] = set()
     for one in found.values():
-        for name, use in one.uses.items():
-            if uses[name] is use and name in laboratory.configurations:
-                configuration = laboratory.configurations[name]
-                yield from job.whole(configuration, laboratory.tasks, laboratory.unread, use)
-    yield from subsystem.faults(found, laboratory.configurations, laboratory.tasks)
+        living = subsystem.crew(one, laboratory.configurations, laboratory.tasks, redirects)
+        for name, configuration in living.items():
+            if configuration not in judged:
+                judged.add(configuration)
+                yield from job.whole(configuration, laboratory.tasks, laboratory.unread, one.uses[name])
+    yield from subsystem.faults(found, laboratory.configurations, laboratory.tasks, redirects)

@@ -1,13 +1,15 @@
 """Which flows share a subsystem, with nested applications in line; what must hold among their tasks (E01, law 9)."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from onika.model.application import Branch, Icon
 from onika.model.configuration import Configuration
+from onika.model.redirect import Redirect, choice
 from onika.model.rules import union
 from onika.model.rules.nesting import Nest
 from onika.model.rules.outline import Outline, Passage, shown
+from onika.model.rules.redirection import redirected
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.words.condition import Condition
@@ -51,12 +53,14 @@ def subsystems(nest: Nest, syntax: Syntax) -> dict[str, Subsystem]:
 
 def faults(
     found: Mapping[str, Subsystem],
-    configurations: Mapping[str, Configuration],
+    known: Mapping[str, Configuration],
     tasks: Mapping[str, Task],
+    redirects: Sequence[Redirect] = (),
 ) -> Iterator[Fault]:
     """Conflicts among the tasks of each subsystem, and conditions on variables that none of them has."""
     for subsystem in found.values():
-        used = [configurations[name] for name in subsystem.uses if name in configurations]
+        configurations = crew(subsystem, known, tasks, redirects)
+        used = list(configurations.values())
         own = union.tasks_of(used, tasks)
         subsystem.variables = union.variables(own)
         placed = {one.task for configuration in used for one in configuration.placed}
@@ -66,6 +70,18 @@ def faults(
         yield from union.conflicts(own, passage.path, outline.place(), sources)
     for subsystem in found.values():
         yield from _conditions(subsystem, found)
+
+
+def crew(
+    subsystem: Subsystem,
+    configurations: Mapping[str, Configuration],
+    tasks: Mapping[str, Task],
+    redirects: Sequence[Redirect],
+) -> dict[str, Configuration]:
+    """The configurations of a subsystem as far as they are there, with the tasks in them that stand for others."""
+    chosen = choice(redirects, subsystem.name)
+    own = {name: configurations[name] for name in subsystem.uses if name in configurations}
+    return {name: redirected(one, chosen, tasks) for name, one in own.items()}
 
 
 def _enter(

@@ -51,7 +51,7 @@ def conflicts(
 
     found = [
         *(fault("every module once in a flow", f"{one} in", *both) for one, *both in _twice(tasks, _module)),
-        *(fault("every device claimed once in a flow", f"{one} by", *both) for one, *both in _twice(tasks, _devices)),
+        *(fault("every device claimed once in a flow", f"{one} by", *both) for one, *both in _twice(tasks, devices)),
         *(
             fault("one supplier of each constant in a flow", f"{one} from", *both)
             for one, *both in _twice(tasks, _given)
@@ -85,7 +85,8 @@ def _module(task: Task) -> Iterable[str]:
     return (task.module,)
 
 
-def _devices(task: Task) -> Iterable[str]:
+def devices(task: Task) -> Iterable[str]:
+    """The devices that a task claims."""
     return {line.words[0] for line in task.local if line.key == DEVICE and line.words}
 
 

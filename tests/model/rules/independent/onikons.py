@@ -56,6 +56,16 @@ def insert(line: Line, after: int, b: str, edges: Edges) -> Line:
     return [*line[: at + 1], b, *([] if equation_7(b, following, edges) else [None]), *rest]
 
 
+def settled(line: Line, edges: Edges) -> Line:
+    """With a hole exactly where two neighbours do not fit."""
+    found: Line = []
+    before = "Application start"
+    for kind in [*(kind for kind in line if kind is not None), "Application end"]:
+        found += [kind] if equation_7(before, kind, edges) else [None, kind]
+        before = kind
+    return found[:-1]
+
+
 def delete(line: Line, at: int, edges: Edges) -> Line:
     head, rest = line[:at], line[at + 1 :]
     while head and head[-1] is None:

@@ -1,8 +1,7 @@
 """The order of constants and the exchange of tasks in a living subsystem: ours and the naive reading agree."""
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.order import Ports, constant_order
 from onika.model.rules.reconfiguration import Exchange, Placed, difference, exchange

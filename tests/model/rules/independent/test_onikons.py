@@ -3,8 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
+from hypothesis import given, settings, strategies as st
 
 from onika.model.application import AppFlow, Hole, Icon
 from onika.model.rules import jigsaw, loop
@@ -18,7 +17,9 @@ places = st.integers(-1, 5)
 
 
 def insertions_agree(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -> None:
-    after, edges = min(after, len(kinds) - 1), edges_of(syntax)
+    edges = edges_of(syntax)
+    kinds = naive.settled(kinds, edges)
+    after = min(after, len(kinds) - 1)
     reasons = jigsaw.refusals(flow(kinds), after, icon(kind), syntax)
     assert (not reasons) == naive.may_insert(kinds, after, kind, edges)
     if not reasons:
@@ -27,6 +28,7 @@ def insertions_agree(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -
 
 
 def deletions_agree(syntax: Syntax, kinds: naive.Line, at: int) -> None:
+    kinds = naive.settled(kinds, edges_of(syntax))
     at = min(max(at, 0), len(kinds) - 1)
     if kinds and kinds[at] is not None:
         assert line(jigsaw.delete(flow(kinds), at, syntax)) == naive.delete(kinds, at, edges_of(syntax))

@@ -57,6 +57,16 @@ class Gate:
     def reply(self, ticket: int, answer: request.Response) -> None:
         """Nobody asked."""
 
+    def silent_ns(self, session: str) -> None:
+        """Nobody is there who could be silent."""
+
+    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+        """Nothing is recorded."""
+
+    def sessions(self) -> tuple[()]:
+        """Nobody is there."""
+        return ()
+
 
 class Application:
     """The application, prepared; every run is the same."""

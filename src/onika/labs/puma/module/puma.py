@@ -1,13 +1,11 @@
 """The PUMA 560 behind its drive."""
 
-import math
 from types import SimpleNamespace
 
 import numpy as np
 
-from onika.laws import puma560
-from onika.laws.frames import pose_of_nine, rotation_of_rpy
-from onika.laws.inverse import inverse_for
+from onika.laws import puma560, reach
+from onika.laws.robot import published, unlike
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
 
 
@@ -60,31 +58,35 @@ class Puma(Module):
     @classmethod
     def constants(cls, local):
         """Everything that is known of the robot, by the names of its OUTCONSTs."""
-        x, y, z, degrees = local.BASE
-        base = np.eye(4)
-        base[:3, :3] = rotation_of_rpy(0.0, 0.0, math.radians(degrees))
-        base[:3, 3] = x, y, z
-        names = ("NDOF", "DH", "DYN", "LOAD", "QMIN", "QMAX", "TAUMAX", "KP", "KD", "TOOL", "ROBOT")
-        return {"BASE": base, "Q^_MAX": puma560.QDMAX} | {name: getattr(puma560, name) for name in names}
+        return published(puma560, *local.BASE)
 
     @classmethod
     def resolve(cls, constants, targets):
         """Why a joint target lies beyond a limit or a pose has no posture; None for what can be reached."""
-        frames = (constants[name] for name in ("DH", "BASE", "TOOL", "QMIN", "QMAX"))
-        inverse = inverse_for(*frames)
-        asked = {"joint object": _why_no_posture, "cartesian object": _why_no_pose}
-        return [asked[kind](constants, inverse, values) if kind in asked else None for kind, values in targets]
+        return reach.why_not(constants, targets)
+
+    @classmethod
+    def poses(cls, constants, targets):
+        """The Cartesian targets that joint targets are."""
+        return reach.poses(constants, targets)
+
+    @classmethod
+    def postures(cls, constants, nines):
+        """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
+        return reach.postures(constants, nines, puma560.HOME)
+
+    @classmethod
+    def fits(cls, constants, said):
+        """Why the device that says this of itself is another robot, or stands elsewhere."""
+        return unlike(puma560.ROBOT, constants, said)
 
     def init(self):
         known = self.constants(SimpleNamespace(BASE=self.BASE))
         for attribute, declared in self.declared_ports.items():
             if isinstance(declared, OutConst):
                 setattr(self, attribute, known[declared.name or attribute])
-        said = self.device.identity
-        if said["ROBOT"] != puma560.ROBOT:
-            raise ModuleError(f"expected a {puma560.ROBOT} behind the device, found a {said['ROBOT']}")
-        if not np.allclose(said["BASE"], known["BASE"].ravel(), atol=1e-6):
-            raise ModuleError(f"expected the robot at BASE {self.BASE}, found its frame 0 at {said['BASE']}")
+        if reason := self.fits(known, self.device.identity):
+            raise ModuleError(reason)
         self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
 
     def on(self, inputs):
@@ -118,21 +120,3 @@ class Puma(Module):
             raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
         if self.device.is_tripped:
             raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
-
-
-def _why_no_posture(constants, inverse, values):
-    n = constants["NDOF"]
-    if len(values) < n:
-        return f"expected {n} joint values, found {len(values)}"
-    for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
-        if not low <= q <= high:
-            return f"joint {k} at {q:.2f} rad is beyond {low if q < low else high:.2f}"
-    return None
-
-
-def _why_no_pose(constants, inverse, values):
-    try:
-        found = inverse.nearest(pose_of_nine(values[:9]), [0.0] * constants["NDOF"])
-    except ValueError as wrong:
-        return str(wrong)
-    return found if isinstance(found, str) else None

@@ -1,0 +1,44 @@
+// The commands of the dictionaries, for keys, palette and help sheet (table B.3).
+import { command, type Command } from '../commands'
+import { desk } from '../desk.svelte'
+import { edit, editPicture, expand, gapHere, insert, isAction, newTarget, openDictionary, takePresent, turnFitsOnly } from '../dictionary/deeds'
+import { here, type Presentation } from '../here.svelte'
+import { t, type TextKey } from '../texts/index.svelte'
+
+type Given = Omit<Command, 'id' | 'title' | 'group' | 'level'>
+
+function add(id: string, title: TextKey, given: Given): void {
+  command({ ...given, group: 'dictionary', level: 'applications', id: `dictionary.${id}`, title: () => t(title) })
+}
+
+function find(): void {
+  const field = document.querySelector<HTMLInputElement>('.dictionary [role=searchbox]')
+  field?.focus()
+  field?.select()
+}
+
+const selected = () => desk.tree.onikons[here.onikon]
+const isInWorkspace = (): boolean => document.activeElement?.closest('.workspace') != null
+const PRESENTATIONS: Presentation[] = ['pictures', 'both', 'words']
+
+function nextPresentation(): void {
+  here.presentation = PRESENTATIONS[(PRESENTATIONS.indexOf(here.presentation) + 1) % PRESENTATIONS.length]!
+}
+
+add('find', 'dictionary.find', { keys: ['Ctrl+F'], run: find, whileTyping: true })
+add('findHere', 'dictionary.findHere', { keys: ['/'], when: () => !isInWorkspace(), run: find })
+add('fits', 'dictionary.fitsOnly', { keys: ['F'], when: () => here.fitsOnly || gapHere() !== undefined, run: turnFitsOnly })
+add('presentation', 'dictionary.nextPresentation', { run: nextPresentation })
+add('insert', 'dictionary.insertIt', { when: () => selected() !== undefined, run: () => insert(here.onikon) })
+add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: () => edit(here.onikon) })
+add('picture', 'dictionary.drawIt', { when: () => selected() !== undefined, run: () => editPicture(here.onikon) })
+add('expand', 'dictionary.expandIt', {
+  when: () => {
+    const one = selected()
+    return one !== undefined && isAction(one) && !!one.source
+  },
+  run: () => expand(selected()!),
+})
+add('newTarget', 'dictionary.newTarget', { keys: ['Alt+T'], run: () => newTarget() })
+add('teach', 'dictionary.teach', { keys: ['Alt+Shift+T'], run: takePresent })
+add('open', 'dictionary.open', { run: openDictionary })

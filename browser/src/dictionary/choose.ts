@@ -1,0 +1,77 @@
+// Which icons are shown, and in which groups: one dictionary or all, what was searched for, what fits.
+import type { DictionaryView, OnikonView, TypeView } from '../api.gen'
+import { fits, type Gap } from './fits'
+import { wordsOf } from './words'
+
+/** An icon as the search sees it. */
+export interface Entry {
+  readonly name: string
+  readonly type: string
+  readonly dictionary: string
+  readonly left: string
+  readonly caption: string
+  /** What is searched, in small letters. */
+  readonly text: string
+}
+
+export interface Group {
+  readonly type: string
+  readonly names: string[]
+  /** Whether its icons fit at the place where the next one goes; `hole`: they are what is missing there. */
+  readonly fit: '' | 'here' | 'hole'
+}
+
+export interface Wish {
+  /** The dictionary's path; empty: all. */
+  readonly dictionary: string
+  readonly wanted: string
+  readonly gap: Gap | undefined
+  readonly fitsOnly: boolean
+}
+
+/** All icons in the order of the syntax's types, of the dictionaries, and within these. */
+export function inOrder(
+  onikons: Readonly<Record<string, OnikonView>>,
+  types: Readonly<Record<string, TypeView>>,
+  dictionaries: Readonly<Record<string, DictionaryView>>,
+  language: string,
+): Entry[] {
+  const places = new Map(Object.values(dictionaries).map((one) => [one.path, one.order]))
+  const rank = (one: OnikonView): number[] => [types[one.type]?.order ?? Infinity, places.get(one.dictionary) ?? Infinity, one.order]
+  const rows = Object.entries(onikons).map(([name, one]) => ({ rank: rank(one), entry: entryOf(name, one, language) }))
+  return rows.sort((a, b) => compared(a.rank, b.rank)).map(({ entry }) => entry)
+}
+
+function entryOf(name: string, one: OnikonView, language: string): Entry {
+  const { type, dictionary, left } = one
+  const caption = wordsOf(one, name, language)
+  const text = [name, type, one.description ?? '', ...Object.values(one.words ?? {})].join('\n').toLowerCase()
+  return { name, type, dictionary, left, caption, text }
+}
+
+function compared(a: readonly number[], b: readonly number[]): number {
+  const at = a.findIndex((value, k) => value !== b[k])
+  return at < 0 ? 0 : a[at]! < b[at]! ? -1 : 1
+}
+
+/** What is wished for, in groups of one type each. */
+export function choose(entries: readonly Entry[], { dictionary, wanted, gap, fitsOnly }: Wish): Group[] {
+  const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
+  const isChosen = (one: Entry): boolean =>
+    (words.length > 0 || !dictionary || one.dictionary === dictionary) && words.every((word) => one.text.includes(word)) && (!fitsOnly || fits(one, gap))
+  const groups = new Map<string, Entry[]>()
+  for (const one of entries) if (isChosen(one)) groups.get(one.type)?.push(one) ?? groups.set(one.type, [one])
+  return [...groups].map(([type, some]) => ({ type, names: sorted(some, words[0]).map((one) => one.name), fit: fitOf(type, some[0]!, gap) }))
+}
+
+/** Names and words that begin with what was typed come first. */
+function sorted(some: readonly Entry[], word: string | undefined): readonly Entry[] {
+  if (!word) return some
+  const begins = (one: Entry): number => (one.name.toLowerCase().startsWith(word) || one.caption.toLowerCase().startsWith(word) ? 0 : 1)
+  return [...some].sort((a, b) => begins(a) - begins(b))
+}
+
+function fitOf(type: string, one: Entry, gap: Gap | undefined): Group['fit'] {
+  if (!gap || !fits(one, gap)) return ''
+  return gap.isHole && gap.wants.includes(type) ? 'hole' : 'here'
+}

@@ -1,0 +1,68 @@
+// What is filled in of a target or icon: its values as words, and how it fares when it is sent.
+import { announce } from '../announce'
+import type { AnyAct, ItemView, Remedy, TaughtView } from '../api.gen'
+import { reveal } from '../here.svelte'
+import { send } from '../link'
+import { Refusal } from '../refusal'
+import { complaint, type Field } from '../run/question'
+import { asked, begun, lacking, nested, rowsOf, taken, type Nested } from './values'
+
+/** The values of one type. */
+export class ValuesDraft {
+  words: string[] = $state([])
+  /** Whether what is missing is complained of, too. */
+  isAsked = $state(false)
+  present: Record<string, number[]> | undefined = $state.raw()
+  private readonly items: readonly ItemView[]
+  readonly rows: readonly Field[] = $derived.by(() => rowsOf(asked(this.items, this.present)))
+
+  constructor(items: readonly ItemView[], values?: Nested, words?: string[]) {
+    this.items = items
+    this.words = words ?? begun(rowsOf(asked(items)), values)
+  }
+
+  get values(): string[][] {
+    return nested(this.rows, this.words)
+  }
+
+  /** The place of the first word that is wrong; -1: none is. */
+  get firstWrong(): number {
+    return this.rows.findIndex((row, k) => complaint(row, this.words[k] ?? '') !== undefined)
+  }
+
+  /** Take over what was measured; answers with the names of what still lacks. */
+  take({ values }: TaughtView): string[] {
+    this.present = values
+    this.words = taken(this.rows, this.words, values)
+    return lacking(this.rows, values).filter((name) => this.rows.some((row, k) => row.item.name === name && !this.words[k]))
+  }
+}
+
+/** One thing that is asked of the environment from a panel, and the refusal shown in it. */
+export class Sending {
+  why: Refusal | undefined = $state.raw()
+  isUnderWay = $state(false)
+
+  /** The value of the answer, null where it has none; undefined where it was refused. */
+  async send(act: AnyAct): Promise<unknown> {
+    this.why = undefined
+    this.isUnderWay = true
+    try {
+      return (await send(act)) ?? null
+    } catch (why) {
+      if (!(why instanceof Refusal)) throw why
+      this.why = why
+      announce(why.reason)
+      return undefined
+    } finally {
+      this.isUnderWay = false
+    }
+  }
+
+  /** Do what a remedy offers; what it sends is answered as `send` is. */
+  async follow(remedy: Remedy): Promise<unknown> {
+    this.why = undefined
+    if (remedy.show) reveal(remedy.show)
+    return remedy.act ? this.send(remedy.act) : undefined
+  }
+}

@@ -1,0 +1,35 @@
+// The menu beside an icon of a dictionary: today's habit beside the keys and buttons of table B.3.
+import type { OnikonView } from '../api.gen'
+import { desk } from '../desk.svelte'
+import { here } from '../here.svelte'
+import type { Point } from '../refused.svelte'
+import type { Item } from '../shell/Menu.svelte'
+import { t } from '../texts/index.svelte'
+import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, takePresent } from './deeds'
+
+export function menuOf(name: string, at: Point): Item[] {
+  const one = desk.tree.onikons[name]
+  if (!one) return []
+  const isTarget = one.role === 'target'
+  return [
+    { label: t('dictionary.insert'), keys: 'Enter', run: () => insert(name, at) },
+    ...behind(one),
+    { label: t(isTarget ? 'dictionary.values' : 'dictionary.editWords'), keys: 'E', run: () => edit(name), begins: true },
+    { label: t('dictionary.picture'), keys: 'P', run: () => editPicture(name) },
+    ...(isTarget ? [{ label: t('dictionary.like'), run: () => newTarget({ type: one.type, like: name }), begins: true }] : []),
+    ...(isTarget ? [{ label: t('dictionary.teach'), run: takePresent }] : []),
+    { label: t('dictionary.remove'), run: () => remove(name, at), begins: true },
+  ]
+}
+
+/** What stands behind an action. */
+function behind(one: OnikonView): Item[] {
+  const source = one.source ?? ''
+  const note = source || one.trouble || undefined
+  if (one.role === 'application') return [{ label: t('dictionary.openApplication'), keys: t('dictionary.shiftClick'), run: () => expand(one), isOff: !source, note, begins: true }]
+  if (one.role !== 'job' || here.isUpperOnly) return []
+  return [
+    { label: t('dictionary.openConfiguration'), keys: t('dictionary.shiftClick'), run: () => expand(one), isOff: !source, note, begins: true },
+    { label: t('dictionary.openInPlace'), run: () => expandInPlace(one), isOff: !source || !desk.tree.documents[here.doc], note: t('dictionary.inPlaceHint') },
+  ]
+}

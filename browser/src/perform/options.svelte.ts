@@ -1,0 +1,29 @@
+// How this browser starts a run, and what it shows of it.
+import { keep, kept } from '../kept'
+
+class Options {
+  private passes = $state(kept('passesBreakpoints', false))
+  private shows = $state(kept('showsWorkcell', true))
+
+  /** Whether breakpoints are passed by. */
+  get passesBreakpoints(): boolean {
+    return this.passes
+  }
+
+  set passesBreakpoints(value: boolean) {
+    this.passes = value
+    keep('passesBreakpoints', value)
+  }
+
+  /** Whether the workcell stands above the run. */
+  get showsWorkcell(): boolean {
+    return this.shows
+  }
+
+  set showsWorkcell(value: boolean) {
+    this.shows = value
+    keep('showsWorkcell', value)
+  }
+}
+
+export const options = new Options()

@@ -1,0 +1,9 @@
+// The job that runs a configuration.
+import type { OnikonView } from '../api.gen'
+
+/** The words, else the name, of the job whose configuration lies there; empty: no open dictionary has one. */
+export function jobOf(path: string | undefined, onikons: Readonly<Record<string, OnikonView>>): string {
+  if (!path) return ''
+  const found = Object.entries(onikons).find(([, one]) => one.role === 'job' && one.source === path)
+  return found ? found[1].description || found[0] : ''
+}

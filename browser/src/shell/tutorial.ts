@@ -1,0 +1,63 @@
+// The tutorial: a few deeds, each seen to be done by what is there afterwards.
+import type { ApplicationView, RunView, StepView, TypeView } from '../api.gen'
+
+export type LessonId = 'new' | 'complete' | 'job' | 'fill' | 'out' | 'back' | 'run' | 'pause' | 'goOn' | 'end' | 'save'
+
+/** What is seen while it goes on. */
+export interface Seen {
+  isUpper: boolean
+  /** Id of the application shown, and what is in it. */
+  app: string
+  view: ApplicationView | undefined
+  run: RunView | null
+  types: Readonly<Record<string, TypeView>>
+}
+
+interface Lesson {
+  id: LessonId
+  isDone: (seen: Seen) => boolean
+}
+
+const kindOf = (step: StepView): string => step.kind ?? 'icon'
+
+/** The steps of the first flow, in order. */
+function steps({ view }: Seen): StepView[] {
+  return (view?.flows?.['0']?.steps ?? []).flatMap((number) => view?.steps?.[number] ?? [])
+}
+
+const takes = (step: StepView, { types }: Seen): boolean => kindOf(step) === 'icon' && step.role === 'job' && !!types[step.type ?? '']?.takes
+const isComplete = (step: StepView, seen: Seen): boolean => kindOf(step) === 'icon' && step.role === 'job' && !takes(step, seen)
+const isTarget = (step: StepView): boolean => kindOf(step) === 'icon' && step.role === 'target'
+
+/** Whether a job that takes a target stands there, with the target or with the hole for it. */
+function hasAction(seen: Seen, with_: (step: StepView) => boolean): boolean {
+  const all = steps(seen)
+  return all.some((step, k) => takes(step, seen) && all[k + 1] !== undefined && with_(all[k + 1]!))
+}
+
+const flowsOf = ({ run }: Seen): string[] => Object.values(run?.flows ?? {}).flatMap((flow) => [flow.state ?? 'ready', ...(flow.is_pausing ? ['pausing'] : [])])
+const isMine = ({ run, app }: Seen): boolean => run !== null && run.doc === app
+const isRunning = (seen: Seen): boolean => isMine(seen) && (seen.run?.state ?? 'beginning') === 'running'
+const isPaused = (seen: Seen): boolean => isRunning(seen) && flowsOf(seen).some((state) => state === 'paused' || state === 'pausing')
+const isOver = (seen: Seen): boolean => isMine(seen) && seen.run?.state === 'over'
+
+export const LESSONS: readonly Lesson[] = [
+  { id: 'new', isDone: (seen) => seen.isUpper && seen.view !== undefined && !seen.view.path },
+  { id: 'complete', isDone: (seen) => steps(seen).some((step) => isComplete(step, seen)) },
+  { id: 'job', isDone: (seen) => hasAction(seen, () => true) },
+  { id: 'fill', isDone: (seen) => hasAction(seen, isTarget) },
+  { id: 'out', isDone: (seen) => hasAction(seen, (step) => kindOf(step) === 'hole') },
+  { id: 'back', isDone: (seen) => hasAction(seen, isTarget) },
+  { id: 'run', isDone: (seen) => isRunning(seen) || isOver(seen) },
+  { id: 'pause', isDone: isPaused },
+  { id: 'goOn', isDone: (seen) => (isRunning(seen) && !isPaused(seen)) || isOver(seen) },
+  { id: 'end', isDone: (seen) => isOver(seen) && seen.run?.is_completed === true },
+  { id: 'save', isDone: (seen) => !!seen.view?.path && !seen.view.is_dirty },
+]
+
+/** How many lessons are done now, where so many were done before: one after the other, and what was done stays done. */
+export function advanced(done: number, seen: Seen): number {
+  let at = done
+  while (at < LESSONS.length && LESSONS[at]!.isDone(seen)) at += 1
+  return at
+}

@@ -1,0 +1,295 @@
+// An application as plain sentences, flow by flow (X11). The descriptions are the user's; what joins them is ours.
+import type { ApplicationView, StepView, TypeView } from '../api.gen'
+import { goesOn, isLong } from './joining'
+import { compose, glue, type Part, plain } from './phrase'
+import { inWords } from './relation'
+
+/** The words between descriptions, in one language. */
+export interface Tongue {
+  code: string
+  say(key: SayKey): string
+}
+
+export type SayKey =
+  | 'say.flow' | 'say.byDefault' | 'say.onlyNested' | 'say.empty' | 'say.takes' | 'say.takesComma' | 'say.and' | 'say.nested'
+  | 'say.together' | 'say.alone' | 'say.pause' | 'say.pauseIf' | 'say.missingTarget' | 'say.missingTargetAn' | 'say.missingAction'
+  | 'say.stray' | 'say.loopBottom' | 'say.loopTop' | 'say.loopBroken' | 'say.saysSo' | 'say.if' | 'say.elseIf' | 'say.else' | 'say.way'
+  | 'say.nothing' | 'say.nameless' | RelationKey
+export type RelationKey = 'say.is' | 'say.isNot' | 'say.below' | 'say.above' | 'say.atMost' | 'say.atLeast'
+
+export interface Sentence {
+  kind: 'action' | 'hole' | 'loop' | 'case' | 'note'
+  /** Where a click goes; 0: nowhere. */
+  step: number
+  /** All steps it speaks of. */
+  steps: readonly number[]
+  /** Which action of the flow it is, from 1; 0: none. */
+  number: number
+  /** How deep in branches. */
+  depth: number
+  parts: readonly Part[]
+}
+
+/** A flow told. */
+export interface Tale {
+  path: string
+  title: string
+  /** When it runs, where that is no matter of course. */
+  note: string
+  sentences: readonly Sentence[]
+}
+
+export const textOf = (sentence: Sentence): string => plain(sentence.parts)
+
+/** All of it as text, as it is copied or read out. */
+export function asText(tales: readonly Tale[]): string {
+  return tales
+    .map(({ title, note, sentences }) => {
+      const lines = sentences.map((one) => `${'  '.repeat(one.depth)}${one.number ? `${one.number}. ` : ''}${textOf(one)}`)
+      return [tales.length > 1 ? `${title}${note ? ` – ${note}` : ''}` : '', ...lines].filter(Boolean).join('\n')
+    })
+    .join('\n\n')
+}
+
+/** The top flows of an application, in order. */
+export function tell(app: ApplicationView, types: Readonly<Record<string, TypeView>>, tongue: Tongue): Tale[] {
+  const tops = Object.keys(app.flows ?? {}).filter((path) => !path.includes('/')).sort((one, other) => Number(one) - Number(other))
+  return tops.map((path) => {
+    const teller = new Teller(app, types, tongue, tops)
+    const sentences = teller.flow(path, 0)
+    if (!sentences.length) sentences.push(note(tongue.say('say.empty'), 0))
+    return { path, title: fillOne(tongue.say('say.flow'), path), note: when(app, path, tops, tongue), sentences }
+  })
+}
+
+/** What each action is about, without its marks and times: "move the joints above the box"; a target's is its action's. */
+export function briefs(app: ApplicationView, types: Readonly<Record<string, TypeView>>, tongue: Tongue): Map<number, string> {
+  return new Teller(app, types, tongue, []).briefs()
+}
+
+function when(app: ApplicationView, path: string, tops: readonly string[], tongue: Tongue): string {
+  if (app.is_parallel || tops.length < 2) return ''
+  return path === '0' ? tongue.say('say.byDefault') : fillOne(tongue.say('say.onlyNested'), path)
+}
+
+const fillOne = (text: string, n: string): string => text.replaceAll('{n}', n)
+const note = (text: string, depth: number): Sentence => ({ kind: 'note', step: 0, steps: [], number: 0, depth, parts: glue(text) })
+
+/** An action and what belongs to it, or a hole, a stray target or a branch by itself. */
+interface Group {
+  step: number
+  view: StepView
+  /** Its targets and the holes for them. */
+  rest: readonly number[]
+}
+
+/** A loop of a flow, by the places of its two ends among the groups. */
+interface Loop {
+  tag: string
+  from: number
+  to: number
+  test: number
+}
+
+class Teller {
+  /** The actions counted so far: numbers go on through branches. */
+  private count = 0
+  private readonly numbers: Intl.NumberFormat
+
+  constructor(
+    private readonly app: ApplicationView,
+    private readonly types: Readonly<Record<string, TypeView>>,
+    private readonly tongue: Tongue,
+    private readonly tops: readonly string[],
+  ) {
+    this.numbers = new Intl.NumberFormat(tongue.code, { maximumFractionDigits: 3, useGrouping: false })
+  }
+
+  flow(path: string, depth: number): Sentence[] {
+    const groups = this.groups(path)
+    const loops = loopsOf(groups)
+    const numbers: number[] = []
+    return groups.flatMap((group, at) => {
+      if (group.view.kind === 'branch') {
+        numbers.push(this.count)
+        return this.branch(group, depth)
+      }
+      if (isAction(group.view)) this.count += 1
+      numbers.push(this.count)
+      return [this.group(group, path, depth), ...this.looped(loops, at, groups, numbers, depth)]
+    })
+  }
+
+  briefs(): Map<number, string> {
+    const groups = Object.keys(this.app.flows ?? {}).flatMap((path) => this.groups(path))
+    return new Map(groups.flatMap(({ step, view, rest }) => {
+      const text = view.kind === 'branch' ? '' : plain(this.core(view, rest, false))
+      return [step, ...rest].map((one) => [one, text] as const)
+    }))
+  }
+
+  private groups(path: string): Group[] {
+    const found: { step: number; view: StepView; rest: number[] }[] = []
+    for (const step of this.app.flows?.[path]?.steps ?? []) {
+      const view = this.app.steps?.[step]
+      if (!view) continue
+      const last = found.at(-1)
+      if (view.is_joined && last && last.view.kind !== 'branch') last.rest.push(step)
+      else found.push({ step, view, rest: [] })
+    }
+    return found
+  }
+
+  private group({ step, view, rest }: Group, path: string, depth: number): Sentence {
+    const common = { step, steps: [step, ...rest], depth }
+    if (view.kind === 'hole') return { ...common, kind: 'hole', number: 0, parts: this.ended([this.hole(view)]) }
+    if (!isAction(view)) return { ...common, kind: 'hole', number: 0, parts: this.ended(compose(this.tongue.say('say.stray'), { target: [this.name(view)] })) }
+    const has = rest.some((one) => this.app.steps?.[one]?.kind === 'hole')
+    return { ...common, kind: has ? 'hole' : 'action', number: this.count, parts: this.ended(this.action(view, rest, path)) }
+  }
+
+  /** Prefix, what is done, suffix. */
+  private action(view: StepView, rest: readonly number[], path: string): Part[] {
+    let core = this.core(view, rest)
+    if (view.role === 'application' && view.name) core = compose(this.tongue.say('say.nested'), { what: core, name: glue(view.name) })
+    if (view.synch_tag && this.app.is_parallel) core = this.together(core, view.synch_tag, path)
+    if (!view.breaks) return core
+    const pause = view.break_if ? compose(this.tongue.say('say.pauseIf'), { condition: glue(this.condition(view.break_if)) }) : glue(this.tongue.say('say.pause'))
+    return [...core, { text: ', ' }, ...pause.map((part) => ({ ...part, kind: 'mark' as const }))]
+  }
+
+  private core(view: StepView, rest: readonly number[], isTimed = true): Part[] {
+    const job = this.words(view)
+    const targets = rest.flatMap((one) => this.app.steps?.[one] ?? []).map((one) => (one.kind === 'hole' ? [this.hole(one, true)] : isTimed ? this.target(one) : [this.name(one)]))
+    if (!targets.length) return glue(job)
+    const joined = targets.flatMap((target, k) => (k ? [{ text: this.tongue.say('say.and') }, ...target] : target))
+    const isOpen = goesOn(this.tongue.code, job, joined[0]?.text ?? '') && !joined.some((part) => part.kind === 'fault')
+    return [{ text: isOpen ? `${job} ` : `${job}: ` }, ...joined]
+  }
+
+  /** A target's words, and how long it may take. */
+  private target(view: StepView): Part[] {
+    const items = this.types[view.type ?? '']?.items ?? []
+    const at = items.findIndex((item) => item.name === 'duration')
+    const seconds = Number(view.values?.[at]?.[0])
+    const isTold = items.length === 1 && !!this.description(view) // it speaks of nothing else
+    const name = this.name(view)
+    if (at < 0 || isTold || !Number.isFinite(seconds)) return [name]
+    return compose(this.tongue.say(isLong(name.text) ? 'say.takesComma' : 'say.takes'), { target: [name], seconds: glue(this.number(seconds)) })
+  }
+
+  private together(core: Part[], tag: string, path: string): Part[] {
+    const own = path.split('/')[0]
+    const others = this.tops.filter((top) => top !== own && this.hasTag(top, tag))
+    const list = new Intl.ListFormat(this.tongue.code).format(others.map((top) => fillOne(this.tongue.say('say.flow'), top).toLowerCase()))
+    const template = this.tongue.say(others.length ? 'say.together' : 'say.alone')
+    return compose(template, { others: glue(list), tag: [{ text: tag, kind: 'mark' }], what: core })
+  }
+
+  private hasTag(top: string, tag: string): boolean {
+    return Object.entries(this.app.flows ?? {}).some(
+      ([path, flow]) => path.split('/')[0] === top && (flow.steps ?? []).some((step) => this.app.steps?.[step]?.synch_tag === tag),
+    )
+  }
+
+  private hole(view: StepView, isInside = false): Part {
+    const kinds = (view.wants ?? []).map((type) => type.replace(/\s+object$/i, ''))
+    if (!kinds.length) return { text: this.tongue.say('say.missingAction'), kind: 'fault' }
+    const list = new Intl.ListFormat(this.tongue.code, { type: 'disjunction' }).format(kinds)
+    const text = fillType(this.tongue.say(/^[aeio]/i.test(list) ? 'say.missingTargetAn' : 'say.missingTarget'), list)
+    return { text: isInside ? text : capital(text), kind: 'fault' }
+  }
+
+  private branch({ step, view }: Group, depth: number): Sentence[] {
+    const conditions = view.conditions ?? []
+    return (view.flows ?? []).flatMap((path, k) => {
+      const parts = this.caseOf(conditions, k)
+      const inner = this.flow(path, depth + 1)
+      if (!inner.length) inner.push(note(this.tongue.say('say.nothing'), depth + 1))
+      return [{ kind: 'case', step, steps: [step], number: 0, depth, parts } as const, ...inner]
+    })
+  }
+
+  private caseOf(conditions: readonly string[], k: number): Part[] {
+    if (!conditions.length) return glue(fillOne(this.tongue.say('say.way'), String(k)))
+    const condition = conditions[k]
+    if (condition === undefined) return glue(this.tongue.say('say.else'))
+    return compose(this.tongue.say(k ? 'say.elseIf' : 'say.if'), { condition: glue(this.condition(condition)) })
+  }
+
+  /** What is said behind a group about the loops that end, or are asked, there. */
+  private looped(loops: readonly Loop[], at: number, groups: readonly Group[], numbers: readonly number[], depth: number): Sentence[] {
+    const tag = groups[at]?.view.loop
+    const broken = tag && !loops.some((loop) => loop.tag === tag)
+    if (broken) return [this.loopSentence(groups[at]!, compose(this.tongue.say('say.loopBroken'), { tag: [{ text: tag, kind: 'mark' }] }), depth)]
+    return loops.filter((loop) => (loop.test === loop.from ? loop.from : loop.to) === at).map((loop) => {
+      const test = groups[loop.test]!
+      const isTop = loop.test === loop.from
+      const values = {
+        from: glue(String(isTop ? numbers[at] : numbers[loop.from])),
+        to: glue(String(isTop ? numbers[at]! + this.actionsBetween(groups, at, loop.to) : numbers[loop.to])),
+        condition: glue(test.view.loop_if ? this.condition(test.view.loop_if) : fillOne(this.tongue.say('say.saysSo'), String(numbers[loop.test]))),
+        tag: [{ text: loop.tag, kind: 'mark' as const }],
+      }
+      return this.loopSentence(test, compose(this.tongue.say(isTop ? 'say.loopTop' : 'say.loopBottom'), values), depth)
+    })
+  }
+
+  private loopSentence({ step }: Group, parts: Part[], depth: number): Sentence {
+    return { kind: 'loop', step, steps: [], number: 0, depth, parts: this.ended(parts) }
+  }
+
+  /** How many actions are counted behind one group up to another, those in branches too. */
+  private actionsBetween(groups: readonly Group[], from: number, to: number): number {
+    return groups.slice(from + 1, to + 1).reduce((sum, { view }) => sum + this.actionsOf(view), 0)
+  }
+
+  private actionsOf(view: StepView): number {
+    if (view.kind !== 'branch') return isAction(view) ? 1 : 0
+    return (view.flows ?? []).reduce((sum, path) => sum + this.groups(path).reduce((inner, group) => inner + this.actionsOf(group.view), 0), 0)
+  }
+
+  private condition(text: string): string {
+    return inWords(text, (key) => this.tongue.say(key), (value) => this.number(value))
+  }
+
+  private number(value: number): string {
+    return this.numbers.format(value)
+  }
+
+  private name(view: StepView): Part {
+    return { text: this.words(view), kind: 'target' }
+  }
+
+  private words(view: StepView): string {
+    return this.description(view) || view.name || this.tongue.say('say.nameless')
+  }
+
+  private description(view: StepView): string {
+    return (view.words?.[this.tongue.code] ?? view.description ?? '').trim().replace(/\.$/, '')
+  }
+
+  /** With a capital and a full stop. */
+  private ended(parts: Part[]): Part[] {
+    const [first, ...others] = parts
+    if (!first) return []
+    const end = /[.!?:]$/.test(plain(parts)) ? [] : [{ text: '.' }]
+    return [{ ...first, text: capital(first.text) }, ...others, ...end]
+  }
+}
+
+function loopsOf(groups: readonly Group[]): Loop[] {
+  const ends = new Map<string, number[]>()
+  groups.forEach(({ view }, at) => {
+    if (view.loop) ends.set(view.loop, [...(ends.get(view.loop) ?? []), at])
+  })
+  return [...ends].flatMap(([tag, [from, to, ...more]]) => {
+    if (from === undefined || to === undefined || more.length) return []
+    const tests = [from, to].filter((at) => groups[at]!.view.is_test)
+    return tests.length === 1 ? [{ tag, from, to, test: tests[0]! }] : []
+  })
+}
+
+const isAction = (view: StepView): boolean => (view.kind ?? 'icon') === 'icon' && view.role !== 'target'
+const capital = (text: string): string => text.charAt(0).toLocaleUpperCase() + text.slice(1)
+const fillType = (text: string, type: string): string => text.replaceAll('{type}', type)

@@ -1,0 +1,158 @@
+"""An account of a run in virtual time: what was done, how long it took, what was so after each action."""
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+import msgspec
+from msgspec.structs import replace
+
+from onika.desk.run import NotRun, start
+from onika.desk.running import Running
+from onika.desk.settings import RunSettings
+from onika.desk.trial.variables import Variable, kept_after, robots
+from onika.link.lost import LinkLost
+from onika.model.kept import Meeting
+from onika.store.site import Site
+from onika.wire import event
+from onika.wire.plan import Plan
+from onika.words.fault import Fault
+
+LONGEST_S = 86_400.0
+"""How much virtual time a run may take where nothing else is said."""
+
+_LOOK_S = 0.05
+
+Elements = dict[str, tuple[float, ...]]
+"""Values by address; one whose elements have different units is there element by element."""
+
+
+@dataclass(slots=True)
+class Passed:
+    """An action that was carried out, and what was so when it had ended."""
+
+    name: str
+    began_s: float
+    ended_s: float
+    variables: tuple[Variable, ...] = ()
+    values: Elements = field(default_factory=dict)
+
+
+@dataclass(slots=True)
+class Part:
+    """What happened on one subsystem; `current` is the action that goes on."""
+
+    subsystem: str
+    robots: tuple[tuple[str, str], ...]
+    passed: list[Passed] = field(default_factory=list)
+    at_end: Elements = field(default_factory=dict)
+    current: Passed | None = None
+
+
+@dataclass(slots=True)
+class Account:
+    """What happened in a run. `cause` says why it did not come to its end, empty: it did; `refusals` why none began."""
+
+    digest: str = ""
+    parts: list[Part] = field(default_factory=list)
+    meetings: list[Meeting] = field(default_factory=list)
+    expectations: list[tuple[str, Any, bool]] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+    cause: str = ""
+    refusals: tuple[Fault, ...] = ()
+    lasted_s: float = 0.0
+    hash: str = ""
+
+
+def give_account(settings: RunSettings, site: Site, limit_s: float = LONGEST_S) -> Account:
+    """Run an application in virtual time and look at it after each action; it is ended after so many seconds of it."""
+    account = Account()
+    try:
+        with start(settings, site) as running:
+            _watch(running, account, limit_s)
+            running.close()
+            account.expectations = [(one.text, *rest) for one, *rest in running.outcome.expectations]
+    except NotRun as refused:
+        account.refusals, account.cause = refused.faults, "it is refused"
+    except (LinkLost, TimeoutError) as lost:
+        account.cause = account.cause or str(lost)
+    return account
+
+
+def digest_of(plan: Plan) -> str:
+    """Of everything that an application consists of, wherever its files lie."""
+    flows = [
+        replace(
+            flow,
+            tasks=tuple(replace(task, place="") for task in flow.tasks),
+            actions=tuple(replace(one, place="", line=0, spot=()) for one in flow.actions),
+        )
+        for flow in plan.flows
+    ]
+    content = msgspec.msgpack.encode((flows, sorted(one.digest for one in plan.code)))
+    return hashlib.sha256(content).hexdigest()[:16]
+
+
+def told(running: Running, limit_s: float) -> Iterator[event.Event]:
+    """What happens, each time with the clock standing; ended where nothing goes on by itself, or not soon enough."""
+    heard: list[event.Event] = []
+    while not running.is_over:
+        heard += running.hear(_LOOK_S)
+        if not running.stands and not running.is_over:
+            continue
+        yield from heard
+        heard = []
+        if running.now_s >= limit_s:
+            running.abort(f"it has not come to its end after {limit_s:g} s")
+        elif running.is_stuck():
+            running.abort(f"nobody is there to go on: {running.whereabouts.standing()}")
+        running.go_on(limit_s)
+    yield from (*heard, *running.hear())
+
+
+def _watch(running: Running, account: Account, limit_s: float) -> None:
+    plan, sheets = running.plan, running.sheets()
+    account.digest = digest_of(plan)
+    account.parts = [Part(flow.subsystem, robots(flow, sheets)) for flow in plan.flows]
+    kept: dict[tuple[int, int], tuple[Variable, ...]] = {}
+    for one in told(running, limit_s):
+        match one:
+            case event.Began() if not plan.flows[one.flow].actions[one.index].is_noop:
+                action = plan.flows[one.flow].actions[one.index]
+                if (one.flow, one.index) not in kept:
+                    kept[one.flow, one.index] = kept_after(plan.flows[one.flow], action, sheets)
+                began = Passed(action.name, one.at_s, one.at_s, kept[one.flow, one.index])
+                account.parts[one.flow].current = began
+            case event.Done():
+                _done(running, account.parts[one.flow], one.at_s)
+            case event.Met():
+                account.meetings.append(Meeting(one.tag.rpartition(" ")[2], one.subsystems))
+            case event.Failed() | event.Warned() if one.task:
+                account.warnings.append(f"{one.subsystem}, {one.task}: {one.text}")
+            case event.Result():
+                account.cause = "" if one.completed else one.cause or "it did not come to its end"
+                account.lasted_s, account.hash = one.runtime_s, one.hash
+    for part in account.parts:
+        seen = {one.name: one for passed in part.passed for one in passed.variables if one.is_measured}
+        part.at_end = _read(running, part, tuple(seen.values()))
+
+
+def _done(running: Running, part: Part, at_s: float) -> None:
+    passed, part.current = part.current, None
+    if passed is not None:
+        passed.ended_s = at_s
+        passed.values = _read(running, part, passed.variables)
+        part.passed.append(passed)
+
+
+def _read(running: Running, part: Part, variables: tuple[Variable, ...]) -> Elements:
+    found: Elements = {}
+    for one in variables:
+        value = running.read(f"{part.subsystem}/{one.name}")
+        numbers = tuple(map(float, value if isinstance(value, list) else [value]))
+        if len(one.units) == 1:
+            found[one.name] = numbers
+        else:
+            found |= {f"{one.name}[{at}]": (number,) for at, number in enumerate(numbers)}
+    return found

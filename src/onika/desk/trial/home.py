@@ -1,0 +1,15 @@
+"""Where tests are at home: in a folder beside the applications of a base directory (requirement X07)."""
+
+from pathlib import Path
+
+from onika.store.site import Site
+
+FOLDER = "tests"
+"""Where tests lie: beside `appl/` in a base directory."""
+
+
+def home_of(path: Path, site: Site) -> Site:
+    """The site as a test sees it: the base directory in whose `tests` folder it lies comes first."""
+    folder = path.absolute().parent
+    own = folder.parent
+    return site.at(own) if folder.name == FOLDER and (own / "appl").is_dir() else site

@@ -1,0 +1,190 @@
+"""Judging a run by what was kept of another: in words, what is not as it was, and since when (requirement X07)."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from onika.desk.trial.account import Account, Elements, Part, Passed
+from onika.desk.trial.alignment import Pair, align
+from onika.files.line import show_number
+from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
+
+_SHOWN = 5
+_ROUND = 1e-9  # what is lost in writing numbers down
+
+
+@dataclass(frozen=True, slots=True)
+class Verdict:
+    """What is not as it was; nothing: the test is passed. Notes tell differences that change nothing."""
+
+    failures: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    lasted_s: float = 0.0
+
+    @property
+    def is_passed(self) -> bool:
+        """Whether everything holds."""
+        return not self.failures
+
+
+def judge(kept: KeptRun, found: Account) -> Verdict:
+    """Compare a run with what was kept of an earlier one."""
+    if found.refusals:
+        more = len(found.refusals) - _SHOWN
+        told = [f"it is refused: {fault}" for fault in found.refusals[:_SHOWN]]
+        return Verdict((*told, *([f"and for {more} more reasons: see onika check"] if more > 0 else [])))
+    failures, notes = [], []
+    if found.cause:
+        failures.append(f"it does not come to its end: {found.cause}")
+        failures += [f"before that: {text}" for text in dict.fromkeys(found.warnings)]
+    parts = {one.subsystem: one for one in found.parts}
+    for flow in kept.flows:
+        part = parts.pop(flow.subsystem, None)
+        if part is None:
+            failures.append(f"{flow.subsystem}: expected a flow of {len(flow.actions)} actions, found none")
+        else:
+            judging = _Judging(flow, part, is_whole=not found.cause)
+            judging.judge()
+            failures += judging.failures
+            notes += judging.notes
+    failures += [
+        f"{one.subsystem}: expected no such flow, found {len(one.passed)} actions"
+        for one in parts.values()
+        if one.passed
+    ]
+    failures += _meetings(kept, found) if not found.cause else ()
+    failures += [
+        f"at the end: expected {text}, found {value}" for text, value, holds in found.expectations if not holds
+    ]
+    if kept.digest and kept.digest != found.digest:
+        notes.insert(
+            0, f"the application is no more what it was when the run was kept ({kept.digest}, now {found.digest})"
+        )
+    return Verdict(tuple(failures), tuple(notes), found.lasted_s)
+
+
+class _Judging:
+    """One flow."""
+
+    def __init__(self, flow: KeptFlow, part: Part, *, is_whole: bool) -> None:
+        self._flow = flow
+        self._part = part
+        self._is_whole = is_whole
+        self._where = flow.subsystem
+        self._wrong: dict[str, list[tuple[str, str, str]]] = {}
+        self.failures: list[str] = []
+        self.notes: list[str] = []
+
+    def judge(self) -> None:
+        """Fill failures and notes."""
+        self._robots()
+        pairs = align([one.name for one in self._flow.actions], [one.name for one in self._part.passed])
+        is_after_gap = False
+        for at, pair in enumerate(pairs):
+            if not self._is_whole and pair.done is None and all(one.done is None for one in pairs[at:]):
+                self._unfinished(len(pairs) - at, pair)
+                break
+            is_after_gap = self._pair(pair, is_after_gap)
+        if self._is_whole:
+            self._demands(self._flow.at_end, self._part.at_end, _units(self._part.passed), "at the end")
+        self.failures += [f"{self._where}: {_since(name, wrong)}" for name, wrong in self._wrong.items()]
+
+    def _robots(self) -> None:
+        if self._flow.robots and set(self._flow.robots) != set(self._part.robots):
+            expected, found = (
+                ", ".join(" on ".join(one) for one in sorted(some)) or "none"
+                for some in (self._flow.robots, self._part.robots)
+            )
+            self.failures.append(f"{self._where}: expected the robots {expected}; found {found}")
+
+    def _unfinished(self, count: int, pair: Pair) -> None:
+        first = self._flow.actions[pair.kept or 0].name
+        self.failures.append(f"{self._where}: {count} actions are not done, from {_named(pair.kept, first)} on")
+
+    def _pair(self, pair: Pair, is_after_gap: bool) -> bool:
+        """Judge one action; whether the next one starts from elsewhere."""
+        if pair.kept is None:
+            done = self._part.passed[pair.done or 0]
+            name = _named(pair.done, done.name)
+            self.failures.append(
+                f"{self._where}: expected nothing more here, found {name} from {done.began_s:.2f} s on"
+            )
+            return True
+        kept = self._flow.actions[pair.kept]
+        if pair.done is None:
+            self._missing(pair.kept, kept)
+            return True
+        self._both(pair.kept, kept, self._part.passed[pair.done], is_after_gap)
+        return False
+
+    def _missing(self, at: int, kept: KeptAction) -> None:
+        if kept.is_on_way:
+            self.notes.append(
+                f"{self._where}: {_named(at, kept.name)} is left out; it was on the way only, what follows is judged"
+            )
+        else:
+            self.failures.append(f"{self._where}: expected {_named(at, kept.name)}, found it missing")
+
+    def _both(self, at: int, kept: KeptAction, done: Passed, is_after_gap: bool) -> None:
+        where = f"after {_named(at, kept.name)} at {done.ended_s:.2f} s"
+        if kept.name != done.name:
+            self.notes.append(f"{self._where}: {_named(at, kept.name)} is {done.name} now; what it does is judged")
+        lasted = done.ended_s - done.began_s
+        if abs(lasted - kept.lasts_s) > kept.within_s + _ROUND and not is_after_gap:
+            expected = f"expected to last {_show(kept.lasts_s, kept.within_s)} s"
+            self.failures.append(f"{self._where}: {_named(at, kept.name)}: {expected}, found {lasted:.3g} s")
+        self._demands(kept.after, done.values, _units([done]), where)
+
+    def _demands(self, demands: Sequence[Demand], values: Elements, units: Mapping[str, str], where: str) -> None:
+        for one in demands:
+            for which, text in _objections(one, values.get(one.address), units.get(one.address, "")):
+                self._wrong.setdefault(one.address, []).append((which, where, text))
+
+
+def _objections(one: Demand, found: tuple[float, ...] | None, unit: str) -> Iterator[tuple[str, str]]:
+    """Why a value is not what it must be, and which element of it where that is to be said."""
+    if found is None:
+        yield "", "expected a value, found none: no task that is on writes it"
+    elif one.unit and one.unit != unit:
+        yield "", f"expected it in {one.unit}, found it in {unit or 'no unit'}"
+    elif len(found) != len(one.values):
+        yield "", f"expected {len(one.values)} numbers, found {len(found)}"
+    else:
+        within = one.tolerance + _ROUND
+        wrong = [at for at, (a, b) in enumerate(zip(one.values, found, strict=True)) if not abs(a - b) <= within]
+        for at in wrong[:1]:
+            others = len(wrong) - 1
+            more = f", and {others} more element{'s' * (others > 1)}" if others else ""
+            text = f"expected {_show(one.values[at], one.tolerance)}, found {found[at]:.4g} {one.unit}".rstrip()
+            yield f"[{at}]" if len(found) > 1 else "", text + more
+
+
+def _since(name: str, wrong: Sequence[tuple[str, str, str]]) -> str:
+    """The first time that a variable is wrong, and how often it is so later."""
+    (which, where, text), *later = wrong
+    times = f"{len(later)} time{'s' * (len(later) > 1)}"
+    again = f"; since then wrong {times} more, last {later[-1][1]}" if later else ""
+    return f"{name}{which} {where}: {text}{again}"
+
+
+def _units(some: Sequence[Passed]) -> dict[str, str]:
+    found: dict[str, str] = {}
+    for passed in some:
+        for one in passed.variables:
+            names = [one.name] if len(one.units) == 1 else [f"{one.name}[{at}]" for at in range(len(one.units))]
+            found |= {name: one.unit_of(name) for name in names}
+    return found
+
+
+def _meetings(kept: KeptRun, found: Account) -> Iterator[str]:
+    expected = [f"{one.tag} of {' and '.join(sorted(one.subsystems))}" for one in kept.meetings]
+    met = [f"{one.tag} of {' and '.join(sorted(one.subsystems))}" for one in found.meetings]
+    if expected != met:
+        yield f"meetings: expected {', '.join(expected) or 'none'}; found {', '.join(met) or 'none'}"
+
+
+def _named(at: int | None, name: str) -> str:
+    return f"action {(at or 0) + 1} ({name})"
+
+
+def _show(value: float, within: float) -> str:
+    return show_number(value) + (f" ± {show_number(within)}" if within else "")

@@ -1,0 +1,242 @@
+"""Keeping a run as a test: what is asked of later ones is chosen by what stays the same in shaken ones (X07)."""
+
+from collections.abc import Collection, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from onika.desk.settings import RunSettings
+from onika.desk.trial.account import Account, Elements, Part, Passed, give_account
+from onika.desk.trial.home import home_of
+from onika.desk.trial.tolerance import LASTS_S, demand, readable, tolerance
+from onika.desk.trial.variables import FLOORS, Variable
+from onika.files import kept, text, whole
+from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
+from onika.store.site import Site
+from onika.words.fault import Refusal
+
+HINT = """\
+# A run of {name}, kept as a test: `onika test` does it again and compares. Change what you like.
+# LASTS is how long an action takes, AFTER what holds when it has ended; +- how exactly.
+# ONTHEWAY yes: the test also passes without this action, as long as all that follows holds.
+
+"""
+"""What stands at the head of a new test."""
+
+SHAKES = 4
+"""How many runs with shaken worlds and other seeds are looked at beside the one that is kept."""
+
+
+@dataclass(frozen=True, slots=True)
+class Keepsake:
+    """A run that was kept, and what is worth knowing of it; without one, why not."""
+
+    kept: KeptRun | None
+    notes: tuple[str, ...] = ()
+    refusal: str = ""
+    hash: str = ""
+    """Of the run, to be compared with another."""
+
+
+def keep(settings: RunSettings, site: Site, *, workers: int = 1, shakes: int = SHAKES) -> Keepsake:
+    """Do a run, and others with shaken worlds, and keep what they have in common."""
+    refusal = unkeepable(settings)
+    if refusal:
+        return Keepsake(None, refusal=refusal)
+    plain = _plain(settings)
+    shaken = [replace(plain, seed=settings.seed + n, shake=settings.seed + n) for n in range(1, shakes + 1)]
+    with ThreadPoolExecutor(max(workers, 1)) as pool:
+        first, *others = pool.map(lambda one: give_account(one, site), [plain, *shaken])
+    return kept_of(settings, first, others)
+
+
+def keep_in(
+    path: Path, settings: RunSettings, site: Site, *, workers: int = 1, seen: str = ""
+) -> tuple[bool, tuple[str, ...]]:
+    """Keep a run in a test file: whether that could be done, and what is to be said of it, for a command or a page.
+
+    seen    the hash of the run that the user has seen; empty: he has seen none
+    """
+    refusal = unkeepable(settings, path)
+    if refusal:
+        return False, (refusal,)
+    keepsake = keep(settings, site, workers=workers)
+    if keepsake.kept is None:
+        return False, (keepsake.refusal,)
+    notes = list(keepsake.notes)
+    if seen and keepsake.hash != seen:
+        notes.append("this run does not repeat itself bit for bit: something outside takes part in it")
+    file = site.application_file(settings.name)
+    named = replace(keepsake.kept, application=file.stem if file is not None else settings.name)
+    found = home_of(path, site).application_file(named.application)
+    if file is not None and (found is None or not found.samefile(file)):
+        notes.append(
+            f"in that folder {named.application} is another application, or none: run the test with "
+            f"--local {file.absolute().parent.parent}"
+        )
+    unwritten = store(named, path)
+    if unwritten is not None:
+        return False, (str(unwritten),)
+    actions, demands = _count(named)
+    return True, (f"{path}: {actions} actions, {demands} values", *notes)
+
+
+def _count(one: KeptRun) -> tuple[int, int]:
+    actions = [action for flow in one.flows for action in flow.actions]
+    return len(actions), sum(len(some) for some in [a.after for a in actions] + [flow.at_end for flow in one.flows])
+
+
+def store(keepsake: KeptRun, path: Path) -> Refusal | None:
+    """Write a test; the comments of one that stood there stay."""
+    former, faults = ("", ()) if not path.exists() else text.load(path, str(path))
+    if former is None:
+        return Refusal(f"{faults[0]}")
+    written = kept.write(keepsake, former) if former else HINT.format(name=keepsake.application) + kept.write(keepsake)
+    done = whole.write(path, written, whole.ANYTHING if path.exists() else whole.ABSENT)
+    return done if isinstance(done, Refusal) else None
+
+
+def kept_of(settings: RunSettings, first: Account, others: Sequence[Account]) -> Keepsake:
+    """What is kept of a run, by the accounts of it and of others that are as good."""
+    if first.refusals:
+        return Keepsake(None, refusal="; ".join(map(str, first.refusals)))
+    if first.cause:
+        return Keepsake(None, refusal=f"only a run that comes to its end can be kept; this one: {first.cause}")
+    failed = [text for text, _, holds in first.expectations if not holds]
+    if failed:
+        return Keepsake(None, refusal=f"only a good run can be kept; in this one {failed[0]} does not hold")
+    alike = [one for one in others if not one.cause and _way(one) == _way(first)]
+    notes = [f"{len(others) - len(alike)} of {len(others)} shaken runs went another way, so that they say nothing"]
+    notes = notes if len(alike) < len(others) else []
+    flows = [_flow(number, first, alike) for number, part in enumerate(first.parts) if part.passed]
+    return Keepsake(
+        KeptRun(
+            application=settings.name,
+            digest=first.digest,
+            flows=tuple(flows),
+            meetings=tuple(first.meetings),
+            seed=settings.seed,
+            settle_s=settings.settle_s,
+            answers=settings.answers,
+            expectations=tuple(one.text for one in settings.expectations),
+            redirects=tuple(map(str, settings.redirects)),
+        ),
+        tuple(notes),
+        hash=first.hash,
+    )
+
+
+def unkeepable(settings: RunSettings, path: Path | None = None) -> str:
+    """Why a run like this cannot be kept, in such a file; empty: it can."""
+    wrong = {
+        f"a test is a file that ends with {kept.ENDING}": path is not None and path.suffix != kept.ENDING,
+        "a test runs in virtual time: give --virtual": not settings.is_virtual or settings.scale is not None,
+        "a test runs on a runtime of its own: leave out --runtime": settings.elsewhere is not None,
+        "a test is not steered: leave out --script": settings.script is not None,
+        "a test begins at the beginning: keep a run that is not continued": settings.source is not None,
+        "a test names flows as its application does: leave out --subsystem": bool(settings.subsystems),
+    }
+    return "; ".join(reason for reason, is_so in wrong.items() if is_so)
+
+
+def _plain(settings: RunSettings) -> RunSettings:
+    """What of a run a test can do again: nobody looks on, nothing is recorded."""
+    return RunSettings(
+        name=settings.name,
+        is_virtual=True,
+        expectations=settings.expectations,
+        settle_s=settings.settle_s,
+        seed=settings.seed,
+        answers=settings.answers,
+        redirects=settings.redirects,
+    )
+
+
+def _way(account: Account) -> list[list[str]]:
+    return [[passed.name for passed in part.passed] for part in account.parts]
+
+
+def _flow(number: int, first: Account, alike: Sequence[Account]) -> KeptFlow:
+    part, others = first.parts[number], [one.parts[number] for one in alike]
+    actions = []
+    for at, passed in enumerate(part.passed):
+        following = part.passed[at + 1] if at + 1 < len(part.passed) else None
+        actions.append(_action(passed, following, [one.passed[at] for one in others]))
+    measured = {one.name for passed in part.passed for one in passed.variables if one.is_measured}
+    told = tuple(only_news(tuple(on_the_way(actions, measured))))
+    return KeptFlow(part.subsystem, part.robots, told, tuple(_at_end(part, others)))
+
+
+def _action(passed: Passed, following: Passed | None, others: Sequence[Passed]) -> KeptAction:
+    lasted = [one.ended_s - one.began_s for one in (passed, *others)]
+    within = tolerance(LASTS_S, max(abs(one - lasted[0]) for one in lasted))
+    within = within if within is not None else round(max(lasted), 1)
+    lasting = [one for one in passed.variables if one.is_measured or _lasts(one, passed, following)]
+    after = _demands(lasting, passed.values, [one.values for one in others])
+    return KeptAction(passed.name, readable(lasted[0], within), within, tuple(after))
+
+
+def _lasts(reference: Variable, passed: Passed, following: Passed | None) -> bool:
+    """Whether what was read is still the reference of this action: the next one has begun at the same instant.
+
+    It is where nobody else writes it, and where the robot stands just there.
+    """
+    theirs = {one.name: one.writer for one in (following.variables if following else ())}
+    if theirs.get(reference.name, reference.writer) == reference.writer:
+        return True
+    wanted, reach = passed.values[reference.name], 2 * FLOORS.get(reference.units[0], 0.0)
+    measured = [passed.values[one.name] for one in passed.variables if one.is_measured and one.units == reference.units]
+    return any(
+        len(one) == len(wanted) and all(abs(a - b) <= reach for a, b in zip(one, wanted, strict=True))
+        for one in measured
+    )
+
+
+def _at_end(part: Part, others: Sequence[Part]) -> Iterable[Demand]:
+    seen = {one.name: one for passed in part.passed for one in passed.variables if one.is_measured}
+    return _demands(seen.values(), part.at_end, [one.at_end for one in others])
+
+
+def _demands(variables: Iterable[Variable], values: Elements, others: Sequence[Elements]) -> Iterable[Demand]:
+    for one in variables:
+        for address in values:
+            if address == one.name or address.startswith(f"{one.name}["):
+                runs = [values[address], *(other[address] for other in others if address in other)]
+                found = demand(address, one.unit_of(address), one.is_real, runs)
+                if found is not None:
+                    yield found
+
+
+def on_the_way(actions: Sequence[KeptAction], measured: Collection[str]) -> Iterable[KeptAction]:
+    """The actions, marked where one only leads away, as a lift does.
+
+    The action before it changed something else while this robot stood, and all that it is measured to change is changed
+    again by the very next. Places that are visited one after the other are not marked: each may be the purpose.
+    """
+    known: dict[str, Demand] = {}
+    former: set[str] = set()
+    for at, action in enumerate(actions):
+        seen = {one.address: one for one in action.after if one.address.partition("[")[0] in measured}
+        changed = {address for address, one in seen.items() if _differs(known.get(address), one)}
+        known |= seen
+        following = {one.address: one for one in actions[at + 1].after} if at + 1 < len(actions) else {}
+        is_passed_over = all(one in following and _differs(known[one], following[one]) for one in changed)
+        leads_away = bool(changed) and bool(former) and not changed & former
+        yield replace(action, is_on_way=leads_away and is_passed_over)
+        former = changed
+
+
+def only_news(actions: Sequence[KeptAction]) -> Iterable[KeptAction]:
+    """The actions, without whole numbers that are what they were: a lamp is told when it changes."""
+    known: dict[str, Demand] = {}
+    for action in actions:
+        after = tuple(one for one in action.after if one.tolerance or known.get(one.address) != one)
+        known |= {one.address: one for one in action.after}
+        yield replace(action, after=after)
+
+
+def _differs(before: Demand | None, now: Demand) -> bool:
+    if before is None or len(before.values) != len(now.values):
+        return True
+    within = max(before.tolerance, now.tolerance)
+    return any(abs(a - b) > within for a, b in zip(before.values, now.values, strict=True))

@@ -1,0 +1,1 @@
+"""Dictionaries and their icons: opened, followed, shown; targets made and taught."""

@@ -1,0 +1,1 @@
+"""Open applications: their flows, how they are edited, filed and shown."""

@@ -1,0 +1,110 @@
+"""An open application as a page is shown it: its flows, and what is wrong with it (requirements D04, D20).
+
+What has not changed is the same object again, so that a change of one icon is sent as that.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from msgspec import structs
+
+from onika.desk.environment.model import Model
+from onika.desk.upper.flow.on_application import syntax_of
+from onika.desk.upper.flow.open_application import OpenApplication
+from onika.desk.upper.flow.step_sight import Known, step_views
+from onika.model.application import AppFlow, Hole
+from onika.model.flow_path import flows_by_path
+from onika.model.syntax import END, START, Syntax
+from onika.wire.view import AppFlowView, ApplicationView, FaultView, RedirectView, StepView
+
+
+@dataclass(frozen=True, slots=True)
+class _Flow:
+    """What was made of a flow."""
+
+    flow: AppFlow
+    view: AppFlowView
+    known: Mapping[int, Known]
+    steps: Mapping[str, StepView]
+    holes: int
+
+
+class ApplicationSight:
+    """Makes the view of one application, and remembers what it made of which flows."""
+
+    def __init__(self) -> None:
+        self._flows: dict[str, _Flow] = {}
+        self._of: tuple[object, object] = (None, None)
+        self._faults: tuple[object, object, dict[str, FaultView]] = (None, None, {})
+
+    def view(self, opened: OpenApplication, order: int, model: Model, *, is_running: bool) -> ApplicationView:
+        """The application as it is now; `order` is its place among those that are open."""
+        past = opened.history
+        self._look(opened, model)
+        return ApplicationView(
+            name=opened.name,
+            order=order,
+            path=str(opened.opened.path) if opened.opened else "",
+            base=str(opened.base or ""),
+            is_dirty=opened.is_dirty,
+            has_changed_on_disk=opened.has_changed_on_disk,
+            undo=past.last.label if past.last else "",
+            redo=past.next.label if past.next else "",
+            is_parallel=opened.application.is_parallel,
+            flows={path: one.view for path, one in self._flows.items()},
+            steps=self._marked(opened),
+            holes=sum(one.holes for one in self._flows.values()),
+            faults=self._told(opened),
+            is_judged=opened.is_judged,
+            is_running=is_running,
+            redirects=tuple(RedirectView(one.old, one.new, one.home) for one in opened.redirects),
+        )
+
+    def _marked(self, opened: OpenApplication) -> dict[str, StepView]:
+        """The steps by their numbers, with what became of them."""
+        steps = {number: view for one in self._flows.values() for number, view in one.steps.items()}
+        for number, note in opened.marks.items():
+            if (view := steps.get(str(number))) is not None:
+                steps[str(number)] = structs.replace(view, note=note)
+        return steps
+
+    def _look(self, opened: OpenApplication, model: Model) -> None:
+        """Make anew what changed; all of it where the types or the dictionaries are others."""
+        of = (model.syntax, model.dictionaries)
+        is_same = all(one is other for one, other in zip(of, self._of, strict=True))
+        former, self._flows, self._of = self._flows, {}, of
+        known = {number: one for flow in former.values() for number, one in flow.known.items()} if is_same else {}
+        for path, flow in flows_by_path(opened.application):
+            before = former.get(path)
+            if before is not None and before.flow is flow and is_same:
+                self._flows[path] = before
+            else:
+                self._flows[path] = _seen(path, flow, model, before if is_same else None, known)
+
+    def _told(self, opened: OpenApplication) -> dict[str, FaultView]:
+        """What is wrong with its file, then with what is here, as it was looked at last."""
+        told, judgement, faults = self._faults
+        if told is opened.told and judgement is opened.judgement:
+            return faults
+        judged = opened.judgement.faults if opened.judgement else ()
+        found = {
+            **{f"file {number}": one for number, one in enumerate(opened.told)},
+            **{str(number): one for number, one in enumerate(judged)},
+        }
+        self._faults = (opened.told, opened.judgement, found)
+        return found
+
+
+def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, known: Mapping[int, Known]) -> _Flow:
+    syntax = syntax_of(model)
+    made = step_views(flow, path, model, known, before.flow if before else None)
+    view = AppFlowView(tuple(made), end=_edge(END, syntax, is_left=True), start=_edge(START, syntax, is_left=False))
+    if before is not None and before.view == view:
+        view = before.view
+    steps = {str(number): one.view for number, one in made.items()}
+    return _Flow(flow, view, made, steps, sum(isinstance(step, Hole) for step in flow.steps))
+
+
+def _edge(name: str, syntax: Syntax, *, is_left: bool) -> str:
+    kind = syntax.find(name)
+    return "" if kind is None else str(kind.left_edge if is_left else kind.right_edge)

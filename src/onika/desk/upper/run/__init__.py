@@ -1,0 +1,1 @@
+"""Runs of open applications: judged, begun, steered, told and shown."""

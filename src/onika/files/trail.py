@@ -1,0 +1,139 @@
+"""The audit trail of a runtime: lines `SHA256 RECORD`, each hash over the one before it and its own record.
+
+A record is a JSON object on one line. A file begins with a record that names the hash it goes on from (`before`), so a
+chain leads on from one file to the next. What was cut off in the midst of a line by a crash stays, and the record
+after it says so (`torn`, the hash of what is left of it). The chain shows that a line was changed, taken out or put
+in between; only who knows its head from elsewhere sees that lines were taken off its end, or that all was written anew.
+"""
+
+import hashlib
+import json
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from onika.words.fault import Fault, Place
+
+_LINE = re.compile(rb"([0-9a-f]{64}) (\{.*\})\n?")
+_NO_FILES = 1000
+
+Record = Mapping[str, Any]
+
+
+@dataclass(slots=True)
+class Trail:
+    """What was read: the records, all that is wrong with the chain, and its head."""
+
+    records: list[Record] = field(default_factory=list)
+    faults: list[Fault] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    hashes: set[str] = field(default_factory=set)
+    head: str = ""
+    begins: str = ""
+    """The hash that the first file goes on from; empty: it is the first of all."""
+
+
+def usual_path(environment: Mapping[str, str]) -> Path:
+    """Where it lies if nothing else is said: in the state directory of the XDG."""
+    state = environment.get("XDG_STATE_HOME", "")
+    home = Path(state) if state.startswith("/") else Path(environment.get("HOME", "/")) / ".local" / "state"
+    return home / "onika" / "audit" / "audit.log"
+
+
+def line(before: str, record: Record) -> tuple[bytes, str]:
+    """A record as a line after the one of that hash, and its own hash."""
+    text = json.dumps(record, ensure_ascii=False, separators=(",", ":")).encode("utf-8", "replace")
+    own = _hash(before, text)
+    return own.encode() + b" " + text + b"\n", own
+
+
+def torn_hash(raw: bytes) -> str:
+    """What stands for a line that is none."""
+    return hashlib.sha256(raw.rstrip(b"\n")).hexdigest()
+
+
+def head_of(tail: bytes) -> tuple[str, bytes]:
+    """The hash of the last whole line in the end of a file, and what is torn after it; no hash where there is none."""
+    lines = tail.splitlines(keepends=True)
+    for at in range(len(lines) - 1, -1, -1):
+        found = _LINE.fullmatch(lines[at])
+        if found and lines[at].endswith(b"\n"):
+            return found[1].decode(), b"".join(lines[at + 1 :])
+    return "", tail
+
+
+def older(path: Path) -> list[Path]:
+    """A trail's files, oldest first, the present one last; `FILE.1` is older than `FILE`."""
+    numbered = [path.with_name(f"{path.name}.{number}") for number in range(1, _NO_FILES)]
+    return [*reversed([one for one in numbered if one.is_file()]), *([path] if path.is_file() else [])]
+
+
+def read(files: Sequence[Path]) -> Trail:
+    """Read files one after another and check the chain; raises OSError for what cannot be read."""
+    trail = Trail()
+    for number, path in enumerate(files):
+        _read(path.read_bytes(), str(path), trail, is_first=number == 0)
+    return trail
+
+
+def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
+    torn: list[tuple[int, bytes]] = []
+    begins = True
+    for number, raw in enumerate(data.splitlines(keepends=True), 1):
+        found = _LINE.fullmatch(raw)
+        record = _record(found[2]) if found else None
+        if found is None or record is None or not raw.endswith(b"\n"):
+            torn.append((number, raw))
+            continue
+        before = str(record.get("before", "")) if begins else trail.head
+        if begins:
+            _begin(record, Place(place, number), trail, is_first)
+        own = found[1].decode()
+        if _hash(before, found[2]) != own:
+            _fault(trail, place, number, "a line that goes on from the one before it", "another")
+        _torn(torn, record, place, trail)
+        torn, begins = [], False
+        trail.records.append(record)
+        trail.hashes.add(own)
+        trail.head = own
+    for number, raw in torn:
+        trail.notes.append(f"{place}:{number}: the last line is not whole, {len(raw)} bytes of it are there")
+
+
+def _begin(record: Record, place: Place, trail: Trail, is_first: bool) -> None:
+    before = str(record.get("before", ""))
+    if "before" not in record:
+        trail.faults.append(Fault(place, "the beginning of a file", "a line from its midst", "what was before is gone"))
+    if is_first:
+        trail.begins = before
+    elif before != trail.head:
+        found = f"after {before[:12] or 'none'}"
+        trail.faults.append(Fault(place, f"a file that goes on after {trail.head[:12]}", found, "lines may be gone"))
+
+
+def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: Trail) -> None:
+    """Lines that are none are in order where the next one knows of them."""
+    left = torn_hash(b"".join(raw for _, raw in torn)) if torn else ""
+    if torn and record.get("torn") == left:
+        trail.notes.append(f"{place}:{torn[0][0]}: a line was cut off by a crash; the next one says so")
+        return
+    for number, _ in torn:
+        _fault(trail, place, number, "HASH RECORD", "something else")
+
+
+def _fault(trail: Trail, place: str, number: int, expected: str, found: str) -> None:
+    trail.faults.append(Fault(Place(place, number), expected, found, "the trail was changed, or damaged"))
+
+
+def _record(text: bytes) -> Record | None:
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return found if isinstance(found, dict) else None
+
+
+def _hash(before: str, text: bytes) -> str:
+    return hashlib.sha256(before.encode() + b"\n" + text).hexdigest()

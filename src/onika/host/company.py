@@ -1,0 +1,46 @@
+"""The company: who is there; those who attend to it are told whenever that changes (requirement X12)."""
+
+from collections.abc import Callable, Set
+from typing import Protocol
+
+from msgspec import structs
+
+from onika.wire import event, holding
+
+
+class Doorway(Protocol):
+    """Where sessions come and go."""
+
+    def sessions(self) -> tuple[holding.SessionStanding, ...]:
+        """All that are known, here or not."""
+        ...
+
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+        """Say an event to who attends."""
+        ...
+
+
+class Company:
+    """The sessions of a runtime, with what each of them has said of itself."""
+
+    def __init__(self, doorway: Doorway, watching: Callable[[], Set[str]]) -> None:
+        self._doorway = doorway
+        self._watching = watching
+        self._told: tuple[holding.SessionStanding, ...] = ()
+
+    def sessions(self) -> tuple[holding.SessionStanding, ...]:
+        """Who is known."""
+        watching = self._watching()
+        known = self._doorway.sessions()
+        return tuple(structs.replace(one, only_watches=one.name in watching) for one in known)
+
+    def answer(self, session: str) -> holding.Company:
+        """To whoever asks who is there."""
+        return holding.Company(session, self.sessions())
+
+    def look(self) -> None:
+        """Tell who is there now, if that has changed."""
+        sessions = self.sessions()
+        if sessions != self._told:
+            self._told = sessions
+            self._doorway.tell(event.Company(sessions), holding.COMPANY)

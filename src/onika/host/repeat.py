@@ -1,0 +1,89 @@
+"""The repetition of a run: what was asked in it once is asked again at the same instants of virtual time (law 29).
+
+As the clock of virtual time has nothing to do with that of the wall, and stands while anything is asked, the same
+requests at the same instants make the same run, bit for bit.
+"""
+
+from collections import deque
+
+from onika.wire import request, steer
+
+_STEERING = (
+    request.Reply,
+    steer.Pause,
+    steer.Resume,
+    steer.Step,
+    steer.Skip,
+    steer.Pass,
+    steer.Leave,
+    steer.Mark,
+    steer.Recover,
+)
+
+
+class Repeat:
+    """At most one run is repeated at a time. `now` is the runtime's time, `turn` the driver's count at that instant."""
+
+    def __init__(self) -> None:
+        self.session = ""
+        """Who began the run; empty: none is repeated."""
+        self._left: deque[request.Recorded] = deque()
+        self._began = 0
+        self._until = 0
+        self._is_answer = False
+
+    def begin(self, session: str, asked: request.Begin, now: int) -> None:
+        """A run begins, to be repeated as far as `asked` says."""
+        is_wanted = bool(asked.repeat) or asked.repeat_until_ns != 0
+        self.session = session if is_wanted else ""
+        self._left = deque(asked.repeat)
+        self._began, self._until = now, asked.repeat_until_ns
+        self._look_ahead()
+
+    def end(self, session: str | None = None) -> None:
+        """The run is over, or its session is gone."""
+        if session in (None, self.session):
+            self.session = ""
+            self._left.clear()
+
+    def is_on(self, now: int) -> bool:
+        """Whether it is still being repeated."""
+        if not self.session:
+            return False
+        return bool(self._left) or self._until < 0 or now - self._began < self._until
+
+    def is_due(self, now: int, turn: int, is_asking: bool) -> bool:
+        """Whether the next request is due.
+
+        While a task asks the clock stands, so that whatever comes next comes now; an answer waits for its question.
+        """
+        if not self._left:
+            return False
+        one, at = self._left[0], now - self._began
+        if self._is_answer:
+            return is_asking or at > one.at_ns
+        return is_asking or (at, turn) >= (one.at_ns, one.turn)
+
+    def take(self, now: int, turn: int, is_asking: bool) -> request.Request | None:
+        """The next request, if it is due."""
+        if not self.is_due(now, turn, is_asking):
+            return None
+        asked: request.Request = request.decode_request(self._left.popleft().body)
+        self._look_ahead()
+        return asked
+
+    def _look_ahead(self) -> None:
+        self._is_answer = bool(self._left) and isinstance(request.decode_request(self._left[0].body), request.Reply)
+
+    def wake_at(self, now: int) -> int | None:
+        """The next instant after this one up to which the clock goes on by itself."""
+        if not self.session:
+            return None
+        at = self._began + (self._left[0].at_ns if self._left else self._until)
+        return at if at > now else None
+
+    def refusal(self, session: str, asked: request.Request, now: int) -> str:
+        """Why this may not be asked meanwhile; empty: it may."""
+        if not isinstance(asked, _STEERING) or not self.is_on(now):
+            return ""
+        return "a recorded run is being repeated; it can be stopped, or steered when it has come to its instant"

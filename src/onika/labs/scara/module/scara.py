@@ -1,0 +1,124 @@
+"""The SCARA behind its drive."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from onika.laws import adept_one, reach
+from onika.laws.robot import published, unlike
+from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
+
+
+class Scara(Module):
+    """The SCARA: torques to its four joints, where they are back, and everything that is known of it.
+
+    Joint 3, the quill, slides: its numbers are metres, its torque is a force in N, wherever units speak of angles.
+
+    Kind     hardware, periodic, 100..1000 Hz
+    Ports    OUTCONST NDOF     int             -          number of joints
+             OUTCONST DH       double[NDOF,4]  -          a m, alpha rad, d m, theta offset rad, a turn more: slides
+             OUTCONST DYN      double[NDOF,9]  -          mass, centre, inertia, armature, friction of each link (SI)
+             OUTCONST LOAD     double[4]       -          the hand: mass kg, centre m in the last frame
+             OUTCONST QMIN     double[NDOF]    rad        lower joint limits
+             OUTCONST QMAX     double[NDOF]    rad        upper joint limits
+             OUTCONST Q^_MAX   double[NDOF]    rad/s      highest joint speeds
+             OUTCONST TAUMAX   double[NDOF]    N m        highest joint torques
+             OUTCONST KP       double[NDOF]    N m/rad    stiffness of the joint servo
+             OUTCONST KD       double[NDOF]    N m s/rad  damping of the joint servo
+             OUTCONST BASE     double[4,4]     -          frame 0 in the world
+             OUTCONST TOOL     double[4,4]     -          point between the fingers in the last frame
+             OUTCONST ROBOT    string          -          kind of robot
+             INVAR    TAU_REF  double[NDOF]    N m        wanted torque, clipped to TAUMAX
+             OUTVAR   Q_MEZ    double[NDOF]    rad        measured position
+    Local    BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
+    Errors   another robot     the device is no such robot, or stands elsewhere than BASE says: stays uninitialised
+             tripped           the drive has tripped: ERROR; clear brings the drive back to hold
+             panic button      it is pressed: ERROR; clear is refused until it is let go
+    Source   dissertation §4.3.2, §4.4.4; Craig, Introduction to Robotics, §4.4; see `onika.laws.adept_one`
+    """
+
+    hardware = True
+
+    NDOF = OutConst("int", "-", "number of joints")
+    DH = OutConst("double[NDOF,4]", "-", "a m, alpha rad, d m, theta offset rad, a turn more: slides")
+    DYN = OutConst("double[NDOF,9]", "-", "mass, centre, inertia, armature, friction of each link (SI)")
+    LOAD = OutConst("double[4]", "-", "the hand: mass kg, centre m in the last frame")
+    QMIN = OutConst("double[NDOF]", "rad", "lower joint limits")
+    QMAX = OutConst("double[NDOF]", "rad", "upper joint limits")
+    Qd_MAX = OutConst("double[NDOF]", "rad/s", "highest joint speeds", name="Q^_MAX")
+    TAUMAX = OutConst("double[NDOF]", "N m", "highest joint torques")
+    KP = OutConst("double[NDOF]", "N m/rad", "stiffness of the joint servo")
+    KD = OutConst("double[NDOF]", "N m s/rad", "damping of the joint servo")
+    BASE_POSE = OutConst("double[4,4]", "-", "frame 0 in the world", name="BASE")
+    TOOL = OutConst("double[4,4]", "-", "point between the fingers in the last frame")
+    ROBOT = OutConst("string", "-", "kind of robot")
+    TAU_REF = InVar("double[NDOF]", "N m", "wanted torque, clipped to TAUMAX")
+    Q_MEZ = OutVar("double[NDOF]", "rad", "measured position")
+
+    BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
+
+    @classmethod
+    def constants(cls, local):
+        """Everything that is known of the robot, by the names of its OUTCONSTs."""
+        return published(adept_one, *local.BASE)
+
+    @classmethod
+    def resolve(cls, constants, targets):
+        """Why a joint target lies beyond a limit or a pose has no posture; None for what can be reached."""
+        return reach.why_not(constants, targets)
+
+    @classmethod
+    def poses(cls, constants, targets):
+        """The Cartesian targets that joint targets are."""
+        return reach.poses(constants, targets)
+
+    @classmethod
+    def postures(cls, constants, nines):
+        """The joint targets that Cartesian targets are, each nearest to the one before, or why there are none."""
+        return reach.postures(constants, nines, adept_one.HOME)
+
+    @classmethod
+    def fits(cls, constants, said):
+        """Why the device that says this of itself is another robot, or stands elsewhere."""
+        return unlike(adept_one.ROBOT, constants, said)
+
+    def init(self):
+        known = self.constants(SimpleNamespace(BASE=self.BASE))
+        for attribute, declared in self.declared_ports.items():
+            if isinstance(declared, OutConst):
+                setattr(self, attribute, known[declared.name or attribute])
+        if reason := self.fits(known, self.device.identity):
+            raise ModuleError(reason)
+        self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
+
+    def on(self, inputs):
+        self.Q_MEZ = self.device.read()
+        self._see_drive()
+
+    def cycle(self):
+        self.Q_MEZ = self.device.read()
+        self._see_drive()
+        torque = np.minimum(self.TAU_REF, self._highest, out=self._torque)
+        self.device.write(np.maximum(torque, self._lowest, out=torque))
+
+    def hold(self):
+        self.Q_MEZ = self.device.read()
+        self._see_drive()
+        self.device.hold()
+
+    def off(self):
+        self.device.hold()
+
+    def clear(self):
+        self.device.read()
+        if self.device.is_pressed:
+            raise ModuleError("panic button pressed: let it go, then clear")
+        self.device.clear()
+
+    def _see_drive(self):
+        if not self.device.is_held:
+            return  # as nearly always: one look is enough
+        if self.device.is_pressed:
+            raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
+        if self.device.is_tripped:
+            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")

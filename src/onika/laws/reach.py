@@ -1,0 +1,88 @@
+"""What an arm known by its constants can reach, and what another arm's joint targets are for it (law 26).
+
+Constants are those that a hardware task publishes (NDOF, DH, BASE, TOOL, QMIN, QMAX), as arrays or as plain lists.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from onika.laws.arm import Arm
+from onika.laws.chain import kinds_of
+from onika.laws.frames import Array, Numbers, as_array, nine_of_pose, pose_of_nine
+from onika.laws.inverse import Inverse, inverse_for
+
+Constants = Mapping[str, Any]
+
+
+def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) -> list[str | None]:
+    """For each target (its type in lower case and its values) why it is out of reach; None: it is not, or unknown."""
+    inverse = _inverse(constants)
+    asked = {"joint object": _why_no_posture, "cartesian object": _why_no_pose}
+    return [asked[kind](constants, inverse, values) if kind in asked else None for kind, values in targets]
+
+
+def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
+    """The Cartesian targets double[9] that joint targets are, whose first NDOF values count (rad, m)."""
+    n = constants["NDOF"]
+    arm = Arm(constants["DH"], base=constants["BASE"], tool=constants["TOOL"])
+    return [nine_of_pose(arm.forward(target[:n])) for target in targets]
+
+
+def postures(constants: Constants, nines: Sequence[Numbers], near: Numbers | None = None) -> list[Array | str]:
+    """For each Cartesian target the joint values double[NDOF] nearest to those before it, or why there are none.
+
+    The first is the one nearest to `near`, where nothing is said to the middle of all limits.
+    """
+    inverse = _inverse(constants)
+    here = 0.5 * (np.asarray(constants["QMIN"]) + np.asarray(constants["QMAX"])) if near is None else np.asarray(near)
+    found: list[Array | str] = []
+    for nine in nines:
+        try:
+            posture = inverse.nearest(pose_of_nine(nine[:9]), here)
+        except ValueError as wrong:
+            posture = str(wrong)
+        here = here if isinstance(posture, str) else posture
+        found.append(posture)
+    return found
+
+
+def transfer(
+    theirs: Constants, ours: Constants, targets: Sequence[Numbers], near: Numbers | None = None
+) -> list[Array | str]:
+    """Joint targets of one arm as joint values of another, by way of the tool's pose in the world; or why not.
+
+    Targets that both arms take in the same way, as those of the same kind at the same place, come back as they were.
+    """
+    if _are_alike(theirs, ours):
+        return [np.array(target[: ours["NDOF"]], dtype=np.float64) for target in targets]
+    return postures(ours, poses(theirs, targets), near)
+
+
+def _are_alike(theirs: Constants, ours: Constants) -> bool:
+    return all(np.array_equal(theirs[name], ours[name]) for name in ("DH", "BASE", "TOOL", "QMIN", "QMAX"))
+
+
+def _inverse(constants: Constants) -> Inverse:
+    return inverse_for(*(constants[name] for name in ("DH", "BASE", "TOOL", "QMIN", "QMAX")))
+
+
+def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> str | None:
+    n = constants["NDOF"]
+    if len(values) < n:
+        return f"expected {n} joint values, found {len(values)}"
+    slides = kinds_of(as_array(constants["DH"], (n, 4)))
+    for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
+        if not low <= q <= high:
+            unit, digits = ("m", 3) if slides[k - 1] else ("rad", 2)
+            return f"joint {k} at {q:.{digits}f} {unit} is beyond {low if q < low else high:.{digits}f}"
+    return None
+
+
+def _why_no_pose(constants: Constants, inverse: Inverse, values: Sequence[Any]) -> str | None:
+    try:
+        found = inverse.nearest(pose_of_nine(values[:9]), [0.0] * constants["NDOF"])
+    except ValueError as wrong:
+        return str(wrong)
+    return found if isinstance(found, str) else None

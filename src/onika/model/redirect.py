@@ -1,0 +1,50 @@
+"""A redirection: the task that stands for another one while an application runs, its file unchanged (E09, §5.9.1)."""
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from onika.words.name import TASK_NAME
+
+_FORM = re.compile(r"(?:(?P<flow>[^:=\s]+):)?(?P<old>[^:=\s]+)=(?P<new>[^:=\s]+)\Z")
+_NUMBER = re.compile(r"[0-9]{1,6}\Z")
+
+
+@dataclass(frozen=True, slots=True)
+class Redirect:
+    """Wherever `old` would live, `new` does, in one flow with all that is nested in it or in every flow."""
+
+    old: str
+    new: str
+    flow: str = ""
+    """The number of a flow or its subsystem; empty: every flow."""
+
+    @classmethod
+    def parse(cls, text: str) -> "Redirect":
+        """Read `puma=scara` or `0:puma=scara`; raises ValueError that says what was expected."""
+        found = _FORM.match(text.strip())
+        if not found or not (TASK_NAME.match(found["old"]) and TASK_NAME.match(found["new"])):
+            raise ValueError(f"expected [FLOW:]TASK=TASK, found {text!r}")
+        return cls(found["old"], found["new"], found["flow"] or "")
+
+    @property
+    def home(self) -> str:
+        """The subsystem it is meant for; empty: every one."""
+        return f"flow{int(self.flow)}" if _NUMBER.match(self.flow) else self.flow
+
+    def holds_in(self, subsystem: str) -> bool:
+        """Whether it holds in a subsystem: in `flow0` means in `flow0.1` too, which is nested there."""
+        return not self.home or f"{subsystem}.".startswith(f"{self.home}.")
+
+    def __str__(self) -> str:
+        return f"{self.flow}:{self.old}={self.new}" if self.flow else f"{self.old}={self.new}"
+
+
+Choice = dict[str, str]
+"""What stands for what in one flow, by the names of the replaced tasks."""
+
+
+def choice(redirects: Sequence[Redirect], subsystem: str) -> Choice:
+    """What stands for what in a subsystem: what is said of it alone comes before what is said of all."""
+    found = sorted((one for one in redirects if one.holds_in(subsystem)), key=lambda one: len(one.home))
+    return {one.old: one.new for one in found if one.old != one.new}

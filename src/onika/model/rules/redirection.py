@@ -1,0 +1,131 @@
+"""Which tasks may stand for which others while an application runs (requirement E09, §5.9.1, decision 29).
+
+Any task with the same outputs or more, by aliased names. What it writes beyond them, its module and its device must not
+meet those of the tasks beside it; and what it reads must be written, where everything that the other one reads is.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from onika.model.configuration import Configuration
+from onika.model.redirect import Choice
+from onika.model.rules import placement
+from onika.model.rules.union import devices
+from onika.model.syntax import same_type
+from onika.model.task import Task
+from onika.words.fault import Refusal
+
+Crews = Mapping[str, Sequence[Task]]
+"""The tasks of each job of a flow that uses the replaced task, by the name of its configuration."""
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A task that could stand for another one; none of its `refusals`: it can."""
+
+    task: Task
+    refusals: tuple[Refusal, ...] = ()
+    more: tuple[str, ...] = ()
+    """What it writes beyond what the other one does."""
+
+
+def candidates(old: Task, known: Iterable[Task], crews: Crews, others: Sequence[Task]) -> list[Candidate]:
+    """The tasks that can stand for `old` in a flow, then those that come near and cannot, with all reasons.
+
+    others   the tasks of the other flows
+    """
+    found = [
+        Candidate(one, refusals(old, one, crews, others), tuple(sorted(one.outputs - old.outputs)))
+        for one in known
+        if one.name != old.name and _is_near(old, one)
+    ]
+    return sorted(found, key=lambda one: (bool(one.refusals), one.task.name))
+
+
+def refusals(old: Task, new: Task, crews: Crews, others: Sequence[Task] = ()) -> tuple[Refusal, ...]:
+    """Every reason why `new` may not stand for `old` in a flow; none: it may."""
+    found = (*shortcomings(old, new, crews), *_clashes(old, new, crews, others))
+    return tuple({one.reason: one for one in reversed(found)}.values())[::-1]
+
+
+def shortcomings(old: Task, new: Task, crews: Crews) -> tuple[Refusal, ...]:
+    """What `new` lacks to stand for `old`: outputs, the same kind of target, and somebody who writes what it reads."""
+    return tuple(dict.fromkeys((*_lacks(old, new), *_takes(old, new), *_starves(old, new, crews))))
+
+
+def is_alike(old: Task, new: Task) -> bool:
+    """Whether `new` has the outputs of `old` or more, and takes the same targets."""
+    return old.outputs <= new.outputs and _same_targets(old, new)
+
+
+def redirected(configuration: Configuration, choice: Choice, tasks: Mapping[str, Task]) -> Configuration:
+    """A configuration with other tasks in it.
+
+    A rate that the configuration gives of its own holds for whoever stands there; else it is that of his own file.
+    """
+    if not choice.keys() & {one.task for one in configuration.placed}:
+        return configuration
+    placed = []
+    for one in configuration.placed:
+        new, old = tasks.get(choice.get(one.task, one.task)), tasks.get(one.task)
+        if one.task not in choice or new is None:
+            placed.append(one)
+            continue
+        is_own = old is not None and one.frequency != old.frequency
+        placed.append(replace(one, task=new.name, frequency=one.frequency if is_own else new.frequency or 0.0))
+    return replace(configuration, placed=tuple(placed))
+
+
+def _is_near(old: Task, new: Task) -> bool:
+    """Whether anybody would think of it: something in common of what they write, or nothing is written by both."""
+    if old.outputs:
+        return not old.outputs.isdisjoint(new.outputs)
+    return not new.outputs and _same_targets(old, new)
+
+
+def _lacks(old: Task, new: Task) -> Iterator[Refusal]:
+    if lacking := sorted(old.outputs - new.outputs):
+        yield Refusal(f"`{new.name}` does not write {', '.join(lacking)}, as `{old.name}` does")
+
+
+def _takes(old: Task, new: Task) -> Iterator[Refusal]:
+    if not _same_targets(old, new):
+        yield Refusal(f"`{new.name}` takes {_shown(new)}, `{old.name}` takes {_shown(old)}")
+
+
+def _same_targets(old: Task, new: Task) -> bool:
+    mine, theirs = _targets(old), _targets(new)
+    return len(mine) == len(theirs) and all(map(same_type, mine, theirs))
+
+
+def _targets(task: Task) -> tuple[str, ...]:
+    return (task.object_type, *task.more_targets) if task.object_type else ()
+
+
+def _shown(task: Task) -> str:
+    return f"the target of a {' with '.join(_targets(task))}" if _targets(task) else "no target"
+
+
+def _starves(old: Task, new: Task, crews: Crews) -> Iterator[Refusal]:
+    for name, crew in crews.items():
+        written = frozenset[str]().union(*(one.outputs for one in crew if one.name != old.name))
+        if old.inputs - written - old.outputs:
+            continue  # it is not the redirection that leaves something unwritten
+        if lacking := ", ".join(sorted(new.inputs - written - new.outputs)):
+            remedy = f"place a task in `{name}` that writes {lacking}"
+            yield Refusal(f"`{new.name}` reads {lacking}, which no task of `{name}` writes", (remedy,))
+
+
+def _clashes(old: Task, new: Task, crews: Crews, others: Sequence[Task]) -> Iterator[Refusal]:
+    beside = {one.name: one for crew in crews.values() for one in crew if one.name != old.name}
+    if new.name in beside:
+        yield Refusal(f"`{new.name}` lives in this flow already")
+        return
+    for crew in crews.values():
+        yield from placement.refusals(new, (one for one in crew if one.name != old.name))
+    for one in beside.values():
+        if one.module == new.module:
+            yield Refusal(f"its module `{new.module}` is used already, by `{one.name}`", (f"replace `{one.name}`",))
+    for one in (*beside.values(), *others):
+        for device in sorted(set(devices(one)) & set(devices(new))):
+            yield Refusal(f"its device {device} is claimed by `{one.name}`", (f"redirect `{one.name}` too",))

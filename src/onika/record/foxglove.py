@@ -1,0 +1,145 @@
+"""Worlds as Foxglove draws them: their shapes as scene updates, their bodies as frames (docs.foxglove.dev, schemas).
+
+The frame of a world is `WORLD`, that of its body 3 `WORLD/3`; every shape stands in the frame of its body.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from struct import iter_unpack
+from typing import Any
+
+import msgspec
+
+_encode = msgspec.json.Encoder().encode
+_ROW = "<7f"
+_THIN = 0.001
+_WIDE = 20.0
+"""How wide a plane without end is drawn."""
+
+
+def _object(title: str = "", **properties: Any) -> dict[str, Any]:
+    named = {"title": title} if title else {}
+    return {**named, "type": "object", "properties": properties}
+
+
+_NUMBER, _TEXT, _WHOLE = {"type": "number"}, {"type": "string"}, {"type": "integer"}
+_TIME = _object("time", sec=_WHOLE, nsec=_WHOLE)
+_VECTOR = _object("foxglove.Vector3", x=_NUMBER, y=_NUMBER, z=_NUMBER)
+_TURN = _object("foxglove.Quaternion", x=_NUMBER, y=_NUMBER, z=_NUMBER, w=_NUMBER)
+_POSE = _object("foxglove.Pose", position=_VECTOR, orientation=_TURN)
+_COLOR = _object("foxglove.Color", r=_NUMBER, g=_NUMBER, b=_NUMBER, a=_NUMBER)
+
+
+def _list(items: dict[str, Any]) -> dict[str, Any]:
+    return {"type": "array", "items": items}
+
+
+_TRANSFORM = _object(
+    "foxglove.FrameTransform",
+    timestamp=_TIME,
+    parent_frame_id=_TEXT,
+    child_frame_id=_TEXT,
+    translation=_VECTOR,
+    rotation=_TURN,
+)
+_SOLID = {"pose": _POSE, "size": _VECTOR, "color": _COLOR}
+_ENTITY = _object(
+    "foxglove.SceneEntity",
+    timestamp=_TIME,
+    frame_id=_TEXT,
+    id=_TEXT,
+    lifetime=_object("duration", sec=_WHOLE, nsec=_WHOLE),
+    frame_locked={"type": "boolean"},
+    metadata=_list(_object("foxglove.KeyValuePair", key=_TEXT, value=_TEXT)),
+    cubes=_list(_object("foxglove.CubePrimitive", **_SOLID)),
+    spheres=_list(_object("foxglove.SpherePrimitive", **_SOLID)),
+    cylinders=_list(_object("foxglove.CylinderPrimitive", **_SOLID, bottom_scale=_NUMBER, top_scale=_NUMBER)),
+)
+_DELETION = _object("foxglove.SceneEntityDeletion", timestamp=_TIME, type=_WHOLE, id=_TEXT)
+
+FRAMES = "foxglove.FrameTransforms"
+FRAMES_SCHEMA = _encode(_object(FRAMES, transforms=_list(_TRANSFORM)))
+SCENE = "foxglove.SceneUpdate"
+SCENE_SCHEMA = _encode(_object(SCENE, deletions=_list(_DELETION), entities=_list(_ENTITY)))
+
+
+def frames(world: str, at_ns: int, rows: bytes) -> bytes:
+    """The bodies of a world, from rows of position and quaternion (w first) as float32."""
+    time = _time(at_ns)
+    return _encode(
+        {
+            "transforms": [
+                {
+                    "timestamp": time,
+                    "parent_frame_id": world,
+                    "child_frame_id": f"{world}/{body}",
+                    "translation": {"x": x, "y": y, "z": z},
+                    "rotation": {"x": i, "y": j, "z": k, "w": w},
+                }
+                for body, (x, y, z, w, i, j, k) in enumerate(iter_unpack(_ROW, rows))
+            ]
+        }
+    )
+
+
+def rows(body: bytes) -> list[list[float]]:
+    """The other way round: position and quaternion (w first) of each body."""
+    found = []
+    for one in msgspec.json.decode(body)["transforms"]:
+        place, turn = one["translation"], one["rotation"]
+        found.append([place["x"], place["y"], place["z"], turn["w"], turn["x"], turn["y"], turn["z"]])
+    return found
+
+
+def scene(world: str, at_ns: int, shapes: Sequence[Mapping[str, Any]], lit: Collection[str] = ()) -> bytes:
+    """The shapes of a world, those in `lit` shining; one entity for each body."""
+    bodies: dict[int, dict[str, Any]] = {}
+    for shape in shapes:
+        number = int(shape["body"])
+        if number not in bodies:
+            bodies[number] = {
+                "timestamp": _time(at_ns),
+                "frame_id": f"{world}/{number}",
+                "id": f"{world}/{number}",
+                "lifetime": {"sec": 0, "nsec": 0},
+                "frame_locked": True,
+                "metadata": [],
+                "cubes": [],
+                "spheres": [],
+                "cylinders": [],
+            }
+        _add(bodies[number], shape, shape["name"] in lit)
+    return _encode({"deletions": [], "entities": list(bodies.values())})
+
+
+def _add(entity: dict[str, Any], shape: Mapping[str, Any], is_lit: bool) -> None:
+    sizes = [*shape["size"], 0.0, 0.0, 0.0]
+    one = {"pose": _pose(shape), "color": _color(shape["rgba"], is_lit)}
+    match shape["kind"]:
+        case "sphere":
+            entity["spheres"].append({**one, "size": _vector([2 * sizes[0]] * 3)})
+        case "ellipsoid":
+            entity["spheres"].append({**one, "size": _vector([2 * part for part in sizes[:3]])})
+        case "cylinder" | "capsule":
+            size = _vector([2 * sizes[0], 2 * sizes[0], 2 * sizes[1]])
+            entity["cylinders"].append({**one, "size": size, "bottom_scale": 1.0, "top_scale": 1.0})
+        case "plane":
+            entity["cubes"].append({**one, "size": _vector([2 * (sizes[0] or _WIDE), 2 * (sizes[1] or _WIDE), _THIN])})
+        case _:
+            entity["cubes"].append({**one, "size": _vector([2 * part for part in sizes[:3]])})
+
+
+def _pose(shape: Mapping[str, Any]) -> dict[str, Any]:
+    w, i, j, k = shape["quaternion"]
+    return {"position": _vector(shape["position"]), "orientation": {"x": i, "y": j, "z": k, "w": w}}
+
+
+def _vector(parts: Sequence[float]) -> dict[str, float]:
+    return dict(zip("xyz", parts, strict=True))
+
+
+def _color(rgba: Sequence[float], is_lit: bool) -> dict[str, float]:
+    return {"r": 1.0, "g": 0.9, "b": 0.2, "a": 1.0} if is_lit else dict(zip("rgba", rgba, strict=True))
+
+
+def _time(at_ns: int) -> dict[str, int]:
+    return {"sec": at_ns // 1_000_000_000, "nsec": at_ns % 1_000_000_000}

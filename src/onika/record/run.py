@@ -1,0 +1,116 @@
+"""What a recording says of its run as a whole: enough to begin the same run again (law 29)."""
+
+import hashlib
+from typing import Any
+
+import msgspec
+from msgspec import Struct, structs
+
+from onika import __version__
+from onika.record.reader import Reader
+from onika.record.writer import Writer
+from onika.wire.event import Result
+from onika.wire.plan import Code
+from onika.wire.request import Begin, Prepare
+
+NOTE, END = "onika", "end"
+_PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
+
+
+class Run(Struct, frozen=True):
+    """What was run, how it was begun, and where."""
+
+    prepare: Prepare
+    begin: Begin
+    rtpus: tuple[str, ...]
+    is_virtual: bool
+    is_fresh: bool
+    """Whether it was the first thing that happened on its runtime, so that a new runtime begins as it did."""
+    began: str
+    """When, on the wall: ISO 8601."""
+    software: str = __version__
+    options: tuple[str, ...] = ()
+    """What its runtime was started with beside, which changes what happens."""
+
+    @property
+    def plan_hash(self) -> str:
+        """SHA-256 of the plan and the targets, code by its digests."""
+        return hashlib.sha256(_bare(self.prepare)).hexdigest()
+
+    def write(self, writer: Writer) -> None:
+        """Put it at the beginning of a recording: the modules as files too, for whoever wants to read them."""
+        writer.note(
+            NOTE,
+            {
+                "version": "1",
+                "application": self.prepare.plan.application,
+                "plan": self.plan_hash,
+                "seed": str(self.begin.seed),
+                "time": "virtual" if self.is_virtual else "wall",
+                "fresh": "yes" if self.is_fresh else "no",
+                "began": self.began,
+                "units": " ".join(self.rtpus),
+                "options": " ".join(self.options),
+                "software": self.software,
+            },
+        )
+        writer.attach(_PLAN, "application/json", _bare(self.prepare))
+        writer.attach(_BEGIN, "application/json", msgspec.json.encode(self.begin))
+        known = [(one.digest, one.module, one.path) for one in self.prepare.plan.code]
+        writer.attach(_CODE, "application/json", msgspec.json.encode(known))
+        for one in self.prepare.plan.code:
+            writer.attach(_file(one.digest), "text/x-python", one.source.encode())
+
+    @classmethod
+    def read(cls, reader: Reader) -> "Run":
+        """Raises ValueError where the file says nothing of a run, or nothing that can be understood."""
+        note = reader.notes.get(NOTE)
+        plan, begin, known = (reader.attachment(name) for name in (_PLAN, _BEGIN, _CODE))
+        if note is None or plan is None or begin is None or known is None:
+            raise ValueError(f"{reader.path}: expected a recording of a run, found none in this file")
+        if note.get("version") != "1":
+            raise ValueError(f"{reader.path}: expected a recording of version 1, found {note.get('version')}")
+        try:
+            code = [_code(reader, *one) for one in msgspec.json.decode(known, type=list[tuple[str, str, str]])]
+            prepare = msgspec.json.decode(plan, type=Prepare)
+            asked = msgspec.json.decode(begin, type=Begin)
+        except msgspec.MsgspecError as wrong:
+            raise ValueError(f"{reader.path}: expected the plan of a run, found something else: {wrong}") from None
+        prepare = structs.replace(prepare, plan=structs.replace(prepare.plan, code=tuple(code)))
+        return cls(
+            prepare,
+            asked,
+            tuple(note.get("units", "").split()),
+            note.get("time") == "virtual",
+            note.get("fresh") == "yes",
+            note.get("began", ""),
+            note.get("software", ""),
+            tuple(note.get("options", "").split()),
+        )
+
+
+def ending(result: Result) -> dict[str, str]:
+    """How it ended, as it is noted at the end of its recording."""
+    return {
+        "completed": "yes" if result.completed else "no",
+        "cause": result.cause,
+        "hash": result.hash,
+        "seconds": f"{result.runtime_s:.9g}",
+        "outside": " ".join(result.outside),
+    }
+
+
+def _code(reader: Reader, digest: str, module: str, path: str) -> Code:
+    source = reader.attachment(_file(digest))
+    if source is None:
+        raise ValueError(f"{reader.path}: expected the source of module {module}, found none")
+    return Code(digest, module, path, source.decode())
+
+
+def _bare(prepare: Prepare) -> bytes:
+    bare: Any = structs.replace(prepare, plan=structs.replace(prepare.plan, code=()))
+    return msgspec.json.encode(bare)
+
+
+def _file(digest: str) -> str:
+    return f"code/{digest}.py"

@@ -1,0 +1,55 @@
+"""What is said in a run beside its variables, as it stands in a recording: events, what was asked, worlds."""
+
+from typing import Any
+
+import msgspec
+from msgspec import Struct
+
+from onika.wire import event, request
+
+EVENTS, COMMANDS, ANSWERS = "/events", "/commands", "/answers"
+
+
+def variable(subsystem: str, name: str) -> str:
+    """The topic of a variable."""
+    return f"/{subsystem}/{name}"
+
+
+def frames(world: str) -> str:
+    """The topic of where the bodies of a world are."""
+    return f"/worlds/{world}/frames"
+
+
+def scene(world: str) -> str:
+    """The topic of what a world consists of."""
+    return f"/worlds/{world}/scene"
+
+
+class Happened(Struct, frozen=True):
+    """An event; `subsystem` is whom it is about, empty: everybody."""
+
+    subsystem: str
+    event: event.Event
+
+
+class Wanted(Struct, frozen=True):
+    """A request that may change the course of the run: after so many turns of the clock at its instant."""
+
+    turn: int
+    session: str
+    request: request.Request
+
+
+def _schema(title: str, **properties: Any) -> bytes:
+    return msgspec.json.encode({"title": title, "type": "object", "properties": properties})
+
+
+_TEXT = {"type": "string"}
+_MESSAGE = {"type": "object", "properties": {"type": _TEXT}}
+HAPPENED, WANTED = "onika.Event", "onika.Request"
+HAPPENED_SCHEMA = _schema(HAPPENED, subsystem=_TEXT, event=_MESSAGE)
+WANTED_SCHEMA = _schema(WANTED, turn={"type": "integer"}, session=_TEXT, request=_MESSAGE)
+
+encode = msgspec.json.Encoder(enc_hook=str).encode
+decode_happened = msgspec.json.Decoder(Happened).decode
+decode_wanted = msgspec.json.Decoder(Wanted).decode

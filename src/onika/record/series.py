@@ -1,0 +1,61 @@
+"""The course of one variable in a recording: at each time at which it changed, its value (X05)."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from onika.record import value
+from onika.record.reader import Reader
+from onika.words.shape import Shape
+
+
+@dataclass(frozen=True, slots=True)
+class Series:
+    """A variable of a recording; it keeps a value until the next one."""
+
+    reader: Reader
+    topic: str
+    subsystem: str
+    name: str
+    unit: str
+    shape: Shape
+
+    @classmethod
+    def all_of(cls, reader: Reader) -> "dict[str, Series]":
+        """Every variable, by `subsystem/NAME`."""
+        found = {}
+        for topic, channel in reader.channels.items():
+            about = channel.metadata
+            if "type" in about and "name" in about:
+                home, name = about.get("subsystem", ""), about["name"]
+                shape = Shape.parse(about["type"])
+                found[f"{home}/{name}"] = cls(reader, topic, home, name, about.get("unit", ""), shape)
+        return dict(sorted(found.items()))
+
+    def at(self, at_ns: int) -> Any:
+        """Its value at a time; None before the first one."""
+        said = self.reader.newest(self.topic, at_ns)
+        return None if said is None else value.decode(said[1], self.shape)
+
+    def values(self, begin_ns: int = 0, end_ns: int = 1 << 63) -> Iterator[tuple[int, Any]]:
+        """Its values from a time to before another, as they came."""
+        for at, body in self.reader.messages(self.topic, begin_ns, end_ns):
+            yield at, value.decode(body, self.shape)
+
+    def flat(self, begin_ns: int = 0, end_ns: int = 1 << 63) -> Iterator[tuple[int, list[Any]]]:
+        """The same, each value as the list of its elements, row by row."""
+        whole = Shape(self.shape.type, (self.shape.count,))
+        for at, body in self.reader.messages(self.topic, begin_ns, end_ns):
+            found = value.decode(body, whole if self.shape.dims else self.shape)
+            yield at, found if isinstance(found, list) else [found]
+
+    @property
+    def labels(self) -> list[str]:
+        """What its elements are called: NAME, NAME[0] …, NAME[1,2] …"""
+        dims = [int(dim) for dim in self.shape.dims]
+        if not dims:
+            return [self.name]
+        places = [""]
+        for size in dims:
+            places = [f"{one},{i}" if one else str(i) for one in places for i in range(size)]
+        return [f"{self.name}[{one}]" for one in places]

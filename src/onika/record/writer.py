@@ -1,0 +1,179 @@
+"""Writes a recording: an MCAP file whose chunks go out often, so that a killed run leaves all but its last moment.
+
+Rare records are written by the MCAP library; messages, of which there are thousands a second, are packed here.
+"""
+
+from array import array
+from collections.abc import Mapping
+from struct import Struct
+from typing import BinaryIO
+from zlib import crc32
+
+import zstandard
+from mcap.data_stream import RecordBuilder
+from mcap.opcode import Opcode
+from mcap.records import (
+    Attachment,
+    AttachmentIndex,
+    Channel,
+    Chunk,
+    ChunkIndex,
+    DataEnd,
+    Footer,
+    Header,
+    McapRecord,
+    Metadata,
+    MetadataIndex,
+    Schema,
+    Statistics,
+    SummaryOffset,
+)
+
+from onika import __version__
+
+MAGIC = b"\x89MCAP0\r\n"
+PROFILE = "onika"
+_FULL = 1 << 18
+"""Bytes of messages after which a chunk goes out in any case."""
+_SAID = int(Opcode.MESSAGE)
+_MESSAGE = Struct("<BQHIQQ")
+_INDEX = Struct("<BQHI")
+_FOOTER = Struct("<BQQQI")
+
+
+class Writer:
+    """Times are nanoseconds since the run's start. `stream` only has to write; it is not closed here.
+
+    Raises OSError where the stream cannot take what is written.
+    """
+
+    def __init__(self, stream: BinaryIO) -> None:
+        self._stream = stream
+        self._at = 0
+        self._schemas: dict[str, Schema] = {}
+        self._channels: dict[str, Channel] = {}
+        self._counts: dict[int, int] = {}
+        self._attachments: list[AttachmentIndex] = []
+        self._notes: list[MetadataIndex] = []
+        self._chunks: list[ChunkIndex] = []
+        self._body = bytearray()
+        self._index: dict[int, array[int]] = {}
+        self._span: tuple[int, int] | None = None
+        self._compress = zstandard.ZstdCompressor(level=1).compress
+        self._put(MAGIC)
+        self._write(Header(PROFILE, f"onika {__version__}"))
+
+    def channel(self, topic: str, title: str, schema: bytes, metadata: Mapping[str, str] | None = None) -> int:
+        """The number of a topic's channel; made at its first mention, with a JSON schema that is called `title`."""
+        if topic not in self._channels:
+            if title not in self._schemas:
+                self._schemas[title] = Schema(len(self._schemas) + 1, schema, "jsonschema", title)
+                self._write(self._schemas[title])
+            number = len(self._channels) + 1
+            self._channels[topic] = Channel(number, topic, "json", dict(metadata or {}), self._schemas[title].id)
+            self._counts[number] = 0
+            self._write(self._channels[topic])
+        return self._channels[topic].id
+
+    def message(self, channel: int, at_ns: int, body: bytes) -> None:
+        """A message of JSON on a channel."""
+        index = self._index.get(channel)
+        if index is None:
+            index = self._index[channel] = array("Q")
+        index.append(at_ns)
+        index.append(len(self._body))
+        count = self._counts[channel]
+        self._counts[channel] = count + 1
+        self._body += _MESSAGE.pack(_SAID, 22 + len(body), channel, count & 0xFFFF_FFFF, at_ns, at_ns)
+        self._body += body
+        if len(self._body) >= _FULL:
+            self.flush()
+
+    def attach(self, name: str, media_type: str, data: bytes) -> None:
+        """A file within the file."""
+        at = self._at
+        self._write(Attachment(0, 0, name, media_type, data))
+        self._attachments.append(AttachmentIndex(at, self._at - at, 0, 0, len(data), name, media_type))
+
+    def note(self, name: str, words: Mapping[str, str]) -> None:
+        """Words about the recording, by key."""
+        at = self._at
+        self._write(Metadata(name, dict(words)))
+        self._notes.append(MetadataIndex(at, self._at - at, name))
+
+    def flush(self) -> None:
+        """Let out what was said since the last time, as a chunk of its own."""
+        if not self._body:
+            return
+        body, index = bytes(self._body), self._index
+        self._body, self._index = bytearray(), {}
+        first = min(min(one[::2]) for one in index.values())
+        last = max(max(one[::2]) for one in index.values())
+        packed, at = self._compress(body), self._at
+        self._write(Chunk("zstd", packed, last, first, crc32(body), len(body)))
+        length, offsets, parts, end = self._at - at, {}, [], self._at
+        for channel, one in index.items():
+            entries = one.tobytes()
+            parts += [_INDEX.pack(Opcode.MESSAGE_INDEX, 6 + len(entries), channel, len(entries)), entries]
+            offsets[channel] = end
+            end += _INDEX.size + len(entries)
+        self._put(b"".join(parts))
+        self._chunks.append(
+            ChunkIndex(length, at, "zstd", len(packed), last, end - at - length, offsets, first, len(body))
+        )
+        self._span = (first, last) if self._span is None else (min(first, self._span[0]), max(last, self._span[1]))
+
+    def finish(self) -> None:
+        """The summary, by which readers find their way; nothing is written after it."""
+        self.flush()
+        self._write(DataEnd(0))
+        summary, start, offsets = RecordBuilder(), self._at, RecordBuilder()
+        groups: list[tuple[Opcode, list[McapRecord]]] = [
+            (Opcode.SCHEMA, list(self._schemas.values())),
+            (Opcode.CHANNEL, list(self._channels.values())),
+            (Opcode.STATISTICS, [self._statistics()]),
+            (Opcode.CHUNK_INDEX, list(self._chunks)),
+            (Opcode.ATTACHMENT_INDEX, list(self._attachments)),
+            (Opcode.METADATA_INDEX, list(self._notes)),
+        ]
+        for opcode, records in groups:
+            at = summary.count
+            for one in records:
+                one.write(summary)
+            if records:
+                SummaryOffset(int(opcode), start + at, summary.count - at).write(offsets)
+        body = _taken(summary)
+        offsets_at = start + len(body)
+        body += _taken(offsets)
+        footer = _FOOTER.pack(Opcode.FOOTER, 20, start, offsets_at, 0)[:-4]
+        self._put(body)
+        self._write(Footer(start, offsets_at, crc32(footer, crc32(body))))
+        self._put(MAGIC)
+
+    def _statistics(self) -> Statistics:
+        first, last = self._span or (0, 0)
+        return Statistics(
+            attachment_count=len(self._attachments),
+            channel_count=len(self._channels),
+            channel_message_counts=dict(self._counts),
+            chunk_count=len(self._chunks),
+            message_count=sum(self._counts.values()),
+            message_end_time=last,
+            message_start_time=first,
+            metadata_count=len(self._notes),
+            schema_count=len(self._schemas),
+        )
+
+    def _write(self, record: McapRecord) -> None:
+        builder = RecordBuilder()
+        record.write(builder)
+        self._put(_taken(builder))
+
+    def _put(self, data: bytes) -> None:
+        self._stream.write(data)
+        self._at += len(data)
+
+
+def _taken(builder: RecordBuilder) -> bytes:
+    data: bytes = builder.end()  # type: ignore[no-untyped-call]
+    return data

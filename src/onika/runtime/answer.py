@@ -1,0 +1,73 @@
+"""The answer of an outside partner: what it holds is believed only after it was looked at (F04)."""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from onika.runtime.module import ModuleError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+_SHOWN = 60  # characters of a wrong value in a message
+
+
+class Answer:
+    """The fields of one answer. Each way to read one raises ModuleError that says what was expected and found."""
+
+    def __init__(self, fields: Mapping[str, Any]) -> None:
+        self.fields = fields
+        """As they came: of any type and any size up to a line's, and not to be trusted."""
+
+    def numbers(
+        self, name: str, shape: tuple[int | None, ...] = (), low: Any = -math.inf, high: Any = math.inf
+    ) -> "NDArray[np.float64]":
+        """Finite real numbers of this shape (None: any count) within the bounds, which may be vectors too."""
+        found = self._field(name)
+        wanted = "×".join("any" if count is None else str(count) for count in shape) or "one"
+        try:
+            if not _is_plain(found, len(shape)):
+                raise ValueError
+            array = np.array(found, dtype=np.float64)
+        except (ValueError, TypeError, OverflowError):
+            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(found)}") from None
+        if array.size == 0 and None in shape:
+            array = array.reshape([count or 0 for count in shape])
+        fits = array.ndim == len(shape) and all(n in (m, None) for m, n in zip(array.shape, shape, strict=True))
+        if not fits or not np.isfinite(array).all():
+            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(found)}")
+        if ((array < low) | (array > high)).any():
+            raise ModuleError(f"expected {name} within {low} to {high}, found {_short(found)}")
+        return array
+
+    def number(self, name: str, low: float = -math.inf, high: float = math.inf) -> float:
+        """One finite real number within the bounds."""
+        return float(self.numbers(name, (), low, high))
+
+    def text(self, name: str, longest: int = 255) -> str:
+        """A text of at most so many characters."""
+        found = self._field(name)
+        if not isinstance(found, str) or len(found) > longest:
+            raise ModuleError(f"expected {name}, a text of up to {longest} characters, found {_short(found)}")
+        return found
+
+    def _field(self, name: str) -> Any:
+        if name not in self.fields:
+            raise ModuleError(
+                f"expected {name} in the answer, found {', '.join(map(_short, self.fields)) or 'nothing'}"
+            )
+        return self.fields[name]
+
+
+def _is_plain(value: Any, depth: int) -> bool:
+    """Whether it is numbers in lists so deep: NumPy alone would take texts and truth values for numbers."""
+    if depth == 0:
+        return type(value) in (int, float)
+    return isinstance(value, list) and all(_is_plain(one, depth - 1) for one in value)
+
+
+def _short(value: Any) -> str:
+    text = str(value)
+    return text if len(text) <= _SHOWN else text[:_SHOWN] + "…"

@@ -1,0 +1,50 @@
+"""Where an outside partner listens: `unix:PATH` or `tcp:HOST:PORT` (F04)."""
+
+import socket
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class PartnerAddress:
+    """An address that can be connected to without asking anybody: names of machines were looked up when it was read."""
+
+    words: str
+    family: int
+    place: str | tuple[str, int]
+
+    @classmethod
+    def parse(cls, words: str) -> "PartnerAddress":
+        """Raises ValueError that says what was expected. To look a name up may take long: not for a cycle."""
+        kind, _, rest = words.partition(":")
+        host, _, port = rest.rpartition(":")
+        if kind == "unix" and rest:
+            return cls(words, socket.AF_UNIX, rest)
+        if kind == "tcp" and host and port.isdecimal() and 0 < int(port) < 65536:
+            try:
+                found = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM)
+            except OSError as wrong:
+                raise ValueError(f"expected the name of a machine, found {host}: {wrong.strerror}") from None
+            family, _, _, _, place = found[0]
+            return cls(words, family, place)  # type: ignore[arg-type]
+        raise ValueError(f"expected unix:PATH or tcp:HOST:PORT, found {words}")
+
+    def call(self) -> tuple[socket.socket, bool]:
+        """A connection and whether it stands already; else it stands, or not, when it can be written.
+
+        Raises OSError where nobody listens.
+        """
+        line = socket.socket(self.family, socket.SOCK_STREAM)
+        line.setblocking(False)
+        try:
+            if self.family != socket.AF_UNIX:
+                line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+            line.connect(self.place)
+        except BlockingIOError:
+            if self.family == socket.AF_UNIX:  # it listens, and takes nobody any more
+                line.close()
+                raise
+            return line, False
+        except OSError:
+            line.close()
+            raise
+        return line, True

@@ -1,0 +1,108 @@
+"""An outside partner that a test leads by the hand, in the same thread: it does only what it is told, when it is told.
+
+outsider = Outsider(tmp_path)
+partner = Partner(outsider.address)
+partner.ask("path")
+call = outsider.accept()
+call.answer(call.read(), via=[])
+"""
+
+import json
+import select
+import socket
+from pathlib import Path
+from time import monotonic
+from typing import Any, Self
+
+from onika.runtime.partner import Partner
+
+_PATIENCE_S = 5.0
+
+
+class Call:
+    """One connection of a task, seen from the partner's side."""
+
+    def __init__(self, line: socket.socket) -> None:
+        self._line = line
+        line.settimeout(_PATIENCE_S)
+        self._lines = line.makefile("rb")
+
+    def read(self) -> dict[str, Any]:
+        """The next question."""
+        asked: dict[str, Any] = json.loads(self._lines.readline())
+        return asked
+
+    def answer(self, asked: dict[str, Any], **fields: Any) -> Self:
+        """Answer it as one should."""
+        return self.say(json.dumps({"id": asked["id"], **fields}).encode() + b"\n")
+
+    def say(self, data: bytes) -> Self:
+        """Say anything."""
+        self._line.sendall(data)
+        return self
+
+    def has_ended(self) -> bool:
+        """Whether the task has hung up."""
+        if not select.select([self._line], [], [], 0.0)[0]:
+            return False
+        try:
+            return self._line.recv(1, socket.MSG_PEEK) == b""
+        except ConnectionError:
+            return True
+
+    def close(self) -> None:
+        """Hang up."""
+        self._lines.close()
+        self._line.close()
+
+
+class Outsider:
+    """Listens in this folder as soon as it is made, or only after `open`."""
+
+    def __init__(self, folder: Path, listens: bool = True) -> None:
+        self._path = folder / "partner"
+        self.address = f"unix:{self._path}"
+        self._server: socket.socket | None = None
+        self._calls: list[Call] = []
+        if listens:
+            self.open()
+
+    def open(self) -> None:
+        """Listen."""
+        self._server = socket.socket(socket.AF_UNIX)
+        self._server.bind(str(self._path))
+        self._server.listen()
+        self._server.settimeout(_PATIENCE_S)
+
+    def accept(self) -> Call:
+        """The next call; raises TimeoutError where nobody calls."""
+        if self._server is None:
+            raise RuntimeError("expected an outsider that listens: open it first")
+        self._calls.append(Call(self._server.accept()[0]))
+        return self._calls[-1]
+
+    def close(self) -> None:
+        """Hang up everywhere, and listen no more."""
+        for call in self._calls:
+            call.close()
+        self._calls.clear()
+        if self._server is not None:
+            self._server.close()
+            self._path.unlink()
+            self._server = None
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+
+def wait(partner: Partner, most_s: float = _PATIENCE_S) -> bool:
+    """Wait until something has come of the partner's question, as an executive does; gives what `has_answered` says."""
+    until = monotonic() + most_s
+    while monotonic() < until:
+        select.select([partner], [], [], until - monotonic())
+        if partner.has_answered():
+            return True
+    return False

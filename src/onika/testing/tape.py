@@ -1,0 +1,82 @@
+"""A recording for tests, written by hand: a run of one flow, what was said and what its variables were.
+
+tape = Tape(path)
+tape.variable("X", "double", (0.0, 1.0), (0.5, 2.0))
+tape.tell(0.1, event.Began(0, 0, 1, "go", 0.1))
+reader = tape.end()
+"""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from onika.record import said, value
+from onika.record.reader import Reader
+from onika.record.run import END, Run
+from onika.record.writer import Writer
+from onika.testing.rail import rail
+from onika.testing.workshop import action
+from onika.wire import event, request
+from onika.words.shape import Shape
+
+
+def run(seed: int = 3, **other: Any) -> Run:
+    """A run of two actions in flow0."""
+    goals = [action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")]
+    prepare = request.Prepare(rail().plan(goals), ())
+    settings = {"is_virtual": True, "is_fresh": True, **other}
+    return Run(prepare, request.Begin(seed=seed), ("rt0",), began="2026-01-02T03:04:05+00:00", **settings)
+
+
+class Tape:
+    """Times are seconds."""
+
+    def __init__(self, path: Path, recorded: Run | None = None) -> None:
+        self.path = path
+        self._stream = path.open("wb")
+        self._writer = Writer(self._stream)
+        (recorded or run()).write(self._writer)
+
+    def variable(self, name: str, type_: str, *course: tuple[float, Any], unit: str = "", home: str = "flow0") -> None:
+        """A variable and its values."""
+        shape = Shape.parse(type_)
+        about = {"subsystem": home, "name": name, "type": type_, "unit": unit}
+        schema = (value.title(shape, unit), value.schema(shape, unit))
+        channel = self._writer.channel(said.variable(home, name), *schema, about)
+        for at_s, one in course:
+            data = np.array(one, dtype=shape.type.code).tobytes()
+            self._writer.message(channel, _ns(at_s), value.encoder(shape)(data))
+
+    def tell(self, at_s: float, one: event.Event, subsystem: str = "flow0") -> None:
+        """An event."""
+        body = said.encode(said.Happened(subsystem, one))
+        self._writer.message(self._writer.channel(said.EVENTS, said.HAPPENED, said.HAPPENED_SCHEMA), _ns(at_s), body)
+
+    def ask(self, at_s: float, asked: request.Request, turn: int = 1) -> None:
+        """Something that was asked."""
+        topic = said.ANSWERS if isinstance(asked, request.Reply) else said.COMMANDS
+        channel = self._writer.channel(topic, said.WANTED, said.WANTED_SCHEMA)
+        self._writer.message(channel, _ns(at_s), said.encode(said.Wanted(turn, "me", asked)))
+
+    def show(self, at_s: float, topic: str, title: str, schema: bytes, body: bytes) -> None:
+        """Any other message."""
+        self._writer.message(self._writer.channel(topic, title, schema), _ns(at_s), body)
+
+    def cut(self) -> Reader:
+        """Leave it as a killed runtime does."""
+        self._writer.flush()
+        self._stream.close()
+        return Reader(self.path)
+
+    def end(self, **words: str) -> Reader:
+        """Finish it; how the run ended."""
+        self._writer.flush()
+        self._writer.note(END, words)
+        self._writer.finish()
+        self._stream.close()
+        return Reader(self.path)
+
+
+def _ns(at_s: float) -> int:
+    return round(at_s * 1e9)

@@ -1,0 +1,205 @@
+"""What a user does in the environment, as the page or anybody else sends it; the desk answers each exactly once.
+
+`doc` is the id of an open document, `tasks` are names of tasks on its canvas, coordinates are pixels of the canvas.
+An act that would touch hardware or lose something is refused first, with the same act `confirmed` as its remedy.
+"""
+
+from onika.wire.act.application import (
+    AddFlow as AddFlow,
+    CopyIcons as CopyIcons,
+    CutIcons as CutIcons,
+    EditIcon as EditIcon,
+    ExchangeIcon as ExchangeIcon,
+    InsertBranch as InsertBranch,
+    InsertIcon as InsertIcon,
+    MoveIcons as MoveIcons,
+    NewApplication as NewApplication,
+    PasteIcons as PasteIcons,
+    RemoveFlow as RemoveFlow,
+    RemoveIcons as RemoveIcons,
+    RemoveLoop as RemoveLoop,
+    SetBreakpoint as SetBreakpoint,
+    SetConditions as SetConditions,
+    SetLoop as SetLoop,
+    SetParallel as SetParallel,
+    SetSynchTag as SetSynchTag,
+    Steps as Steps,
+    Values as Values,
+)
+from onika.wire.act.base import Act as Act, Names as Names, Point as Point
+from onika.wire.act.canvas import (
+    Align as Align,
+    Check as Check,
+    Copy as Copy,
+    Cut as Cut,
+    Exchange as Exchange,
+    Flip as Flip,
+    Group as Group,
+    Insert as Insert,
+    Move as Move,
+    Paste as Paste,
+    Place as Place,
+    Rate as Rate,
+    Remove as Remove,
+    SaveGroup as SaveGroup,
+    Show as Show,
+    TurnGroup as TurnGroup,
+    Ungroup as Ungroup,
+    Unit as Unit,
+)
+from onika.wire.act.dictionary import (
+    CloseDictionary as CloseDictionary,
+    EditOnikon as EditOnikon,
+    MakeTarget as MakeTarget,
+    OpenDictionary as OpenDictionary,
+    RemoveOnikon as RemoveOnikon,
+    Teach as Teach,
+)
+from onika.wire.act.document import (
+    Close as Close,
+    Keep as Keep,
+    New as New,
+    Open as Open,
+    OpenInPlace as OpenInPlace,
+    Peek as Peek,
+    Redo as Redo,
+    Reload as Reload,
+    Save as Save,
+    Undo as Undo,
+)
+from onika.wire.act.job import Draft as Draft, MakeJob as MakeJob
+from onika.wire.act.library import (
+    Alias as Alias,
+    CloseLibrary as CloseLibrary,
+    ForgetTask as ForgetTask,
+    LibraryRate as LibraryRate,
+    Local as Local,
+    OpenLibrary as OpenLibrary,
+    ReadText as ReadText,
+    SaveTask as SaveTask,
+    WriteText as WriteText,
+)
+from onika.wire.act.own import Halt as Halt, Note as Note, Prefer as Prefer, Press as Press, SetButton as SetButton
+from onika.wire.act.run import (
+    Dismiss as Dismiss,
+    Redirect as Redirect,
+    Run as Run,
+    Seats as Seats,
+    SkipTo as SkipTo,
+    StartAnew as StartAnew,
+    Steer as Steer,
+)
+from onika.wire.act.running import (
+    Answer as Answer,
+    Clear as Clear,
+    Connect as Connect,
+    Decline as Decline,
+    Disconnect as Disconnect,
+    Hand as Hand,
+    OnlyWatch as OnlyWatch,
+    Reinit as Reinit,
+    Release as Release,
+    Renew as Renew,
+    Reset as Reset,
+    Scene as Scene,
+    Stop as Stop,
+    Take as Take,
+    Toggle as Toggle,
+    Turn as Turn,
+    Watch as Watch,
+)
+
+AnyAct = (
+    New
+    | Open
+    | OpenInPlace
+    | Peek
+    | Close
+    | Save
+    | Reload
+    | Keep
+    | Undo
+    | Redo
+    | Place
+    | Exchange
+    | Remove
+    | Move
+    | Flip
+    | Align
+    | Show
+    | Copy
+    | Cut
+    | Paste
+    | Group
+    | Ungroup
+    | SaveGroup
+    | Insert
+    | TurnGroup
+    | Rate
+    | Unit
+    | Check
+    | OpenLibrary
+    | CloseLibrary
+    | Alias
+    | LibraryRate
+    | Local
+    | SaveTask
+    | ForgetTask
+    | ReadText
+    | WriteText
+    | Connect
+    | Disconnect
+    | Turn
+    | Toggle
+    | Clear
+    | Reinit
+    | Renew
+    | Answer
+    | Stop
+    | Reset
+    | Take
+    | Release
+    | Hand
+    | Decline
+    | OnlyWatch
+    | Watch
+    | Scene
+    | Draft
+    | MakeJob
+    | Prefer
+    | Press
+    | Halt
+    | SetButton
+    | Note
+    | NewApplication
+    | InsertIcon
+    | InsertBranch
+    | SetConditions
+    | ExchangeIcon
+    | RemoveIcons
+    | MoveIcons
+    | CopyIcons
+    | CutIcons
+    | PasteIcons
+    | EditIcon
+    | SetBreakpoint
+    | SetSynchTag
+    | SetLoop
+    | RemoveLoop
+    | AddFlow
+    | RemoveFlow
+    | SetParallel
+    | OpenDictionary
+    | CloseDictionary
+    | MakeTarget
+    | EditOnikon
+    | RemoveOnikon
+    | Teach
+    | Run
+    | Redirect
+    | Seats
+    | Steer
+    | SkipTo
+    | Dismiss
+    | StartAnew
+)

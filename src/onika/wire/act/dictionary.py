@@ -1,0 +1,56 @@
+"""What a user does to dictionaries, their icons and their targets."""
+
+from onika.wire.act.application import Values
+from onika.wire.act.base import Act
+
+
+class OpenDictionary(Act, frozen=True):
+    """Add the dictionary of a base directory to those that are open."""
+
+    path: str
+
+
+class CloseDictionary(Act, frozen=True):
+    """Close a dictionary; what is placed stays."""
+
+    dictionary: str
+
+
+class MakeTarget(Act, frozen=True):
+    """Write a new target, or an icon that does nothing, into a dictionary (D08); `picture` is 1024 digits."""
+
+    name: str
+    type: str
+    values: Values
+    picture: str
+    description: str = ""
+    base: str = ""
+    """Empty: the user's own base directory."""
+    overwrites: bool = False
+
+
+class EditOnikon(Act, frozen=True):
+    """Change an icon of a dictionary; icons already placed stay as they are (D05). What is None stays."""
+
+    onikon: str
+    description: str | None = None
+    values: Values | None = None
+    picture: str | None = None
+    base: str = ""
+    """Where a copy of it is saved in its place; empty: where it is."""
+    overwrites: bool = False
+
+
+class RemoveOnikon(Act, frozen=True):
+    """Delete the file of an icon; what is placed stays."""
+
+    onikon: str
+    confirmed: bool = False
+
+
+class Teach(Act, frozen=True):
+    """Ask for what the robot measures now, as the values of a type of target (D13); replied by `view.TaughtView`."""
+
+    type: str
+    subsystem: str = ""
+    """Where several measure it; empty: the one of an open configuration, else the first."""

@@ -1,0 +1,72 @@
+"""What a user does to libraries and to their tasks."""
+
+from typing import Literal
+
+from onika.wire.act.base import Act, Names
+
+
+class OpenLibrary(Act, frozen=True):
+    """Add a base directory to the libraries that are open."""
+
+    path: str
+
+
+class CloseLibrary(Act, frozen=True):
+    """Close a library; what is placed stays."""
+
+    library: str
+
+
+class Alias(Act, frozen=True):
+    """Give the state variable behind a coded name; an empty one means the coded name (C04, C23)."""
+
+    task: str
+    pin: str
+    svar: str
+    doc: str = ""
+    """Where it was done, whose Undo takes it back."""
+
+
+class LibraryRate(Act, frozen=True):
+    """A task's rate in Hz for later placements of this session (decision 10)."""
+
+    task: str
+    hz: float
+
+
+class Local(Act, frozen=True):
+    """The LOCAL lines of a task, each a key and its words."""
+
+    task: str
+    lines: tuple[tuple[str, Names], ...]
+    doc: str = ""
+
+
+class SaveTask(Act, frozen=True):
+    """Write what was changed of a task to its `.rmod`."""
+
+    task: str
+    overwrites: bool = False
+
+
+class ForgetTask(Act, frozen=True):
+    """Take a task as its file says again."""
+
+    task: str
+
+
+class ReadText(Act, frozen=True):
+    """Ask for the text of a task's `.rmod` or of its module's code; replied by `view.TextView`."""
+
+    task: str
+    kind: Literal["rmod", "code"]
+
+
+class WriteText(Act, frozen=True):
+    """Save such a text where the file is still what was read (`stamp`), and tell its faults."""
+
+    task: str
+    kind: Literal["rmod", "code"]
+    text: str
+    stamp: str
+    overwrites: bool = False

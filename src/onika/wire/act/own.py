@@ -1,0 +1,42 @@
+"""What a user does to what is his own: preferences, buttons, diary."""
+
+from typing import Any
+
+from onika.wire.act.base import Act
+
+
+class Prefer(Act, frozen=True):
+    """Change preferences, by their names (§A.5); replied with those refused."""
+
+    values: dict[str, Any]
+
+
+class Press(Act, frozen=True):
+    """Run the command of a user's button."""
+
+    name: str
+
+
+class Halt(Act, frozen=True):
+    """End the command of a user's button."""
+
+    name: str
+
+
+class SetButton(Act, frozen=True):
+    """Add a button or change it; an empty command removes it."""
+
+    name: str
+    command: str
+    spawns_terminal: bool = False
+
+
+class Note(Act, frozen=True):
+    """What the page alone knows of: a selection, a view opened (H01); into the diary, no step."""
+
+    event: str
+    object: str = ""
+    id: str = ""
+    associated: str = ""
+    associated_id: str = ""
+    window: str = ""

@@ -1,0 +1,58 @@
+"""What a user does to run an application; a question of it is answered by `Answer`, its task as `SUBSYSTEM/TASK`."""
+
+from onika.wire.act.base import Act
+
+
+class Run(Act, frozen=True):
+    """Run an application as it is here, on the runtime of this environment; one at a time.
+
+    Refused with all its faults at once. What must end first, and what has changed and is not saved, is told before.
+    """
+
+    doc: str
+    confirmed: bool = False
+    """Whether tasks that are in the way may be ended (decision 30)."""
+    ignores_unsaved: bool = False
+    """Whether configurations run as their files say, although they were changed here."""
+    passes_breakpoints: bool = False
+    saves_unsaved: bool = False
+    """Whether configurations that it uses and that were changed here are saved first."""
+
+
+class Redirect(Act, frozen=True):
+    """Let another task stand for one while this application is open; its file stays as it is (E09)."""
+
+    doc: str
+    flow: str
+    """The subsystem of the flow, `flow0`; empty: every flow."""
+    old: str
+    new: str
+    """Empty: as it was."""
+
+
+class Seats(Act, frozen=True):
+    """Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`."""
+
+    doc: str
+
+
+class Steer(Act, frozen=True):
+    """A line of steering, in the words of `desk.steering`: `pause 0`, `skip 1 3`, `abort`."""
+
+    line: str
+
+
+class SkipTo(Act, frozen=True):
+    """Send the flow of a step to it at once; nothing between is carried out (E13)."""
+
+    step: int
+
+
+class Dismiss(Act, frozen=True):
+    """Put away what is shown of a run that is over."""
+
+
+class StartAnew(Act, frozen=True):
+    """End the runtime of this environment with all that lives there, and start it again: the workcell as it was."""
+
+    confirmed: bool = False

@@ -1,0 +1,124 @@
+"""What a user does in the running system."""
+
+from onika.wire.act.base import Act, Names
+
+
+class Connect(Act, frozen=True):
+    """Connect a configuration with a runtime: merge it with what runs there (C12, C18).
+
+    url     empty: the runtime of this environment
+    """
+
+    doc: str
+    url: str = ""
+    token: str = ""
+    subsystem: str = ""
+    confirmed: bool = False
+
+
+class Disconnect(Act, frozen=True):
+    """Leave what runs as it is, and go on unconnected."""
+
+    doc: str
+
+
+class Turn(Act, frozen=True):
+    """Turn tasks ON or OFF."""
+
+    doc: str
+    tasks: Names
+    is_on: bool
+    arguments: str = ""
+    confirmed: bool = False
+
+
+class Toggle(Act, frozen=True):
+    """ON to OFF and back; a task in ERROR is cleared (C11)."""
+
+    doc: str
+    task: str
+
+
+class Clear(Act, frozen=True):
+    """Bring a task out of ERROR, and on again where that is wanted."""
+
+    doc: str
+    task: str
+    turns_on: bool = False
+
+
+class Reinit(Act, frozen=True):
+    """Initialise a task anew, and all that need its constants."""
+
+    doc: str
+    task: str
+
+
+class Renew(Act, frozen=True):
+    """Exchange the code of a living task for what its file says now; on failure the old one stays (law 21)."""
+
+    doc: str
+    task: str
+
+
+class Answer(Act, frozen=True):
+    """Answer what a task asks, in the words of an argument line (C13)."""
+
+    doc: str
+    task: str
+    line: str
+
+
+class Stop(Act, frozen=True):
+    """Stop everything: every drive holds (law 27). Always carried out first, never refused."""
+
+
+class Reset(Act, frozen=True):
+    """After a Stop: allow motion again."""
+
+
+class Take(Act, frozen=True):
+    """Become the holder of a document's subsystem."""
+
+    doc: str
+
+
+class Release(Act, frozen=True):
+    """Let another become the holder."""
+
+    doc: str
+
+
+class Hand(Act, frozen=True):
+    """Offer a document's subsystem to another session, which takes it or not; to nobody: offer it no more."""
+
+    doc: str
+    to: str = ""
+
+
+class Decline(Act, frozen=True):
+    """Say no to what is offered of a document's subsystem; a yes is Take."""
+
+    doc: str
+
+
+class OnlyWatch(Act, frozen=True):
+    """From now on this environment changes nothing in the runtime that it is connected with; stopping stays."""
+
+
+class Watch(Act, frozen=True):
+    """What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks.
+
+    Of a run, variables are `DOC/SUBSYSTEM/NAME`, or `DOC/NAME` for the first flow that has it.
+    """
+
+    variables: Names = ()
+    worlds: Names = ()
+    figures: bool = False
+    hz: float = 30.0
+
+
+class Scene(Act, frozen=True):
+    """Ask for what a world consists of; replied with it."""
+
+    world: str

@@ -1,0 +1,51 @@
+"""What a page shows, as plain values: the tree that every browser holds a copy of; the desk alone makes it.
+
+Maps are keyed and have no order of their own: where order counts, a value says its place. Absent is "nothing".
+"""
+
+from onika.wire.view.application import (
+    AppFlowView as AppFlowView,
+    ApplicationFile as ApplicationFile,
+    ApplicationView as ApplicationView,
+    FaultView as FaultView,
+    RedirectView as RedirectView,
+    StepView as StepView,
+)
+from onika.wire.view.asking import AskItem as AskItem, AskView as AskView, ErrorView as ErrorView
+from onika.wire.view.base import Reason as Reason, Remedy as Remedy, View as View
+from onika.wire.view.dictionary import (
+    DictionaryView as DictionaryView,
+    ItemView as ItemView,
+    OnikonView as OnikonView,
+    Role as Role,
+    TaughtView as TaughtView,
+    TypeView as TypeView,
+)
+from onika.wire.view.document import (
+    DocumentView as DocumentView,
+    GroupView as GroupView,
+    LocusView as LocusView,
+    PlacedView as PlacedView,
+    ProblemView as ProblemView,
+    State as State,
+)
+from onika.wire.view.library import LibraryView as LibraryView, PinView as PinView, TaskView as TaskView
+from onika.wire.view.reply import (
+    CandidateView as CandidateView,
+    DraftView as DraftView,
+    PeekIcon as PeekIcon,
+    PeekView as PeekView,
+    SeatsView as SeatsView,
+    SeatView as SeatView,
+    TextView as TextView,
+)
+from onika.wire.view.run import (
+    CourseView as CourseView,
+    FlowRunView as FlowRunView,
+    MeetView as MeetView,
+    RunView as RunView,
+    StepRunView as StepRunView,
+    StopView as StopView,
+)
+from onika.wire.view.runtime import RuntimeView as RuntimeView, SessionView as SessionView, UnitView as UnitView
+from onika.wire.view.tree import ButtonView as ButtonView, ConfigurationFile as ConfigurationFile, Tree as Tree

@@ -1,0 +1,103 @@
+"""An open application, as a page shows it: flows of steps, joined by their edges."""
+
+from typing import Literal
+
+from msgspec import field
+
+from onika.wire.view.base import Remedy, View
+from onika.wire.view.dictionary import Role
+
+
+class StepView(View, frozen=True):
+    """An icon, hole or branch in a flow, with its marks."""
+
+    kind: Literal["icon", "hole", "branch"] = "icon"
+    left: str = ""
+    """The edges it shows, by their keys in `Tree.edges`; a hole those that it must satisfy."""
+    right: str = ""
+    name: str = ""
+    type: str = ""
+    role: Role = ""
+    picture: str = ""
+    """Its key in `Tree.pictures`."""
+    description: str = ""
+    words: dict[str, str] = field(default_factory=dict)
+    """Descriptions in other languages, by their codes."""
+    values: tuple[tuple[str, ...], ...] = ()
+    is_joined: bool = False
+    """Whether it belongs to the action before it: its target, or the hole for it."""
+    wants: tuple[str, ...] = ()
+    """Of a hole: the types of the targets that are missing there; none where an action is."""
+    breaks: bool = False
+    break_if: str = ""
+    synch_tag: str = ""
+    loop: str = ""
+    is_test: bool = False
+    loop_if: str = ""
+    conditions: tuple[str, ...] = ()
+    """Of a branch."""
+    flows: tuple[str, ...] = ()
+    """Of a branch: the paths of its flows."""
+    note: str = ""
+    """What became of it in the last run and is worth a mark: its target was re-resolved for another robot."""
+
+
+class AppFlowView(View, frozen=True):
+    """A flow: the numbers of its steps in order, without start and end."""
+
+    steps: tuple[int, ...] = ()
+    end: str = ""
+    """The edge that its end icon wants."""
+    start: str = ""
+    """The edge of its start icon."""
+
+
+class RedirectView(View, frozen=True):
+    """A task that stands for another one in a flow, by its subsystem, or in all of them."""
+
+    old: str
+    new: str
+    flow: str = ""
+
+
+class FaultView(View, frozen=True):
+    """Something that keeps an application from running, or is worth knowing; `step` is where, 0: nowhere in it."""
+
+    text: str
+    level: Literal["fault", "warning"] = "fault"
+    step: int = 0
+    remedies: tuple[Remedy, ...] = ()
+
+
+class ApplicationView(View, frozen=True):
+    """An open application."""
+
+    name: str
+    order: int
+    path: str = ""
+    base: str = ""
+    is_dirty: bool = False
+    has_changed_on_disk: bool = False
+    undo: str = ""
+    redo: str = ""
+    is_parallel: bool = False
+    flows: dict[str, AppFlowView] = field(default_factory=dict)
+    """By their paths; those of branches too."""
+    steps: dict[str, StepView] = field(default_factory=dict)
+    """By their numbers."""
+    holes: int = 0
+    faults: dict[str, FaultView] = field(default_factory=dict)
+    is_judged: bool = False
+    """Whether `faults` are those of what is here now; they come a moment later than a change."""
+    is_running: bool = False
+    redirects: tuple[RedirectView, ...] = ()
+
+
+class ApplicationFile(View, frozen=True):
+    """An application that could be opened."""
+
+    name: str
+    base: str
+    path: str
+    flows: int = 0
+    icons: int = 0

@@ -1,0 +1,88 @@
+"""Dictionaries, their icons and the types of these, as a page shows them."""
+
+from typing import Any, Literal
+
+from msgspec import field
+
+from onika.wire.view.base import View
+
+Role = Literal["", "job", "application", "target", "nop", "start", "end"]
+
+
+class ItemView(View, frozen=True):
+    """A datum of a target; unit and bounds are those of the task that takes it, where one is known."""
+
+    name: str
+    type: str
+    count: int
+    unit: str = ""
+    meaning: str = ""
+    low: tuple[float, ...] | None = None
+    high: tuple[float, ...] | None = None
+    default: tuple[Any, ...] | None = None
+    dimension: str = ""
+    """The constant that says how many values there are, `count` being what is usual; empty: it is `count`."""
+
+
+class TypeView(View, frozen=True):
+    """A type of icon of the syntax definition."""
+
+    order: int
+    role: Role
+    left: str
+    """Its edges, by their keys in `Tree.edges`."""
+    right: str
+    items: tuple[ItemView, ...] = ()
+    takes: str = ""
+    """The type of the target behind it."""
+
+
+class DictionaryView(View, frozen=True):
+    """An open dictionary."""
+
+    name: str
+    path: str
+    """Of its base directory."""
+    order: int
+    onikons: int
+    faults: tuple[str, ...] = ()
+    is_shipped: bool = False
+
+
+class OnikonView(View, frozen=True):
+    """An icon of a dictionary."""
+
+    type: str
+    role: Role
+    order: int
+    """In its dictionary: grouped by type."""
+    dictionary: str
+    """The path of its base directory."""
+    left: str
+    right: str
+    picture: str
+    """Its key in `Tree.pictures`."""
+    description: str = ""
+    words: dict[str, str] = field(default_factory=dict)
+    """Descriptions in other languages, by their codes."""
+    values: tuple[tuple[str, ...], ...] = ()
+    takes: tuple[str, ...] = ()
+    """The types of the targets that follow it."""
+    path: str = ""
+    source: str = ""
+    """The file of the configuration or application behind it."""
+    trouble: str = ""
+    """Why it cannot run: what it stands for is missing, or makes another type of icon now (decision 36)."""
+
+
+class TaughtView(View, frozen=True):
+    """What is measured now, as the values of a target."""
+
+    values: dict[str, tuple[float, ...]]
+    """By item; those that nothing measures are left out (D23)."""
+    source: str = ""
+    """What was read, in words."""
+    subsystem: str = ""
+    """Where it was read."""
+    others: tuple[str, ...] = ()
+    """The other subsystems that measure it."""

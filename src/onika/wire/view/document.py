@@ -1,0 +1,92 @@
+"""An open configuration, as a page shows it."""
+
+from typing import Literal
+
+from msgspec import field
+
+from onika.wire.view.asking import AskView, ErrorView
+from onika.wire.view.base import Reason, Remedy, View
+
+State = Literal["", "OFF", "ON", "ASKING", "WAITING", "ERROR", "SPAWNING", "KILLING"]
+"""A task's state; empty where nothing is connected."""
+
+
+class PlacedView(View, frozen=True):
+    """A task on a canvas."""
+
+    x: int
+    y: int
+    in_left: bool = True
+    hz: float = 0.0
+    """Its rate here; 0: as the library says."""
+    rtpu: str = "unknown"
+    state: State = ""
+    note: str = ""
+    """A word on its state: why it waits, what is being done."""
+    is_missing: bool = False
+    """Whether no open library knows it."""
+    ask: AskView | None = None
+    error: ErrorView | None = None
+    warnings: int = 0
+
+
+class LocusView(View, frozen=True):
+    """Where the lines of a variable meet."""
+
+    x: int
+    y: int
+    is_shown: bool = True
+    line: Literal["live", "idle", "stale"] = "idle"
+    is_constant: bool = False
+    writers: tuple[str, ...] = ()
+    readers: tuple[str, ...] = ()
+
+
+class ProblemView(View, frozen=True):
+    """Something wrong with a document, or worth knowing; `show` as in `Remedy`."""
+
+    text: str
+    level: Literal["fault", "warning", "note"]
+    show: str = ""
+    remedies: tuple[Remedy, ...] = ()
+
+
+class GroupView(View, frozen=True):
+    """A supermodule: tasks that are handled as one, in their order of spawning and turning ON."""
+
+    tasks: tuple[str, ...]
+
+
+class DocumentView(View, frozen=True):
+    """An open configuration."""
+
+    name: str
+    order: int
+    path: str = ""
+    base: str = ""
+    is_dirty: bool = False
+    is_moved: bool = False
+    """Whether only its looks have changed since it was saved (C06)."""
+    has_changed_on_disk: bool = False
+    undo: str = ""
+    """What Undo would take back; empty: nothing."""
+    redo: str = ""
+    tasks: dict[str, PlacedView] = field(default_factory=dict)
+    loci: dict[str, LocusView] = field(default_factory=dict)
+    groups: dict[str, GroupView] = field(default_factory=dict)
+    """The supermodules, by their names (C17)."""
+    greyed: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
+    """Library tasks that may not be placed, Equations (2) and (3), each with all its reasons."""
+    objections: dict[str, tuple[Reason, ...]] = field(default_factory=dict)
+    """Those that could be placed and would not run: type, unit, load, device."""
+    problems: dict[str, ProblemView] = field(default_factory=dict)
+    connection: Literal["none", "connecting", "live", "lost"] = "none"
+    subsystem: str = ""
+    holder: str = ""
+    is_held_here: bool = False
+    offered_by: str = ""
+    """The holder that would hand it over; empty: nobody does."""
+    offered_to: str = ""
+    """The session that may take it or decline."""
+    is_offered_here: bool = False
+    """Whether that is this environment."""

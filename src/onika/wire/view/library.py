@@ -1,0 +1,55 @@
+"""Libraries and their tasks, as a page shows them."""
+
+from typing import Literal
+
+from onika.wire.view.base import View
+
+
+class PinView(View, frozen=True):
+    """A pin of a task icon; `y` lies below the icon's upper edge."""
+
+    name: str
+    """The coded name."""
+    svar: str
+    kind: Literal["INCONST", "OUTCONST", "INVAR", "OUTVAR", "INBOTH", "OUTBOTH"]
+    y: int
+    shape: str = ""
+    """As in `double[6]`; empty until the module's class was read."""
+    unit: str = ""
+    meaning: str = ""
+
+
+class TaskView(View, frozen=True):
+    """A task of a library, with what was changed of it in this session."""
+
+    name: str
+    module: str
+    library: str
+    order: int
+    description: str
+    width: int
+    height: int
+    pins: tuple[PinView, ...]
+    type: str = "periodic"
+    hz: float | None = None
+    file_hz: float | None = None
+    object_type: str = ""
+    is_trigger: bool = False
+    local: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    is_changed: bool = False
+    """Whether it is no longer as its file says."""
+    path: str = ""
+    code: str = ""
+    """The path of its module's code; empty: there is none."""
+
+
+class LibraryView(View, frozen=True):
+    """An open library."""
+
+    name: str
+    path: str
+    order: int
+    tasks: int
+    faults: tuple[str, ...] = ()
+    is_shipped: bool = False
+    """Whether it comes with Onika; what a user makes is saved elsewhere."""

@@ -1,0 +1,73 @@
+"""What acts are replied with, where that is more than a word."""
+
+from msgspec import field
+
+from onika.wire.view.base import View
+
+
+class TextView(View, frozen=True):
+    """A text that can be edited, with its faults beside their lines."""
+
+    path: str
+    text: str
+    stamp: str
+    faults: tuple[tuple[int, str], ...] = ()
+    is_read_only: bool = False
+
+
+class DraftView(View, frozen=True):
+    """The job that a configuration would make."""
+
+    name: str
+    type: str
+    left_edge: str
+    right_edge: str
+    warnings: tuple[str, ...] = ()
+    picture: str = ""
+    """The one it has; empty: none yet."""
+    description: str = ""
+    path: str = ""
+
+
+class CandidateView(View, frozen=True):
+    """A task that could stand for another one; with `reasons` it cannot."""
+
+    name: str
+    description: str = ""
+    more: tuple[str, ...] = ()
+    """What it writes beyond the other one's outputs."""
+    reasons: tuple[str, ...] = ()
+
+
+class SeatView(View, frozen=True):
+    """A task that a flow uses, who stands for it now, and who else could: those that can come first."""
+
+    task: str
+    taken_by: str
+    candidates: tuple[CandidateView, ...] = ()
+
+
+class SeatsView(View, frozen=True):
+    """The tasks of every flow that is not nested, by its subsystem."""
+
+    flows: dict[str, tuple[SeatView, ...]] = field(default_factory=dict)
+
+
+class PeekIcon(View, frozen=True):
+    """An icon in small: the digits of its picture, and the keys of its edges."""
+
+    picture: str
+    left: str = ""
+    right: str = ""
+
+
+class PeekView(View, frozen=True):
+    """What is in a file that could be opened, as much as a small drawing shows."""
+
+    name: str
+    tasks: dict[str, tuple[int, int, int, int]] = field(default_factory=dict)
+    """Of a configuration: left, top, width and height of its boxes, by task."""
+    wires: tuple[tuple[str, str], ...] = ()
+    """Which task writes what another one reads in every cycle."""
+    flows: tuple[tuple[PeekIcon, ...], ...] = ()
+    """Of an application: the first icons of its first flows."""

@@ -1,0 +1,122 @@
+"""A run of an application, as a page shows it. Times are seconds of the run's own clock."""
+
+from typing import Any, Literal
+
+from msgspec import field
+
+from onika.wire.view.asking import AskView
+from onika.wire.view.base import Remedy, View
+
+
+class StepRunView(View, frozen=True):
+    """What has become of a step of the application in this run."""
+
+    state: Literal["running", "done", "left"] = "running"
+    began_s: float = 0.0
+    """When it began last."""
+    took_s: float = 0.0
+    """How long it took last."""
+    times: int = 0
+    """How often it has been done."""
+
+
+class FlowRunView(View, frozen=True):
+    """Where a flow is; `state` is a word of `engine.flow.FlowState`."""
+
+    order: int
+    state: str = "ready"
+    step: int = 0
+    """The step of the application that is carried out, or was last; 0: none yet."""
+    action: str = ""
+    """What is carried out, in the words of the icons; of a nested application the action in it."""
+    within: tuple[str, ...] = ()
+    """The nested applications around it."""
+    index: int = -1
+    """Of the action, among all that are planned for this flow."""
+    of: int = 0
+    done: int = 0
+    began_s: float = 0.0
+    should_take_s: float = 0.0
+    """What its target says of its duration; 0: nothing is known."""
+    is_pausing: bool = False
+    tag: str = ""
+    waits_for: tuple[str, ...] = ()
+    waits_since_s: float = 0.0
+    loops: tuple[str, ...] = ()
+    is_nested: bool = False
+    text: str = ""
+    """Why it stands, where that is worth a word."""
+
+
+class MeetView(View, frozen=True):
+    """Flows have begun together at a tag."""
+
+    tag: str
+    flows: tuple[str, ...]
+    skew_us: float
+    at_s: float
+
+
+class CourseView(View, frozen=True):
+    """The last seconds of a variable."""
+
+    variable: str
+    unit: str
+    at_s: tuple[float, ...]
+    values: tuple[Any, ...]
+
+
+class StopView(View, frozen=True):
+    """Why a flow stands still or the run has ended, and what can be done (X06)."""
+
+    text: str
+    kind: str
+    """A word of `host.cause.Kind`."""
+    at_s: float
+    subsystem: str = ""
+    task: str = ""
+    step: int = 0
+    action: str = ""
+    index: int = -1
+    suspect: str = ""
+    path: str = ""
+    line: int = 0
+    traceback: str = ""
+    waiting: tuple[tuple[str, str], ...] = ()
+    """The flows that wait for this one, each with its tag."""
+    courses: tuple[CourseView, ...] = ()
+    choices: tuple[Remedy, ...] = ()
+    """What can be done safely; the label is a word of steering."""
+    meanings: tuple[str, ...] = ()
+    """What each choice does."""
+
+
+class RunView(View, frozen=True):
+    """The run of an application that goes on now, or the last one."""
+
+    doc: str
+    """The application; it may be closed meanwhile."""
+    name: str
+    number: int
+    """Which run of this environment it is, from 1."""
+    state: Literal["beginning", "running", "over"] = "beginning"
+    began_at_s: float = 0.0
+    """Seconds since 1970."""
+    flows: dict[str, FlowRunView] = field(default_factory=dict)
+    """By their subsystems."""
+    steps: dict[str, StepRunView] = field(default_factory=dict)
+    """By the numbers of the steps."""
+    asks: dict[str, AskView] = field(default_factory=dict)
+    """What tasks want to be told, by `SUBSYSTEM/TASK`."""
+    stops: dict[str, StopView] = field(default_factory=dict)
+    """Standstills, by subsystem; the end of the run under the empty one."""
+    meets: tuple[MeetView, ...] = ()
+    notes: tuple[str, ...] = ()
+    """Warnings and other things worth knowing, newest last."""
+    is_completed: bool = False
+    cause: str = ""
+    """Why it ended before its time."""
+    done: int = 0
+    of: int = 0
+    took_s: float = 0.0
+    """Of the run's own clock, once it is over."""

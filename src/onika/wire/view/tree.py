@@ -1,0 +1,64 @@
+"""Everything that a page shows."""
+
+from typing import Any
+
+from msgspec import field
+
+from onika.wire.view.application import ApplicationFile, ApplicationView
+from onika.wire.view.base import View
+from onika.wire.view.dictionary import DictionaryView, OnikonView, TypeView
+from onika.wire.view.document import DocumentView
+from onika.wire.view.library import LibraryView, TaskView
+from onika.wire.view.run import RunView
+from onika.wire.view.runtime import RuntimeView
+
+
+class ButtonView(View, frozen=True):
+    """A button of the user's own, and the command behind it."""
+
+    command: str
+    order: int
+    spawns_terminal: bool = False
+    is_running: bool = False
+    output: str = ""
+    code: int | None = None
+
+
+class ConfigurationFile(View, frozen=True):
+    """A configuration that could be opened."""
+
+    name: str
+    base: str
+    path: str
+    tasks: int = 0
+
+
+class Tree(View, frozen=True):
+    """Everything."""
+
+    libraries: dict[str, LibraryView] = field(default_factory=dict)
+    tasks: dict[str, TaskView] = field(default_factory=dict)
+    documents: dict[str, DocumentView] = field(default_factory=dict)
+    files: dict[str, ConfigurationFile] = field(default_factory=dict)
+    clipboard: str = ""
+    """What is in the buffer, in words."""
+    runtime: RuntimeView = RuntimeView()
+    preferences: dict[str, Any] = field(default_factory=dict)
+    buttons: dict[str, ButtonView] = field(default_factory=dict)
+    job_types: tuple[str, ...] = ()
+    edges: dict[str, tuple[str, tuple[tuple[int, int], ...]]] = field(default_factory=dict)
+    """Of each edge of the syntax definition: its colour and its vertices."""
+    applications: dict[str, ApplicationView] = field(default_factory=dict)
+    application_files: dict[str, ApplicationFile] = field(default_factory=dict)
+    dictionaries: dict[str, DictionaryView] = field(default_factory=dict)
+    onikons: dict[str, OnikonView] = field(default_factory=dict)
+    """The icons of all open dictionaries, by their names."""
+    types: dict[str, TypeView] = field(default_factory=dict)
+    """Those of the syntax definition, by their names."""
+    pictures: dict[str, str] = field(default_factory=dict)
+    """1024 digits each, by their keys; those of the start and end icons are `start` and `end`."""
+    icon_clipboard: str = ""
+    """The icons in the buffer, in words."""
+    run: RunView | None = None
+    people: int = 0
+    """How many browsers look at this."""

@@ -1,0 +1,78 @@
+"""Which arm stands at each side of the table, and whether the world has forces: both follow from what is claimed.
+
+At a side stands one arm: of the kind, and in the mode, of the device that was claimed there last. All arms of a world
+are in one mode (law 18). Whoever asks for another arm than the one in use there, or for the other mode, is refused.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
+
+from onika.workcell.arm_unit import ArmUnit
+from onika.workcell.kinematic_unit import KinematicUnit
+from onika.workcell.layout import KINDS, SIDES, STANDARD, base
+
+
+class Arms:
+    """All arms there can be; `acting` is the one at each side, even before the side is in the world."""
+
+    def __init__(self) -> None:
+        self.units = tuple(
+            make(side, base(side), kind) for side in SIDES for kind in KINDS for make in (ArmUnit, KinematicUnit)
+        )
+        self.acting: dict[str, ArmUnit] = {side: self._find(side, STANDARD, "") for side in SIDES}
+        for unit in self.units:
+            unit.drive = self.acting[unit.side].drive  # the cabinet at a side is one, whatever arm is plugged in
+
+    @property
+    def kinematic(self) -> bool:
+        """Whether the world is without forces."""
+        return any(unit.mode for unit in self.acting.values())
+
+    def __iter__(self) -> Iterator[ArmUnit]:
+        """The acting arms."""
+        return iter(self.acting.values())
+
+    def moving(self, sides: tuple[str, ...]) -> tuple[KinematicUnit, ...]:
+        """The acting arms of these sides that are moved without forces."""
+        found = (self.acting[side] for side in sides)
+        return tuple(unit for unit in found if isinstance(unit, KinematicUnit))
+
+    def kinds(self) -> Mapping[str, str]:
+        """The kind of arm at each side."""
+        return {side: unit.kind for side, unit in self.acting.items()}
+
+    def objections(self, devices: Sequence[str]) -> Iterator[str]:
+        """Why arms of these devices cannot be used together: two at one side, or two modes (law 18)."""
+        wanted = [unit for unit in self.units if unit.sheet.name in devices]
+        for one, other in combinations(wanted, 2):
+            if one.side == other.side:
+                yield f"{one.sheet.name!r} and {other.sheet.name!r} stand at one place"
+            elif one.mode != other.mode:
+                modes = f"{one.sheet.name!r} is {_MODES[one.mode]}, {other.sheet.name!r} is {_MODES[other.mode]}"
+                yield f"{modes}; all arms of a world are of one mode"
+
+    def admit(self, unit: ArmUnit) -> bool:
+        """Let this arm act; whether anything changed by that. Raises ValueError where one in use stands against it."""
+        for other in self:
+            if other is unit or other.epoch is None:
+                continue
+            if other.side == unit.side:
+                raise ValueError(f"expected a free place for {unit.sheet.name!r}, found {other.sheet.name!r} in use")
+            if other.mode != unit.mode:
+                modes = [_MODES[one.mode] for one in (unit, other)]
+                found = f"found {other.sheet.name!r} in use, which is {modes[1]}"
+                raise ValueError(f"expected arms of one mode: {unit.sheet.name!r} is {modes[0]}, {found}")
+        if self.acting[unit.side] is unit:
+            return False
+        self.acting[unit.side] = unit
+        for side, other in self.acting.items():
+            self.acting[side] = self._find(side, other.kind, unit.mode)
+        for one in self:
+            one.state[1] = one.drive.shown
+        return True
+
+    def _find(self, side: str, kind: str, mode: str) -> ArmUnit:
+        return next(one for one in self.units if (one.side, one.kind, one.mode) == (side, kind, mode))
+
+
+_MODES = {ArmUnit.mode: "physical", KinematicUnit.mode: "kinematic"}

@@ -1,0 +1,42 @@
+import pytest
+
+from onika.cli import main
+from onika.testing.tape import Tape
+
+
+@pytest.fixture
+def files(tmp_path):
+    for name, last in (("a", 2.0), ("b", 2.5)):
+        tape = Tape(tmp_path / f"{name}.mcap")
+        tape.variable("X", "double", (0.0, 1.0), (1.0, last))
+        tape.variable("Y", "int", (0.0, 7))
+        tape.end(completed="yes")
+    return str(tmp_path / "a.mcap"), str(tmp_path / "b.mcap")
+
+
+def test_a_recording_is_shown(files, capsys):  # R-X05
+    assert main(["recording", "show", files[0]]) == 0
+    assert "completed" in capsys.readouterr().out
+
+
+def test_variables_are_written_as_a_table(files, tmp_path, capsys):  # R-X05
+    assert main(["recording", "csv", files[0], "X"]) == 0
+    assert capsys.readouterr().out.split() == ["time_s,flow0/X", "0.000000000,1.0", "1.000000000,2.0"]
+    assert main(["recording", "csv", files[0], "--output", str(tmp_path / "x.csv")]) == 0
+    assert (tmp_path / "x.csv").read_text().splitlines()[0] == "time_s,flow0/X,flow0/Y"
+    assert capsys.readouterr().out.startswith("2 rows of 2 variables")
+    assert main(["recording", "csv", files[0], "Z"]) == 2
+
+
+def test_the_first_difference_is_told_and_the_exit_code_says_whether_there_is_one(files, capsys):  # R-X05
+    assert main(["recording", "diff", *files]) == 1
+    assert capsys.readouterr().out == "at 1 s: flow0/X: 2.0, in the other 2.5\n"
+    assert main(["recording", "diff", *files, "--tolerance", "0.5"]) == 0
+    assert capsys.readouterr().out == "no difference\n"
+
+
+def test_what_is_no_recording_is_said(tmp_path, capsys):  # R-E01
+    assert main(["recording", "show", str(tmp_path / "none.mcap")]) == 2
+    assert "none.mcap" in capsys.readouterr().err
+    with pytest.raises(SystemExit):
+        main(["recording", "diff", "a", "b", "--time", "-1"])

@@ -1,0 +1,91 @@
+import pytest
+
+from onika.testing.gallery import Gallery
+from onika.wire import act
+
+
+@pytest.fixture
+def gallery(tmp_path):
+    return Gallery(tmp_path)
+
+
+def moved(gallery, doc, names, behind, path="0", source="0"):
+    steps = tuple(gallery.number(doc, name, source) for name in names)
+    after = gallery.number(doc, behind, path) if behind else 0
+    gallery.do(act.MoveIcons(doc, steps, path, after))
+
+
+def test_icons_are_moved_as_one_step_that_undo_takes_back(gallery):  # R-D05, R-X10
+    doc = gallery.begun("grip", "wait", "open")
+    moved(gallery, doc, ["grip"], "open")
+    assert gallery.flow(doc) == "wait open grip"
+    assert gallery.view(doc).undo == "moving close the hand"
+    gallery.do(act.Undo(doc))
+    assert gallery.flow(doc) == "grip wait open"
+
+
+def test_a_job_takes_its_targets_and_its_marks_with_it(gallery):  # R-D05, R-D06
+    doc = gallery.begun("move", "there", "grip", flows=2)
+    number = gallery.number(doc, "move")
+    gallery.do(act.SetSynchTag(doc, number, "A"))
+    gallery.do(act.MoveIcons(doc, (number,), "1", 0))
+    assert (gallery.flow(doc), gallery.flow(doc, "1")) == ("grip", "move there")
+    assert gallery.number(doc, "move", "1") == number
+    assert gallery.step(doc, "move", "1").synch_tag == "A"
+
+
+def test_a_job_that_lacks_its_target_takes_its_hole_along(gallery):  # R-D19
+    doc = gallery.begun("move", flows=2)
+    moved(gallery, doc, ["move"], "", "1")
+    assert (gallery.flow(doc), gallery.flow(doc, "1")) == ("", "move _")
+
+
+def test_a_target_alone_leaves_a_hole_and_fills_another(gallery):  # R-D19
+    doc = gallery.begun("move", "there", "visit")
+    moved(gallery, doc, ["there"], "visit")
+    assert gallery.flow(doc) == "move _ visit there"
+
+
+def test_a_move_that_would_be_illegal_is_refused_whole(gallery):  # R-D03
+    doc = gallery.begun("move", "there", "grip")
+    steps = (gallery.number(doc, "grip"),)
+    no = gallery.no(act.MoveIcons(doc, steps, "0", gallery.number(doc, "move")))
+    assert no.reason == "a Complete job does not fit behind “move the joints”: it needs a Joint target"
+    assert all(one.act is None for one in no.remedies)
+    target = (gallery.number(doc, "there"),)
+    assert "no action" in gallery.no(act.MoveIcons(doc, target, "0", 0)).reason
+
+
+def test_moving_behind_one_of_themselves_or_nowhere_changes_nothing(gallery):  # R-D05
+    doc = gallery.begun("grip", "wait", "open")
+    before = gallery.view(doc).undo
+    moved(gallery, doc, ["wait"], "wait")
+    moved(gallery, doc, ["wait"], "grip")
+    assert gallery.flow(doc) == "grip wait open"
+    assert gallery.view(doc).undo == before
+
+
+def test_several_icons_from_several_flows_come_together_in_their_order(gallery):  # R-D05
+    doc = gallery.begun("grip", "wait", flows=2)
+    gallery.add(doc, "open", flow="1")
+    steps = (gallery.number(doc, "open", "1"), gallery.number(doc, "grip"))
+    gallery.do(act.MoveIcons(doc, steps, "1", 0))
+    assert (gallery.flow(doc), gallery.flow(doc, "1")) == ("wait", "grip open")
+
+
+def test_icons_move_into_branches_and_out_but_no_branch_into_itself(gallery):  # R-D13
+    doc = gallery.begun("grip", "wait")
+    branch = gallery.do(act.InsertBranch(doc, "0", gallery.number(doc, "wait")))
+    inner = f"0/{branch}/0"
+    moved(gallery, doc, ["grip"], "", inner)
+    assert (gallery.flow(doc), gallery.flow(doc, inner)) == ("wait <>", "grip")
+    assert "into itself" in gallery.no(act.MoveIcons(doc, (branch,), inner, 0)).reason
+    gallery.do(act.MoveIcons(doc, (branch,), "0", 0))
+    assert (gallery.flow(doc), gallery.flow(doc, inner)) == ("<> wait", "grip")
+    moved(gallery, doc, ["grip"], "wait", "0", inner)
+    assert (gallery.flow(doc), gallery.flow(doc, inner)) == ("<> wait grip", "")
+
+
+def test_a_hole_cannot_be_moved(gallery):  # R-D19
+    doc = gallery.begun("move")
+    assert "no icon" in gallery.no(act.MoveIcons(doc, (gallery.number(doc, "_"),), "0", 0)).reason

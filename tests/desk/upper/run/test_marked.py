@@ -1,0 +1,32 @@
+import pytest
+from msgspec.structs import replace
+
+from onika.testing.laboratory import job
+from onika.testing.rehearsal import Rehearsal
+from onika.wire import act, request
+
+
+@pytest.fixture
+def play(tmp_path):
+    return Rehearsal(tmp_path)
+
+
+def test_steps_whose_targets_another_robot_takes_by_their_poses_are_marked(play):  # R-E09, law 26
+    doc = play.open([job("aC"), job("bC")])
+    ask = play.runtime.ask
+    one = request.Resolved(0, 1, "home", "scara", "puma", (0.1,), (0.2,))
+    found = [(one, replace(one, target="there"))]
+
+    def answered(asked):
+        answer = ask(asked)
+        return replace(answer, resolved=found[0]) if isinstance(answer, request.Prepared) else answer
+
+    play.runtime.ask = answered
+    play.run(doc)
+    notes = {number: view.note for number, view in play.environment.tree.applications[doc].steps.items()}
+    said = "is re-resolved for scara, by the pose that it is for puma"
+    assert notes == {"1": "", "2": f"home {said}; there {said}"}
+    play.end()
+    found[0] = ()
+    play.do(act.Run(doc))
+    assert {view.note for view in play.environment.tree.applications[doc].steps.values()} == {""}

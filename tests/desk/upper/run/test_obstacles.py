@@ -1,0 +1,40 @@
+import pytest
+
+from onika.testing.laboratory import Laboratory, job
+from onika.testing.rehearsal import Rehearsal
+from onika.wire import act, live
+
+TWIN = "MODULE b\nDESC a twin\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR E\nTASKTYPE periodic\nFREQ 10"
+
+
+@pytest.fixture
+def play(tmp_path):
+    files = Laboratory(tmp_path)
+    files.module("rival", "# rival\n")
+    files.plain_task("rival", writes="D", local="DEVICE arm\n")
+    files.task("twin", TWIN)
+    return Rehearsal(tmp_path)
+
+
+def reason(play, *tasks):
+    play.connected(*tasks)
+    no = play.answer(act.Run(play.open([job("aC"), job("bC")]))).no
+    return "" if no is None else no.reason
+
+
+@pytest.mark.parametrize(("lives", "why"), [("a", "its name"), ("twin", "its module"), ("rival", "its device")])
+def test_what_shares_a_name_a_module_or_a_device_is_in_the_way(play, lives, why):  # decision 30
+    assert reason(play, lives, "c").startswith(f"{lives} of Untitled-1 live already"), why
+
+
+def test_what_shares_nothing_lives_on(play):  # decision 30
+    assert reason(play, "c") == ""
+    assert play.carried(live.Close) == []
+
+
+def test_a_subsystem_that_nobody_shows_is_named(play):  # decision 30
+    lower = play.connected("a")
+    play.do(act.New())
+    play.do(act.Close(lower, discards=True, alive="leave"))
+    no = play.answer(act.Run(play.open([job("aC")]))).no
+    assert "a in subsystem Untitled-1" in no.reason

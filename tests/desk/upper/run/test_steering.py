@@ -1,0 +1,127 @@
+import pytest
+
+from onika.testing.laboratory import job
+from onika.testing.rehearsal import Rehearsal
+from onika.wire import act, event, request, steer
+
+
+@pytest.fixture
+def play(tmp_path):
+    return Rehearsal(tmp_path)
+
+
+def test_a_line_of_steering_is_carried_out_and_what_comes_of_it_is_asked(play):  # R-E07
+    play.run(play.open([job("aC"), job("bC")]))
+    play.runtime.positions = (steer.Position("flow0", "running", 0, is_pausing=True),)
+    play.do(act.Steer("pause"))
+    assert play.carried(steer.Pause) == [steer.Pause("flow0")]
+    assert play.view.flows["flow0"].is_pausing
+    play.moved("paused")
+    assert not play.view.flows["flow0"].is_pausing
+
+
+def test_a_line_that_means_nothing_is_refused_in_its_words(play):  # R-X01
+    assert play.no(act.Steer("pause")).reason == "nothing runs"
+    play.run(play.open([job("aC")]))
+    assert "expected one of pause" in play.no(act.Steer("dance")).reason
+    assert "for scripts" in play.no(act.Steer("wait 3")).reason
+    play.rebuffs = {steer.Recover: request.Refused("flow0 has not stopped")}
+    assert play.answer(act.Steer("clear")).no.reason == "flow0 has not stopped"
+
+
+def test_to_go_on_is_for_whoever_pauses_also_in_what_is_nested(play):  # R-E07
+    play.files.application("both", [job("aC")], [job("bC")], parallel=True)
+    play.run(play.open([job("both", "Complete application"), job("cC")]))
+    for line in ("continue", "continue 0"):
+        play.do(act.Steer(line))
+    assert play.carried(steer.Resume) == [steer.Resume(""), steer.Resume("flow0")]
+
+
+def test_where_nothing_pauses_it_is_told_what_lets_flows_go_on(play):  # R-E07, R-X01
+    play.run(play.open([job("aC")], [job("bC")], parallel=True))
+    play.rebuffs = {steer.Resume: request.Refused("expected flow 0 paused, found running")}
+    assert play.answer(act.Steer("continue")).no.reason == "expected flow 0 paused, found running"
+    play.moved("stopped")
+    play.moved("waiting", flow="flow1", tag="play meet")
+    no = play.answer(act.Steer("continue")).no
+    assert no.reason == "nothing pauses: flow0 stands at an error; flow1 waits at meet for flow0"
+    assert [one.act.line for one in no.remedies] == ["clear flow0", "pass flow1"]
+    assert [one.act.line for one in play.answer(act.Steer("continue 1")).no.remedies] == ["pass flow1"]
+
+
+def test_who_is_a_line_too(play):  # R-X03
+    play.run(play.open([job("aC")]))
+    play.runtime.positions = (steer.Position("flow0", "running", 0, loops=("round",)),)
+    play.do(act.Steer("who"))
+    assert play.view.flows["flow0"].loops == ("round",)
+    play.rebuffs = {steer.Who: request.Refused("not now")}
+    assert play.answer(act.Steer("who")).no.reason == "not now"
+
+
+def test_a_flow_is_sent_to_a_step_or_to_the_first_action_in_it(play):  # R-E13
+    play.files.application("inner", [job("aC"), job("bC")])
+    inner = job("inner", "Complete application")
+    branch = ["BRANCH\nFLOW\n", job("cC"), "ENDFLOW\nFLOW\n", job("aC"), "ENDFLOW\nENDBRANCH\n"]
+    path = play.files.application("play", [job("cC"), inner, *branch], [job("bC")], parallel=True)
+    path.write_text(path.read_text().replace("VERSION     1.3", "VERSION     2.0"))
+    doc = play.do(act.Open(str(path)))
+    view = play.run(doc)
+    assert set(view.flows) == {"flow0", "flow1"}
+    numbers = sorted(map(int, play.environment.tree.applications[doc].steps))
+    assert len(numbers) == 6
+    steps = play.environment.tree.applications[doc].flows["0"].steps
+    beside = play.environment.tree.applications[doc].flows["1"].steps
+    for step, subsystem, action in ((steps[1], "flow0", 1), (steps[2], "flow0", 3), (beside[0], "flow1", 0)):
+        play.do(act.SkipTo(step))
+        assert play.carried(steer.Skip)[-1] == steer.Skip(subsystem, action)
+    assert "begun without it" in play.no(act.SkipTo(99)).reason
+
+
+def test_a_question_of_the_run_is_answered(play):  # R-E15
+    doc = play.open([job("aC")])
+    play.run(doc)
+    assert play.no(act.Answer(doc, "flow0/a", "3")).reason == "flow0/a asks for nothing"
+    play.tell(event.Asked("flow0", "a", "", (), 1.0))
+    play.rebuffs = {request.Reply: request.Done()}
+    play.do(act.Answer(doc, "flow0/a", "3 4"))
+    assert play.carried(request.Reply) == [request.Reply("flow0", "a", "3 4")]
+
+
+def test_a_question_of_a_configuration_is_answered_as_before(play):  # R-C13
+    assert "no longer open" in play.no(act.Answer("c9", "a", "3")).reason
+
+
+def test_a_run_is_put_away_when_it_is_over(play):
+    play.run(play.open([job("aC")]))
+    assert play.no(act.Dismiss()).remedies[0].act == act.Steer("abort")
+    play.end()
+    play.do(act.Dismiss())
+    assert play.environment.tree.run is None
+    play.do(act.Dismiss())
+
+
+def test_breakpoints_are_set_and_removed_in_the_run_too(play):  # R-D06
+    play.files.application("inner", [job("aC"), job("bC")])
+    doc = play.open([job("cC"), job("inner", "Complete application")])
+    play.run(doc)
+    play.do(act.SetBreakpoint(doc, (1,)))
+    play.do(act.SetBreakpoint(doc, (1,), condition="C > 1"))
+    play.do(act.SetBreakpoint(doc, (2,)))
+    play.do(act.SetBreakpoint(doc, (1,), is_set=False))
+    assert play.carried(steer.Mark) == [
+        steer.Mark("flow0", 0),
+        steer.Mark("flow0", 0, True, "C > 1"),
+        steer.Mark("flow0", 2),
+        steer.Mark("flow0", 0, False),
+    ]
+    play.end()
+    play.do(act.SetBreakpoint(doc, (1,)))
+    assert len(play.carried(steer.Mark)) == 4
+
+
+def test_a_breakpoint_that_comes_too_late_is_said(play):
+    doc = play.open([job("aC")])
+    play.run(doc)
+    play.rebuffs = {steer.Mark: request.Refused("no application runs")}
+    play.do(act.SetBreakpoint(doc, (1,)))
+    assert "from the next run on" in play.says[-1].text

@@ -1,0 +1,63 @@
+import pytest
+
+from onika.desk.upper.run.wording import said, together
+from onika.words.fault import Fault, Place
+
+HERE = Place("play.appl", 3)
+FLOW = "flow 1, step 3, branch 0"
+
+
+@pytest.mark.parametrize(
+    ("expected", "found", "words"),
+    [
+        (
+            f"the loop tag l twice in {FLOW}",
+            f"1 times, last at `b`, step 2 of {FLOW}",
+            "the loop l is marked at one icon only",
+        ),
+        (
+            "edges that fit",
+            "`b` (Joint job) behind `a` (Number job), at step 1 of flow 0",
+            "b (Joint job) does not fit behind a",
+        ),
+        ("edges that fit", "Application end behind `a` (Joint job), at step 1 of flow 0", "nothing may end behind a"),
+        ("a Joint object behind it", "none behind `a`, step 3 of flow 0", "a wants a Joint target behind it"),
+        ("the configuration aC", "none for `aC`, step 3 of flow 0", "there is no configuration aC"),
+        ("the task pd", "none for `aC`, step 0 of flow 1 of `inner`", "there is no task pd"),
+        ("an action in flow 2", "none", "flow 2 is empty"),
+        (
+            "tags as often in each flow",
+            "flow1 waits at A (play:7, putC) for flow0, which has ended by then, when flow0 takes flow 1 of a branch",
+            "flow1 could wait at the tag A in vain: flow0 does not come there as often",
+        ),
+        (
+            "tags in an order in which the flows can meet",
+            "flow0 waits at A (play:2, putC) for flow1, which waits at B (play:9, aC) for flow0",
+            "flow0 waits at the tag A for flow1, which waits at the tag B for flow0: neither comes",
+        ),
+        ("a Joint job, as its trigger `jt` says", "Complete job for `a`, step 0 of flow 0", "a is a Complete job here"),
+        ("values for jtraj", "home: expected 6 doubles, found 5", "home does not suit jtraj: expected 6 doubles"),
+        (
+            "a condition on a variable that a task of flow1 has",
+            "`Q > 1` at `a`, step 0 of flow 1",
+            "the condition Q > 1 asks",
+        ),
+    ],
+)
+def test_a_fault_is_told_without_line_and_step(expected, found, words):  # R-E01, R-X01
+    told = said(Fault(HERE, expected, found, "the application is not run"))
+    assert told.startswith(words)
+    assert "step " not in told and "`" not in told and "branch" not in told
+
+
+def test_what_has_no_words_of_its_own_says_what_was_expected_and_what_happens_instead():
+    assert said(Fault(HERE, "a sun", "rain", "it is wet", is_note=True)) == "expected a sun, found rain; it is wet"
+
+
+def test_what_two_tasks_have_in_common_is_told_once():  # law 9
+    who = "`a` (in `aC`) and `b` (in `bC`) of flow 0"
+    faults = [Fault(HERE, "one supplier of each constant in a flow", f"{name} from {who}", "") for name in ("DH", "KP")]
+    hole = Fault(HERE, "an application without holes", "a hole", "")
+    joined, other = together([faults[0], hole, faults[1]])
+    assert said(joined) == "a (in aC) and b (in bC) cannot live in one flow: both give DH, KP"
+    assert other == hole

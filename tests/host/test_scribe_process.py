@@ -1,0 +1,72 @@
+import os
+import select
+import threading
+from time import monotonic, monotonic_ns
+
+from onika.host import scribe_process
+from onika.host.post import Post
+from onika.host.scribe import Finish, Meet, Start, Variable, encode
+from onika.record.reader import Reader
+from onika.record.run import Run
+from onika.record.series import Series
+from onika.ring.segment import Segment
+from onika.runtime.table import Table
+from onika.testing.tape import run
+from onika.words.shape import Shape
+
+
+class Beside:
+    """The process's loop in a thread, on the other end of a post."""
+
+    def __init__(self, path):
+        self.post, theirs = Post.pair()
+        body = scribe_process.encode_run(run())
+        memory = Segment.create("run", len(body))
+        memory.view[:] = body
+        descriptor = os.open(path, os.O_WRONLY | os.O_CREAT)
+        self.post.send(b"run", (memory.fd, descriptor))
+        os.close(descriptor)
+        memory.close()
+        self.far = Post(theirs)
+        self.thread = threading.Thread(target=scribe_process.record, args=(self.far, 2_000_000))
+        self.thread.start()
+
+    def close(self):
+        self.post.close()
+        self.thread.join(10)
+        self.far.close()
+        assert not self.thread.is_alive()
+
+    def word(self):
+        until = monotonic() + 10
+        while monotonic() < until:
+            select.select([self.post], [], [], 0.1)
+            received = self.post.receive()
+            if received is not None:
+                return scribe_process.decode_word(received[0])
+        raise TimeoutError
+
+
+def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29
+    beside = Beside(tmp_path / "run.mcap")
+    assert beside.word() == scribe_process.Up()
+    table = Table(Segment.create("table", 1 << 16))
+    entry = table.entry("X", Shape.parse("long"))
+    beside.post.send(encode(Start(monotonic_ns())))
+    beside.post.send(encode(Meet("flow0", (Variable("X", "long", "", entry.offset),))), (table.segment.fd,))
+    table.ring("X").write((7).to_bytes(8, "little"))
+    beside.post.send(encode(Finish({"completed": "yes"})))
+    assert beside.word() == scribe_process.Ended(0, "")
+    beside.close()
+    reader = Reader(tmp_path / "run.mcap")
+    assert Run.read(reader) == run()
+    assert [one for _, one in Series.all_of(reader)["flow0/X"].values()] == [7]
+    assert reader.is_whole
+
+
+def test_when_the_runtime_is_gone_it_writes_what_it_has_seen(tmp_path):  # R-X05: kill -9
+    beside = Beside(tmp_path / "run.mcap")
+    beside.word()
+    beside.close()
+    reader = Reader(tmp_path / "run.mcap")
+    assert (Run.read(reader), reader.is_whole) == (run(), False)

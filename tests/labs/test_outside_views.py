@@ -1,0 +1,55 @@
+"""What the passive tasks with an outside partner tell it: display, logger, view."""
+
+import numpy as np
+import pytest
+
+from onika.laws import puma560
+from onika.laws.arm import Arm
+from onika.store.site import shipped
+from onika.testing.bench import Bench
+from onika.testing.outsider import Outsider
+
+CONSTANTS = {"NDOF": 6, "DH": puma560.DH, "BASE": np.eye(4), "TOOL": puma560.TOOL}
+HOME = np.array(puma560.HOME)
+
+
+@pytest.fixture
+def outsider(tmp_path):
+    with Outsider(tmp_path) as made:
+        yield made
+
+
+def asked_by(name, outsider):
+    """What a task asks in its first cycle, and its bench."""
+    code = shipped() / "generic" / "module" / f"{name}.py"
+    bench = Bench(code, frequency=20, constants=CONSTANTS, local={"PARTNER": outsider.address}).init()
+    bench["Q_MEZ"] = HOME
+    bench.on().cycle()
+    return outsider.accept().read(), bench
+
+
+def test_the_display_is_shown_numbers_by_name_with_their_unit_and_time(outsider):  # R-F04
+    asked, bench = asked_by("display", outsider)
+    assert (asked["ask"], asked["unit"], asked["t"], asked["task"]) == ("show", "rad", bench.now, "bench/module")
+    assert asked["values"]["Q_MEZ"] == pytest.approx(list(HOME))
+
+
+def test_the_logger_is_given_a_row_of_positions_and_references(outsider):  # R-F04
+    asked, _ = asked_by("logger", outsider)
+    assert asked["ask"] == "log"
+    assert asked["row"] == pytest.approx([*HOME, *[0.0] * 6])
+
+
+def test_the_view_is_given_the_places_of_the_joints_and_the_pose_of_the_tool(outsider):  # R-F04
+    asked, _ = asked_by("view3d", outsider)
+    pose = Arm(puma560.DH, tool=puma560.TOOL).forward(HOME)
+    assert (asked["ask"], np.shape(asked["points"])) == ("pose", (8, 3))
+    assert np.array(asked["tool"]) == pytest.approx(pose)
+    assert asked["points"][-1] == pytest.approx(list(pose[:3, 3]))
+    assert asked["points"][0] == [0.0, 0.0, 0.0]
+
+
+@pytest.mark.parametrize("name", ["display", "logger", "view3d"])
+def test_they_are_passive(name):  # R-F04, §5.8.3
+    code = shipped() / "generic" / "module" / f"{name}.py"
+    assert Bench(code, constants=CONSTANTS, local={"PARTNER": "unix:/x"}).cls.passive

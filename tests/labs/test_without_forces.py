@@ -1,0 +1,78 @@
+"""The hardware modules of the kinematic mode: angles in place of torques, everything else as with forces (law 18)."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from onika.model.lifecycle import State
+from onika.model.port import PortKind
+from onika.ring.device import Drive, Order
+from onika.store.site import open_site, shipped
+from onika.testing.bench import Bench
+from onika.testing.bench_device import BenchDevice
+from onika.workcell.boxes import BoxesWorld
+
+PAIRS = [("puma", "puma", "puma_kin"), ("scara", "scara", "scara_kin")]
+SITE = open_site((), {}, None)
+every_robot = pytest.mark.parametrize(("lab", "physical", "name"), PAIRS)
+
+
+def task(name):
+    return SITE.task(name)[0].task
+
+
+def device_of(name):
+    named = next(line.words[0] for line in task(name).local if line.key == "DEVICE")
+    sheet = next(one for one in BoxesWorld().devices() if f"boxes:{one.name}" == named)
+    return BenchDevice(sheet.state[2:], sheet.command, sheet.identity)
+
+
+def bench_of(lab, module, device):
+    return Bench(shipped() / lab / "module" / f"{module}.py", frequency=500, local={"BASE": "0 0 0 0"}, device=device)
+
+
+@every_robot
+def test_it_gives_all_that_the_arm_with_forces_gives(lab, physical, name):  # R-E09, R-K03
+    with_forces, without = task(physical), task(name)
+    assert (without.outconst, without.outvar) == (with_forces.outconst, with_forces.outvar)
+    assert without.invar == ("Q_REF",)
+    classes = [bench_of(lab, module, device_of(module)).cls for module in (physical, name)]
+    one, other = (cls.constants(SimpleNamespace(BASE=[0.0] * 4)) for cls in classes)
+    assert all(np.array_equal(one[key], other[key]) for key in one)
+    for attribute, declared in classes[0].declared_ports.items():
+        port = declared.port(attribute)
+        if port.kind is not PortKind.INVAR:
+            assert classes[1].declared_ports[attribute].port(attribute) == port
+
+
+@every_robot
+def test_the_reference_goes_to_the_device_as_it_is(lab, physical, name):  # R-K03
+    device = device_of(name)
+    bench = bench_of(lab, name, device).init().on()
+    assert bench.state is State.ON, bench.why
+    assert bench.cycle() and device.order == Order.HOLD, "not before a reference is there (law 4)"
+    wanted = np.linspace(0.1, 0.2, bench["NDOF"])
+    bench["Q_REF"] = wanted
+    bench.cycle()
+    assert device.order == Order.DRIVE
+    assert device.commands.tolist() == wanted.tolist()
+    bench.off()
+    assert device.order == Order.HOLD
+
+
+@every_robot
+def test_neither_drives_the_device_of_the_other(lab, physical, name):  # angles are no torques
+    robot = device_of(physical).sheet.identity["ROBOT"]
+    assert f"{robot}_kin behind the device, found {robot}" in bench_of(lab, name, device_of(physical)).init().why
+    assert f"{robot} behind the device, found {robot}_kin" in bench_of(lab, physical, device_of(name)).init().why
+
+
+@every_robot
+def test_a_panic_button_stops_it_as_well(lab, physical, name):  # R-K06
+    device = device_of(name)
+    bench = bench_of(lab, name, device).init().on()
+    device.values[1] = Drive.PRESSED
+    bench.cycle()
+    assert (bench.state, "panic button pressed" in bench.why) == (State.ERROR, True)
+    assert "let it go, then clear" in bench.clear().why

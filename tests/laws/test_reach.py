@@ -1,0 +1,82 @@
+import numpy as np
+import pytest
+
+from onika.laws import adept_one, puma560
+from onika.laws.arm import Arm
+from onika.laws.frames import nine_of_pose
+from onika.laws.reach import poses, postures, transfer, why_not
+from onika.laws.robot import published
+
+PUMA, SCARA = published(puma560, 0, 0, 0, 0), published(adept_one, 0, 0, 0, 0)
+PLAIN = {key: value.tolist() if isinstance(value, np.ndarray) else value for key, value in SCARA.items()}
+ABOVE_TRIANGLE = (0.181442, -0.625356, 2.700589, 0.0, 1.06636, 1.752238)
+ABOVE_SQUARE = (-0.579571, -0.625356, 2.700589, 0.0, 1.06636, 0.991226)
+BOX = (0.0, 0.0, -1.0, 0.0, 1.0, 0.0, 0.7, 0.28, -0.3346)
+
+
+def pose_of(constants, q):
+    return Arm(constants["DH"], base=constants["BASE"], tool=constants["TOOL"]).forward(q)
+
+
+@pytest.mark.parametrize("constants", [SCARA, PLAIN], ids=["arrays", "lists"])
+def test_targets_beyond_reach_are_named_each_with_its_reason(constants):  # law 26, R-E09, R-K03
+    far, low = (*BOX[:6], 0.7, 0.45, -0.3346), (*BOX[:8], -0.40)
+    asked = [("cartesian object", (*one, 1.4)) for one in (BOX, far, low)]
+    asked += [("joint object", q) for q in ([0.1, 0.2, 0.3, 0.0, 1.0], [0.1, 3.0, 0.2, 0.0], [0.1])]
+    reachable, out, deep, pulled, bent, short = why_not(constants, asked)
+    assert reachable is None
+    assert out.startswith("out of reach: the quill would be 0.832 m")
+    assert deep == "joint 3 would stand at 0.330 m, beyond 0.000..0.295"
+    assert pulled == "joint 3 at 0.300 m is beyond 0.295"
+    assert bent == "joint 2 at 3.00 rad is beyond 2.57"
+    assert short == "expected 4 joint values, found 1"
+
+
+def test_the_same_cartesian_target_is_within_reach_of_both():  # R-E09
+    assert why_not(SCARA, [("cartesian object", BOX)]) == why_not(PUMA, [("cartesian object", BOX)]) == [None]
+
+
+def test_a_joint_target_is_the_pose_of_its_tool_whatever_stands_behind_it():
+    (nine,) = poses(PUMA, [(*ABOVE_TRIANGLE, 2.3)])
+    assert nine == pytest.approx([0, 0, -1, 0, 1, 0, 0.7, 0.28, -0.125], abs=1e-4)
+
+
+@pytest.mark.parametrize("target", [ABOVE_TRIANGLE, ABOVE_SQUARE])
+def test_another_arm_brings_the_tool_to_the_same_place(target):  # law 26, R-E09
+    (values,) = transfer(PUMA, SCARA, [(*target, 1.0)])
+    assert values.shape == (4,)
+    assert pose_of(SCARA, values) == pytest.approx(pose_of(PUMA, target), abs=1e-4)
+
+
+def test_what_another_arm_cannot_take_is_explained_and_hinders_no_other():  # law 26
+    up, triangle = transfer(PUMA, SCARA, [puma560.HOME, ABOVE_TRIANGLE])
+    assert up == "the hand would lean 180 degrees; this arm only holds it upright, fingers down"
+    assert not isinstance(triangle, str)
+
+
+def test_the_way_back_ends_at_the_same_place():
+    (there,) = transfer(PUMA, SCARA, [ABOVE_TRIANGLE])
+    (back,) = transfer(SCARA, PUMA, [there], near=ABOVE_TRIANGLE)
+    assert back == pytest.approx(ABOVE_TRIANGLE, abs=1e-4)
+
+
+def test_the_same_arm_in_another_mode_keeps_its_joint_targets_to_the_last_digit():  # law 18
+    assert transfer(PUMA, dict(PUMA), [(*puma560.HOME, 2.0)])[0].tolist() == puma560.HOME.tolist()
+
+
+def test_the_same_arm_elsewhere_turns_its_joints_to_the_same_place_in_the_world():
+    moved = published(puma560, 0.05, 0.0, 0.0, 10.0)
+    (values,) = transfer(PUMA, moved, [ABOVE_TRIANGLE])
+    assert pose_of(moved, values) == pytest.approx(pose_of(PUMA, ABOVE_TRIANGLE), abs=1e-6)
+
+
+def test_the_elbow_stays_on_its_side_from_target_to_target():
+    nines = [nine_of_pose(pose_of(PUMA, q)) for q in (ABOVE_TRIANGLE, ABOVE_SQUARE) * 2]
+    for elbow in (1.0, -1.0):
+        near = np.array([-0.5 * elbow, 1.4 * elbow, 0.0, 0.0])
+        assert {float(np.sign(q[1])) for q in postures(SCARA, nines, near)} == {elbow}
+
+
+def test_nine_numbers_that_are_no_pose_are_a_reason():
+    (why,) = postures(SCARA, [(0, 0, -1, 0, 0, 1, 0.7, 0, -0.2)])
+    assert why == "expected approach and normal square to each other, found a · n = -1"

@@ -1,0 +1,79 @@
+import math
+
+import pytest
+from hypothesis import HealthCheck, given, settings, strategies as st
+
+from onika.record.difference import Tolerance, first_difference
+from onika.testing.tape import Tape
+from onika.wire import event
+
+COURSE = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.0]), (2.0, [3.0, 4.0]))
+
+
+def tape(tmp_path, name, course=COURSE, began_s=0.5, action="go"):
+    one = Tape(tmp_path / f"{name}.mcap")
+    one.variable("X", "double[2]", *course)
+    one.tell(began_s, event.Began(0, 0, 2, action, began_s))
+    return one.end()
+
+
+def found(tmp_path, tolerance=None, **other):
+    return first_difference(tape(tmp_path, "a"), tape(tmp_path, "b", **other), tolerance or Tolerance())
+
+
+def test_equal_runs_do_not_differ(tmp_path):  # R-X05
+    assert found(tmp_path) is None
+
+
+def test_the_first_value_that_is_another_is_told_with_its_element(tmp_path):  # R-X05
+    one = found(tmp_path, course=((0.0, [0.0, 0.0]), (1.0, [1.0, 2.5]), (2.0, [9.0, 9.0])))
+    assert str(one) == "at 1 s: flow0/X[1]: 2.0, in the other 2.5"
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "differs"), [(Tolerance(0.5), False), (Tolerance(part=0.25), False), (Tolerance(0.49), True)]
+)
+def test_values_within_the_tolerance_are_the_same(tmp_path, tolerance, differs):  # R-X05
+    other = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.5]), (2.0, [3.0, 4.0]))
+    assert (found(tmp_path, tolerance, course=other) is not None) == differs
+
+
+def test_the_same_course_a_little_later_is_within_a_tolerance_of_time(tmp_path):  # R-X05
+    later = tuple((at + 0.01 if at else at, values) for at, values in COURSE)
+    assert found(tmp_path, course=later).at_ns == 1_000_000_000
+    assert found(tmp_path, Tolerance(seconds=0.011), course=later) is None
+
+
+def test_an_event_that_is_another_or_later_is_told(tmp_path):  # R-X05
+    assert "action go" in found(tmp_path, action="stay").first
+    assert found(tmp_path, began_s=0.75).what == "flow0"
+    assert found(tmp_path, Tolerance(seconds=0.25), began_s=0.75) is None
+
+
+def test_what_only_one_of_them_has_is_told(tmp_path):  # R-X05
+    other = Tape(tmp_path / "b.mcap")
+    other.variable("X", "double[2]", *COURSE)
+    one = first_difference(tape(tmp_path, "a"), other.end(), Tolerance())
+    assert (one.at_ns, one.second) == (500_000_000, "nothing more")
+    less = Tape(tmp_path / "c.mcap").end()
+    assert first_difference(tape(tmp_path, "a"), less, Tolerance()).first == "it is there"
+
+
+@given(st.floats(-1e6, 1e6), st.floats(0, 100), st.floats(-1e6, 1e6))
+def test_a_tolerance_is_symmetric(one, room, other):
+    assert Tolerance(room).covers(one, other, other) == Tolerance(room).covers(other, one, one)
+
+
+def test_no_number_is_only_like_itself():
+    assert Tolerance(9.0).covers(math.nan, math.nan, math.nan)
+    assert not Tolerance(9.0).covers(math.nan, 1.0, 1.0)
+    assert Tolerance().covers(math.inf, math.inf, math.inf)
+
+
+@given(k=st.integers(0, 2), by=st.floats(0.1, 5.0), place=st.integers(0, 1))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=30)
+def test_whatever_value_is_changed_is_the_first_difference(tmp_path, k, by, place):  # R-X05
+    other = [(at, list(values)) for at, values in COURSE]
+    other[k][1][place] += by
+    one = found(tmp_path, Tolerance(0.05), course=other)
+    assert (one.at_ns, one.what) == (k * 1_000_000_000, f"flow0/X[{place}]")

@@ -1,0 +1,103 @@
+import io
+
+import pytest
+from hypothesis import HealthCheck, given, settings, strategies as st
+
+from onika.record.reader import Reader
+from onika.record.writer import Writer
+
+SCHEMA = b'{"type":"object"}'
+STEP = 10
+
+
+def bytes_of(count=60, per_chunk=7, finishes=True):
+    """A recording: topic a speaks at every step, b at every third; the ends of its chunks."""
+    stream = io.BytesIO()
+    writer, ends = Writer(stream), []
+    writer.note("onika", {"seed": "3"})
+    writer.attach("plan", "text/plain", b"the plan")
+    for k in range(count):
+        writer.message(writer.channel("a", "any", SCHEMA), k * STEP, b'{"a":%d}' % k)
+        if k % 3 == 0:
+            writer.message(writer.channel("b", "any", SCHEMA), k * STEP, b'{"b":%d}' % k)
+        if k % per_chunk == per_chunk - 1:
+            writer.flush()
+            ends.append((stream.tell(), k))
+    if finishes:
+        writer.finish()
+    return stream.getvalue(), ends
+
+
+WHOLE, ENDS = bytes_of()
+
+
+@pytest.fixture
+def path(tmp_path):
+    return tmp_path / "run.mcap"
+
+
+def read(path, data):
+    path.write_bytes(data)
+    return Reader(path)
+
+
+def test_a_whole_file_says_everything(path):  # R-X05
+    reader = read(path, WHOLE)
+    assert reader.is_whole
+    assert reader.unread == 0
+    assert reader.span == (0, 590)
+    assert [at for at, _ in reader.messages("a")] == [k * STEP for k in range(60)]
+    assert [body for _, body in reader.messages("b", 30, 91)] == [b'{"b":3}', b'{"b":6}', b'{"b":9}']
+    assert (reader.count("a"), reader.count("b"), reader.count("c")) == (60, 20, 0)
+    assert (reader.attachment("plan"), reader.attachment("none")) == (b"the plan", None)
+    assert reader.notes == {"onika": {"seed": "3"}}
+    assert reader.attachments == ("plan",)
+    reader.close()
+
+
+@given(at=st.integers(-5, 700))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
+def test_the_newest_word_before_a_time_is_found(path, at):  # R-X05: scrubbing
+    reader = read(path, WHOLE)
+    said = [(k * STEP, b'{"b":%d}' % k) for k in range(0, 60, 3) if k * STEP <= at]
+    assert reader.newest("b", at) == (said[-1] if said else None)
+    assert reader.newest("c", at) is None
+
+
+@given(cut=st.integers(0, len(WHOLE) - 1))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
+def test_a_file_cut_anywhere_is_read_up_to_its_last_whole_chunk(path, cut):  # R-X05: kill -9
+    path.write_bytes(WHOLE[:cut])
+    if cut < 8:
+        with pytest.raises(ValueError, match=r"expected a recording \(MCAP\)"):
+            Reader(path)
+        return
+    reader = Reader(path)
+    assert not reader.is_whole
+    last = max((k for end, k in ENDS if end <= cut), default=-1)
+    found = [at // STEP for at, _ in reader.messages("a")]
+    assert found == list(range(len(found)))
+    assert len(found) >= last + 1
+    assert all(body == b'{"a":%d}' % (at // STEP) for at, body in reader.messages("a"))
+
+
+@given(cut=st.integers(600, len(WHOLE) - 1), garbage=st.binary(min_size=1, max_size=40))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=200)
+def test_garbage_behind_a_cut_does_no_harm(path, cut, garbage):  # R-X05
+    path.write_bytes(WHOLE[:cut] + garbage)
+    reader = Reader(path)
+    found = [at // STEP for at, _ in reader.messages("a")]
+    last = max((k for end, k in ENDS if end <= cut), default=-1)
+    assert found[: last + 1] == list(range(last + 1))
+
+
+def test_a_file_that_was_never_finished_is_read(path):
+    reader = read(path, bytes_of(finishes=False)[0])
+    assert not reader.is_whole
+    assert reader.count("a") == 56
+
+
+def test_what_is_no_recording_is_said(path):  # R-E01
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
+    with pytest.raises(ValueError, match="found something else"):
+        Reader(path)

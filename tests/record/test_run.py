@@ -1,0 +1,45 @@
+import pytest
+from msgspec import structs
+
+from onika.record.reader import Reader
+from onika.record.run import Run, ending
+from onika.record.writer import Writer
+from onika.testing.tape import Tape, run
+from onika.wire import steer
+from onika.wire.event import Result
+from onika.wire.request import Recorded, encode
+
+
+def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
+    begin = structs.replace(run().begin, answers=(("a", "b", "1 2"),), repeat=(Recorded(5, 1, encode(steer.Who())),))
+    given = structs.replace(run(), begin=begin, options=("--shake", "3"))
+    found = Run.read(Tape(tmp_path / "run.mcap", given).end())
+    assert found == given
+    assert found.prepare.plan.code[0].source
+
+
+def test_its_modules_lie_in_the_file_as_files_of_their_own(tmp_path):
+    reader = Tape(tmp_path / "run.mcap").end()
+    sources = [reader.attachment(one) for one in reader.attachments if one.startswith("code/")]
+    assert any(b"class Servo(Module)" in one for one in sources)
+
+
+def test_the_same_plan_has_the_same_hash_and_another_one_another():  # law 29
+    other = structs.replace(run().prepare, plan=structs.replace(run().prepare.plan, application="another"))
+    assert run().plan_hash == run(seed=9).plan_hash
+    assert structs.replace(run(), prepare=other).plan_hash != run().plan_hash
+
+
+def test_a_file_without_a_run_is_refused(tmp_path):  # R-E01
+    path = tmp_path / "run.mcap"
+    with path.open("wb") as stream:
+        Writer(stream).finish()
+    with pytest.raises(ValueError, match="expected a recording of a run"):
+        Run.read(Reader(path))
+
+
+def test_how_a_run_ended_is_noted():  # R-X05
+    result = Result(False, "enough", 1, 2, 1.25, 9.0, {}, (), "abc", outside=("flow0/planner",))
+    assert ending(result) == {
+        "completed": "no", "cause": "enough", "hash": "abc", "seconds": "1.25", "outside": "flow0/planner"
+    }  # fmt: skip

@@ -1,0 +1,122 @@
+"""One holder, with real programs: who is silent loses what he holds, what he drove holds, and it is written down."""
+
+import os
+import re
+import select
+import signal
+import subprocess
+import sys
+from pathlib import Path
+from time import monotonic
+
+import pytest
+
+from onika.desk.runtime import connect
+from onika.files import trail
+from onika.wire import event, holding, live, request
+
+pytestmark = pytest.mark.site
+
+SCRIPT = """
+config jmoveC @home
+echo it moves
+wait 4
+on pd
+"""
+
+
+@pytest.fixture
+def there(tmp_path):
+    """A runtime in wall time that listens, its address, and where its state lies."""
+    environment = os.environ | {"XDG_STATE_HOME": str(tmp_path)}
+    environment.pop("ONIKA_TOKEN", None)
+    words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0", "--no-fifo"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as process:
+        found = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
+        yield There(found[1], Path(found[2]).read_text().strip(), tmp_path, environment)
+        process.terminate()
+        assert process.wait(20) == 0
+    head = trail.read([tmp_path / "onika" / "audit" / "audit.log"])
+    assert head.faults == []
+    assert head.records[-1]["what"] == "the runtime ends"
+
+
+class There:
+    def __init__(self, url, token, state, environment):
+        self.url, self.token, self.environment = url, token, environment
+        self.audit = state / "onika" / "audit" / "audit.log"
+
+    def connect(self):
+        return connect(self.url, self.token)
+
+    def console(self, script):
+        onika = Path(sys.executable).with_name("onika")
+        words = [onika, "console", self.url, "--script", script, "--no-console"]
+        return subprocess.Popen(
+            words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=self.environment
+        )
+
+    def records(self, what):
+        return [one for one in trail.read([self.audit]).records if one["what"] == what]
+
+
+def wait_for(runtime, kind, when=lambda _one: True, seconds=30.0):
+    until = monotonic() + seconds
+    while monotonic() < until:
+        for one in runtime.events(0.5):
+            if isinstance(one, kind) and when(one):
+                return one
+    raise AssertionError(f"no {kind.__name__}")
+
+
+def rest(process, watcher):
+    """Everything it says to its end; the watcher goes on beating meanwhile."""
+    said, line = "", "begin"
+    while line:
+        list(watcher.events(0.0))
+        if select.select([process.stdout], [], [], 0.1)[0]:
+            line = process.stdout.readline()
+            said += line
+    process.stdout.close()
+    return said
+
+
+def test_what_a_frozen_holder_drives_holds_and_he_commands_nothing_when_he_thaws(there, tmp_path):  # R-X12, F7
+    (tmp_path / "script").write_text(SCRIPT)
+    with there.connect() as watcher:
+        watcher.ask(live.Attend(("*",)))
+        console = there.console(tmp_path / "script")
+        wait_for(watcher, event.Drive, lambda one: one.state == "DRIVEN")
+        assert "held by" in watcher.ask(live.Take("main")).reason
+        console.send_signal(signal.SIGSTOP)
+        freed = wait_for(watcher, event.Held, lambda one: not one.holder)
+        silent_s = float(re.search(r"silent for ([0-9.]+) s", freed.cause)[1])
+        assert 1.0 <= silent_s < 1.5
+        held = wait_for(watcher, event.Drive, lambda one: one.state == "HELD" and "arm" in one.device)
+        assert held.last_command_ns <= held.at_ns
+        assert {task.state for one in watcher.ask(live.Survey()).subsystems for task in one.tasks} == {"OFF"}
+        console.send_signal(signal.SIGCONT)
+        said = rest(console, watcher)
+        assert console.wait(30) == 1, said
+        assert "was not heard for too long" in said
+        assert watcher.ask(live.Take("main")) == request.Done()
+    refused = [one for one in there.records("Change") if "not heard" in one.get("result", "")]
+    assert refused and refused[0]["address"] == "127.0.0.1"
+    assert any("silent for" in one.get("result", "") for one in there.records("held"))
+    assert there.token not in there.audit.read_text()
+
+
+def test_of_two_real_sessions_one_writes_and_hands_it_to_the_other(there):  # R-X12
+    with there.connect() as one, there.connect() as two:
+        me, other = (runtime.ask(holding.Sessions()).you for runtime in (one, two))
+        assert me != other
+        two.ask(live.Attend(("*",)))
+        assert one.ask(live.Take("s0")) == request.Done()
+        assert "held by" in two.ask(live.Take("s0")).reason
+        assert one.ask(holding.Hand("s0", other)) == request.Done()
+        assert wait_for(two, event.Offered).to == other
+        assert two.ask(live.Take("s0")) == request.Done()
+        assert "only its holder" in one.ask(holding.Hand("s0", other)).reason
+        assert two.ask(request.Stop("seen enough")) == request.Done()
+    assert [record.get("who") for record in there.records("held")][:2] == [me, other]
+    assert there.records("Stop")[0]["role"] == "owner"

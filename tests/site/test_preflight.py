@@ -1,0 +1,270 @@
+"""Pairs of robots and programs, sound ones and ones with something planted in them, looked at before the run (X02)."""
+
+import re
+
+import pytest
+
+from onika.desk.preparation import prepare_run
+from onika.host.loading import DirectLoading
+from onika.host.preparation import prepare
+from onika.model.redirect import Redirect
+from onika.store.site import open_site, shipped
+from onika.testing.laboratory import Laboratory, job, joints, target
+
+LEANS, FAR = "the hand would lean", "the wrist would be"
+MODES, ONE_DEVICE = "all arms of a world are of one mode", "claims it too"
+HOME, ASIDE = "jmoveC home", "jmoveC aside"
+NOT_THERE = "expected a task of"
+
+pytestmark = pytest.mark.site
+
+SHIPPED = [
+    # what stands for the puma, program, everything that is to be said
+    ("puma", "assemble", []),
+    ("puma", "assemble24", []),
+    ("puma", "assemble_together", []),
+    ("puma", "both_wave", []),
+    ("puma", "by_way_of", []),
+    ("puma", "in_line", []),
+    ("puma", "let_go", []),
+    ("puma", "put_back", []),
+    ("puma", "try_to_grasp", []),
+    ("puma", "wave_on", []),
+    ("puma", "wave_together", []),
+    ("puma_kin", "assemble", []),
+    ("puma_kin", "by_way_of", []),
+    ("puma_kin", "in_line", []),
+    ("puma_kin", "let_go", []),
+    ("puma_kin", "try_to_grasp", []),
+    ("puma_kin", "visit_boxes", []),
+    ("puma_kin", "assemble_together", [MODES]),
+    ("puma_kin", "both_wave", [MODES]),
+    ("puma_kin", "wave_three", [NOT_THERE]),
+    ("scara", "assemble", []),
+    ("scara", "assemble24", []),
+    ("scara", "put_back", []),
+    ("scara", "go_home", [f"home: {LEANS} 180 degrees"]),
+    ("scara", "assemble_together", [f"action 18: {HOME}"]),
+    ("scara", "both_wave", [f"action 1: {ASIDE}"]),
+    ("scara", "by_way_of", ["action 1: jmove_viaC aside box2_aj", f"action 2: {HOME}"]),
+    ("scara", "in_line", [ASIDE, HOME]),
+    ("scara", "let_go", [f"action 8: {HOME}"]),
+    ("scara", "two_arms", [f"action 1: {ASIDE}", f"action 2: {HOME}"]),
+    ("scara", "wave_together", [f"action 1 of both_wave: {ASIDE}", f"action 4: {HOME}"]),
+    ("scara", "wave_three", [NOT_THERE]),
+    ("scara_kin", "assemble", []),
+    ("scara_kin", "put_back", []),
+    ("scara_kin", "two_arms", [ASIDE, HOME, MODES]),
+    ("puma_right", "assemble", []),
+    ("puma_right", "go_home", [f"home: out of reach: {FAR} 1.537 m"]),
+    ("puma_right", "two_arms", [ASIDE, HOME, ONE_DEVICE]),
+    ("gripper", "assemble", ["does not write BASE, ", "reads GRIP, which no task of `jmoveC` writes", "of `cmoveC`"]),
+    ("jtraj", "go_home", ["does not write BASE", "takes the target of a Joint job", "reads NDOF, QMAX"]),
+    ("closegripC", "go_home", ["no closegripC"]),
+]
+
+
+@pytest.fixture(scope="module")
+def loading():
+    return DirectLoading()
+
+
+def told(loading, name, local=(), redirects=()):
+    """Everything that is said of a program before it runs."""
+    site = open_site(local, {}, None)
+    one = prepare_run(str(name), site, tuple(map(Redirect.parse, redirects)))
+    found = list(one.faults)
+    if one.plan is not None:
+        found += [fault for fault in prepare(one.plan, one.targets, loading).faults if fault not in found]
+    return [str(fault) for fault in found]
+
+
+def assert_told(said, expected):
+    """Each thing that is expected is said once, and nothing else; those in a tuple of whoever lacks them."""
+    if isinstance(expected, tuple):
+        assert all(any(one in text for one in expected) for text in said)
+        assert all(any(one in text for text in said) for one in expected)
+        return
+    left = list(said)
+    for one in expected:
+        match = next((text for text in left if one in text), None)
+        assert match is not None, f"{one!r} is not said: {left}"
+        left.remove(match)
+    assert left == []
+
+
+@pytest.mark.parametrize(("robot", "program", "expected"), SHIPPED, ids=lambda one: one if isinstance(one, str) else "")
+def test_a_program_on_another_robot_is_refused_for_what_is_wrong_and_for_nothing_else(
+    loading, robot, program, expected
+):  # R-X02, R-E09
+    redirects = () if robot == "puma" else (f"puma={robot}",)
+    assert_told(told(loading, program, redirects=redirects), expected)
+
+
+# ---- planted
+
+
+REACHED, BEYOND = (0.2, -0.6, 2.7, 0.0, 1.0, 0.0), (0.2, -0.6, 9.0, 0.0, 1.0, 0.0)
+FOUR = (0.0, 0.9, 0.05, -0.8)
+POSE, FURTHER = "0 0 -1 0 1 0 0.7 0.2 -0.3", "0 0 -1 0 1 0 0.9 0.1 -0.2"
+
+
+def moved(*targets):
+    return [step for one in targets for step in (job("jmoveC", "Joint job"), one)]
+
+
+def lined(*poses):
+    kind = "Cartesian"
+    return [
+        step
+        for k, pose in enumerate(poses)
+        for step in (job("cmoveC", f"{kind} job"), target(f"p{k}", f"{kind} object", pose, "1.0"))
+    ]
+
+
+def rmod(name, **changes):
+    """A shipped task as text, with lines of it changed: `DEVICE="boxes:arm_right"`; None leaves a line out."""
+    text = next(shipped().glob(f"*/module/{name}.rmod")).read_text(encoding="utf-8").partition("EOF")[0]
+    for key, words in changes.items():
+        line = "" if words is None else f"{key:<12}{words}\n"
+        text, count = re.subn(rf"(?m)^{re.escape(key)} .*\n", line, text)
+        assert count == 1
+    return text
+
+
+def without(configuration, task):
+    """A shipped configuration as the tasks in it, without one."""
+    text = next(shipped().glob(f"*/conf/{configuration}.conf")).read_text(encoding="utf-8")
+    found = re.findall(r"RMODFILE +(\S+)\n.*\n.*\nFREQ +(\S+)", text)
+    return [f"{name} {rate}" for name, rate in found if name != task]
+
+
+def own(name, steps, **tasks):
+    """A laboratory with a program, and shipped tasks as they were changed."""
+
+    def make(path):
+        lab = Laboratory(path)
+        for task, changes in tasks.items():
+            lab.task(task, rmod(changes.pop("of", task), **changes))
+        return lab.application(name, steps)
+
+    return make
+
+
+def lacking(configuration, task, kind, *icons):
+    """A program whose job lacks a task."""
+
+    def make(path):
+        lab = Laboratory(path)
+        lab.configuration("lameC", *without(configuration, task))
+        return lab.application("lame", [job("lameC", kind), *icons])
+
+    return make
+
+
+PLANTED = {
+    # reach, limits
+    "joint 3 beyond": (own("p", moved(joints("far", *BEYOND))), (), ["far: joint 3 at 9.00 rad is beyond"]),
+    "two of three beyond": (
+        own("p", moved(joints("a", *BEYOND), joints("b", *REACHED), joints("c", 9.0, *REACHED[1:]))),
+        (),
+        ["a: joint 3", "c: joint 1"],
+    ),
+    "beyond for both": (own("p", moved(joints("far", *BEYOND))), ("puma=puma_kin",), ["far: "]),
+    "a duration that is none": (
+        own("p", moved(joints("slow", *REACHED, duration=900.0))),
+        (),
+        ["slow: duration: expected 0.1..600 s"],
+    ),
+    "pose out of reach": (own("p", lined("0 0 -1 0 1 0 1.9 0.2 -0.3")), (), ["p0: out of reach"]),
+    "pose that is none": (own("p", lined("0 0 -1 0 0 1 0.7 0.2 -0.3")), (), ["p0: "]),
+    "pose beyond the scara": (
+        own("p", lined(POSE, "0 0 -1 0 1 0 0.9 0.1 -0.2")),
+        ("puma=scara",),
+        ["p1: out of reach"],
+    ),
+    "pose leaning for the scara": (own("p", lined("1 0 0 0 1 0 0.6 0.2 -0.2")), ("puma=scara",), ["p0: "]),
+    "pose above the scara": (own("p", lined("0 0 -1 0 1 0 0.6 0.2 0.6")), ("puma=scara",), ["p0: "]),
+    # devices, sensors
+    "no such device": (
+        own("p", lined(POSE), puma={"DEVICE": "boxes:arm_middle"}),
+        (),
+        ["DEVICE boxes:arm_middle"],
+    ),
+    "no such world": (own("p", lined(POSE), puma={"DEVICE": "shed:arm_left"}), (), ["found DEVICE shed:arm_left"]),
+    "another robot behind": (
+        own("p", lined(POSE), puma={"DEVICE": "boxes:scara_left"}),
+        (),
+        ["expected the robot puma560 behind the device"],
+    ),
+    "forces behind none": (
+        own("p", lined(POSE), puma_kin={"DEVICE": "boxes:arm_left"}),
+        ("puma=puma_kin",),
+        ["expected the robot puma560_kin behind the device"],
+    ),
+    "elsewhere": (own("p", lined(POSE), puma={"BASE": "0.1 0 0 0"}), (), ["expected frame 0 of the robot at"]),
+    "no sensor": (own("p", lined(POSE), led_monitor={"DEVICE": "boxes:bulb"}), (), ["found DEVICE boxes:bulb"]),
+    "no device said": (own("p", lined(POSE), puma={"DEVICE": None}), (), ["a LOCAL line DEVICE"]),
+    # ports, numbers of joints, rates
+    "no robot in a job": (
+        lacking("jmoveC", "puma", "Joint job", joints("there", *REACHED)),
+        (),
+        tuple(
+            f"the constant {one}" for one in ("NDOF", "DH", "DYN", "LOAD", "BASE", "QMIN", "QMAX", "Q^_MAX", "KP", "KD")
+        ),
+    ),
+    "no trigger": (lacking("jmoveC", "jtraj", "Complete job"), (), ["a trigger that ends job lameC"]),
+    "a port too many": (own("p", lined(POSE), pd={"INVAR": "Q_REF Q^_REF Q_MEZ Q^_MEZ ODD"}), (), ["INVAR ODD"]),
+    "a port too few": (own("p", lined(POSE), pd={"INVAR": "Q_REF Q^_REF Q_MEZ"}), (), ["INVAR Q^_MEZ"]),
+    "too slow a robot": (own("p", lined(POSE), puma={"FREQ": "20"}), (), ["at least 40 Hz"]),
+    "a parameter that is none": (own("p", lined(POSE), puma={"BASE": "0 0"}), (), ["LOCAL BASE"]),
+    "five of six joints": (
+        own("p", [job("jmove_scaraC", "Joint job"), joints("there", *REACHED)]),
+        (),
+        ["expected 5 values (endpoint[4], duration[1]), found 7"],
+    ),
+    "four of six joints": (
+        own("p", moved(joints("few", 0.1, 0.2, 0.1, 0.0))),
+        (),
+        ["expected 7 values (endpoint[6], duration[1]), found 5"],
+    ),
+    "nobody writes what it follows": (
+        lacking("cmoveC", "invkin", "Cartesian job", target("p", "Cartesian object", POSE, "1.0")),
+        ("puma=puma_kin",),
+        ["`puma_kin` reads Q_REF, which no task of `lameC` writes"],
+    ),
+    # sound ones
+    "sound for four joints": (own("p", [job("jmove_scaraC", "Joint job"), joints("there", *FOUR)]), (), []),
+    "sound for six in place of four": (
+        own("p", [job("jmove_scaraC", "Joint job"), joints("there", *FOUR)]),
+        ("scara=puma",),
+        [],
+    ),
+    "sound": (own("p", moved(joints("there", *REACHED))), (), []),
+    "sound lines": (own("p", lined(POSE)), (), []),
+    "sound for the mode": (own("p", moved(joints("there", *REACHED))), ("puma=puma_kin",), []),
+    "sound for the scara": (own("p", lined(POSE)), ("puma=scara",), []),
+    "sound for the scara's mode": (own("p", lined(POSE)), ("0:puma=scara_kin",), []),
+    "sound at the right": (own("p", lined("0 0 -1 0 1 0 0.7 0.2 -0.3")), ("puma=puma_right",), []),
+    "sound with another name": (own("p", lined(POSE), twin={"of": "puma"}), ("puma=twin",), []),
+}
+
+
+@pytest.mark.parametrize("case", PLANTED)
+def test_what_is_planted_is_told_with_its_place_and_nothing_else_is(loading, tmp_path, case):  # R-X02
+    make, redirects, expected = PLANTED[case]
+    assert_told(told(loading, make(tmp_path), [tmp_path], redirects), expected)
+
+
+def test_there_are_more_than_fifty_pairs_and_many_of_them_are_sound():  # R-X02
+    sound = [one for *_, one in (*SHIPPED, *PLANTED.values()) if not one]
+    assert len(SHIPPED) + len(PLANTED) >= 50
+    assert len(sound) >= 20
+
+
+def test_everything_is_told_at_once_whatever_it_is(loading, tmp_path):  # R-X02
+    steps = [*moved(joints("far", *BEYOND)), *lined("0 0 -1 0 1 0 1.9 0.2 -0.3"), job("nowhereC")]
+    path = own("p", steps, puma={"BASE": "0.1 0 0 0"}, led_monitor={"DEVICE": "boxes:bulb"})(tmp_path)
+    said = told(loading, path, [tmp_path])
+    elsewhere, nowhere = "expected frame 0 of the robot at", "the configuration nowhereC"
+    assert_told(said, ["far: joint 3", "p0: out of reach", elsewhere, "boxes:bulb", nowhere])

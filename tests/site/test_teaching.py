@@ -1,0 +1,87 @@
+import contextlib
+import queue
+import time
+
+import numpy as np
+import pytest
+
+from onika.desk.environment.environment import Environment
+from onika.desk.environment.handlers import HANDLERS
+from onika.desk.environment.launching import Launching
+from onika.desk.environment.opening import opened
+from onika.desk.environment.station import Station
+from onika.desk.environment.surroundings import Surroundings
+from onika.laws import puma560
+from onika.laws.frames import pose_of_nine
+from onika.store.site import open_site
+from onika.testing.cabinet import WHITE
+from onika.wire import act
+
+pytestmark = pytest.mark.site
+
+PATIENCE_S = 60.0
+
+
+class Bench:
+    """The environment with the shipped laboratories and a runtime of its own, in scaled time."""
+
+    def __init__(self, folder):
+        (folder / "home").mkdir()
+        site = open_site([], {}, folder / "home")
+        self.things = queue.Queue()
+        self.station = Station(Launching(("rt0",), is_virtual=True, options=("--scale", "4")), self.things.put)
+        model, _ = opened(site, None, {})
+        self.environment = Environment(model, HANDLERS, Surroundings(site, time.monotonic), self.station)
+        self.station.begin(self.environment)
+
+    def answer(self, asked):
+        given = []
+        self.environment.do(asked, "me", given.append)
+        self.until(lambda: given)
+        return given[0]
+
+    def do(self, asked):
+        answer = self.answer(asked)
+        assert answer.no is None, answer.no
+        return answer.value
+
+    def until(self, reached):
+        end = time.monotonic() + PATIENCE_S
+        while not reached():
+            assert time.monotonic() < end
+            with contextlib.suppress(queue.Empty):
+                self.things.get(timeout=0.05)()
+
+    def item(self, kind):
+        return self.environment.tree.types[kind].items[0]
+
+
+@pytest.fixture
+def bench(tmp_path):
+    bench = Bench(tmp_path)
+    yield bench
+    bench.station.end()
+
+
+def test_targets_are_taken_from_where_the_robot_stands(bench):  # R-D13, R-D23, R-K07, R-D08
+    no = bench.answer(act.Teach("Cartesian object")).no
+    assert "no robot is connected" in no.reason
+    doc = bench.do(act.Open("cmoveC"))
+    bench.do(act.Connect(doc))
+    bench.until(lambda: bench.item("Joint object").low is not None)
+    assert np.allclose(bench.item("Joint object").low, puma560.QMIN)
+    bench.until(lambda: "ctraj" in bench.environment.model.shelf.sheets)
+    no = bench.answer(act.Teach("Cartesian object")).no
+    bench.do(next(one.act for one in no.remedies if isinstance(one.act, act.Turn)))
+
+    joints = bench.do(act.Teach("Joint object")).values["endpoint"]
+    found = bench.do(act.Teach("Cartesian object"))
+    assert found.source.startswith("X_MEZ, as fwdkin measures it in ")
+    pose = pose_of_nine(list(found.values["pose"]))
+    assert np.allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3)) and set(found.values) == {"pose"}
+
+    words = tuple(f"{one:.6f}" for one in joints)
+    bench.do(act.MakeTarget("here", "Joint object", (words, ("2",)), WHITE))
+    assert bench.environment.tree.onikons["here"].values[1] == ("2",)
+    no = bench.answer(act.MakeTarget("beyond", "Joint object", (("9", *words[1:]), ("2",)), WHITE)).no
+    assert "9 is above" in no.fields["endpoint[0]"]

@@ -1,0 +1,54 @@
+"""A browser without a window: it speaks as the page does."""
+
+import json
+import time
+import urllib.error
+import urllib.request
+
+import msgspec
+from websockets.sync.client import connect
+
+from onika.wire import act, page as messages
+
+
+class Guest:
+    """A browser without a window: it speaks as the page does."""
+
+    def __init__(self, address: str) -> None:
+        class Stays(urllib.request.HTTPRedirectHandler):
+            def redirect_request(self, *_args: object) -> None:
+                return None
+
+        opener = urllib.request.build_opener(Stays)
+        try:
+            opener.open(address)
+        except urllib.error.HTTPError as redirect:
+            cookie = redirect.headers["set-cookie"].partition(";")[0]
+        origin = address.partition("/?")[0]
+        self.socket = connect(
+            origin.replace("http", "ws") + "/ws", additional_headers={"Cookie": cookie}, origin=origin, max_size=None
+        ).__enter__()
+        self.cid = 0
+
+    def do(self, asked: act.AnyAct) -> float:
+        """Seconds until the answer."""
+        self.cid += 1
+        began = time.perf_counter()
+        self.socket.send(msgspec.json.encode(messages.Ordered(self.cid, asked)).decode())
+        while True:
+            found = json.loads(self.socket.recv())
+            if found.get("cid") == self.cid:
+                if found["t"] == "Refused":
+                    raise RuntimeError(found["reason"])
+                return time.perf_counter() - began
+
+    def until(self, asked: act.AnyAct) -> None:
+        """Ask again until it is done: a runtime takes a moment to begin."""
+        for _ in range(100):
+            try:
+                self.do(asked)
+                return
+            except RuntimeError as refused:
+                why = refused
+                time.sleep(0.1)
+        raise why
