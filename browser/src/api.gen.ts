@@ -797,19 +797,6 @@ export interface ErrorView {
   remedies?: (Remedy)[];
 }
 
-/** Why something is refused or worth a warning, in words, with what could be done, likeliest first (X01). */
-export interface Reason {
-  text: string;
-  remedies?: (Remedy)[];
-}
-
-/** A button beside a refusal: it sends `act`, or goes to what `show` names. show `task:NAME`, `library:NAME`, `pin:TASK/PIN`, `locus:NAME`, `source:TASK`, `connect`, `problems`, `save-as`; in applications `step:NUMBER`, `onikon:NAME`, `fits:FLOW:NUMBER` (what fits behind that step), `target:TYPE` (make one), `values:NUMBER` (of a step), `loop:NUMBER`, `configuration:PATH` */
-export interface Remedy {
-  label: string;
-  act?: AnyAct | null;
-  show?: string;
-}
-
 /** An open dictionary. */
 export interface DictionaryView {
   name: string;
@@ -1184,6 +1171,19 @@ export interface Tree {
   icon_clipboard?: string;
   run?: RunView | null;
   people?: number;
+}
+
+/** Why something is refused or worth a warning, in words, with what could be done, likeliest first (X01). */
+export interface Reason {
+  text: string;
+  remedies?: (Remedy)[];
+}
+
+/** A button beside a refusal: it sends `act`, or goes to what `show` names. show `task:NAME`, `library:NAME`, `pin:TASK/PIN`, `locus:NAME`, `source:TASK`, `connect`, `problems`, `save-as`; in applications `step:NUMBER`, `onikon:NAME`, `fits:FLOW:NUMBER` (what fits behind that step), `target:TYPE` (make one), `values:NUMBER` (of a step), `loop:NUMBER`, `configuration:PATH` */
+export interface Remedy {
+  label: string;
+  act?: AnyAct | null;
+  show?: string;
 }
 
 /** An act with the number by which it is answered. */

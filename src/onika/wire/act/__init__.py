@@ -4,6 +4,7 @@
 An act that would touch hardware or lose something is refused first, with the same act `confirmed` as its remedy.
 """
 
+from onika.wire.act.act import Act as Act, Names as Names, Point as Point
 from onika.wire.act.application import (
     AddFlow as AddFlow,
     CopyIcons as CopyIcons,
@@ -26,7 +27,6 @@ from onika.wire.act.application import (
     Steps as Steps,
     Values as Values,
 )
-from onika.wire.act.base import Act as Act, Names as Names, Point as Point
 from onika.wire.act.canvas import (
     Align as Align,
     Check as Check,

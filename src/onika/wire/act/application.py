@@ -5,7 +5,7 @@ named by its path: `1` is flow 1, `1/17/0` flow 0 of the branch that is step 17 
 changed while it runs, but for breakpoints.
 """
 
-from onika.wire.act.base import Act
+from onika.wire.act.act import Act
 
 Steps = tuple[int, ...]
 Values = tuple[tuple[str, ...], ...]

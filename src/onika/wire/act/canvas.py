@@ -4,7 +4,7 @@ from typing import Literal
 
 from msgspec import field
 
-from onika.wire.act.base import Act, Names, Point
+from onika.wire.act.act import Act, Names, Point
 
 
 class Place(Act, frozen=True):

@@ -1,7 +1,7 @@
 """What a user does to dictionaries, their icons and their targets."""
 
+from onika.wire.act.act import Act
 from onika.wire.act.application import Values
-from onika.wire.act.base import Act
 
 
 class OpenDictionary(Act, frozen=True):

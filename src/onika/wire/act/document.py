@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from onika.wire.act.base import Act
+from onika.wire.act.act import Act
 
 
 class New(Act, frozen=True):

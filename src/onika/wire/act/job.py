@@ -1,6 +1,6 @@
 """Making an icon of a document."""
 
-from onika.wire.act.base import Act
+from onika.wire.act.act import Act
 
 
 class Draft(Act, frozen=True):

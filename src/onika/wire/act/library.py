@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from onika.wire.act.base import Act, Names
+from onika.wire.act.act import Act, Names
 
 
 class OpenLibrary(Act, frozen=True):

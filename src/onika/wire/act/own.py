@@ -2,7 +2,7 @@
 
 from typing import Any
 
-from onika.wire.act.base import Act
+from onika.wire.act.act import Act
 
 
 class Prefer(Act, frozen=True):

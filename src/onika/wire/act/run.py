@@ -1,6 +1,6 @@
 """What a user does to run an application; a question of it is answered by `Answer`, its task as `SUBSYSTEM/TASK`."""
 
-from onika.wire.act.base import Act
+from onika.wire.act.act import Act
 
 
 class Run(Act, frozen=True):

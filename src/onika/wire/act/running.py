@@ -1,6 +1,6 @@
 """What a user does in the running system."""
 
-from onika.wire.act.base import Act, Names
+from onika.wire.act.act import Act, Names
 
 
 class Connect(Act, frozen=True):

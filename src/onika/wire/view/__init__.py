@@ -12,7 +12,6 @@ from onika.wire.view.application import (
     StepView as StepView,
 )
 from onika.wire.view.asking import AskItem as AskItem, AskView as AskView, ErrorView as ErrorView
-from onika.wire.view.base import Reason as Reason, Remedy as Remedy, View as View
 from onika.wire.view.dictionary import (
     DictionaryView as DictionaryView,
     ItemView as ItemView,
@@ -49,3 +48,4 @@ from onika.wire.view.run import (
 )
 from onika.wire.view.runtime import RuntimeView as RuntimeView, SessionView as SessionView, UnitView as UnitView
 from onika.wire.view.tree import ButtonView as ButtonView, ConfigurationFile as ConfigurationFile, Tree as Tree
+from onika.wire.view.view import Reason as Reason, Remedy as Remedy, View as View

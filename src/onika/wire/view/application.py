@@ -4,8 +4,8 @@ from typing import Literal
 
 from msgspec import field
 
-from onika.wire.view.base import Remedy, View
 from onika.wire.view.dictionary import Role
+from onika.wire.view.view import Remedy, View
 
 
 class StepView(View, frozen=True):

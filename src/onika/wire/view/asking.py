@@ -4,7 +4,7 @@ from typing import Any
 
 from msgspec import field
 
-from onika.wire.view.base import Remedy, View
+from onika.wire.view.view import Remedy, View
 
 
 class AskItem(View, frozen=True):

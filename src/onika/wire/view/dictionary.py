@@ -4,7 +4,7 @@ from typing import Any, Literal
 
 from msgspec import field
 
-from onika.wire.view.base import View
+from onika.wire.view.view import View
 
 Role = Literal["", "job", "application", "target", "nop", "start", "end"]
 

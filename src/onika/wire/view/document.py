@@ -5,7 +5,7 @@ from typing import Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView, ErrorView
-from onika.wire.view.base import Reason, Remedy, View
+from onika.wire.view.view import Reason, Remedy, View
 
 State = Literal["", "OFF", "ON", "ASKING", "WAITING", "ERROR", "SPAWNING", "KILLING"]
 """A task's state; empty where nothing is connected."""

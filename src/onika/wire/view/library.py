@@ -2,7 +2,7 @@
 
 from typing import Literal
 
-from onika.wire.view.base import View
+from onika.wire.view.view import View
 
 
 class PinView(View, frozen=True):

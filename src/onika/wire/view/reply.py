@@ -2,7 +2,7 @@
 
 from msgspec import field
 
-from onika.wire.view.base import View
+from onika.wire.view.view import View
 
 
 class TextView(View, frozen=True):

@@ -5,7 +5,7 @@ from typing import Any, Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView
-from onika.wire.view.base import Remedy, View
+from onika.wire.view.view import Remedy, View
 
 
 class StepRunView(View, frozen=True):

@@ -4,7 +4,7 @@ from typing import Literal
 
 from msgspec import field
 
-from onika.wire.view.base import View
+from onika.wire.view.view import View
 
 
 class UnitView(View, frozen=True):

@@ -5,12 +5,12 @@ from typing import Any
 from msgspec import field
 
 from onika.wire.view.application import ApplicationFile, ApplicationView
-from onika.wire.view.base import View
 from onika.wire.view.dictionary import DictionaryView, OnikonView, TypeView
 from onika.wire.view.document import DocumentView
 from onika.wire.view.library import LibraryView, TaskView
 from onika.wire.view.run import RunView
 from onika.wire.view.runtime import RuntimeView
+from onika.wire.view.view import View
 
 
 class ButtonView(View, frozen=True):

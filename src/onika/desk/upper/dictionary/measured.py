@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 from onika.desk.environment.model import Model
 from onika.desk.upper.dictionary import frame
@@ -42,10 +43,10 @@ def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
     return tuple(found)
 
 
-def values_of(measure: Measure, value: object) -> tuple[float, ...] | str:
+def values_of(measure: Measure, value: Any) -> tuple[float, ...] | str:
     """The values of a variable as those of a datum; else why they are none, in words."""
     if measure.is_frame:
-        return frame.nine_of(value)  # type: ignore[arg-type]
+        return frame.nine_of(value)
     found = tuple(_flat(value))
     if len(found) != measure.count and not (measure.dimension and found):
         return f"{measure.variable} has {len(found)} values and {measure.item} {measure.count}"
