@@ -243,7 +243,8 @@ class Person:
         for task in tasks:
             k = self.canvas.locator("[data-task]").count()
             self.drag(self.icon(task), 140 + 230 * (k % 4), 120 + 200 * (k // 4))
-            expect(self.box(task)).to_be_visible()
+            # The box is there before the answer that selects it.
+            expect(self.box(task)).to_have_attribute("aria-pressed", "true")
 
     def remove(self, task: str) -> None:
         self.box(task).click()
