@@ -5,6 +5,7 @@ import { here, reveal } from './here.svelte'
 import { send } from './link'
 import { Refusal } from './refusal'
 import { hideRefusal, showRefusal, type Point } from './refused.svelte'
+import { hindrance } from './review/hindering'
 import { show } from './shell/documents.svelte'
 import { heard } from './texts/heard'
 
@@ -12,6 +13,8 @@ import { heard } from './texts/heard'
 export async function act(a: AnyAct, at?: Point): Promise<unknown> {
   hideRefusal()
   try {
+    const why = hindrance(a)
+    if (why) throw why
     return (await send(a)) ?? null
   } catch (why) {
     if (!(why instanceof Refusal)) throw why

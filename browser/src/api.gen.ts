@@ -406,6 +406,59 @@ export interface Undo {
   confirmed?: boolean;
 }
 
+/** Ask the runtime anew who is there, who holds what, and where the flows of applications are. */
+export interface Company {
+  t: 'Company';
+}
+
+/** Say no to what is offered; a yes is Take. */
+export interface Decline {
+  t: 'Decline';
+  doc?: string;
+  subsystem?: string;
+}
+
+/** Offer a subsystem to another session, which takes it or not; to nobody: offer it no more. */
+export interface Hand {
+  t: 'Hand';
+  doc?: string;
+  to?: string;
+  subsystem?: string;
+}
+
+/** From now on this environment changes nothing in the runtime that it is connected with; stopping stays. */
+export interface OnlyWatch {
+  t: 'OnlyWatch';
+}
+
+/** Let another become the holder. */
+export interface Release {
+  t: 'Release';
+  doc?: string;
+  subsystem?: string;
+}
+
+/** Steer the run of an application that another began and that is held here now; what moves is asked back first. */
+export interface SteerTaken {
+  t: 'SteerTaken';
+  subsystem: string;
+  wish: 'abort' | 'clear' | 'pause' | 'resume';
+  confirmed?: boolean;
+}
+
+/** Become the holder of a subsystem: of one that nobody holds, or that is offered here. Of a run that is nobody's all flows are taken, which is asked back first: it was begun by somebody else. */
+export interface Take {
+  t: 'Take';
+  doc?: string;
+  subsystem?: string;
+  confirmed?: boolean;
+}
+
+/** Come anew, as somebody who may change something: the promise only to watch lasts as long as the session. */
+export interface WatchNoMore {
+  t: 'WatchNoMore';
+}
+
 /** Ask what job a configuration would make; replied by `view.DraftView` (C16). */
 export interface Draft {
   t: 'Draft';
@@ -524,9 +577,82 @@ export interface SetButton {
   spawns_terminal?: boolean;
 }
 
+/** Put the recording away; what runs now is shown again. */
+export interface CloseRecording {
+  t: 'CloseRecording';
+}
+
+/** Show another recorded run beside the one that is looked at, with their first difference; empty: no more. */
+export interface CompareWith {
+  t: 'CompareWith';
+  path: string;
+  tolerance?: number;
+  part?: number;
+  time_s?: number;
+}
+
+/** Go on from an instant of the recorded run in the simulator: the same run up to there, then as it is steered. */
+export interface Continue {
+  t: 'Continue';
+  at_s: number;
+  confirmed?: boolean;
+}
+
+/** A variable `SUBSYSTEM/NAME` over a stretch of the recorded run; the value is a tuple of `view.StretchView`. */
+export interface Course {
+  t: 'Course';
+  variable: string;
+  begin_s: number;
+  end_s: number;
+  points?: number;
+  of_other?: boolean;
+}
+
+/** What the recorded run was like at an instant; the value is a `view.InstantView`. */
+export interface Glance {
+  t: 'Glance';
+  at_s: number;
+  of_other?: boolean;
+}
+
+/** Keep a run of an application as a test (X07): it is carried out in simulators aside, five times. */
+export interface KeepTest {
+  t: 'KeepTest';
+  doc: string;
+  path?: string;
+  expects?: (string)[];
+  confirmed?: boolean;
+  saves_unsaved?: boolean;
+}
+
+/** Look at a recorded run (X05); another one that was looked at is put away. */
+export interface OpenRecording {
+  t: 'OpenRecording';
+  path: string;
+}
+
+/** What a world of the recorded run consisted of; replied with it as `Scene` is. */
+export interface RecordedScene {
+  t: 'RecordedScene';
+  world: string;
+  at_s?: number;
+  of_other?: boolean;
+}
+
+/** Which recordings there are; the value is a `view.RecordingsView`. */
+export interface Recordings {
+  t: 'Recordings';
+}
+
 /** Put away what is shown of a run that is over. */
 export interface Dismiss {
   t: 'Dismiss';
+}
+
+/** Look at everything that could keep an application from running, the modules' reach too; nothing moves (X02). The faults are then those of the application, each at its step; replied with how many there are. */
+export interface Preflight {
+  t: 'Preflight';
+  doc: string;
 }
 
 /** Let another task stand for one while this application is open; its file stays as it is (E09). */
@@ -546,6 +672,7 @@ export interface Run {
   ignores_unsaved?: boolean;
   passes_breakpoints?: boolean;
   saves_unsaved?: boolean;
+  is_recorded?: boolean;
 }
 
 /** Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`. */
@@ -598,28 +725,10 @@ export interface Connect {
   confirmed?: boolean;
 }
 
-/** Say no to what is offered of a document's subsystem; a yes is Take. */
-export interface Decline {
-  t: 'Decline';
-  doc: string;
-}
-
 /** Leave what runs as it is, and go on unconnected. */
 export interface Disconnect {
   t: 'Disconnect';
   doc: string;
-}
-
-/** Offer a document's subsystem to another session, which takes it or not; to nobody: offer it no more. */
-export interface Hand {
-  t: 'Hand';
-  doc: string;
-  to?: string;
-}
-
-/** From now on this environment changes nothing in the runtime that it is connected with; stopping stays. */
-export interface OnlyWatch {
-  t: 'OnlyWatch';
 }
 
 /** Initialise a task anew, and all that need its constants. */
@@ -627,12 +736,6 @@ export interface Reinit {
   t: 'Reinit';
   doc: string;
   task: string;
-}
-
-/** Let another become the holder. */
-export interface Release {
-  t: 'Release';
-  doc: string;
 }
 
 /** Exchange the code of a living task for what its file says now; on failure the old one stays (law 21). */
@@ -656,12 +759,6 @@ export interface Scene {
 /** Stop everything: every drive holds (law 27). Always carried out first, never refused. */
 export interface Stop {
   t: 'Stop';
-}
-
-/** Become the holder of a document's subsystem. */
-export interface Take {
-  t: 'Take';
-  doc: string;
 }
 
 /** ON to OFF and back; a task in ERROR is cleared (C11). */
@@ -722,6 +819,7 @@ export interface ApplicationView {
   holes?: number;
   faults?: Record<string, FaultView>;
   is_judged?: boolean;
+  is_checked?: boolean;
   is_running?: boolean;
   redirects?: (RedirectView)[];
 }
@@ -732,6 +830,7 @@ export interface FaultView {
   level?: 'fault' | 'warning';
   step?: number;
   remedies?: (Remedy)[];
+  is_of_runtime?: boolean;
 }
 
 /** A task that stands for another one in a flow, by its subsystem, or in all of them. */
@@ -739,6 +838,7 @@ export interface RedirectView {
   old: string;
   new: string;
   flow?: string;
+  homes?: (string)[];
 }
 
 /** An icon, hole or branch in a flow, with its marks. */
@@ -998,7 +1098,7 @@ export interface PeekView {
   flows?: ((PeekIcon)[])[];
 }
 
-/** The tasks of every flow that is not nested, by its subsystem. */
+/** The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by "". */
 export interface SeatsView {
   flows?: Record<string, (SeatView)[]>;
 }
@@ -1008,6 +1108,8 @@ export interface SeatView {
   task: string;
   taken_by: string;
   candidates?: (CandidateView)[];
+  description?: string;
+  is_hardware?: boolean;
 }
 
 /** A text that can be edited, with its faults beside their lines. */
@@ -1017,6 +1119,114 @@ export interface TextView {
   stamp: string;
   faults?: ([number, string])[];
   is_read_only?: boolean;
+}
+
+/** The first difference of two recorded runs, or why they cannot be compared; without a text there is none. */
+export interface DifferenceView {
+  text?: string;
+  at_s?: number;
+  variable?: string;
+}
+
+/** What a recorded run was like at an instant. */
+export interface InstantView {
+  at_s: number;
+  run: RunView;
+  tasks?: Record<string, string>;
+  values?: Record<string, unknown>;
+  poses?: Record<string, unknown>;
+  homes?: Record<string, string>;
+}
+
+/** A test that is being kept, or was last. */
+export interface KeepingView {
+  doc: string;
+  path: string;
+  state?: 'failed' | 'kept' | 'running';
+  text?: string;
+  run?: number;
+  of?: number;
+}
+
+/** Something that happened, worth a mark at the time line: an error, a stop, a meeting, a command. */
+export interface MarkView {
+  at_s: number;
+  kind: 'command' | 'error' | 'meet' | 'stop';
+  text: string;
+}
+
+/** An action that was carried out; the last one of a run cut short has no end. */
+export interface PassageView {
+  action: number;
+  name: string;
+  begin_s: number;
+  end_s?: number | null;
+  step?: number;
+}
+
+/** A flow of a recorded run. */
+export interface RecordedFlowView {
+  order: number;
+  passages?: (PassageView)[];
+}
+
+/** A variable that was recorded, by `SUBSYSTEM/NAME`. */
+export interface RecordedVariableView {
+  unit?: string;
+  labels?: (string)[];
+}
+
+/** A recording that could be looked at. */
+export interface RecordingFile {
+  path: string;
+  name: string;
+  began_at_s?: number;
+  took_s?: number;
+  bytes?: number;
+  is_whole?: boolean;
+}
+
+/** The recordings of this environment, newest first, and where they lie. */
+export interface RecordingsView {
+  folder: string;
+  files?: (RecordingFile)[];
+}
+
+/** A recorded run. */
+export interface RecordingView {
+  path: string;
+  name: string;
+  began?: string;
+  is_virtual?: boolean;
+  is_whole?: boolean;
+  is_completed?: boolean;
+  cause?: string;
+  begin_s?: number;
+  end_s?: number;
+  flows?: Record<string, RecordedFlowView>;
+  variables?: Record<string, RecordedVariableView>;
+  worlds?: (string)[];
+  marks?: (MarkView)[];
+  notes?: (string)[];
+  cannot_continue?: string;
+  doc?: string;
+  began_at_s?: number;
+}
+
+/** What is looked at. */
+export interface ReviewView {
+  recording: RecordingView;
+  other?: RecordingView | null;
+  difference?: DifferenceView | null;
+}
+
+/** One element of a variable: in each of equal parts of a time the least and the greatest value. */
+export interface StretchView {
+  label: string;
+  unit: string;
+  at_s: (number)[];
+  least: (number)[];
+  most: (number)[];
 }
 
 /** The last seconds of a variable. */
@@ -1048,6 +1258,21 @@ export interface FlowRunView {
   text?: string;
 }
 
+/** The largest step of an input of a hardware task where what drives it was exchanged, and what became of them. */
+export interface JumpView {
+  subsystem: string;
+  task: string;
+  variable: string;
+  unit: string;
+  jump: number;
+  limit: number;
+  at_s: number;
+  count: number;
+  blended?: number;
+  cycles?: number;
+  refused?: number;
+}
+
 /** Flows have begun together at a tag. */
 export interface MeetView {
   tag: string;
@@ -1074,6 +1299,10 @@ export interface RunView {
   done?: number;
   of?: number;
   took_s?: number;
+  jumps?: (JumpView)[];
+  recording?: string;
+  recorded_bytes?: number;
+  repeats_until_s?: number;
 }
 
 /** What has become of a step of the application in this run. */
@@ -1104,6 +1333,19 @@ export interface StopView {
   meanings?: (string)[];
 }
 
+/** Who may change a subsystem that lives (law 27, X12). */
+export interface HoldView {
+  holder?: string;
+  application?: string;
+  state?: string;
+  since_at_s?: number;
+  cause?: string;
+  former?: string;
+  was_here?: boolean;
+  offered_to?: string;
+  offered_until_s?: number;
+}
+
 /** The runtime of this environment. */
 export interface RuntimeView {
   state?: 'linked' | 'lost' | 'none' | 'starting';
@@ -1115,6 +1357,7 @@ export interface RuntimeView {
   units?: Record<string, UnitView>;
   worlds?: Record<string, boolean>;
   subsystems?: Record<string, string>;
+  holds?: Record<string, HoldView>;
   sessions?: Record<string, SessionView>;
 }
 
@@ -1124,6 +1367,7 @@ export interface SessionView {
   is_here?: boolean;
   only_watches?: boolean;
   is_you?: boolean;
+  lease_s?: number;
 }
 
 /** A processing unit. */
@@ -1170,6 +1414,8 @@ export interface Tree {
   pictures?: Record<string, string>;
   icon_clipboard?: string;
   run?: RunView | null;
+  review?: ReviewView | null;
+  keeping?: KeepingView | null;
   people?: number;
 }
 
@@ -1245,5 +1491,5 @@ export interface Say {
   at_s?: number;
 }
 
-export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew;
+export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;

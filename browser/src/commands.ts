@@ -2,7 +2,7 @@
 
 import { here, type Level } from './here.svelte'
 
-export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help' | 'application' | 'dictionary'
+export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help' | 'application' | 'dictionary' | 'review'
 
 export interface Command {
   id: string

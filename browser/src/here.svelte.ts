@@ -10,7 +10,7 @@ export type Language = 'en' | 'es'
 export type Level = 'tasks' | 'applications'
 export type Presentation = 'pictures' | 'both' | 'words'
 export type StripTab = 'tasks' | 'variables' | 'problems' | 'log'
-export type DialogName = '' | 'open' | 'connect' | 'preferences' | 'buttons' | 'source' | 'job' | 'saveAs' | 'help' | 'sheet' | 'saveGroup' | 'insert' | 'newApplication' | 'target' | 'icon'
+export type DialogName = '' | 'holding' | 'open' | 'connect' | 'preferences' | 'buttons' | 'source' | 'job' | 'saveAs' | 'help' | 'sheet' | 'saveGroup' | 'insert' | 'newApplication' | 'target' | 'icon' | 'recordings' | 'keep' | 'redirect'
 
 /** The panel that is open beside everything else, and what it is about. */
 export interface Dialog {

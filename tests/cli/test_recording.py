@@ -40,3 +40,22 @@ def test_what_is_no_recording_is_said(tmp_path, capsys):  # R-E01
     assert "none.mcap" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         main(["recording", "diff", "a", "b", "--time", "-1"])
+
+
+def test_a_recording_is_not_written_over_by_its_own_table(files, tmp_path, capsys):  # R-E01
+    before = (tmp_path / "a.mcap").read_bytes()
+    assert main(["recording", "csv", files[0], "--output", files[0]]) == 2
+    assert "another file" in capsys.readouterr().err
+    assert (tmp_path / "a.mcap").read_bytes() == before
+
+
+def test_a_file_that_is_spoilt_or_cut_is_told_by_its_name(files, tmp_path, capsys):  # R-E01, R-X05
+    data = (tmp_path / "b.mcap").read_bytes()
+    (tmp_path / "b.mcap").write_bytes(data[:-9])
+    assert main(["recording", "diff", files[0], files[1], "--tolerance", "1"]) == 0
+    assert f"{files[1]} was cut short: compared up to 1 s" in capsys.readouterr().out
+    place = data.index(b"plan.json") + 60
+    (tmp_path / "b.mcap").write_bytes(data[:place] + b"#" + data[place + 1 :])
+    for words in (["show", files[1]], ["csv", files[1]], ["diff", *files]):
+        assert main(["recording", *words]) == 2
+        assert files[1] in capsys.readouterr().err

@@ -90,8 +90,8 @@ def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words
         (["--script", "none"], "expected a file of lines, found none at 'none'"),
         (["--rtpu", "7"], "expected a name of letters, digits"),
         (["--base", "none"], "expected a base directory"),
-        (["--lease", "5"], "expected 0.3 to 3 seconds, found '5'"),
-        (["--lease", "soon"], "expected 0.3 to 3 seconds, found 'soon'"),
+        (["--lease", "5"], "expected 0.2 to 3 seconds, found '5'"),
+        (["--lease", "soon"], "expected 0.2 to 3 seconds, found 'soon'"),
     ],
 )
 def test_a_wrong_command_line_is_told_and_ends_with_2(sits, capsys, words, said):

@@ -24,6 +24,11 @@ def result(**changes):
         (event.Warned("flow0", "jtraj", "too fast", 1.0), "    1.00 s  note: jtraj: too fast"),
         (event.Warned("flow0", "", "waits", 1.0), "    1.00 s  note: waits"),
         (
+            event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0),
+            "    1.00 s  note: flow0/puma: TAU_REF[1] stepped by 40 N m at a switch, more than 9.76 N m a cycle: "
+            "blended over 6 cycles",
+        ),
+        (
             event.Failed("flow0", "pd", "cycle: no", "pd.py", 7, "", 0.5),
             "    0.50 s  ERROR flow0/pd: cycle: no (pd.py:7)",
         ),

@@ -75,6 +75,12 @@ def bench_of(path, code=None):
     ), device
 
 
+def jumping(bench):
+    """What it is given jumps from now on as nothing may that drives a robot (law 33)."""
+    if bench.task.intake is not None:
+        bench.task.intake.continuity.crossings = ()
+
+
 def argument_line(bench, module, rng):
     """Random values within the bounds of all inputs."""
     items = bench.task.input.items if bench.task.input else ()
@@ -184,7 +190,7 @@ def test_a_module_imports_the_front_door_and_the_laws_only(path):  # style: §3,
 def test_a_thousand_cycles_with_any_finite_input_end_well_and_write_finite_numbers(path):  # R-A02
     rng = np.random.default_rng(1)
     bench, device = bench_of(path)
-    bench.init()
+    jumping(bench.init())
     outputs = [
         port.name for port in (one.port(a) for a, one in bench.cls.declared_ports.items()) if not port.kind.is_input
     ]
@@ -226,7 +232,7 @@ def test_an_exception_in_a_cycle_reaches_the_error_entry(path, tmp_path):  # R-A
     copy = tmp_path / sound.path.name
     copy.write_text(sound.path.read_text() + PLANTED.format(name=sound.cls.__name__))
     bench, device = bench_of(path, copy)
-    bench.init()
+    jumping(bench.init())
     feed(bench, device, rng)
     bench.on(argument_line(bench, path.stem, rng))
     bench.task.module._planted = True

@@ -74,4 +74,4 @@ def test_what_cannot_be_repeated_is_refused_with_the_reason(path, other, words, 
 def test_a_file_that_is_no_recording_is_refused(tmp_path, path):  # R-E01
     path.write_text("no recording")
     assert "found something else" in str(recorded_run(Source(path))[0])
-    assert "No such file" in str(recorded_run(Source(tmp_path / "nothing"))[0])
+    assert "no such file" in str(recorded_run(Source(tmp_path / "nothing"))[0])

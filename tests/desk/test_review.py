@@ -55,6 +55,7 @@ def test_an_instant_tells_everything_as_it_was(tape):  # R-X05: canvas, flows, p
         assert review.at(-1.0).flows == {"flow0": ("", -1)}
         assert review.scene("yard", 1.0)["entities"] == []
         assert review.scene("yard", 0.1) is None
+        assert (review.shapes("yard"), review.shapes("moon"), review.lit("yard", 1.0)) == ([], None, [])
 
 
 def test_a_course_keeps_its_peaks_however_few_its_points(tape):  # R-X05: downsampled courses

@@ -3,7 +3,7 @@
 import pytest
 
 from onika.testing.hand import COUNTER, Hand, hand_with_tasks
-from onika.testing.rail import rail
+from onika.testing.rail import MASS, rail
 from onika.wire import event, live, request
 
 GIVER = """
@@ -26,6 +26,60 @@ class Giver(Module):
     def cycle(self):
         self.OUT = self._value
 """
+
+
+PUSH = """
+from onika.module import Module, OutVar
+
+class Push(Module):
+    FORCE = OutVar("double", "N", "what pushes it")
+
+    def on(self, inputs):
+        self.FORCE = {force}
+
+    def cycle(self):
+        self.FORCE = {force}
+"""
+
+
+@pytest.fixture
+def pushed():
+    """A mass that a task pushes with 1 N, and which may step by 1 N in a cycle; others would push harder."""
+    one = Hand()
+    one.shop = rail()
+    limited = MASS.replace('"what pushes it")', '"what pushes it", step=1.0)')
+    one.task("mass", limited, frequency=500.0, local={"DEVICE": "yard:m0"})
+    for name, force in (("push", 1.0), ("harder", 5.0), ("hardest", 500.0)):
+        one.task(name, PUSH.format(force=force), frequency=500.0)
+    assert one.change(spawn=["mass", "push"], on=["mass", "push"]) == ""
+    one.let_pass(0.2)
+    one.asker.gate.told.clear()
+    return one
+
+
+def test_a_change_after_which_a_device_would_step_too_far_is_taken_back_with_the_number(pushed):  # R-X04, R-X10
+    cause = pushed.change(spawn=["hardest"], on=["hardest"], kill=("push",))
+    assert cause == "hardest: on: FORCE would step by 499 N: a cycle may change it by 1 N, 0.1 s by 50 N"
+    assert pushed.states == {"mass": "ON", "push": "ON"}
+    pushed.let_pass(0.2)
+    assert pushed.values("FORCE") == {"FORCE": 1.0}
+    assert not any(one.is_too_far for one in pushed.asker.of(event.Stepped))
+
+
+def test_an_exchange_of_code_after_which_a_device_would_step_too_far_leaves_the_old_code(pushed):  # R-X04, R-A14
+    pushed.task("push", PUSH.format(force=500.0), frequency=500.0)
+    assert pushed.swap("push").startswith("push: swap: FORCE would step by 499 N")
+    pushed.let_pass(0.2)
+    assert pushed.values("FORCE") == {"FORCE": 1.0}
+    assert pushed.states == {"mass": "ON", "push": "ON"}
+
+
+def test_a_change_after_which_a_device_steps_is_blended_and_told(pushed):  # R-X04
+    assert pushed.change(spawn=["harder"], on=["harder"], kill=("push",)) == ""
+    pushed.let_pass(0.2)
+    (stepped,) = pushed.asker.of(event.Stepped)
+    assert (stepped.task, stepped.variable, stepped.step, stepped.cycles) == ("mass", "FORCE", 4.0, 8)
+    assert stepped.given <= stepped.limit == 1.0
 
 
 @pytest.fixture

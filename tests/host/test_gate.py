@@ -24,6 +24,11 @@ class Road:
         self.post, self.other = socket.socketpair()
         self.end = ""
 
+    deaf = 0
+
+    def deaf_ns(self):
+        return self.deaf
+
     def arrivals(self):
         came, self.coming = self.coming, []
         return came
@@ -283,11 +288,12 @@ def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
     house.guest(Role.OPERATOR)
     parent, guest = house.gate.sessions()
     assert (parent.role, guest.role, guest.is_here) == ("owner", "operator", True)
-    before = house.gate.silent_ns(guest.name)
+    before = house.gate.hearing(guest.name)
     house.now += SECOND
-    assert house.gate.silent_ns(guest.name) == before + SECOND
-    assert house.gate.silent_ns(parent.name) is None
-    assert house.gate.silent_ns("nobody") is None
+    assert house.gate.hearing(guest.name).silent_ns == before.silent_ns + SECOND
+    assert before.beats == 0
+    assert house.gate.hearing(parent.name) is None
+    assert house.gate.hearing("nobody") is None
 
 
 def test_whoever_overhears_is_told_everything_at_once(house):  # law 29

@@ -185,6 +185,33 @@ def test_a_run_that_was_begun_to_go_on_goes_on(hand):  # R-X12
     assert hand.asker.to_the_end().completed
 
 
+@pytest.mark.parametrize("on_loss", ["stop", "finish", "run"])
+def test_a_run_whose_session_is_gone_is_told_to_be_nobodys(hand, on_loss):  # R-X12
+    perform(hand, "one", on_loss=on_loss)
+    leave(hand, "one")
+    told = hand.asker.of(event.Held)[-1]
+    assert (told.subsystem, told.holder) == ("flow0", "")
+    assert "one that began it is gone" in told.cause
+    assert hand.asker.ask(live.Take("flow0"), "two") == request.Done()
+
+
+def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
+    def abort(subsystem, session):
+        ticket = hand.asker.send(request.Abort("enough", subsystem), session)
+        return hand.asker.gate.replies[ticket]
+
+    perform(hand, "one", on_loss="run")
+    hand.asker.send(live.Advance(0.2), "two")
+    hand.asker.program.advance(1)
+    assert "begun by one" in abort("flow0", "two").reason
+    assert abort("elsewhere", "one") == request.Done()
+    hand.asker.gate.gone.append("one")
+    hand.asker.program.serve()
+    assert abort("flow0", "two") == request.Done()
+    hand.asker.to_the_end()
+    assert [one.cause for one in hand.asker.of(event.Result)] == ["enough"]
+
+
 def test_an_answer_to_an_application_is_for_who_began_it(hand):  # R-X12, law 25
     hand.shop = rail()
     hand.asker.ask(request.Prepare(hand.shop.plan([action("mass", "servo")]), ()), "one")
@@ -326,7 +353,7 @@ def test_a_holder_that_is_silent_for_its_lease_leaves_everything_off(watched):  
     silent(watched, "one", 1.0)
     assert watched.states == {"counter": "OFF"}
     assert held(watched)[-1] == ("s0", "")
-    assert watched.asker.of(event.Held)[-1].cause == "its holder one has been silent for 1.0 s"
+    assert watched.asker.of(event.Held)[-1].cause == "its holder one has been silent for 1.00 s"
 
 
 def test_hardware_of_a_silent_holder_holds(watched):  # R-X12, law 17

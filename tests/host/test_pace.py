@@ -23,6 +23,14 @@ def test_a_stall_stretches_time_and_never_jumps():  # law 13
     assert pace.allowed(60 * SECOND, stands=False) == 200_000_000
 
 
+def test_a_clock_that_has_gone_further_goes_on_from_there():  # R-X05
+    pace = Pace(1.0, 0, 0)
+    pace.follow(5 * SECOND, 7 * SECOND)
+    assert pace.allowed(7 * SECOND + 1000, stands=False) == 5 * SECOND + 1000
+    pace.follow(SECOND, 8 * SECOND)
+    assert pace.allowed(7 * SECOND + 3000, stands=False) == 5 * SECOND + 3000
+
+
 def test_the_wait_is_as_long_as_the_clock_takes():
     pace = Pace(10.0, 0, 0)
     assert pace.wait_s(SECOND) == pytest.approx(0.1)

@@ -1,6 +1,9 @@
+from time import monotonic_ns
+
 import pytest
 
 from onika.desk.recorded import inputs_of
+from onika.host.pace import FASTEST, SLOWEST, Pace
 from onika.record import said
 from onika.record.reader import Reader
 from onika.record.run import Run
@@ -89,6 +92,36 @@ def test_a_recorded_run_is_repeated_bit_for_bit(path):  # R-X05
     again.ask(request.Prepare(PLAN, ()))
     again.ask(request.Begin(repeat=tuple(inputs_of(Reader(path))), repeat_until_ns=-1))
     assert again.to_the_end().hash == result.hash
+
+
+def test_a_subsystem_that_is_only_held_does_not_keep_a_run_from_being_the_first(path):  # law 29
+    desk = Asker()
+    assert desk.ask(live.Take("main")) == request.Done()
+    desk.ask(request.Prepare(PLAN, ()))
+    assert desk.ask(request.Begin(record=str(path))) == request.Done()
+    desk.to_the_end()
+    assert Run.read(Reader(path)).is_fresh
+
+
+def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_it(path):  # R-X05, A16
+    desk = begun(path)
+    result = desk.to_the_end()
+    until = round(result.runtime_s * 1e9) - 300_000_000
+    again = Asker()
+    again.driver._pace = Pace(SLOWEST, 0, monotonic_ns())
+    again.ask(request.Prepare(PLAN, ()))
+    again.ask(request.Begin(repeat=tuple(inputs_of(Reader(path), until)), repeat_until_ns=until))
+    began = monotonic_ns()
+    while again.driver.now < until:  # which would take the wall a hundred times as long
+        again.program.advance(1_000_000)
+    for _ in range(5):
+        again.program.advance(1_000_000)
+    passed = monotonic_ns() - began
+    assert again.driver.now - until <= passed * SLOWEST + 1
+    again.driver._pace = Pace(FASTEST, again.driver.now, monotonic_ns())
+    while not again.of(event.Result):
+        again.program.advance(1_000_000)
+    assert again.of(event.Result)[0].hash == result.hash
 
 
 def test_a_disk_that_is_full_ends_the_recording_and_not_the_run(path):  # R-X05

@@ -1,3 +1,4 @@
+import msgspec
 import numpy as np
 import pytest
 
@@ -99,6 +100,8 @@ def test_worlds_are_drawn_once_and_again_when_a_lamp_shines(desk):  # K03
         desk.scribe.take(decode(encode(Pose("boxes", at * MS, row, lit))))
     reader = desk.read()
     assert [at for at, _ in reader.messages(said.scene("boxes"))] == [0, 3 * MS]
+    assert foxglove.lit(reader.newest(said.scene("boxes"), 3 * MS)[1]) == ["lamp"]
+    assert msgspec.json.decode(reader.attachment(said.shapes("boxes"))) == [shape]
     assert foxglove.rows(reader.newest(said.frames("boxes"), 9 * MS)[1]) == [[0, 0, 1, 1, 0, 0, 0]]
 
 

@@ -1,6 +1,7 @@
 """Table 9 without an application: what sessions hear of every signal, once for each time it is said."""
 
 import pytest
+from msgspec import structs
 
 from onika.host.telling import told
 from onika.runtime import news
@@ -114,6 +115,17 @@ def test_a_word_of_a_task_that_is_gone_is_told_to_nobody(speaker, word):  # R-A0
     stage.hear("rt0", late, 1)
     assert speaker.asker.gate.told == []
     assert speaker.states == {}
+
+
+STEPPED = news.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2_000_000_000)
+
+
+def test_a_step_at_a_live_change_is_told_with_its_numbers():  # R-X04
+    (one,) = told(STEPPED, 9.0)
+    assert one == event.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2.0)
+    assert one.is_too_far
+    assert not told(structs.replace(STEPPED, step=10.0), 9.0)[0].is_too_far
+    assert not told(structs.replace(STEPPED, limit=0.0), 9.0)[0].is_too_far
 
 
 def test_a_task_is_turned_on_again_after_each_end(speaker):  # R-A05, R-A09

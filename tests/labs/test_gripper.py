@@ -70,3 +70,10 @@ class TestJob:
         bench["GRIP_MEZ"] = [0.08, 0.1, 0.0]
         bench.cycle(100)
         assert (bench.cycles, bench.finished is not None) == (30, True)
+
+
+def test_a_device_that_is_no_hand_is_told_before_the_run():  # R-X02
+    fits = gripper(hand()).cls.fits
+    assert fits({}, {"ROBOT": "gripper", "ARM": "arm_left"}) is None
+    assert fits({}, {"ROBOT": "puma560"}) == "expected a hand behind the device, found puma560"
+    assert fits({}, {"BOXES": "plus"}) == "expected a hand behind the device, found another device"

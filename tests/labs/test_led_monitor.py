@@ -46,3 +46,9 @@ def test_it_begins_dark(lamp):
     device.state[:] = 1.0
     bench.cycle(20).off()
     assert bench.on()["LAMP"] == 0
+
+
+def test_a_device_that_is_no_lamp_is_told_before_the_run(lamp):  # R-X02
+    _, bench = lamp
+    assert bench.cls.fits({}, {"BOXES": "plus square"}) is None
+    assert bench.cls.fits({}, {"ROBOT": "puma560"}) == "expected the lamp behind the device, found puma560"

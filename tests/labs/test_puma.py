@@ -22,8 +22,8 @@ def arm(base=None, robot="puma560"):
     return BenchDevice([f"q{k}" for k in joints], [f"tau{k}" for k in joints], {"ROBOT": robot, "BASE": base})
 
 
-def puma(device, base="0 0 0 0"):
-    return Bench(CODE, frequency=500, local={"BASE": base}, device=device).init()
+def puma(device, base="0 0 0 0", **local):
+    return Bench(CODE, frequency=500, local={"BASE": base, **local}, device=device).init()
 
 
 @pytest.fixture
@@ -65,18 +65,58 @@ def test_joint_angles_are_there_as_soon_as_it_is_on():  # law 3
 
 def test_torques_are_clipped_to_what_the_motors_can_do():
     device = arm()
-    bench = puma(device).on()
+    bench = puma(device, STEP="1e6").on()
     bench["TAU_REF"] = [1000, -1000, 1, -1, 0, 0]
     bench.cycle()
     assert device.order == Order.DRIVE
     assert device.commands.tolist() == [97.6, -186.4, 1.0, -1.0, 0.0, 0.0]
 
 
+def test_the_first_torques_after_a_hold_go_over_from_those_that_hold_the_arm():  # law 33, R-X04
+    device = arm()
+    bench = puma(device).on().cycle()
+    held = bench.task.module.held("TAU_REF").copy()
+    assert abs(held).max() > 1.0  # it hangs in the air
+    wanted = held + 0.5 * puma560.TAUMAX
+    bench["TAU_REF"] = wanted
+    bench.cycle(50)
+    assert device.order == Order.HOLD  # it may still come nearer
+    given = [held]
+    for _ in range(12):
+        bench.cycle()
+        given.append(device.commands)
+    steps = abs(np.diff(given, axis=0)) / puma560.TAUMAX
+    assert steps.max() <= 0.1 + 1e-9
+    assert device.commands == pytest.approx(wanted)
+
+
+def test_a_jump_that_is_over_before_the_hold_is_none():  # law 33, R-X04
+    device = arm()
+    bench = puma(device).on().cycle()
+    held = bench.task.module.held("TAU_REF").copy()
+    bench["TAU_REF"] = held + 2000.0  # as from a speed that was measured over the time in which nobody looked
+    bench.cycle(3)
+    bench["TAU_REF"] = held + 1.0
+    bench.cycle()
+    assert device.order == Order.DRIVE
+    assert device.commands == pytest.approx(held + 1.0)
+
+
+def test_what_would_tear_it_out_of_a_hold_is_refused():  # law 33, R-X04
+    device = arm()
+    bench = puma(device).on().cycle()
+    bench["TAU_REF"] = [2000.0, 0, 0, 0, 0, 0]
+    assert bench.cycle(50).state is State.ON and device.order == Order.HOLD
+    assert bench.cycle().state is State.ERROR
+    assert "TAU_REF[0] would step by 2000 N m: a cycle may change it by 9.76 N m, 0.1 s by 488 N m" in bench.why
+    assert device.order == Order.HOLD
+
+
 def test_the_drive_holds_until_torques_come_and_when_the_task_goes_off():  # laws 4 and 12
     device = arm()
     bench = puma(device).on().cycle(3)
     assert device.order == Order.HOLD
-    bench["TAU_REF"] = np.ones(6)
+    bench["TAU_REF"] = bench.task.module.held("TAU_REF") + np.ones(6)
     bench.cycle()
     assert device.order == Order.DRIVE
     bench.off()

@@ -25,8 +25,8 @@ def arm(robot="adept_one"):
     return BenchDevice([f"q{k}" for k in joints], [f"tau{k}" for k in joints], {"ROBOT": robot, "BASE": base})
 
 
-def scara(device):
-    return Bench(CODE, frequency=500, local={"BASE": "0 0 0 0"}, device=device).init()
+def scara(device, **local):
+    return Bench(CODE, frequency=500, local={"BASE": "0 0 0 0", **local}, device=device).init()
 
 
 @pytest.fixture
@@ -49,7 +49,7 @@ def test_another_robot_is_not_driven():
 
 def test_torques_are_clipped_to_what_the_motors_can_do():
     device = arm()
-    bench = scara(device).on()
+    bench = scara(device, STEP="1e6").on()
     bench["TAU_REF"] = [1000, -1000, 1, -1]
     bench.cycle()
     assert device.commands.tolist() == [300.0, -150.0, 1.0, -1.0]

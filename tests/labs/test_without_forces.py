@@ -52,12 +52,16 @@ def test_the_reference_goes_to_the_device_as_it_is(lab, physical, name):  # R-K0
     bench = bench_of(lab, name, device).init().on()
     assert bench.state is State.ON, bench.why
     assert bench.cycle() and device.order == Order.HOLD, "not before a reference is there (law 4)"
-    wanted = np.linspace(0.1, 0.2, bench["NDOF"])
+    wanted = np.linspace(0.001, 0.002, bench["NDOF"])  # near to where it is
     bench["Q_REF"] = wanted
     bench.cycle()
     assert device.order == Order.DRIVE
     assert device.commands.tolist() == wanted.tolist()
-    bench.off()
+    bench["Q_REF"] = wanted + 3.0
+    bench.off().on().cycle()
+    bench["Q_REF"] = wanted + 3.0
+    bench.cycle(51)
+    assert (bench.state, "Q_REF" in bench.why, "would step by" in bench.why) == (State.ERROR, True, True)
     assert device.order == Order.HOLD
 
 

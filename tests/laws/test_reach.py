@@ -32,6 +32,12 @@ def test_targets_beyond_reach_are_named_each_with_its_reason(constants):  # law 
     assert short == "expected 4 joint values, found 1"
 
 
+def test_a_joint_beyond_its_limit_by_a_hair_is_told_with_numbers_that_differ():  # R-X02
+    beyond, at = SCARA["QMAX"][1] + 1e-5, SCARA["QMAX"][1]
+    said = why_not(SCARA, [("joint object", [0.1, q, 0.2, 0.0]) for q in (beyond, at)])
+    assert said == [f"joint 2 at {beyond:.5f} rad is beyond {at:.5f}", None]
+
+
 def test_the_same_cartesian_target_is_within_reach_of_both():  # R-E09
     assert why_not(SCARA, [("cartesian object", BOX)]) == why_not(PUMA, [("cartesian object", BOX)]) == [None]
 

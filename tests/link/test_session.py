@@ -5,9 +5,11 @@ from onika.link.client import ClientEnd
 from onika.link.happening import Asked, Read, Replied, Signalled
 from onika.link.journal import Journal
 from onika.link.pump import Pump
+from onika.link.rhythm import Rhythm
 from onika.link.session import Session
 from onika.link.state import LinkState
 from onika.link.terms import LOCAL
+from onika.wire.packet import Beat, encode
 
 SECOND = 1_000_000_000
 
@@ -118,3 +120,26 @@ def test_a_reading_is_a_reason_to_be_served_and_nobody_keeps_it_for_one_who_is_a
     both.session.service(both.now)
     both.session.show("X", b"2", both.now)
     assert both.session.due_ns(both.now) != 0
+
+
+def test_one_who_says_nothing_is_not_heard_and_is_when_he_says_something_again():  # R-X12
+    both = Both()
+    assert both.session.is_heard
+    both.now += LOCAL.suspect_ns
+    both.session.service(both.now)
+    assert not both.session.is_heard
+    both.talk()
+    assert both.session.is_heard
+    both.session.drop()
+    assert not both.session.is_heard
+
+
+def test_beats_that_came_beside_the_connection_are_counted_until_it_is_another():  # R-X12
+    both = Both()
+    assert both.session.rhythm.beats == 0
+    both.pumps[Channel.ALL].carrier.send(encode(Beat(1, 0, 700)))
+    both.now += 5
+    both.session.service(both.now)
+    assert both.session.rhythm == Rhythm(1, 5, 700)
+    both.connect(Channel.ALL)
+    assert both.session.rhythm == Rhythm()

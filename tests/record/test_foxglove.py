@@ -16,7 +16,7 @@ def fits(schema, value):
     kinds = {"object": dict, "array": list, "number": int | float, "integer": int, "string": str, "boolean": bool}
     assert isinstance(value, kinds[schema["type"]]), (schema, value)
     if schema["type"] == "object":
-        assert set(value) <= set(schema["properties"]), (schema, value)
+        assert set(value) == set(schema["properties"]), (schema, value)  # every field is required of it
         for key, one in value.items():
             fits(schema["properties"][key], one)
     for one in value if schema["type"] == "array" else ():
@@ -59,3 +59,19 @@ def test_what_shines_is_yellow():
     dark, lit = (json.loads(foxglove.scene("w", 0, [SHAPE], names)) for names in ((), ("lamp",)))
     assert dark["entities"][0]["cubes"][0]["color"]["r"] == 0.1
     assert lit["entities"][0]["cubes"][0]["color"] == {"r": 1.0, "g": 0.9, "b": 0.2, "a": 1.0}
+
+
+def test_what_shines_is_told_by_name():  # R-X05: 3-D in review
+    dark, lit = (foxglove.scene("w", 0, [SHAPE], names) for names in ((), ("lamp",)))
+    assert (foxglove.lit(dark), foxglove.lit(lit)) == ([], ["lamp"])
+    assert fits(json.loads(foxglove.SCENE_SCHEMA), json.loads(lit))
+
+
+@pytest.mark.parametrize(
+    ("kind", "back", "size"),
+    [("box", "box", [0.1, 0.2, 0.3]), ("sphere", "ellipsoid", [0.1] * 3), ("capsule", "cylinder", [0.1, 0.2])],
+)
+def test_shapes_come_back_as_far_as_they_are_drawn(kind, back, size):  # R-X05: recordings without shapes of their own
+    (shape,) = foxglove.shapes(foxglove.scene("w", 0, [{**SHAPE, "kind": kind}]))
+    assert (shape["body"], shape["kind"], shape["size"]) == (2, back, pytest.approx(size))
+    assert (shape["position"], shape["quaternion"], shape["rgba"]) == ([1, 2, 3], [1, 0, 0, 0], [0.1, 0.2, 0.3, 1.0])

@@ -1,9 +1,10 @@
 import io
+import os
 
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from onika.record.reader import Reader
+from onika.record.reader import UNREADABLE, Reader, complaint
 from onika.record.writer import Writer
 
 SCHEMA = b'{"type":"object"}'
@@ -48,6 +49,9 @@ def test_a_whole_file_says_everything(path):  # R-X05
     assert reader.span == (0, 590)
     assert [at for at, _ in reader.messages("a")] == [k * STEP for k in range(60)]
     assert [body for _, body in reader.messages("b", 30, 91)] == [b'{"b":3}', b'{"b":6}', b'{"b":9}']
+    chunks = list(reader.bodies("b", 30, 91))
+    assert [at for times, _ in chunks for at in times] == [30, 60, 90]
+    assert [body for _, bodies in chunks for body in bodies] == [b'{"b":3}', b'{"b":6}', b'{"b":9}']
     assert (reader.count("a"), reader.count("b"), reader.count("c")) == (60, 20, 0)
     assert (reader.attachment("plan"), reader.attachment("none")) == (b"the plan", None)
     assert reader.notes == {"onika": {"seed": "3"}}
@@ -101,3 +105,29 @@ def test_what_is_no_recording_is_said(path):  # R-E01
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + bytes(100))
     with pytest.raises(ValueError, match="found something else"):
         Reader(path)
+
+
+@given(at=st.integers(8, len(WHOLE) - 1), bit=st.integers(0, 7))
+@settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=300)
+def test_a_bit_that_has_fallen_over_is_never_taken_for_what_was_said(path, at, bit):  # R-E01
+    spoilt = bytearray(WHOLE)
+    spoilt[at] ^= 1 << bit
+    path.write_bytes(spoilt)
+    try:
+        reader = Reader(path)
+        plan, said = reader.attachment("plan"), dict(reader.messages("a"))
+    except UNREADABLE as wrong:
+        assert complaint(path, wrong).startswith(f"{path}: ")
+        return
+    assert plan in (None, b"the plan")
+    assert {*said.values()} <= {b'{"a":%d}' % k for k in range(60)}
+
+
+def test_why_it_cannot_be_read_is_said_in_words_with_its_name(path, tmp_path):  # R-E01
+    os.mkfifo(tmp_path / "pipe")
+    for other, expected in ((path, "no such file"), (tmp_path, "found a folder"), (tmp_path / "pipe", "found a pipe")):
+        with pytest.raises(UNREADABLE) as wrong:
+            Reader(other)
+        assert expected in complaint(other, wrong.value)
+        assert complaint(other, wrong.value).startswith(f"{other}: ")
+    assert "one that is spoilt" in complaint(path, KeyError("x"))

@@ -43,3 +43,13 @@ def test_how_a_run_ended_is_noted():  # R-X05
     assert ending(result) == {
         "completed": "no", "cause": "enough", "hash": "abc", "seconds": "1.25", "outside": "flow0/planner"
     }  # fmt: skip
+
+
+@pytest.mark.parametrize("part", [0.01, 0.3, 0.6])
+def test_a_file_that_was_cut_before_its_run_began_says_so(tmp_path, part):  # R-E01
+    tape = Tape(tmp_path / "run.mcap")
+    tape.end().close()
+    data = tape.path.read_bytes()
+    tape.path.write_bytes(data[: max(9, int(part * data.index(b"class Servo(Module)")))])
+    with pytest.raises(ValueError, match="cut short before anything was run"):
+        Run.read(Reader(tape.path))

@@ -67,3 +67,9 @@ def test_the_schema_is_an_object_with_a_value_and_its_unit(shape, kind):  # as F
     assert found["properties"]["value"]["type"] == kind
     assert found["properties"]["value"]["description"].endswith("[rad]")
     assert value.title(Shape.parse(shape), "rad") == f"onika.{shape} rad"
+
+
+def test_a_matrix_is_flat_where_that_is_wanted():  # R-X05
+    shape = Shape.parse("double[2,2]")
+    assert value.flat(b'{"value":[1.0,2.0,3.0,4.0]}', shape) == [1.0, 2.0, 3.0, 4.0]
+    assert value.flat(b'{"value":7}', Shape.parse("int")) == [7]

@@ -25,6 +25,7 @@ NEWS = [
     news.Finished("s", "t", 1, True, 5, 7, 2),
     news.Unprepared("s"),
     news.Signalled("s", "t", "ILLEGAL", 0, "door open", 5),
+    news.Stepped("s", "t", "TAU_REF", "N m", 1, 30.0, 10.0, 18.64, 4, 5),
     news.Asked("s", "t", "too far", (ITEM,), 5),
     news.Refused("s", "t", "on", "no such task"),
     news.Got("s", "t", "progress", 0.5),

@@ -35,6 +35,7 @@ class Everything(Module):
     goal = Input("double[NDOF]", "rad", "where", low=-1, high="NDOF", default=(0.0, 1.0))
     GAIN = Local("double", "-", "gain")
     LABEL = Local("line", "-", "label", default="none")
+    SHARE = Local("double[2]", "-", "share", default=(0.5, 1.0), low=0.5, high=1.0)
 
 
 TASK = Task(
@@ -63,6 +64,7 @@ def test_a_sheet_says_everything_the_class_declares():  # law 24
         locals=(
             LocalSheet("GAIN", "double", "-", "gain", None),
             LocalSheet("LABEL", "line", "-", "label", "none"),
+            LocalSheet("SHARE", "double[2]", "-", "share", [0.5, 1.0], 0.5, 1.0),
         ),
         trigger=False,
         passive=False,
@@ -123,6 +125,21 @@ def test_a_task_file_that_fits_has_no_fault():
         ({"invar": ("X0", "Q", "EXTRA")}, "only ports that module everything declares", "INVAR EXTRA"),
         ({"local": TASK.local[1:]}, "a LOCAL line GAIN double (gain)", "none"),
         ({"local": TASK.local[:1]}, "a LOCAL line DEVICE world:device, as the module is hardware", "none"),
+        (
+            {"local": (TASK.local[0], LocalLine("DEVICE", ()))},
+            "one device after LOCAL DEVICE, as world:device",
+            "none",
+        ),
+        (
+            {"local": (TASK.local[0], LocalLine("DEVICE", ("w:arm", "w:hand")))},
+            "one device after LOCAL DEVICE, as world:device",
+            "w:arm w:hand",
+        ),
+        (
+            {"local": (*TASK.local, LocalLine("SHARE", ("0.5", "1.01")))},
+            "LOCAL SHARE double[2]",
+            "LOCAL SHARE: expected 0.5..1 -, found 1.01",
+        ),
         ({"frequency": 39.9}, f"a hardware task of at least {SLOWEST_HARDWARE_HZ:g} Hz", "39.9 Hz"),
     ],
 )

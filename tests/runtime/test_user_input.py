@@ -123,3 +123,8 @@ def test_what_was_read_ahead_is_handed_out_once_and_read_anew_after_it():  # R-A
     assert second.x.tolist() == [1.0, 2.0]
     with pytest.raises(ValueError, match="expected 2 values"):
         inputs.parse("not a number")
+
+
+def test_a_value_beyond_a_bound_by_a_hair_is_told_in_full():  # R-A10, R-X01
+    with pytest.raises(ValueError, match=r"expected 0\.1..600 rad, found 600\.0001"):
+        wanted(sheet("double", low=0.1, high=600.0)).parse("600.0001")

@@ -1,5 +1,6 @@
 """Pairs of robots and programs, sound ones and ones with something planted in them, looked at before the run (X02)."""
 
+import math
 import re
 
 import pytest
@@ -162,6 +163,30 @@ def lacking(configuration, task, kind, *icons):
     return make
 
 
+def nested(inner, *steps):
+    """A program with another one in it, which comes first."""
+
+    def make(path):
+        lab = Laboratory(path)
+        lab.application("inner", inner)
+        return lab.application("p", [job("inner", "Complete application"), *steps])
+
+    return make
+
+
+def asking(condition, *steps):
+    """A program that goes round as long as a condition holds."""
+
+    def make(path):
+        marks = ("WHILETAG    again", "WHILETEST   yes", f"WHILEIF     {condition}")
+        begins = job("opengripC", "Complete job", "WHILETAG    again", "WHILETEST   no")
+        written = Laboratory(path).application("p", [begins, *steps, job("closegripC", "Complete job", *marks)])
+        written.write_text(written.read_text(encoding="utf-8").replace("VERSION     1.3", "VERSION     2.0"))
+        return written
+
+    return make
+
+
 PLANTED = {
     # reach, limits
     "joint 3 beyond": (own("p", moved(joints("far", *BEYOND))), (), ["far: joint 3 at 9.00 rad is beyond"]),
@@ -233,6 +258,74 @@ PLANTED = {
         ("puma=puma_kin",),
         ["`puma_kin` reads Q_REF, which no task of `lameC` writes"],
     ),
+    # another device than is meant
+    "a lamp on an arm": (
+        own("p", lined(POSE), led_monitor={"DEVICE": "boxes:arm_right"}),
+        (),
+        ["expected the lamp behind the device, found puma560"],
+    ),
+    "a hand on an arm": (
+        own("p", [job("opengripC")], gripper={"DEVICE": "boxes:arm_left"}),
+        (),
+        ["expected a hand behind the device, found puma560"],
+    ),
+    "a robot on the lamp": (
+        own("p", lined(POSE), puma={"DEVICE": "boxes:lamp"}),
+        (),
+        ["every device claimed once", "expected the robot puma560 behind the device, found another device"],
+    ),
+    "a device without a name": (own("p", lined(POSE), puma={"DEVICE": ""}), (), ["one device after LOCAL DEVICE"]),
+    "two devices": (
+        own("p", lined(POSE), puma={"DEVICE": "boxes:arm_left boxes:arm_right"}),
+        (),
+        ["one device after LOCAL DEVICE, as world:device, found boxes:arm_left boxes:arm_right"],
+    ),
+    "no device of that world": (own("p", lined(POSE), puma={"DEVICE": "boxes:"}), (), ["found DEVICE boxes:"]),
+    # values that another robot would take for others, limits by a hair
+    "five joints for a scara": (
+        own("p", moved(joints("few", 0.1, 0.2, 0.1, 0.0, 0.1))),
+        ("puma=scara",),
+        ["expected values for puma, found few: expected 7 values (endpoint[6], duration[1]), found 6"],
+    ),
+    "seven joints for a scara": (
+        own("p", moved(joints("many", 0.1, 0.2, 0.1, 0.0, 0.1, 0.2, 0.3))),
+        ("puma=scara",),
+        ["expected values for puma, found many: expected 7 values"],
+    ),
+    "beyond by a hair": (
+        own("p", moved(joints("far", 2.7926, *REACHED[1:]))),
+        (),
+        ["far: joint 1 at 2.7926 rad is beyond 2.7925"],
+    ),
+    "a duration by a hair": (
+        own("p", moved(joints("slow", *REACHED, duration=600.0001))),
+        (),
+        ["expected 0.1..600 s, found 600.0001"],
+    ),
+    "a speed of nothing": (
+        own("p", moved(joints("there", *REACHED)), jtraj={"SPEED": "0"}),
+        (),
+        ["LOCAL SPEED: expected 0.01..1 -, found 0"],
+    ),
+    "a speed backwards": (
+        own("p", moved(joints("there", *REACHED)), jtraj={"SPEED": "-0.6"}),
+        (),
+        ["LOCAL SPEED: expected 0.01..1 -, found -0.6"],
+    ),
+    # what is nested, what is asked, what two flows want
+    "nested, beyond the scara": (
+        nested(lined("0 0 -1 0 1 0 0.9 0.1 -0.2"), *lined(POSE)),
+        ("puma=scara",),
+        ["action 1 of inner: cmoveC p0"],
+    ),
+    "a joint that the scara lacks": (
+        asking("Q_MEZ[5] > 1", *lined(POSE)),
+        ("puma=scara",),
+        ["one number of Q_MEZ, which is double[4]"],
+    ),
+    "sound for a joint that the puma has": (asking("Q_MEZ[5] > 1", *lined(POSE)), ("puma=puma_kin",), []),
+    "sound, nested": (nested(lined(POSE), *lined(POSE)), ("puma=scara",), []),
+    "sound at a limit": (own("p", moved(joints("edge", math.radians(160.0), *REACHED[1:]))), (), []),
     # sound ones
     "sound for four joints": (own("p", [job("jmove_scaraC", "Joint job"), joints("there", *FOUR)]), (), []),
     "sound for six in place of four": (
@@ -268,3 +361,11 @@ def test_everything_is_told_at_once_whatever_it_is(loading, tmp_path):  # R-X02
     said = told(loading, path, [tmp_path])
     elsewhere, nowhere = "expected frame 0 of the robot at", "the configuration nowhereC"
     assert_told(said, ["far: joint 3", "p0: out of reach", elsewhere, "boxes:bulb", nowhere])
+
+
+def test_the_hand_of_the_other_arm_is_worth_a_note(loading):  # R-X02, R-E09
+    for redirect, count in (("puma=puma_right", 1), ("puma=scara", 0), ("puma=puma_kin", 0)):
+        one = prepare_run("assemble", open_site([], {}, None), (Redirect.parse(redirect),))
+        notes = [note for note in prepare(one.plan, one.targets, loading).notes if "is the hand at" in note]
+        assert len(notes) == count
+        assert all("gripper.rmod: gripper_left is the hand at the left" in note for note in notes)

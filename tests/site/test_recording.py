@@ -9,16 +9,19 @@ from time import monotonic, sleep
 import pytest
 
 from onika.cli import main
+from onika.desk.environment.opening import opened
 from onika.desk.recorded import Source, inputs_of
 from onika.desk.review import Review
 from onika.desk.run import start
 from onika.desk.settings import RunSettings
-from onika.record.difference import Tolerance, first_difference
+from onika.record.difference import first_difference
 from onika.record.reader import Reader
+from onika.record.tolerance import Tolerance
 from onika.store.site import open_site
 from onika.testing.console import ONIKA
 from onika.testing.laboratory import Laboratory, job
-from onika.wire import event, request, steer
+from onika.testing.sitting import Sitting
+from onika.wire import act, event, request, steer
 
 pytestmark = pytest.mark.site
 
@@ -129,6 +132,24 @@ def test_any_instant_is_there_at_once(recorded):  # R-X05: scrubbing within 100 
         assert len(instant.variables["flow0/Q_MEZ"]) == 6
         assert len(instant.poses["boxes"]) > 10
         assert [one.action for one in review.flows[0].intervals] == [0, 1, 21, 22, 24]
+
+
+def test_a_page_shows_a_real_run_at_its_icons(recorded, tmp_path):  # R-X05: canvas, flows, 3-D show that instant
+    model, _ = opened(SITE, None, {})
+    sitting = Sitting(tmp_path, model=model, site=SITE)
+    assert sitting.later(act.OpenRecording(str(recorded[0]))).no is None
+    view = sitting.environment.tree.review.recording
+    icons = sitting.environment.tree.applications[view.doc].steps
+    assert [one.action for one in view.flows["flow0"].passages] == [0, 1, 21, 22, 24]
+    assert {icons[str(one.step)].name for one in view.flows["flow0"].passages} == {"opengripC", "jmoveC", "cmoveC"}
+    kinds = [one.text for one in view.marks if one.kind == "command"]
+    assert kinds[0] == "pause: flow0" and kinds[1].startswith("skip to ")
+    late = view.flows["flow0"].passages[1].begin_s + 0.5
+    instant = sitting.do(act.Glance(late))
+    assert instant.run.steps[str(view.flows["flow0"].passages[1].step)].state == "running"
+    shapes = sitting.do(act.RecordedScene("boxes"))["shapes"]
+    assert any(shape["paint"] == "glow" for shape in shapes)
+    assert len(instant.poses["boxes"]["rows"]) > max(shape["body"] for shape in shapes)
 
 
 def test_an_answer_is_given_again_by_itself(tmp_path, capsys):  # R-X05, law 25

@@ -330,4 +330,4 @@ def test_what_the_runtime_finds_wrong_names_its_step(page):  # R-E01
     doc = page.open([*pause("fine", 0.1), *pause("endless", 1e9)])
     refused = page.answer(act.Run(doc)).no
     assert "duration" in refused.reason
-    assert refused.remedies[0].show == "values:3" and page.run is None
+    assert refused.remedies[0].show == "values:4" and page.run is None  # the target

@@ -4,6 +4,7 @@ import pytest
 from onika.wire import event, holding
 
 ITEM = event.Item("level", "double", 2, "m", "how high", (0.5, 0.5), (0.0, 0.0), None)
+STEPS = event.VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 40.0, 9.0, 9.76, 1.5, 2, 6, 0)
 FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 2, 4.5, 20.0)
 EVENTS = [
     event.Began(0, 1, 3, "jmoveC home", 1.5),
@@ -22,6 +23,7 @@ EVENTS = [
     event.Drive("boxes:arm_left", "HELD", 4, 2, -1, "stop"),
     event.Moved("flow0", "WAITING", 3, 1.5, "tag1", ("flow1",), "waits"),
     event.Met("tag1", ("flow0", "flow1"), 250.0, 1.5),
+    event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.5),
     event.Stood(1.5),
     event.Explained(
         "flow0",
@@ -39,7 +41,9 @@ EVENTS = [
         "error",
         "pd",
     ),
-    event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1, "Q": [0.5], "NAME": "x"}, (FIGURES,), "abc", (3.5,)),
+    event.Result(
+        True, "", 1, 1, 2.0, 0.1, {"LAMP": 1, "Q": [0.5], "NAME": "x"}, (FIGURES,), "abc", (3.5,), steps=(STEPS,)
+    ),
 ]
 
 

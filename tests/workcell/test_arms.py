@@ -1,6 +1,7 @@
 import pytest
 
 from onika.workcell.arms import Arms
+from onika.workcell.boxes import BoxesWorld
 from onika.workcell.kinematic_unit import KinematicUnit
 
 
@@ -50,3 +51,13 @@ def test_all_arms_of_a_place_hang_on_one_drive():
     drives = {unit.side: unit.drive for unit in arms.units}
     assert all(unit.drive is drives[unit.side] for unit in arms.units)
     assert drives["left"] is not drives["right"]
+
+
+def test_a_hand_that_no_arm_of_a_flow_bears_is_remarked():  # R-X02
+    world = BoxesWorld()
+    (said,) = world.remarks(("arm_right", "gripper_left", "lamp"))
+    assert said == "gripper_left is the hand at the left, and the arm that moves is arm_right"
+    assert len(world.remarks(("scara_left", "gripper_right"))) == 1
+    for sound in (("arm_right", "gripper_right"), ("scara_left_kin", "gripper_left"), ("gripper_left",), ("arm_left",)):
+        assert world.remarks(sound) == ()
+    assert world.remarks(("arm_left", "gripper_left", "gripper_right")) == ()

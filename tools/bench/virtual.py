@@ -44,6 +44,16 @@ class Silent:
         """Nobody asks."""
         return []
 
+    def hearing(self, session: str) -> None:
+        """Nobody is there who could be silent."""
+
+    def deaf_ns(self) -> int:
+        """It hears everything."""
+        return 0
+
+    def overhear(self, listener: object) -> None:
+        """Nothing is recorded."""
+
 
 class Recorder:
     """Stands in for `mj_step` during one run and keeps every command."""

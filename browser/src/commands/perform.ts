@@ -5,19 +5,21 @@ import { desk } from '../desk.svelte'
 import { here } from '../here.svelte'
 import { options } from '../perform/options.svelte'
 import { canPause, dismiss, flowsOf, isGoing, pauseOrContinue, putBack, start, steer } from '../perform/orders'
+import { anewWords } from '../perform/recording'
 import { skipping } from '../perform/skipping.svelte'
+import { isReviewing } from '../review/review.svelte'
 import { stopped, standstills } from '../perform/stopped.svelte'
 import '../perform/ticking.svelte'
 import { asks } from '../run/asks.svelte'
 import { t } from '../texts/index.svelte'
 
-const run = () => desk.tree.run
+const run = () => (isReviewing() ? null : desk.live.run)
 const waiting = (): string | undefined => flowsOf(run()).find((name) => run()?.flows?.[name]?.state === 'waiting')
 const asking = (): string | undefined => Object.keys(run()?.asks ?? {})[0]
 const looping = (): string | undefined => flowsOf(run()).find((name) => run()?.flows?.[name]?.loops?.length)
 
 /** Panels that ask for something: what is typed is meant for them, and a key does not set the machine in motion beneath them. */
-const ASKING: readonly string[] = ['open', 'saveAs', 'newApplication', 'target', 'icon', 'job']
+const ASKING: readonly string[] = ['open', 'saveAs', 'newApplication', 'target', 'icon', 'job', 'keep']
 function moves(deed: () => unknown): unknown {
   return ASKING.includes(here.dialog.name) ? announce(t('perform.underPanel')) : deed()
 }
@@ -38,6 +40,6 @@ command({ id: 'application.leave', group: 'application', title: () => t('perform
 command({ id: 'application.abort', group: 'application', title: () => t('perform.abort'), keys: ['Shift+F5'], when: isGoing, run: () => steer('abort'), whileTyping: true })
 command({ id: 'application.why', group: 'application', level: 'applications', title: () => t('stopped.chipEnd'), keys: ['Alt+Y'], when: () => standstills(run()).length > 0, run: () => (stopped.shown ? stopped.putAside() : stopped.open()) })
 command({ id: 'application.dismiss', group: 'application', level: 'applications', title: () => t('perform.dismiss'), when: () => run()?.state === 'over', run: dismiss })
-command({ id: 'application.putBack', group: 'application', level: 'applications', title: () => t('perform.putBack'), when: () => ['linked', 'lost'].includes(desk.tree.runtime.state ?? '') && !isGoing(), run: putBack })
+command({ id: 'application.putBack', group: 'application', level: 'applications', title: () => anewWords(desk.live.runtime).name, when: () => ['linked', 'lost'].includes(desk.tree.runtime.state ?? '') && !isGoing() && !isReviewing(), run: putBack })
 command({ id: 'application.passes', group: 'application', level: 'applications', title: () => (options.passesBreakpoints ? `${t('perform.passes')} ✓` : t('perform.passes')), run: () => (options.passesBreakpoints = !options.passesBreakpoints) })
 command({ id: 'application.stopSkipping', group: 'application', title: () => t('perform.cancel'), keys: ['Escape'], when: () => skipping.isOn, run: () => skipping.end() })

@@ -57,5 +57,5 @@ command({
 const firstWorld = (): string | undefined => Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
 
 function firstAsking(): string | undefined {
-  return Object.keys(asking(desk.tree.documents[here.doc], desk.tree.run))[0]
+  return desk.live.review ? undefined : Object.keys(asking(desk.tree.documents[here.doc], desk.tree.run))[0]
 }

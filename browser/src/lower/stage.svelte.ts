@@ -65,7 +65,13 @@ class Stage {
     return desk.tree.documents[here.doc]
   }
 
+  /** Whether its tasks can be turned on and off. */
   get isLive(): boolean {
+    return this.hasValues && !desk.live.review
+  }
+
+  /** Whether its variables have values: those of now, or of the recorded instant that is shown. */
+  get hasValues(): boolean {
     return this.document?.connection === 'live'
   }
 

@@ -3,6 +3,7 @@ import { keep, kept } from '../kept'
 
 class Options {
   private passes = $state(kept('passesBreakpoints', false))
+  private writes = $state(kept('recordsRuns', false))
   private shows = $state(kept('showsWorkcell', true))
 
   /** Whether breakpoints are passed by. */
@@ -13,6 +14,16 @@ class Options {
   set passesBreakpoints(value: boolean) {
     this.passes = value
     keep('passesBreakpoints', value)
+  }
+
+  /** Whether runs are recorded. */
+  get records(): boolean {
+    return this.writes
+  }
+
+  set records(value: boolean) {
+    this.writes = value
+    keep('recordsRuns', value)
   }
 
   /** Whether the workcell stands above the run. */

@@ -4,7 +4,8 @@ import type { FlowRunView, RunView } from '../api.gen'
 import { desk } from '../desk.svelte'
 import { options } from './options.svelte'
 
-export const isGoing = (): boolean => desk.tree.run != null && desk.tree.run.state !== 'over'
+/** Whether there is a run that can be steered: what a recording shows cannot. */
+export const isGoing = (): boolean => !desk.live.review && desk.live.run != null && desk.live.run.state !== 'over'
 export const flowsOf = (run: RunView | null | undefined): string[] =>
   Object.entries(run?.flows ?? {}).filter(([, flow]) => !flow.is_nested).sort(([, one], [, other]) => one.order - other.order).map(([name]) => name)
 
@@ -19,10 +20,10 @@ export const stateOf = (flow: FlowRunView | undefined): NonNullable<FlowRunView[
 export const isHeld = (state: string): boolean => state === 'paused' || state === 'stopped'
 export const isEnded = (state: string): boolean => ['done', 'killing', 'ended'].includes(state)
 
-export const start = (doc: string): Promise<unknown> => act({ t: 'Run', doc, passes_breakpoints: options.passesBreakpoints })
+export const start = (doc: string): Promise<unknown> => act({ t: 'Run', doc, passes_breakpoints: options.passesBreakpoints, is_recorded: options.records })
 export const steer = (verb: string, flow = ''): Promise<unknown> => act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb })
 export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss' })
 export const putBack = (): Promise<unknown> => act({ t: 'StartAnew' })
 
 /** Pause what goes on; where all stand still, go on. */
-export const pauseOrContinue = (): Promise<unknown> => steer(canPause(desk.tree.run) ? 'pause' : 'continue')
+export const pauseOrContinue = (): Promise<unknown> => steer(canPause(desk.live.run) ? 'pause' : 'continue')

@@ -25,7 +25,7 @@ export function titleOf(run: RunView, at: string, stop: StopView): string {
 
 /** What was said, without where in the module it was said: a module's own error is a sentence for people. */
 export function inShort(text: string): string {
-  const said = text.replace(/^\w+: ModuleError: /, '')
+  const said = text.replace(/^\w+: (?:ModuleError|LawBroken): /, '')
   return said.charAt(0).toUpperCase() + said.slice(1)
 }
 

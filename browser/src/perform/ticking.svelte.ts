@@ -3,9 +3,11 @@ import { untrack } from 'svelte'
 import { announce } from '../announce'
 import type { RunView } from '../api.gen'
 import { desk } from '../desk.svelte'
+import { isReviewing, review } from '../review/review.svelte'
 import { RunClock } from './clock'
 import { t } from '../texts/index.svelte'
 import { Past } from './past'
+import { isSimulator } from './recording'
 import { newly } from './spoken'
 import { flowName } from './words'
 
@@ -13,30 +15,39 @@ const TICK_MS = 100
 const clock = new RunClock()
 let last: RunView | undefined
 
-export const ticking: { now_s: number; past: Past } = $state({ now_s: 0, past: new Past() })
+const live: { now_s: number; past: Past } = $state({ now_s: 0, past: new Past() })
 
-/** The run's own time now, for who draws every frame. */
-export const now_s = (): number => clock.at(performance.now() / 1000, desk.tree.runtime.is_virtual === true)
+/** The time of the run that is shown, which may be a recorded one. */
+export const ticking = {
+  get now_s(): number {
+    return isReviewing() ? review.shown_s : live.now_s
+  },
+  get past(): Past {
+    return isReviewing() ? review.past : live.past
+  },
+}
+
+const now_s = (): number => clock.at(performance.now() / 1000, desk.live.runtime.is_virtual === true && !isSimulator(desk.live.runtime))
 
 // It listens as long as the page is there, also while the run is not looked at.
 $effect.root(() => {
   $effect(() => {
-    const run = desk.tree.run
+    const run = desk.live.run
     if (!run) return
-    const app = desk.tree.applications[run.doc]
+    const app = desk.live.applications[run.doc]
     const whole = $state.snapshot(run) as typeof run
     const before = last
     last = whole
     untrack(() => {
       clock.take(whole, performance.now() / 1000, Date.now() / 1000)
-      ticking.past = ticking.past.with(whole, app)
-      ticking.now_s = now_s()
-      if (whole.state === 'running') for (const flow of newly(before, whole)) announce(`${flowName(flow.order)}: ${t(`perform.state.${flow.state}` as 'perform.state.paused')}`)
+      live.past = live.past.with(whole, app)
+      live.now_s = now_s()
+      if (whole.state === 'running' && !isReviewing()) for (const flow of newly(before, whole)) announce(`${flowName(flow.order)}: ${t(`perform.state.${flow.state}` as 'perform.state.paused')}`)
     })
   })
   $effect(() => {
-    if (!desk.tree.run || desk.tree.run.state === 'over') return
-    const beat = setInterval(() => (ticking.now_s = now_s()), TICK_MS)
+    if (!desk.live.run || desk.live.run.state === 'over') return
+    const beat = setInterval(() => (live.now_s = now_s()), TICK_MS)
     return () => clearInterval(beat)
   })
 })

@@ -19,6 +19,8 @@ export interface Hands {
   /** The wheel was turned over a time. */
   wheel(at_s: number, notches: number): void
   reset(): void
+  /** A time was clicked. */
+  go?(at_s: number): void
 }
 
 export class Chart {
@@ -28,13 +30,20 @@ export class Chart {
   private readonly sans: string
   private marks: readonly Mark[] = []
   private former: [number, number] | undefined
+  private shown: { stretch: Stretch; from_s: number; to_s: number } | undefined
+  /** The instant that is looked at; NaN: it is no recorded run. */
+  private at_s = NaN
 
-  /** `elements` are those drawn, `names` what stands beside their lines. */
+  /**
+   * `elements` are those drawn, `names` what stands beside their lines. Elements from `width` on are those of a second run,
+   * drawn pale behind their likes.
+   */
   constructor(
     place: HTMLElement,
     private readonly elements: readonly number[],
     private readonly names: readonly string[],
     hands: Hands,
+    private readonly width = Infinity,
   ) {
     this.tones = inks(place, TONES)
     const style = getComputedStyle(place)
@@ -43,6 +52,7 @@ export class Chart {
     this.plot = new uPlot(this.options(place, hands), [[], ...elements.map(() => [])], place)
     this.plot.over.addEventListener('wheel', (event) => this.turned(event, hands), { passive: false })
     this.plot.over.addEventListener('dblclick', () => hands.reset())
+    if (hands.go) this.listen(hands.go)
   }
 
   get canvas(): HTMLCanvasElement {
@@ -53,10 +63,15 @@ export class Chart {
     this.plot.setSize({ width: Math.max(120, width), height: Math.max(60, height) })
   }
 
-  show(stretch: Stretch, span: readonly [number, number], marks: readonly Mark[]): void {
+  show(stretch: Stretch, span: readonly [number, number], marks: readonly Mark[], at_s = NaN): void {
+    const { shown } = this
     this.marks = marks
+    this.at_s = at_s
+    // A recorded stretch stays what it is; only the line at the instant moves.
+    if (!Number.isNaN(at_s) && shown?.stretch === stretch && shown.from_s === span[0] && shown.to_s === span[1]) return this.plot.redraw(false, false)
+    this.shown = { stretch, from_s: span[0], to_s: span[1] }
     this.plot.batch(() => {
-      this.plot.setData([stretch.t, ...this.elements.map((e) => stretch.y[e])] as uPlot.AlignedData, false)
+      this.plot.setData([stretch.t, ...this.elements.map((e) => this.column(stretch.y[e]))] as uPlot.AlignedData, false)
       this.plot.setScale('x', { min: span[0], max: span[1] })
     })
   }
@@ -68,6 +83,18 @@ export class Chart {
 
   destroy(): void {
     this.plot.destroy()
+  }
+
+  /** Where two runs lie on one line of time, the shorter one ends before the other. */
+  private column(row: Float64Array | undefined): ArrayLike<number | null> | undefined {
+    return row && Number.isFinite(this.width) ? Array.from(row, (value) => (Number.isNaN(value) ? null : value)) : row
+  }
+
+  /** A click is no drag. */
+  private listen(go: (at_s: number) => void): void {
+    let began = 0
+    this.plot.over.addEventListener('pointerdown', (event) => (began = event.clientX))
+    this.plot.over.addEventListener('click', (event) => Math.abs(event.clientX - began) < 4 && go(this.plot.posToVal(event.offsetX, 'x')))
   }
 
   private options(place: HTMLElement, hands: Hands): uPlot.Options {
@@ -85,13 +112,18 @@ export class Chart {
         { ...axis, size: 20, gap: 4, space: (plot) => Math.max(44, plot.width / 14), grid: { show: false }, values: (_, all) => all.map((at) => minus(`${round(at)} s`)) },
         { ...axis, size: 40, gap: 5, space: (plot) => Math.max(26, plot.height / 10), grid: { stroke: tones['--line'], width: 1 }, values: (_, all) => all.map((v) => minus(String(round(v)))) },
       ],
-      series: [{}, ...this.elements.map((e) => ({ stroke: tones[hue(e)], width: 1.75, dash: dash(e), points: { show: false } }))],
+      series: [{}, ...this.elements.map((e) => this.line(e))],
       hooks: {
-        draw: [() => this.drawMarks(), () => this.drawNames()],
+        draw: [() => this.drawMarks(), () => this.drawInstant(), () => this.drawNames()],
         setCursor: [(plot) => plot.redraw(false, false)],
         setSelect: [(plot) => this.selected(plot, hands)],
       },
     }
+  }
+
+  private line(e: number): uPlot.Series {
+    const element = e % this.width
+    return { stroke: this.tones[hue(element)], width: e < this.width ? 1.75 : 3.5, alpha: e < this.width ? 1 : 0.35, dash: dash(element), points: { show: false } }
   }
 
   /** Before the first value there is nothing to hold on to. */
@@ -144,13 +176,29 @@ export class Chart {
     ctx.restore()
   }
 
-  /** Beside the end of each line its name; under the pointer, its value there. */
+  /** The instant that is looked at. */
+  private drawInstant(): void {
+    const { ctx, bbox, scales } = this.plot
+    if (!(this.at_s >= (scales.x.min ?? 0) && this.at_s <= (scales.x.max ?? 0))) return
+    const x = Math.round(this.plot.valToPos(this.at_s, 'x', true))
+    ctx.save()
+    ctx.strokeStyle = this.tones['--accent']
+    ctx.setLineDash([])
+    ctx.lineWidth = 2 * devicePixelRatio
+    ctx.beginPath()
+    ctx.moveTo(x, bbox.top)
+    ctx.lineTo(x, bbox.top + bbox.height)
+    ctx.stroke()
+    ctx.restore()
+  }
+
+  /** Beside the end of each line its name; under the pointer, or at the instant looked at, its value there. */
   private drawNames(): void {
     const { ctx, bbox, data, cursor } = this.plot
     const ratio = devicePixelRatio
-    const at = cursor.idx ?? undefined
+    const at = cursor.idx ?? this.index()
     const shown = this.elements.map((element, k) => ({ element, k, v: (data[k + 1] as ArrayLike<number>)[at ?? this.last()] }))
-    const lines = shown.filter((one) => Number.isFinite(one.v))
+    const lines = shown.filter((one) => one.element < this.width && Number.isFinite(one.v))
     const wished = lines.map((one) => this.plot.valToPos(one.v, 'y', true))
     const gap = Math.min(NAME_GAP * ratio, bbox.height / Math.max(1, lines.length))
     const places = spread(wished, gap, bbox.top + 4 * ratio, bbox.top + bbox.height - 2 * ratio)
@@ -163,6 +211,11 @@ export class Chart {
       ctx.fillText(at === undefined ? this.names[k] : number(v), bbox.left + bbox.width + 5 * ratio, places[i])
     })
     ctx.restore()
+  }
+
+  /** The sample at the instant that is looked at. */
+  private index(): number | undefined {
+    return Number.isNaN(this.at_s) || !this.plot.data[0].length ? undefined : this.plot.valToIdx(this.at_s)
   }
 
   /** The newest sample that is in view. */

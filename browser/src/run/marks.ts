@@ -7,10 +7,15 @@ export interface Mark {
   isError: boolean
 }
 
+/** Marks of the tasks that have to do with a variable. */
+export interface Marked {
+  of(tasks: ReadonlySet<string>): readonly Mark[]
+}
+
 const MOST = 200
 
 /** The changes of one document's tasks, oldest first. */
-export class Marks {
+export class Marks implements Marked {
   readonly all: Mark[] = []
   private states = new Map<string, string>()
 

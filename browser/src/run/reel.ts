@@ -112,6 +112,11 @@ export class Reel {
     series.push(at_s, row)
   }
 
+  /** Have everybody look again: what is shown comes from elsewhere now. */
+  stir(): void {
+    this.pump()
+  }
+
   private pump(): void {
     if (this.isDue || !this.listeners.size) return
     this.isDue = true

@@ -6,6 +6,16 @@ export interface Stretch {
   y: Float64Array[]
 }
 
+/** The past of a variable, wherever it comes from. */
+export interface Past {
+  readonly width: number
+  readonly length: number
+  /** Up to when it is shown; NaN before the first sample. */
+  readonly last_s: number
+  since(from_s: number): Stretch
+  all(): Stretch
+}
+
 /** 60 s at 30 Hz, and a little more. */
 export const DEPTH = 2048
 
@@ -13,7 +23,7 @@ export const DEPTH = 2048
 const LATE_S = 1
 
 /** Every sample stands twice, `depth` apart, so that any stretch lies in one piece and nothing is copied to draw it. */
-export class Series {
+export class Series implements Past {
   readonly width: number
   private readonly depth: number
   private readonly t: Float64Array

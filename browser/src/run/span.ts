@@ -19,11 +19,11 @@ export function shown(span: Span, newest_s: number): [number, number] {
 }
 
 /** After a turn of the wheel over the time `at_s`: live, the newest end stays; else what lies under the pointer does. */
-export function wheeled(span: Span, at_s: number, notches: number): Span {
+export function wheeled(span: Span, at_s: number, notches: number, most_s = MOST_S): Span {
   const factor = NOTCH ** notches
   if (!span.range) return { window_s: clamp(span.window_s * factor, 1, MOST_S), range: null }
   const [from, to] = span.range
-  const length = clamp((to - from) * factor, LEAST_S, MOST_S)
+  const length = clamp((to - from) * factor, LEAST_S, Math.max(most_s, LEAST_S))
   const start = at_s - ((at_s - from) / (to - from)) * length
   return { ...span, range: [start, start + length] }
 }

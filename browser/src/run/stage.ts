@@ -38,6 +38,7 @@ export class Stage {
   private took = 0
   private began = 0
   private isViewed = false
+  private isSized = false
 
   /** `place` is filled by the picture. Throws where the browser has no WebGL. */
   constructor(
@@ -121,12 +122,18 @@ export class Stage {
     this.draw()
   }
 
+  /** Until the next picture the last one is stretched: a canvas of another size would be empty. */
   resize(): void {
-    const [width, height] = [Math.max(1, this.place.clientWidth), Math.max(1, this.place.clientHeight)]
-    this.renderer.setSize(width, height)
-    this.camera.aspect = width / height
+    this.isSized = false
+    Object.assign(this.canvas.style, { width: '100%', height: '100%' })
+    this.camera.aspect = Math.max(1, this.place.clientWidth) / Math.max(1, this.place.clientHeight)
     this.camera.updateProjectionMatrix()
     this.draw()
+  }
+
+  private size(): void {
+    this.isSized = true
+    this.renderer.setSize(Math.max(1, this.place.clientWidth), Math.max(1, this.place.clientHeight))
   }
 
   get canvas(): HTMLCanvasElement {
@@ -152,6 +159,7 @@ export class Stage {
     const picture = (): void => {
       this.isDue = false
       const began = performance.now()
+      if (!this.isSized) this.size()
       this.renderer.render(this.scene, this.camera)
       this.began = began
       requestAnimationFrame(() => (this.took = performance.now() - began))

@@ -15,14 +15,15 @@ const places = new Map<string, Place>()
 /** The job that a configuration was opened from, so that one finds back. */
 export const origin: { doc: string; app: string } = $state({ doc: '', app: '' })
 
-const allOf = (level: Level): Readonly<Record<string, Opened>> => (level === 'applications' ? desk.tree.applications : desk.tree.documents)
+/** As they are now, also while a recording is looked at: their tabs and the chips of the runtime speak of the present. */
+const allOf = (level: Level): Readonly<Record<string, Opened>> => (level === 'applications' ? desk.live.applications : desk.live.documents)
 const levelOf = (id: string): Level => (id in desk.tree.applications ? 'applications' : 'tasks')
 const shownAt = (level: Level): string => (level === 'applications' ? here.app : here.doc)
 
 export const inOrder = (level: Level = here.level): [string, Opened][] =>
   Object.entries(allOf(level)).sort(([, a], [, b]) => a.order - b.order)
 
-export const shownDocument = (): DocumentView | undefined => desk.tree.documents[here.doc]
+export const shownDocument = (): DocumentView | undefined => desk.live.documents[here.doc]
 export const shownApplication = (): ApplicationView | undefined => desk.tree.applications[here.app]
 /** The id of what is shown at the level that is on show; empty: nothing is. */
 export const shownId = (): string => shownAt(here.level)

@@ -37,7 +37,7 @@ export async function openBlankApplication(flows = 1, isParallel = false): Promi
   return id !== undefined
 }
 
-const all = (): Readonly<Record<string, Opened>> => ({ ...desk.tree.documents, ...desk.tree.applications })
+const all = (): Readonly<Record<string, Opened>> => ({ ...desk.live.documents, ...desk.live.applications })
 
 /** What an act has opened: what it answered, else what is new. */
 function opened(answer: unknown, known: ReadonlySet<string>): string | undefined {
@@ -57,7 +57,7 @@ export async function openInPlace(path: string): Promise<boolean> {
 /** Go to a configuration at the lower level: in the place of one that lives, as in the dissertation; else beside the others. */
 export async function goInto(path: string): Promise<void> {
   if (here.isUpperOnly) return goTo('tasks') // which is refused, and says why
-  const { connection, tasks = {} } = desk.tree.documents[here.doc] ?? {}
+  const { connection, tasks = {} } = desk.live.documents[here.doc] ?? {}
   if (connection !== 'live' || !Object.keys(tasks).length) await open(path)
   else if (await openInPlace(path)) show(here.doc)
 }

@@ -29,6 +29,6 @@ export const seen = (): Seen => ({
   isUpper: here.level === 'applications',
   app: here.app,
   view: desk.tree.applications[here.app],
-  run: desk.tree.run,
+  run: desk.live.run,
   types: desk.tree.types,
 })

@@ -1,12 +1,17 @@
 // Español.
 import type { TextKey } from './en'
 import { esCanvas } from './es.canvas'
+import { esContinuity } from './es.continuity'
 import { esDictionary } from './es.dictionary'
 import { esHelp } from './es.help'
+import { esHolding } from './es.holding'
 import { esLevels } from './es.levels'
 import { esPerform } from './es.perform'
+import { esRecording } from './es.recording'
+import { esReview } from './es.review'
+import { esRedirect } from './es.redirect'
 import { esShell } from './es.shell'
 import { esStrip } from './es.strip'
 import { esUpper } from './es.upper'
 
-export const es: Record<TextKey, string> = { ...esShell, ...esCanvas, ...esStrip, ...esUpper, ...esDictionary, ...esPerform, ...esLevels, ...esHelp }
+export const es: Record<TextKey, string> = { ...esShell, ...esCanvas, ...esStrip, ...esUpper, ...esDictionary, ...esPerform, ...esLevels, ...esHelp, ...esRedirect, ...esHolding, ...esReview, ...esRecording, ...esContinuity }

@@ -3,6 +3,7 @@ import { act } from '../act'
 import { desk } from '../desk.svelte'
 import { here, openDialog } from '../here.svelte'
 import type { Point } from '../refused.svelte'
+import { homeOf } from '../redirect/wishes'
 import type { Item } from '../shell/Menu.svelte'
 import { t } from '../texts/index.svelte'
 import { headOf, topsOf } from './actions'
@@ -95,6 +96,7 @@ function flowItems(path: string): Item[] {
     locked({ label: t('upper.addFlow'), run: () => addFlow(), begins: true }),
     locked({ label: t('upper.removeFlow', { name: flowName(flow) }), run: () => removeFlow(flow), isOff: isAlone, note: isAlone ? t('upper.lastFlow') : undefined }),
     ...(tops.length > 1 ? [locked({ label: t(app.is_parallel ? 'upper.makeConditional' : 'upper.makeParallel'), run: () => setParallel(!app.is_parallel) })] : []),
+    locked({ label: t('redirect.menu'), keys: 'Alt+I', run: () => openDialog('redirect', { flow: homeOf(flow) }) }),
     { label: t(board.isLettered ? 'upper.hideLetters' : 'upper.showLetters'), run: () => board.turnLetters(), begins: true },
   ]
 }

@@ -3,6 +3,8 @@ import type { ApplicationView, StepView } from '../api.gen'
 import { desk } from '../desk.svelte'
 import { typeTitle } from '../dictionary/typewords'
 import { wordsOf } from '../dictionary/words'
+import { faultsAt, isFault } from '../redirect/faults'
+import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
 import type { Actions } from './actions'
 import { board } from './board.svelte'
@@ -31,7 +33,7 @@ export function readOut(app: ApplicationView, actions: Actions, number: number):
   const parts = [names.join(', ')]
   if (isFirst) parts.push(t('upper.readIndex', { index: action.index, of: actions.counts.get(action.flow) ?? 0 }))
   else if (action) parts.push(t('upper.readOf', { name: nameOf(app.steps?.[action.steps[0]!]) }))
-  return [parts.join('; '), ...marksOf(step)].join(', ')
+  return [parts.join('; '), ...marksOf(step), ...troublesOf(app, number)].join(', ')
 }
 
 function marksOf(step: StepView): string[] {
@@ -40,6 +42,11 @@ function marksOf(step: StepView): string[] {
     step.synch_tag ? t('upper.readTag', { tag: step.synch_tag }) : '',
     step.loop ? t(step.is_test ? 'upper.readTest' : 'upper.readAnchor', { tag: step.loop }) : '',
   ].filter(Boolean)
+}
+
+function troublesOf(app: ApplicationView, number: number): string[] {
+  const told = faultsAt(app, number).map((one) => t(isFault(one) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(one.text) }))
+  return app.steps?.[number]?.note ? [...told, t('redirect.readNote')] : told
 }
 
 /** What stands behind a place, as it is read out when the cursor comes there. */

@@ -83,6 +83,7 @@ class JsonLines:
                 "tasks": msgspec.to_builtins(result.tasks),
                 "switches_us": result.switches_us,
                 "skews_us": result.skews_us,
+                "steps": msgspec.to_builtins(result.steps),
                 "failed": _plain(outcome.failed),
                 "hash": result.hash,
                 "outside": list(result.outside),

@@ -2,13 +2,17 @@
 
 import argparse
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 from onika.desk.digest import told
 from onika.desk.review import Review
 from onika.record import columns
-from onika.record.difference import Tolerance, first_difference
-from onika.record.reader import Reader
+from onika.record.difference import first_difference
+from onika.record.reader import UNREADABLE, Reader, complaint
+from onika.record.run import Run
+from onika.record.tolerance import Tolerance
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
@@ -38,40 +42,77 @@ def carry_out(given: argparse.Namespace) -> int:
                 return _table(given)
             case _:
                 return _compare(given)
-    except (ValueError, OSError) as wrong:
+    except _Spoilt as wrong:
         print(wrong, file=sys.stderr)
         return 2
 
 
+class _Spoilt(Exception):
+    """A file is no recording, or what was asked is not in it."""
+
+
+@contextmanager
+def _reading(path: Path) -> Iterator[None]:
+    try:
+        yield
+    except BrokenPipeError:
+        raise
+    except UNREADABLE as wrong:
+        raise _Spoilt(complaint(path, wrong)) from None
+
+
 def _show(path: Path) -> int:
-    with Review(path) as review:
-        for line in told(review):
-            print(line)
+    with _reading(path), Review(path) as review:
+        lines = list(told(review))
+    print("\n".join(lines))
     return 0
 
 
 def _table(given: argparse.Namespace) -> int:
-    with Review(given.file) as review:
+    path, output = given.file, given.output
+    with _reading(path):
+        review = Review(path)
+    with review:
         wanted = given.variables
         series = [one for name, one in review.series.items() if not wanted or name in wanted or one.name in wanted]
         known = {*review.series, *(one.name for one in series)}
         strange = [name for name in wanted if name not in known]
         if strange:
-            raise ValueError(f"{given.file}: expected one of {', '.join(review.series)}, found {strange[0]!r}")
-        if given.output is None:
-            columns.write(sys.stdout, series)
+            raise _Spoilt(f"{path}: expected one of {', '.join(review.series)}, found {strange[0]!r}")
+        if output is None:
+            with _reading(path):
+                columns.write(sys.stdout, series)
             return 0
-        with given.output.open("w", newline="", encoding="utf-8") as stream:
+        if output.exists() and output.samefile(path):
+            raise _Spoilt(f"{output}: expected another file than the recording itself; nothing is written")
+        try:
+            stream = output.open("w", newline="", encoding="utf-8")
+        except OSError as wrong:
+            raise _Spoilt(complaint(output, wrong)) from None
+        with stream, _reading(path):
             rows = columns.write(stream, series)
-    print(f"{rows} rows of {len(series)} variables: {given.output}")
+    print(f"{_counted(rows, 'row')} of {_counted(len(series), 'variable')}: {output}")
     return 0
 
 
 def _compare(given: argparse.Namespace) -> int:
-    tolerance = Tolerance(given.tolerance, given.part, given.time)
-    found = first_difference(Reader(given.one), Reader(given.other), tolerance)
+    readers = []
+    for path in (given.one, given.other):
+        with _reading(path):
+            readers.append(Reader(path))
+            Run.read(readers[-1])
+    found = None
+    with _reading(given.one):  # a part that is spoilt tells its own file
+        found = first_difference(readers[0], readers[1], Tolerance(given.tolerance, given.part, given.time))
     print(found or "no difference")
+    for reader in readers:
+        if not reader.is_whole:
+            print(f"{reader.path} was cut short: compared up to {reader.span[1] * 1e-9:.9g} s")
     return 0 if found is None else 1
+
+
+def _counted(number: int, what: str) -> str:
+    return f"{number} {what}{'' if number == 1 else 's'}"
 
 
 def _amount(text: str) -> float:

@@ -13,7 +13,7 @@ from onika.desk.runtime import Runtime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
 
-SHORTEST_S, LONGEST_S = 0.3, 3.0
+SHORTEST_S, LONGEST_S = 0.2, 3.0
 """Three beats; and after three seconds a session is lost altogether."""
 _LISTENING = re.compile(r"^onika runtime: listening on ([^\s,]+)", re.MULTILINE)
 
@@ -45,7 +45,10 @@ def describe(parser: argparse.ArgumentParser) -> None:
         help="where commands and changes of holder are written down (~/.local/state); off: nowhere",
     )
     parser.add_argument(
-        "--lease", type=lease, metavar="SECONDS", help="after how long a silent holder holds nothing any more (1.0)"
+        "--lease",
+        type=lease,
+        metavar="SECONDS",
+        help="after how long a silent holder holds nothing any more (as the way allows, 0.25 to 1.0)",
     )
     parser.add_argument("--no-fifo", action="store_true", help="do not ask for real-time scheduling")
     add_base(parser)

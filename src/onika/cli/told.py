@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from onika.desk import explained
+from onika.desk import explained, stepping
 from onika.desk.outcome import Outcome
 from onika.desk.positions import waits
 from onika.wire import event
@@ -38,6 +38,8 @@ def sentence(one: event.Event, total: int, flows: Sequence[str] = ()) -> str:
             tag = one.tag.rpartition(" ")[2]
             names = " and ".join(one.subsystems)
             return f"{one.at_s:8.2f} s  {names} go on together at {tag}, {one.skew_us:.0f} us apart"
+        case event.Stepped():
+            return f"{one.at_s:8.2f} s  note: {one.subsystem}/{stepping.sentence(one)}"
         case event.Warned():
             who = f"{one.task}: " if one.task else ""
             return f"{one.at_s:8.2f} s  note: {who}{one.text}"
@@ -109,6 +111,7 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     cycles = sum(one.cycles for one in result.tasks)
     if cycles and not result.hash:
         yield f"cycles: {cycles}, missed {missed}"
+    yield from stepping.summary(result.steps)
     for one, value, holds in outcome.expectations:
         yield f"expect {one.text}: " + ("yes" if holds else f"NO, found {'nothing' if value is None else value}")
     if result.hash:

@@ -7,7 +7,7 @@ from msgspec import structs
 
 from onika.desk.preparation import PreparedRun
 from onika.record import said
-from onika.record.reader import Reader
+from onika.record.reader import UNREADABLE, Reader, complaint
 from onika.record.run import END, Run
 from onika.wire import event, request
 from onika.wire.request import Recorded, encode
@@ -72,8 +72,10 @@ def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
     try:
         reader = Reader(source.path)
         run = Run.read(reader)
-    except (OSError, ValueError) as wrong:
-        return (Fault(place, "a recording of a run", str(wrong).removeprefix(f"{source.path}: "), _NOT_RUN),)
+    except UNREADABLE as wrong:
+        words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
+        found = words.partition(", found ")[2] or words
+        return (Fault(place, "a recording of a run", found, _NOT_RUN),)
     end = reader.notes.get(END, {})
     last_s = reader.span[1] * 1e-9
     faults = []

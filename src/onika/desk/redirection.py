@@ -69,7 +69,7 @@ def seats(
     found: dict[str, tuple[Seat, ...]] = {}
     homes = chiefs(plan)
     for home in homes:
-        own = [one.subsystem for one in plan.flows if f"{one.subsystem}.".startswith(f"{home}.")]
+        own = _within(plan, home)
         elsewhere = [one.subsystem for one in plan.flows if one.subsystem not in own]
         others = list(_living(plan, program, redirects, elsewhere).values())
         seats = []
@@ -79,6 +79,16 @@ def seats(
             seats.append(Seat(task, taken_by, tuple(candidates(task, library, crews, others))))
         found[home] = tuple(seats)
     return found
+
+
+def homes_of(task: str, plan: Plan, program: Program) -> tuple[str, ...]:
+    """The flows that are not nested and use a task, themselves or in what is nested in them."""
+    return tuple(home for home in chiefs(plan) if task in _used(plan, program, _within(plan, home)))
+
+
+def _within(plan: Plan, home: str) -> list[str]:
+    """A flow and all that is nested in it."""
+    return [one.subsystem for one in plan.flows if f"{one.subsystem}.".startswith(f"{home}.")]
 
 
 def _twice(redirects: Sequence[Redirect]) -> Iterator[Fault]:

@@ -15,11 +15,11 @@ from typing import Any
 import msgspec
 
 from onika.desk.recorded import events_of
-from onika.record import foxglove, said
+from onika.record import course, foxglove, said
 from onika.record.reader import Reader
 from onika.record.run import END, Run
 from onika.record.series import Series
-from onika.wire import event
+from onika.wire import event, request
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +74,7 @@ class Review:
     """Raises ValueError where the file is no recording of a run, OSError where it cannot be read."""
 
     def __init__(self, path: Path) -> None:
+        self.path = path
         self._reader = Reader(path)
         self.run = Run.read(self._reader)
         self.is_whole = self._reader.is_whole
@@ -116,10 +117,19 @@ class Review:
         topics = [one for one in self._reader.channels if one.startswith(prefix + "/") and one.endswith("/" + suffix)]
         return tuple(one[len(prefix) + 1 : -len(suffix) - 1] for one in topics)
 
-    def at(self, at_s: float) -> Instant:
-        """Everything at one time."""
+    @property
+    def commands(self) -> list[tuple[int, request.Request]]:
+        """What was asked of the run, and when in ns."""
+        found = []
+        for topic in (said.COMMANDS, said.ANSWERS):
+            for at, body in self._reader.messages(topic):
+                found.append((at, said.decode_wanted(body).request))
+        return found
+
+    def at(self, at_s: float, *, with_pictures: bool = True) -> Instant:
+        """Everything at one time; variables that are pictures only if they are wanted."""
         at = round(at_s * 1e9)
-        values = {name: one.at(at) for name, one in self.series.items()}
+        values = {name: one.at(at) for name, one in self.series.items() if with_pictures or not one.is_picture}
         return Instant(
             at_s,
             {one.subsystem: _state(one, at_s) for one in self.flows},
@@ -140,44 +150,45 @@ class Review:
         scene: dict[str, Any] | None = None if found is None else msgspec.json.decode(found[1])
         return scene
 
+    def shapes(self, world: str, at_s: float = 0.0) -> list[dict[str, Any]] | None:
+        """What a world consisted of, as whoever draws it live is told; None: it is not in the recording."""
+        kept = self._reader.attachment(said.shapes(world))
+        if kept is not None:
+            found: list[dict[str, Any]] = msgspec.json.decode(kept)
+            return found
+        drawn = self._reader.newest(said.scene(world), round(at_s * 1e9)) or next(
+            self._reader.messages(said.scene(world)), None
+        )
+        return None if drawn is None else foxglove.shapes(drawn[1])
+
+    def lit(self, world: str, at_s: float) -> list[str]:
+        """The shapes of a world that shone."""
+        found = self._reader.newest(said.scene(world), round(at_s * 1e9))
+        return [] if found is None else foxglove.lit(found[1])
+
     def course(self, address: str, begin_s: float, end_s: float, points: int = 800) -> list[Course]:
         """Each element of a variable `subsystem/NAME` in at most so many points; raises KeyError for an unknown one.
 
         A point tells the least and the greatest value of its part of the time, so that no peak is lost.
         """
         one = self.series[address]
+        if not course.is_drawn(one):
+            return []
         begin, end = round(begin_s * 1e9), round(end_s * 1e9)
-        width = max((end - begin) // max(points, 1), 1)
-        cells: dict[int, tuple[list[float], list[float]]] = {}
-        before = None if (start := one.reader.newest(one.topic, begin)) is None else start[0]
-        for at, values in one.flat(begin if before is None else before, end + 1):
-            if not all(isinstance(value, int | float) for value in values):
-                return []
-            cell = max(at - begin, 0) // width
-            known = cells.get(cell)
-            if known is None:
-                cells[cell] = (list(values), list(values))
-            else:
-                low, high = known
-                for k, value in enumerate(values):
-                    low[k] = min(low[k], value)
-                    high[k] = max(high[k], value)
-        at_s = [round((begin + cell * width) * 1e-9, 9) for cell in cells]
-        return [
-            Course(
-                label, one.unit, at_s, [low[k] for low, _ in cells.values()], [high[k] for _, high in cells.values()]
-            )
-            for k, label in enumerate(one.labels)
-        ]
+        return drawn(one, course.parts(course.samples(one, begin, end), begin, end, points))
 
     # Inner
 
     def _learn(self, at: int, subsystem: str, one: event.Event) -> None:
         match one:
             case event.Began():
+                _leave(self._flow(subsystem), one.at_s)
                 self._flow(subsystem).intervals.append(Interval(one.index, one.action, one.at_s, None))
             case event.Done():
-                self._end(self._flow(subsystem), one.at_s)
+                _leave(self._flow(subsystem), one.at_s, one.index)
+            case event.Result():
+                for flow in self.flows:
+                    _leave(flow, one.runtime_s)
             case event.Moved():
                 flow = self._flow(one.subsystem)
                 flow.states.append((one.at_s, one.state, one.action))
@@ -187,12 +198,10 @@ class Review:
                 self._drives.add(one.device, at, one.state)
 
     def _flow(self, subsystem: str) -> Flow:
-        return next(one for one in self.flows if one.subsystem == subsystem)
-
-    def _end(self, flow: Flow, at_s: float) -> None:
-        if flow.intervals and flow.intervals[-1].end_s is None:
-            last = flow.intervals[-1]
-            flow.intervals[-1] = Interval(last.action, last.name, last.begin_s, at_s)
+        found = next((one for one in self.flows if one.subsystem == subsystem), None)
+        if found is None:
+            raise ValueError(f"{self.path}: expected news of the flows of its plan, found {subsystem or 'none'}")
+        return found
 
 
 class _Track:
@@ -213,6 +222,19 @@ class _Track:
             if place:
                 found[name] = states[place - 1]
         return found
+
+
+def _leave(flow: Flow, at_s: float, action: int | None = None) -> None:
+    """The action that is carried out has ended, if it is this one: done, or left for another one."""
+    last = flow.intervals[-1] if flow.intervals else None
+    if last is not None and last.end_s is None and action in (None, last.action):
+        flow.intervals[-1] = Interval(last.action, last.name, last.begin_s, at_s)
+
+
+def drawn(one: Series, parts: course.Parts) -> list[Course]:
+    """Each element of a variable, as it is drawn."""
+    at_s, least, most = parts.at_s.tolist(), parts.least.T.tolist(), parts.most.T.tolist()
+    return [Course(label, one.unit, at_s, least[k], most[k]) for k, label in enumerate(one.labels)]
 
 
 def _state(flow: Flow, at_s: float) -> tuple[str, int]:

@@ -12,7 +12,6 @@ from onika.host.audit import OFF, Audit, open_for
 from onika.host.ending import Ending
 from onika.host.gate import Gate
 from onika.host.inquiry import Inquiry
-from onika.host.leases import LEASE_NS
 from onika.host.listening import Wanted, judge
 from onika.host.loader import Loader
 from onika.host.memory import bound
@@ -67,7 +66,8 @@ def main(words: list[str]) -> None:
             if not given.no_fifo:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
-                _wall(Program(gate, wall, inquiry, rtpus, round(given.lease * 1e9)), gate, wall, ending)
+                lease_ns = None if given.lease is None else round(given.lease * 1e9)
+                _wall(Program(gate, wall, inquiry, rtpus, lease_ns), gate, wall, ending)
             finally:
                 wall.close()
     finally:
@@ -88,7 +88,7 @@ def _given(words: list[str]) -> argparse.Namespace:
     parser.add_argument("--shake", type=int)
     parser.add_argument("--no-fifo", action="store_true")
     parser.add_argument("--audit", default="")
-    parser.add_argument("--lease", type=float, default=LEASE_NS * 1e-9)
+    parser.add_argument("--lease", type=float)
     parser.add_argument("--rtpu", action="append", default=[])
     parser.add_argument("--listen", default="", metavar="HOST:PORT")
     parser.add_argument("--cert", default="")

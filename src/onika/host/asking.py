@@ -52,6 +52,6 @@ class Loading(Protocol):
         """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
         ...
 
-    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
-        """Why these devices of a world cannot be used together; none: they can."""
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
         ...

@@ -82,7 +82,8 @@ def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
         world, _, name = (one.device or "").partition(":")
         known = loading.devices(world)
         if isinstance(known, Fault):
-            faults.append(Fault(Place(one.task.place), known.expected, f"DEVICE {one.device}", NOT_RUN))
+            expected = known.expected.removeprefix("expected ").partition(", found ")[0]
+            faults.append(Fault(Place(one.task.place), expected, f"DEVICE {one.device}", NOT_RUN))
         elif name not in known:
             expected = f"a device of world {world} ({', '.join(known)})"
             faults.append(Fault(Place(one.task.place), expected, f"DEVICE {one.device}", NOT_RUN))
@@ -90,8 +91,8 @@ def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
 
 
 def unfit(one: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loading) -> list[Fault]:
-    """A device that is not the one which a robot's task means: another robot, or one that stands elsewhere."""
-    if not one.device or not constants:
+    """A device that is not the one which a task means: another robot or sensor, or one that stands elsewhere."""
+    if not one.device:
         return []
     reason = loading.fits(code, dict(constants), one.device)
     if isinstance(reason, Fault):
@@ -113,6 +114,21 @@ def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
         last = max(claimed.values(), key=lambda one: one.name)
         faults += [_union(last, f"devices of {world} that can be used together", reason) for reason in reasons]
     return faults
+
+
+def remarks(tasks: Sequence[WiredTask], loading: Loading) -> list[str]:
+    """What is odd about the devices of one flow, and forbids nothing: an arm moves, and the other arm's hand closes."""
+    worlds: dict[str, dict[str, WiredTask]] = {}
+    for one in (one for one in tasks if one.device and one.sheet.hardware):
+        world, _, name = (one.device or "").partition(":")
+        worlds.setdefault(world, {})[name] = one
+    found = []
+    for world, claimed in worlds.items():
+        said = loading.company(world, tuple(sorted(claimed)), is_of_flow=True) if len(claimed) > 1 else ()
+        for remark in said if isinstance(said, tuple) else ():
+            place = next((one.task.place for name, one in claimed.items() if name in remark), world)
+            found.append(f"{place}: {remark}")
+    return found
 
 
 def shapeless(wired: Sequence[WiredTask], constants: Mapping[str, Any]) -> list[Fault]:

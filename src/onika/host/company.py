@@ -23,8 +23,11 @@ class Doorway(Protocol):
 class Company:
     """The sessions of a runtime, with what each of them has said of itself."""
 
-    def __init__(self, doorway: Doorway, watching: Callable[[], Set[str]]) -> None:
+    def __init__(
+        self, doorway: Doorway, watching: Callable[[], Set[str]], lease: Callable[[str], int] = lambda _: 0
+    ) -> None:
         self._doorway = doorway
+        self._lease = lease
         self._watching = watching
         self._told: tuple[holding.SessionStanding, ...] = ()
 
@@ -32,7 +35,7 @@ class Company:
         """Who is known."""
         watching = self._watching()
         known = self._doorway.sessions()
-        return tuple(structs.replace(one, only_watches=one.name in watching) for one in known)
+        return tuple(self._standing(one, watching) for one in known)
 
     def answer(self, session: str) -> holding.Company:
         """To whoever asks who is there."""
@@ -44,3 +47,6 @@ class Company:
         if sessions != self._told:
             self._told = sessions
             self._doorway.tell(event.Company(sessions), holding.COMPANY)
+
+    def _standing(self, one: holding.SessionStanding, watching: Set[str]) -> holding.SessionStanding:
+        return structs.replace(one, only_watches=one.name in watching, lease_s=self._lease(one.name) * 1e-9)

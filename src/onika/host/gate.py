@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
+from onika.host.leases import Heard
 from onika.host.permission import refusal
 from onika.link.caller import Role
 from onika.link.carrier import Carrier, SocketCarrier
@@ -53,6 +54,10 @@ class Door(Protocol):
 
     def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
         """Who has come since the last call."""
+        ...
+
+    def deaf_ns(self) -> int:
+        """For how long it has passed nothing on, though something may have come."""
         ...
 
     def ending(self) -> str:
@@ -206,14 +211,21 @@ class Gate:
             session.close(reason, self._clock())
 
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
-        """Who is known; here is who has a connection."""
+        """Who is known; here is who is heard at present."""
         known = self._guests.sessions
-        return tuple(holding.SessionStanding(one.name, one.caller.role.word, bool(one.ports)) for one in known)
+        return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_heard) for one in known)
 
-    def silent_ns(self, session: str) -> int | None:
-        """How long a session has not been heard; None: it is not known, or the launching program, whose end is told."""
+    def hearing(self, session: str) -> Heard | None:
+        """How a session is heard; None: it is not known, or the launching program, whose end is told."""
         found = self._guests.find(session)
-        return None if found is None or found is self._parent else self._clock() - found.heard_ns
+        if found is None or found is self._parent:
+            return None
+        now, rhythm = self._clock(), found.rhythm
+        return Heard(now - found.heard_ns, rhythm.beats, now - rhythm.last_ns, rhythm.round_trip_us)
+
+    def deaf_ns(self) -> int:
+        """For how long nothing could be heard, whoever spoke."""
+        return 0 if self._porter is None else self._porter.deaf_ns()
 
     def lost(self) -> list[str]:
         """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""

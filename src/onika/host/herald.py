@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 
 from onika.engine import orders
 from onika.host.tally import Meeting
+from onika.host.telling import stepped
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.subsystem import Subsystem
@@ -58,6 +59,12 @@ class Herald:
         at = self.seconds(heard.now_ns)
         where = (heard.path, heard.line, heard.traceback, at, heard.entry, heard.values)
         self._tell(event.Failed(heard.subsystem, heard.task, f"{heard.entry}: {heard.text}", *where))
+
+    def stepped(self, heard: news.Stepped) -> None:
+        """An input of a hardware task has stepped; what was as far as it may is no word worth."""
+        found = stepped(heard, self.seconds(heard.at_ns))
+        if found.is_too_far:
+            self._tell(found)
 
     def met(self, meeting: Meeting, now: int) -> None:
         """Flows have begun together."""

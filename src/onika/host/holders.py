@@ -6,6 +6,7 @@ from typing import get_args
 from onika.host import edit
 from onika.host.helm import Helm
 from onika.host.offers import Offer, Offers
+from onika.host.performance import Performance
 from onika.host.permission import changes_nothing
 from onika.host.stage import Stage, Tell
 from onika.link.caller import Role
@@ -150,13 +151,10 @@ class Holders:
         When it is heard again it may look; for anything else it takes a subsystem, or prepares a run, anew.
         """
         self._lapsed.add(session)
-        cause = f"its holder {session} has been silent for {silent_ns * 1e-9:.1f} s"
+        cause = f"its holder {session} has been silent for {silent_ns * 1e-9:.2f} s"
         for performance in self._stage.performances:
             if performance.session == session and performance.on_loss != "run":
-                performance.session = ""
-                performance.abandon(cause, now)
-                for name in performance.names:
-                    self._tell(event.Held(name, "", cause), name, session)
+                self._abandon(performance, cause, session, now)
         self._rest(session, cause)
 
     def lost(self, session: str, now: int) -> None:
@@ -164,9 +162,15 @@ class Holders:
         cause = f"the session {session} that began it is gone"
         for performance in self._stage.performances:
             if performance.session == session:
-                performance.session = ""
-                performance.abandon(cause, now)
+                self._abandon(performance, cause, session, now)
         self._rest(session, f"its holder {session} is gone")
+
+    def _abandon(self, performance: Performance, cause: str, session: str, now: int) -> None:
+        """A run is nobody's: it goes as it was begun to go, and others may take it."""
+        performance.session = ""
+        performance.abandon(cause, now)
+        for name in performance.names:
+            self._tell(event.Held(name, "", cause), name, session)
 
     def _rest(self, session: str, cause: str) -> None:
         """What a session held by hand comes to rest, and is nobody's."""

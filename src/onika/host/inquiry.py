@@ -102,9 +102,9 @@ class Inquiry:
         answer = self._answer(AskFit(code, constants, device), code)
         return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
 
-    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
-        """Why these devices of a world cannot be used together; none: they can."""
-        answer = self._answer(AskCompany(world, devices), Code("", world, world, ""))
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
+        answer = self._answer(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
         return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
 
     def expect(self, codes: tuple[Code, ...]) -> None:

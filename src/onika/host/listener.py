@@ -18,6 +18,11 @@ class Listener(Protocol):
         """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
         ...
 
+    @property
+    def is_hurried(self) -> bool:
+        """Whether scaled time goes as fast as it can: what is repeated was looked at when it happened."""
+        ...
+
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Take in one piece of news."""
         ...

@@ -101,9 +101,9 @@ class Loader:
         answer = self._ask(AskFit(code, constants, device), code)
         return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
 
-    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
-        """Why these devices of a world cannot be used together; none: they can."""
-        answer = self._ask(AskCompany(world, devices), Code("", world, world, ""))
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
+        answer = self._ask(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
         return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
 
     def close(self) -> None:
@@ -188,7 +188,7 @@ def _answer(question: Question, loading: DirectLoading) -> Answer:
             found = loading.fits(question.code, question.constants, question.device)
             return _wrong(found) if isinstance(found, Fault) else Objections((found,) if found else ())
         case AskCompany():
-            found = loading.company(question.world, question.devices)
+            found = loading.company(question.world, question.devices, is_of_flow=question.is_of_flow)
             return _wrong(found) if isinstance(found, Fault) else Objections(found)
 
 

@@ -115,10 +115,10 @@ class DirectLoading:
         except Exception as wrong:
             return self._fault(code, "an answer about the device", wrong)
 
-    def company(self, world: str, devices: tuple[str, ...]) -> tuple[str, ...] | Fault:
-        """Why these devices of a world cannot be used together; none: they can, or the world does not say."""
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
         try:
-            ask = getattr(self._world(world), "objections", None)
+            ask = getattr(self._world(world), "remarks" if is_of_flow else "objections", None)
             return () if ask is None else tuple(ask(devices))
         except Exception:
             return ()  # a world that cannot be opened is told with its devices

@@ -23,6 +23,11 @@ class Pace:
             self._allowed += min(passed, _MOST_NS) * self._scale
         return int(self._allowed)
 
+    def follow(self, now: int, wall_ns: int) -> None:
+        """The clock has gone further than it may by itself: from here on it goes as wall time passes."""
+        if now > self._allowed:
+            self._allowed, self._wall = float(now), wall_ns
+
     def wait_s(self, until: int) -> float:
         """How long the clock takes to a time from where it is."""
         return max(0.0, (until - self._allowed) * 1e-9 / self._scale)

@@ -14,10 +14,11 @@ import ssl
 import subprocess
 import sys
 from functools import partial
-from time import monotonic
+from time import monotonic, monotonic_ns
 
 from msgspec import Struct, msgpack
 
+from onika.host.beat_book import BeatBook
 from onika.host.doorkeeper import Doorkeeper, Yes, from_near
 from onika.host.listening import Listening, context
 from onika.host.outlet import open_outlets
@@ -25,6 +26,7 @@ from onika.host.post import Post
 from onika.host.process import start
 from onika.host.relay import Relay, Unwelcome
 from onika.host.users import Users
+from onika.link.beats import LENGTH
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.guests import Introduction
@@ -33,9 +35,16 @@ from onika.wire.packet import Hello
 
 GREETING_S = 5.0
 """How long everything may take until the greeting is there: TLS, HTTP, WebSocket, hello."""
+_AT_ONCE = 12
+"""Connections that are taken before those in the door are heard; well below what the door holds of one address."""
 _RELAYS = 256
 """Connections at most that are let in."""
 _START_S = 20.0
+_AWAKE_NS = 50_000_000
+_IDLE = 100
+"""How often it is still said after the last one has gone: his silence is to be noticed."""
+_BEATS = 64
+"""Datagrams that are read at a time."""
 _LAST_S = 0.5
 
 
@@ -62,7 +71,13 @@ class Arrived(Struct, frozen=True, tag=True):
     address: str
 
 
-_decode = msgpack.Decoder(Ready | Failed | Arrived).decode
+class Awake(Struct, frozen=True, tag=True):
+    """It listens, and has passed on what came until now; said again and again while somebody is inside."""
+
+
+_decode = msgpack.Decoder(Ready | Failed | Arrived | Awake).decode
+
+_AWAKE = msgpack.encode(Awake())
 
 
 class Porter:
@@ -73,6 +88,7 @@ class Porter:
         self._post, theirs = Post.pair()
         self._process: subprocess.Popen[bytes] = start("onika.host.porter", theirs)
         self._post.send(msgpack.encode(listening))
+        self._awake_ns = 0
 
     @property
     def post(self) -> Post:
@@ -98,11 +114,17 @@ class Porter:
         while (one := self._post.receive()) is not None:
             body, descriptors = one
             arrived = _decode(body)
-            if isinstance(arrived, Arrived) and descriptors:
+            if isinstance(arrived, Awake):
+                self._awake_ns = monotonic_ns()
+            elif isinstance(arrived, Arrived) and descriptors:
                 caller = Caller(arrived.user, Role(arrived.role), arrived.address, from_near(arrived.address))
                 new = Introduction(Channel(arrived.channel), arrived.client, arrived.epoch, caller)
                 came.append((new, socket.socket(fileno=descriptors[0])))
         return came
+
+    def deaf_ns(self) -> int:
+        """For how long it has passed nothing on, though something may have come: it was not its turn on the machine."""
+        return max(0, monotonic_ns() - self._awake_ns - 2 * _AWAKE_NS) if self._awake_ns else 0
 
     def ending(self) -> str:
         """How it ended; empty while it lives."""
@@ -135,10 +157,15 @@ class _House:
         self._tasks: dict[int, asyncio.Task[None]] = {}
         self._relays: set[asyncio.Task[None]] = set()
         self._inside = 0
+        self._book = BeatBook()
 
-    async def serve(self, listener: socket.socket) -> None:
-        """Take connections until the program is gone."""
+    async def serve(self, listener: socket.socket, beats: socket.socket | None) -> None:
+        """Take connections until the program is gone; and their beats, where they can come as datagrams."""
         loop = asyncio.get_running_loop()
+        if beats is not None:
+            self._book.port = beats.getsockname()[1]
+            loop.add_reader(beats.fileno(), self._take_beats, beats)
+        loop.call_soon(self._say_awake, loop, _IDLE)
         gone = asyncio.Event()
         loop.add_reader(self._post.fileno(), self._look, gone)
         accepting = asyncio.create_task(self._accept(listener))
@@ -154,16 +181,34 @@ class _House:
         if self._post.is_closed:
             gone.set()
 
+    def _say_awake(self, loop: asyncio.AbstractEventLoop, idle: int) -> None:
+        """What came before this turn of the loop is passed on by now."""
+        idle = 0 if self._inside else idle + 1
+        if idle <= _IDLE and not self._post.is_waiting:
+            self._post.send(_AWAKE)
+        loop.call_later(_AWAKE_NS * 1e-9, self._say_awake, loop, idle)
+
+    def _take_beats(self, beats: socket.socket) -> None:
+        """Some at a time: whoever floods the port keeps nobody else waiting."""
+        for _ in range(_BEATS):
+            try:
+                datagram = beats.recv(LENGTH + 1)
+            except OSError:
+                return
+            self._book.take(datagram)
+
     async def _accept(self, listener: socket.socket) -> None:
         loop = asyncio.get_running_loop()
+        taken = 0
         while True:
             try:
                 connected, peer = await loop.sock_accept(listener)
             except OSError:  # too many open files: those in the door leave within seconds
                 await asyncio.sleep(0.1)
                 continue
-            # one at a time: those who have said what they want are heard before others crowd in
-            await asyncio.sleep(0)
+            taken += 1
+            if taken % _AT_ONCE == 0:  # a few at a time: who has said what he wants is heard before others crowd in
+                await asyncio.sleep(0)
             number, evicted = self._doorkeeper.enter(peer[0])
             if evicted is not None and evicted in self._tasks:
                 self._tasks[evicted].cancel()
@@ -203,7 +248,7 @@ class _House:
         transport, _ = await loop.connect_accepted_socket(
             lambda: protocol, connected, ssl=self._context, ssl_handshake_timeout=limit
         )
-        return Relay(reader, asyncio.StreamWriter(transport, protocol, reader, loop), address)
+        return Relay(reader, asyncio.StreamWriter(transport, protocol, reader, loop), address, self._book)
 
     async def _inwards(self, relay: Relay, answer: Yes, hello: Hello, payloads: list[bytes], address: str) -> None:
         if self._inside >= _RELAYS:
@@ -240,6 +285,21 @@ def listen(host: str, port: int) -> socket.socket:
     return listener
 
 
+def hear_beats(listener: socket.socket) -> socket.socket | None:
+    """A socket for datagrams where connections are taken, under the same number if that is free; None: none is."""
+    where = listener.getsockname()
+    for port in (where[1], 0):
+        beats = socket.socket(listener.family, socket.SOCK_DGRAM)
+        try:
+            beats.bind((where[0], port, *where[2:]))
+        except OSError:
+            beats.close()
+            continue
+        beats.setblocking(False)
+        return beats
+    return None
+
+
 def main(words: list[str]) -> None:
     """The process."""
     parser = argparse.ArgumentParser()
@@ -258,6 +318,7 @@ def main(words: list[str]) -> None:
     listening = msgpack.decode(came[0], type=Listening)
     try:
         listener = listen(listening.host, listening.port)
+        beats = hear_beats(listener)
         house = _House(listening, post)
     except OSError as wrong:
         reason = f"cannot listen on {listening.host} port {listening.port}: {wrong.strerror or wrong}"
@@ -265,7 +326,7 @@ def main(words: list[str]) -> None:
         return
     post.send(msgpack.encode(Ready(listener.getsockname()[1])))
     with contextlib.suppress(KeyboardInterrupt):
-        asyncio.run(house.serve(listener))
+        asyncio.run(house.serve(listener, beats))
 
 
 if __name__ == "__main__":

@@ -11,6 +11,7 @@ from onika.host.checks import (
     at_action,
     conflicts,
     cycles,
+    remarks,
     shapeless,
     shared_devices,
     unfit,
@@ -58,6 +59,7 @@ def prepare(plan: Plan, targets: Sequence[TargetValues], loading: Loading) -> Pr
     for number, flow in enumerate(plan.flows):
         wired = _wired(flow, sheets, found)
         found.flows.append(wired)
+        found.notes += remarks(wired, loading)
         if len(wired) == len(flow.tasks):  # else every further word would only repeat what is missing
             found.faults += disagreements(wired) + missing_constants(wired) + conflicts(wired) + cycles(wired)
         _actions(number, flow, wired, found)
@@ -167,6 +169,8 @@ def _values(
     """
     constants: dict[str, Any] = {}
     robots = []
+    for one in (one for one in wired if one.device and not one.sheet.hardware):
+        found.faults += unfit(one, found.code[one.task.digest], {}, loading)
     for one in (one for one in wired if one.sheet.hardware):
         code = found.code[one.task.digest]
         published = loading.constants(code, one.task.local)

@@ -84,7 +84,9 @@ class Driver(Tables, Seen, Recorded, Protocol):
 class Program:
     """One runtime: subsystems held by hand and by applications, side by side."""
 
-    def __init__(self, gate: Gate, driver: Driver, loading: Loading, rtpus: tuple[str, ...], lease_ns: int = 0) -> None:
+    def __init__(
+        self, gate: Gate, driver: Driver, loading: Loading, rtpus: tuple[str, ...], lease_ns: int | None = 0
+    ) -> None:
         self._gate = gate
         self._driver = driver
         self._loading = loading
@@ -94,9 +96,9 @@ class Program:
         driver.listen(self.stage)
         self._editor = Editor(self.stage, loading)
         self._helm = Helm(self.stage)
-        self._company = Company(gate, lambda: self.holders.watching)
+        self._company = Company(gate, lambda: self.holders.watching, self._lease_of)
         self.holders = Holders(self.stage, gate.tell, self._helm, self._company.sessions)
-        self.leases = Leases(self.holders, gate.silent_ns, lease_ns)
+        self.leases = Leases(self.holders, gate.hearing, lease_ns, deaf=gate.deaf_ns)
         self._look = Look(self.stage, driver, gate, rtpus)
         self._recorder = Recorder(self.stage, driver, gate, rtpus)
         self.is_stopped = False
@@ -191,6 +193,9 @@ class Program:
         self.holders.began(session)
         return request.Done()
 
+    def _lease_of(self, session: str) -> int:
+        return self.leases.of(session)
+
     def _serve(self, call: Call) -> None:
         def answer(response: request.Response) -> None:
             self._gate.reply(call.ticket, response)
@@ -276,7 +281,7 @@ class Program:
             case request.Reply():
                 return self._answer(asked)
             case request.Abort():
-                return self._abort(session, asked.cause)
+                return self._abort(session, asked)
             case request.Stop() | live.Reset():
                 return self._stop(session, asked)
             case live.Touch():
@@ -328,13 +333,14 @@ class Program:
         performance.runner.answer(asked.subsystem, asked.task, asked.line)
         return request.Done()
 
-    def _abort(self, session: str, cause: str) -> request.Response:
+    def _abort(self, session: str, asked: request.Abort) -> request.Response:
         """End the applications of this session and those that are nobody's: whoever may run anything may end them."""
-        own = [one for one in self.stage.performances if one.session in (session, "")]
+        meant = [one for one in self.stage.performances if asked.subsystem in ("", *one.names)]
+        own = [one for one in meant if one.session in (session, "")]
         for performance in own:
-            performance.runner.abort(cause, self._driver.now)
-        if self.stage.performances and not own:
-            other = self.stage.performances[0]
+            performance.runner.abort(asked.cause, self._driver.now)
+        if meant and not own:
+            other = meant[0]
             return request.Refused(f"application {other.application} was begun by {other.session}; everybody can stop")
         return request.Done()
 

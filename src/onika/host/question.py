@@ -57,10 +57,11 @@ class AskFit(Struct, frozen=True, tag=True):
 
 
 class AskCompany(Struct, frozen=True, tag=True):
-    """Ask why devices of a world cannot be used together."""
+    """Ask why devices of a world cannot be used together, or what is odd about them in one flow."""
 
     world: str
     devices: tuple[str, ...]
+    is_of_flow: bool = False
 
 
 class AskDevices(Struct, frozen=True, tag=True):

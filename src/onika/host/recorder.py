@@ -210,9 +210,8 @@ class Recorder:
     # Inner
 
     def _is_first(self) -> bool:
-        return not (self._has_run or self._stage.live or self._seen.worlds) and (
-            self._seen.now == 0 or not self._seen.is_virtual
-        )
+        lives = not all(one.is_empty for one in self._stage.live.values())  # one that is only held changes nothing
+        return not (self._has_run or lives or self._seen.worlds) and (self._seen.now == 0 or not self._seen.is_virtual)
 
     def _open(self, session: str, asked: request.Begin, prepared: Preparation, is_first: bool) -> str:
         original = self._asked.get(session)

@@ -3,21 +3,28 @@
 import asyncio
 import contextlib
 import socket
+import sys
 from collections.abc import Callable
 from time import monotonic_ns
 
-from websockets.http11 import Request
+from websockets.http11 import Request, Response
 from websockets.protocol import State
 from websockets.server import ServerProtocol
 
+from onika.host.beat_book import BeatBook
 from onika.host.doorkeeper import Doorkeeper, No, Yes
+from onika.link.beats import HEADER, Pact
 from onika.link.messages import SILENT, Messages
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
-from onika.wire.packet import Bye, Hello, decode, encode
+from onika.wire.packet import Beat, Bye, Hello, decode, encode
 
 TAKING_S = 10.0
 """How long somebody may take nothing of what is sent to him."""
 _CHUNK = 64 * 1024
+_TURN = 8 * 1024
+"""Bytes from outside that are looked at before it is somebody else's turn: some hundred of the smallest frames."""
+_MIN_RTT = 148
+"""Where it stands in the `tcp_info` of Linux, in us."""
 
 HandOver = Callable[[Yes, Hello, str, socket.socket], None]
 """Gives the program its end of a connection, with who it is and the address he comes from."""
@@ -30,7 +37,12 @@ class Unwelcome(Exception):
 class Relay:
     """One connection, given as the streams of its outside."""
 
-    def __init__(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str) -> None:
+    def __init__(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str, book: BeatBook | None = None
+    ) -> None:
+        self._book = book or BeatBook()
+        self._pact: Pact | None = None
+        self._inside: asyncio.StreamWriter | None = None
         self._reader = reader
         self._writer = writer
         self._address = address
@@ -68,10 +80,12 @@ class Relay:
             for task in (inward, outward):
                 task.cancel()
             await asyncio.gather(inward, outward, return_exceptions=True)
+            self._inside = None
             writer.close()
 
     async def end(self, reason: str = "") -> None:
         """Close, politely where the other side still listens."""
+        self._book.close(self._pact)
         with contextlib.suppress(OSError, TimeoutError):
             if self._protocol.state is State.OPEN:
                 self._protocol.send_close(1000, reason)
@@ -94,6 +108,8 @@ class Relay:
             answer = doorkeeper.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
             if isinstance(answer, No):
                 response = self._protocol.reject(answer.status, answer.reason + "\n")
+            elif answer.channel.asks:
+                self._agree(response)
         self._protocol.send_response(response)
         for data in self._protocol.data_to_send():
             self._writer.write(data)
@@ -101,11 +117,29 @@ class Relay:
             raise Unwelcome(f"status {response.status_code}")
         return answer
 
+    def _agree(self, response: Response) -> None:
+        """Tell the other end, and nobody else, how it may beat beside this connection."""
+        self._pact = self._book.open(self._beat)
+        if self._pact is not None:
+            response.headers[HEADER] = self._pact.header()
+
+    def _beat(self, count: int) -> None:
+        """Hand a beat to the program, unless it has enough to read anyway."""
+        writer = self._inside
+        if writer is None or writer.transport.is_closing():
+            return
+        if writer.transport.get_write_buffer_size() < _CHUNK:
+            connected = self._writer.get_extra_info("socket")
+            writer.write(frame(encode(Beat(count, 0, round_trip_us(connected)))))
+
     async def _inward(self, payloads: list[bytes], writer: asyncio.StreamWriter) -> None:
         while True:
-            for payload in payloads:
-                writer.write(frame(payload))
+            writer.write(b"".join(map(frame, payloads)))
+            self._inside = writer  # from now on: nothing may come before the hello
             await writer.drain()
+            await asyncio.sleep(
+                0
+            )  # where more is there already, nothing else would wait: whoever floods holds up nobody
             payloads = await self._receive()
 
     async def _outward(self, reader: asyncio.StreamReader) -> None:
@@ -130,7 +164,7 @@ class Relay:
                 raise Unwelcome("closed")
 
     async def _events(self) -> list:  # type: ignore[type-arg]
-        data = await self._reader.read(_CHUNK)
+        data = await self._reader.read(_TURN)
         if data:
             self._protocol.receive_data(data)
         else:
@@ -147,3 +181,9 @@ class Relay:
                 self._writer.write(data)
         async with asyncio.timeout(TAKING_S):
             await self._writer.drain()
+
+
+def round_trip_us(connected: socket.socket) -> int:
+    """The shortest round trip of a connection within the last minutes, as the system has measured it; 0: unknown."""
+    info = connected.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 256)
+    return int.from_bytes(info[_MIN_RTT : _MIN_RTT + 4], sys.byteorder) if len(info) >= _MIN_RTT + 4 else 0

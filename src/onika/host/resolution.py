@@ -12,7 +12,8 @@ from msgspec.structs import replace
 
 from onika.host.asking import Loading
 from onika.host.checks import NOT_RUN, at_action
-from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
+from onika.runtime.user_input import UserInput
+from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.request import Resolved, TargetValues
 from onika.wire.sheet import ModuleSheet
 from onika.words import argument
@@ -51,7 +52,7 @@ def resolve(
         for name, old in flow.replaced:
             new = tasks.get(name)
             if new is not None and new.digest in sheets and sheets[new.digest].hardware:
-                _Pair(number, flow, old, new, code, loading, found).resolve()
+                _Pair(number, flow, old, new, code, sheets, loading, found).resolve()
     _rewrite(found)
     return found
 
@@ -66,10 +67,12 @@ class _Pair:
         old: PlannedTask,
         new: PlannedTask,
         code: Mapping[str, Code],
+        sheets: Mapping[str, ModuleSheet],
         loading: Loading,
         found: Resolution,
     ) -> None:
         self._number, self._flow, self._old, self._new = number, flow, old, new
+        self._sheets = sheets
         self._code, self._loading, self._found = code, loading, found
 
     def resolve(self) -> None:
@@ -95,8 +98,8 @@ class _Pair:
         return found if isinstance(found, dict) and found else None
 
     def _transfer(self, aims: list[tuple[int, TargetValues]], theirs: dict[str, Any], ours: dict[str, Any]) -> None:
-        """By way of the poses; what both take in the same way stays, and what has too few values is told as that."""
-        aims = [(at, one) for at, one in aims if len(one.values) >= theirs.get("NDOF", 0)]
+        """By way of the poses; what both take in the same way stays."""
+        aims = list(self._counted(aims, theirs))
         values = [list(one.values) for _, one in aims]
         nines = self._poses(self._old, theirs, values)
         if nines is None:
@@ -112,6 +115,34 @@ class _Pair:
         else:
             for k, posture in zip(changed, postures, strict=True):
                 self._take(*aims[k], posture, theirs.get("NDOF", 0))
+
+    def _counted(
+        self, aims: list[tuple[int, TargetValues]], theirs: dict[str, Any]
+    ) -> Iterator[tuple[int, TargetValues]]:
+        """Those with as many values as the replaced robot takes; else a duration would be taken for a joint."""
+        for at, aim in aims:
+            wrong = self._miscounted(self._flow.actions[aim.action], theirs)
+            if wrong:
+                self._refuse([(at, aim)], f"values for {self._old.name}", wrong)
+            elif len(aim.values) >= theirs.get("NDOF", 0):
+                yield at, aim
+
+    def _miscounted(self, action: PlannedAction, theirs: dict[str, Any]) -> str:
+        """Why the argument line of an action has not as many values as its trigger takes for the replaced robot."""
+        digests = {task.name: task.digest for task in self._flow.tasks}
+        sheets = [self._sheets.get(digests.get(name, "")) for name in action.tasks]
+        trigger = next((one for one in sheets if one is not None and one.trigger), None)
+        if trigger is None or not action.arguments:
+            return ""
+        try:
+            known = UserInput(trigger.inputs, theirs)
+            if not known.takes(action.arguments):
+                known.parse(action.arguments)
+        except KeyError:
+            return ""  # a bound that only a running task supplies
+        except ValueError as wrong:
+            return str(wrong)
+        return ""
 
     def _poses(self, task: PlannedTask, constants: dict[str, Any], values: list[list[Any]]) -> list[list[float]] | None:
         found = self._loading.poses(self._code[task.digest], constants, values)

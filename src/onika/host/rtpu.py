@@ -164,7 +164,7 @@ class Rtpu:
 def _may_wait(one: news.News) -> bool:
     """Whether it is the outcome of what was wanted, so that nobody waits for it to decide what follows."""
     match one:
-        case news.Cycled():
+        case news.Cycled() | news.Stepped():
             return True
         case news.Changed():
             return not one.signal

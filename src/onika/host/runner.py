@@ -4,7 +4,8 @@ The same in wall and in virtual time: it is told the time, sends commands throug
 function. It waits for nothing.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from onika.engine import news as said, orders
@@ -18,6 +19,7 @@ from onika.host.outlook import Outlook
 from onika.host.preparation import Preparation
 from onika.host.questions import Questions
 from onika.host.switchboard import Switchboard
+from onika.host.switching import Switching
 from onika.host.tally import Tally
 from onika.host.units import Units
 from onika.model.lifecycle import State
@@ -50,13 +52,12 @@ class Runner:
         self._engine = self._make_engine(Judge(subsystems))
         self._switchboard = Switchboard(subsystems, units)
         self._outlook = Outlook(self._engine, subsystems, self._switchboard)
-        self._births = Births(subsystems, prepared.code, units, begin.seed, self._refused)
+        self._switching = Switching(subsystems, self._outlook, self._switchboard, partial(self._refused, "on"))
+        self._births = Births(subsystems, prepared.code, units, begin.seed, partial(self._refused, "spawn"))
         self._questions = Questions(begin, tell, self.answer, lambda cause: self._feed(said.Abort(cause)))
         tables = {one.name: one.table for one in subsystems.values()}
         self._explainer = Explainer(prepared, tables, self._engine.positions, tell)
         self._asking: set[tuple[int, str]] = set()
-        self._together: list[orders.Switch] = []
-        self._left_together = 0
         self._settle_at: int | None = None
         self._reports_open: set[str] = set()
         self._now = 0
@@ -141,6 +142,11 @@ class Runner:
         return not self.is_moving
 
     @property
+    def is_hurried(self) -> bool:
+        """Whether scaled time goes as fast as it can."""
+        return False
+
+    @property
     def is_moving(self) -> bool:
         """Whether the clock goes on: it stands while a task waits for user input, or every flow for its user."""
         return not (self.is_over or self._asking or self._stands_still)
@@ -182,6 +188,10 @@ class Runner:
             self._outlook.look()
             return
         if heard.task not in self._subsystems[flow].members:
+            return
+        if isinstance(heard, news.Stepped):
+            self.tally.strides.note(heard)
+            self._herald.stepped(heard)
             return
         if not _is_final(heard) and self._switchboard.is_late(flow, heard.task, getattr(heard, "activation", 0)):
             return  # it has been told to come on again meanwhile; what follows from that is what counts
@@ -272,9 +282,9 @@ class Runner:
         if flow is not None and task in self._subsystems[flow].members:
             self._send(flow, task, command.Answer(subsystem, task, line))
 
-    def _refused(self, flow: int, task: str, reason: str) -> None:
-        with self._explainer.watch(news.Refused(self._herald.name(flow), task, "spawn", reason), self._now):
-            self._feed(said.Refused(flow, task, f"spawn: {reason}"))
+    def _refused(self, entry: str, flow: int, task: str, reason: str) -> None:
+        with self._explainer.watch(news.Refused(self._herald.name(flow), task, entry, reason), self._now):
+            self._feed(said.Refused(flow, task, f"{entry}: {reason}"))
 
     # Orders of the engine
 
@@ -291,11 +301,11 @@ class Runner:
             case orders.Spawn():
                 self._births.expect(order.flow, order.task)
             case orders.Together():
-                self._left_together = len(order.flows)
+                self._switching.together(len(order.flows))
                 if order.tag:
                     self.tally.meets(order.tag, order.flows)
             case orders.Switch():
-                self._switch(order)
+                self._switching.switch(order)
             case orders.Off():
                 self._switchboard.turn_off(order.flow, order.task)
             case orders.Clear():
@@ -316,42 +326,6 @@ class Runner:
             self.tally.done += 1
         elif isinstance(order, orders.Moved):
             self._explainer.moved()
-
-    def _switch(self, order: orders.Switch) -> None:
-        """Send a switch out, alone or with the others that begin at the same instant."""
-        if order.number:
-            rest = self._outlook.switched(order.flow, order)
-            if rest is None:
-                return
-            order = rest
-        self._together.append(order)
-        self._left_together = max(self._left_together - 1, 0)
-        if not self._left_together:
-            together, self._together = self._together, []
-            self._put(together)
-
-    def _put(self, switches: Sequence[orders.Switch]) -> None:
-        """Unless it would give a variable a second writer."""
-        ready = []
-        for order in switches:
-            subsystem = self._subsystems[order.flow]
-            on = [start.task for start in order.on]
-            self._outlook.finished(order.flow)
-            clashes = subsystem.clashes(order.off, on)
-            if clashes:
-                task, reason = clashes[0]
-                refused = news.Refused(subsystem.name, task, "on", reason)
-                with self._explainer.watch(refused, self._now):
-                    self._feed(said.Refused(order.flow, task, f"on: {reason}"))
-                continue
-            forget = subsystem.forgotten(order.off, on)
-            subsystem.forget(forget)
-            ready.append((order, forget))
-        if len(ready) > 1:
-            self._switchboard.put_together(ready)
-        else:
-            for order, forget in ready:
-                self._switchboard.put(order, forget)
 
     def _kill(self, order: orders.Kill) -> None:
         member = self._subsystems[order.flow].members[order.task]

@@ -103,6 +103,7 @@ class Scribe:
                 self._writer.message(self._writer.channel(order.topic, title, schema), order.at_ns, order.body)
             case Show():
                 self._shapes[order.world] = order.shapes
+                self._writer.attach(said.shapes(order.world), "application/json", said.encode(order.shapes))
                 self._draw(order.world, 0, ())
             case Pose():
                 self._pose(order)

@@ -157,6 +157,11 @@ class Stage:
         return not (lives or any(one.runner.is_moving for one in self.performances))
 
     @property
+    def is_hurried(self) -> bool:
+        """Whether scaled time goes as fast as it can: while a recorded run is repeated."""
+        return self.repeat.is_on(self._units.now)
+
+    @property
     def is_repeat_due(self) -> bool:
         """Whether something is to be asked anew, at this instant, of a run that is repeated."""
         return self.repeat.is_due(self._units.now, self._units.turn, self.is_asking)

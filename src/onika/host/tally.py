@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from msgspec import structs
 
+from onika.host.strides import Strides
 from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import Table
 from onika.wire import event
@@ -31,6 +32,7 @@ class Tally:
         self._switches: list[float] = []
         self._skews: list[float] = []
         self._meetings: dict[int, tuple[str, tuple[int, ...], dict[int, int]]] = {}
+        self.strides = Strides()
         self.values: dict[str, Any] = {}
         self.done = 0
         self.completed = False
@@ -102,6 +104,7 @@ class Tally:
             hash=digest,
             switches_us=tuple(self._switches),
             skews_us=tuple(self._skews),
+            steps=self.strides.figures(self.began_at),
         )
 
 

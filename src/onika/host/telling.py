@@ -19,4 +19,12 @@ def told(heard: news.News, at: float) -> tuple[event.Event, ...]:
             return (event.Asked(heard.subsystem, heard.task, heard.reason, items, at),)
         case news.Warned():
             return (event.Warned(heard.subsystem, heard.task, heard.text, at),)
+        case news.Stepped():
+            return (stepped(heard, round(heard.at_ns * 1e-9, 9)),)
     return ()
+
+
+def stepped(heard: news.Stepped, at: float) -> event.Stepped:
+    """A step as an event at this time."""
+    measured = (heard.index, heard.step, heard.given, heard.limit, heard.cycles)
+    return event.Stepped(heard.subsystem, heard.task, heard.variable, heard.unit, *measured, at)

@@ -146,9 +146,9 @@ class VirtualDriver:
         self._deliver()
         if listener is None:
             return False
-        if self._pace is not None:
+        if self._pace is not None and not listener.is_hurried:
             return self._keep_pace(self._pace, listener)
-        while listener.is_moving:
+        while listener.is_moving and (self._pace is None or listener.is_hurried):
             if not self._answered(until):
                 return True
             if not self._instant(listener):
@@ -211,6 +211,7 @@ class VirtualDriver:
 
     def _keep_pace(self, pace: Pace, listener: Listener) -> bool:
         """Everything that is due as far as the clock may go; the worlds go all the way."""
+        pace.follow(self._now, monotonic_ns())
         answered = self._answered(0)
         allowed = pace.allowed(monotonic_ns(), stands=listener.is_still or not answered)
         while answered and not listener.is_still:
@@ -310,7 +311,8 @@ class VirtualDriver:
                 rtpu = one.rtpu
             else:
                 rtpu = self._homes.get((one.subsystem, getattr(one, "task", "")), "")
-                self._hash.update(news.encode(one))
+                if not isinstance(one, news.Stepped):  # it tells of what was looked at, and nothing has happened
+                    self._hash.update(news.encode(one))
             if self._listener is not None:
                 self._listener.hear(rtpu, one, self._now)
 

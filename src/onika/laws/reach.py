@@ -14,6 +14,8 @@ from onika.laws.frames import Array, Numbers, as_array, nine_of_pose, pose_of_ni
 from onika.laws.inverse import Inverse, inverse_for
 
 Constants = Mapping[str, Any]
+_DIGITS = 17
+"""More do not tell two numbers apart."""
 
 
 def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) -> list[str | None]:
@@ -76,7 +78,10 @@ def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> 
     for k, (q, low, high) in enumerate(zip(values, constants["QMIN"], constants["QMAX"], strict=False), 1):
         if not low <= q <= high:
             unit, digits = ("m", 3) if slides[k - 1] else ("rad", 2)
-            return f"joint {k} at {q:.{digits}f} {unit} is beyond {low if q < low else high:.{digits}f}"
+            limit = low if q < low else high
+            while digits < _DIGITS and f"{q:.{digits}f}" == f"{limit:.{digits}f}":
+                digits += 1  # a little beyond is beyond, and nobody would believe equal numbers
+            return f"joint {k} at {q:.{digits}f} {unit} is beyond {limit:.{digits}f}"
     return None
 
 

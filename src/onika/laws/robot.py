@@ -40,8 +40,8 @@ def published(robot: Robot, x: float, y: float, z: float, degrees: float) -> dic
 
 def unlike(name: str, constants: Mapping[str, Any], said: Mapping[str, Any]) -> str | None:
     """Why what a device says of itself is not the robot `name` with these constants: another one, or elsewhere."""
-    if said["ROBOT"] != name:
-        return f"expected the robot {name} behind the device, found {said['ROBOT']}"
+    if said.get("ROBOT") != name:
+        return f"expected the robot {name} behind the device, found {said.get('ROBOT', 'another device')}"
     if np.allclose(np.ravel(said["BASE"]), np.ravel(constants["BASE"]), atol=1e-6):
         return None
     return f"expected frame 0 of the robot at {_place(constants['BASE'])}, found it at {_place(said['BASE'])}"

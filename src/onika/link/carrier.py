@@ -5,7 +5,7 @@ import select
 import socket
 from collections import deque
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from onika.link import lost
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
@@ -48,6 +48,14 @@ class Carrier(Source, Protocol):
 
     def close(self) -> None:
         """Let the connection go, with all that waits."""
+
+
+@runtime_checkable
+class Beating(Protocol):
+    """A connection beside which it is said that its end is alive."""
+
+    def served(self) -> None:
+        """Whoever serves it has come by."""
 
 
 class SocketCarrier:

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 from onika.link.bundle import Bundle
-from onika.link.carrier import Carrier, Source, wait_for
+from onika.link.carrier import Beating, Carrier, Source, wait_for
 from onika.link.channel import THREE, Channel
 from onika.link.happening import Failed, Fate, Happening, Read, Replied, Turned
 from onika.link.lost import LinkLost, closed, here
@@ -188,12 +188,19 @@ class Connection:
         if sources:
             self._wait(sources, (rest_ns if due_ns is None else min(rest_ns, due_ns)) / 1e9)
 
+    def _vouch(self) -> None:
+        """Whoever serves the connections is alive."""
+        for one in self._bundle.carriers:
+            if isinstance(one, Beating):
+                one.served()
+
     def _sources(self) -> list[Source]:
         return [*self._bundle.carriers, *([] if self._dialler is None else [self._dialler])]
 
     def _serve(self) -> None:
         self._dial()
         self._bundle.service(self._clock())
+        self._vouch()
         self._sort()
 
     def _dial(self) -> None:

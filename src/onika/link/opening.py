@@ -9,10 +9,12 @@ from time import monotonic
 
 from websockets.client import ClientProtocol
 from websockets.exceptions import InvalidStatus
+from websockets.http11 import Response
 from websockets.protocol import State
 from websockets.uri import parse_uri
 
 from onika.link.address import Address
+from onika.link.beats import HEADER, Beater, Pact
 from onika.link.channel import Channel
 from onika.link.lost import Cause, LinkLost
 from onika.link.messages import SILENT
@@ -73,7 +75,7 @@ class Opening:
             raise LinkLost(Cause.CERTIFICATE, f"no private link with {self.address}: {fault.reason}") from None
         except OSError as fault:
             raise LinkLost(Cause.UNREACHABLE, f"{self.address} ended the opening: {fault.strerror}") from None
-        return WebSocketCarrier(private, protocol)
+        return WebSocketCarrier(private, protocol, beater=_beater(private, protocol))
 
     def _secure(self, connected: socket.socket) -> socket.socket:
         if not self.address.is_private:
@@ -101,6 +103,13 @@ class Opening:
             raise LinkLost(cause, f"{self.address} refused ({status}): {said or text}")
         if fault is not None:
             raise LinkLost(Cause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
+
+
+def _beater(connected: socket.socket, protocol: ClientProtocol) -> Beater | None:
+    """What beats beside the connection, where the runtime has told how."""
+    answers = [one for one in protocol.events if isinstance(one, Response)]
+    pact = Pact.told(answers[0].headers.get(HEADER, "")) if answers else None
+    return None if pact is None else Beater(pact, connected.getpeername()[0], connected.family)
 
 
 Open = Callable[[Channel], WebSocketCarrier]

@@ -8,6 +8,7 @@ from onika.link.happening import Happening
 from onika.link.journal import Journal
 from onika.link.pump import Pump
 from onika.link.replies import ReplyBook
+from onika.link.rhythm import Rhythm
 from onika.link.server import ServerEnd
 from onika.link.state import LinkState
 from onika.link.terms import LOCAL, Terms
@@ -47,6 +48,11 @@ class ServerPort:
     def heard_ns(self) -> int:
         """When the environment was heard last."""
         return self._end.heard_ns
+
+    @property
+    def rhythm(self) -> Rhythm:
+        """Its beats that came as datagrams."""
+        return self._end.rhythm
 
     @property
     def has_more(self) -> bool:

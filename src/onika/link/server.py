@@ -11,6 +11,7 @@ from onika.link.parts import Gathering, split
 from onika.link.pulse import Pulse
 from onika.link.readings import Readings
 from onika.link.replies import Account, Answer, ReplyBook
+from onika.link.rhythm import Rhythm
 from onika.link.state import LinkEvent, LinkState
 from onika.link.terms import LOCAL, Terms
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Packet, Part, Reply, Request, Signal, Welcome
@@ -49,6 +50,8 @@ class ServerEnd:
         self._said = 0
         self._acked = 0
         self._progress_ns = 0
+        self.rhythm = Rhythm()
+        """Of the present connection, or the last one."""
 
     @property
     def state(self) -> LinkState:
@@ -63,6 +66,7 @@ class ServerEnd:
     def open(self, now_ns: int) -> None:
         """There is a new connection, in place of any old one; the environment speaks first."""
         self._drop_connection()
+        self.rhythm = Rhythm()
         self._pulse.opened(now_ns)
 
     def cut(self, why: lost.LinkLost) -> None:
@@ -160,8 +164,8 @@ class ServerEnd:
                 self._hello_again(account, packet)
             case Bye():
                 self._bye(packet)
-            case Beat():
-                pass  # it was heard, that is all it is for
+            case Beat():  # it was heard, that is all it is for
+                self.rhythm = self.rhythm.after(packet, now_ns)
             case _:
                 self._garbage(f"an environment does not say {type(packet).__name__}")
 

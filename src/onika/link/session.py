@@ -7,6 +7,7 @@ from onika.link.happening import Asked, Greeted, Happening
 from onika.link.journal import Journal
 from onika.link.port import MakeServer, ServerPort
 from onika.link.replies import ReplyBook
+from onika.link.rhythm import Rhythm
 from onika.link.server import ServerEnd
 from onika.link.state import LinkState
 from onika.link.terms import Terms
@@ -68,6 +69,17 @@ class Session:
     def heard_ns(self) -> int:
         """When it was heard last on its asking channel."""
         return 0 if self._asking is None else self._asking.heard_ns
+
+    @property
+    def rhythm(self) -> Rhythm:
+        """Its beats that came as datagrams, beside its asking channel."""
+        return Rhythm() if self._asking is None else self._asking.rhythm
+
+    @property
+    def is_heard(self) -> bool:
+        """Whether it has a connection, and was not silent on its asking channel for suspiciously long."""
+        is_quiet = self._asking is not None and self._asking.state is LinkState.SUSPECT
+        return bool(self.ports) and not is_quiet
 
     def fits(self, channel: Channel) -> bool:
         """Whether such a connection goes with those it has: one for all, or each of its own."""

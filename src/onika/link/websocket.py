@@ -9,6 +9,7 @@ from websockets.client import ClientProtocol
 from websockets.protocol import State
 
 from onika.link import lost
+from onika.link.beats import Beater
 from onika.link.carrier import BUFFER_LIMIT
 from onika.link.messages import Messages
 
@@ -20,8 +21,15 @@ _WOULD_WAIT = (BlockingIOError, InterruptedError, ssl.SSLWantReadError, ssl.SSLW
 class WebSocketCarrier:
     """Owns a connected socket whose WebSocket is open; never waits."""
 
-    def __init__(self, connected: socket.socket, protocol: ClientProtocol, buffer_limit: int = BUFFER_LIMIT) -> None:
+    def __init__(
+        self,
+        connected: socket.socket,
+        protocol: ClientProtocol,
+        buffer_limit: int = BUFFER_LIMIT,
+        beater: Beater | None = None,
+    ) -> None:
         self._socket = connected
+        self._beater = beater
         self._protocol = protocol
         self._buffer_limit = buffer_limit
         self._messages = Messages()
@@ -69,6 +77,11 @@ class WebSocketCarrier:
         except OSError:
             self._waiting.clear()
 
+    def served(self) -> None:
+        """Whoever serves this connection is alive, which is said beside it."""
+        if self._beater is not None:
+            self._beater.served()
+
     def receive(self) -> list[bytes]:
         """What has come; raises LinkLost at the end of the connection, after all that came before it."""
         if self._end is None:
@@ -84,6 +97,9 @@ class WebSocketCarrier:
         self._waiting.clear()
         self._held.clear()
         self._end = self._end or lost.here()
+        if self._beater is not None:
+            self._beater.close()
+            self._beater = None
         self._socket.close()
 
     def _read(self) -> None:

@@ -1,7 +1,6 @@
 """Where two recorded runs begin to differ: the first event, or the first variable, that is another (X05)."""
 
-import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from itertools import zip_longest
 from typing import Any
@@ -11,28 +10,16 @@ import msgspec
 from onika.record import said
 from onika.record.reader import Reader
 from onika.record.series import Series
+from onika.record.stray import strays
+from onika.record.tolerance import Tolerance
 
 _TIMES = ("at_s", "at_ns", "previous_step_ns", "last_command_ns")
-_UNLIKE = ("wall_s", "tasks", "switches_us", "skews_us", "skew_us", "hash", "courses", "runtime_s")
+_UNLIKE = ("wall_s", "of", "tasks", "switches_us", "skews_us", "skew_us", "hash", "courses", "runtime_s")
 """What is another in every run, or is told better by what led to it."""
 
 
-@dataclass(frozen=True, slots=True)
-class Tolerance:
-    """How far two runs may lie apart: values by an amount, or by a part of themselves; times by seconds."""
-
-    value: float = 0.0
-    part: float = 0.0
-    seconds: float = 0.0
-
-    def covers(self, one: float, low: float, high: float) -> bool:
-        """Whether a number lies near enough to what another took on from `low` to `high`."""
-        if math.isnan(one) or math.isnan(low):
-            return math.isnan(one) and math.isnan(low)
-        if one in (low, high):
-            return True
-        room = self.value + self.part * max(abs(low), abs(high))
-        return max(low - one, one - high) <= room
+_BLOCK_NS = 10_000_000_000
+"""So much of both is compared at a time: most runs that differ do so early."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,26 +30,45 @@ class Difference:
     what: str
     first: str
     second: str
+    variable: str = ""
+    """Its address, where it is about one."""
 
     def __str__(self) -> str:
         return f"at {self.at_ns * 1e-9:.9g} s: {self.what}: {self.first}, in the other {self.second}"
 
 
-def first_difference(one: Reader, other: Reader, tolerance: Tolerance) -> Difference | None:
-    """The earliest; None: none that goes beyond the tolerance."""
-    found = [*_events(one, other, tolerance)]
+def first_difference(
+    one: Reader, other: Reader, tolerance: Tolerance, is_wanted: Callable[[], bool] = lambda: True
+) -> Difference | None:
+    """The earliest; None: none that goes beyond the tolerance, or it is not wanted any more.
+
+    Where one of them was cut short, what the other one says beyond its end is no difference.
+    """
+    last = min((each.span[1] for each in (one, other) if not each.is_whole), default=1 << 62)
     ours, theirs = Series.all_of(one), Series.all_of(other)
+    found = [each for each in (*_events(one, other, tolerance), *_unlike(ours, theirs)) if each.at_ns <= last]
+    both = [name for name in ours if name in theirs and str(ours[name].shape) == str(theirs[name].shape)]
+    until = min([1 + min(last, max(one.span[1], other.span[1])), *(each.at_ns for each in found)])
+    for begin in range(0, until, _BLOCK_NS):
+        if not is_wanted():
+            return None
+        end = min(begin + _BLOCK_NS, until)
+        some = [each for name in both for each in _strays(name, ours[name], theirs[name], tolerance, begin, end)]
+        if some:
+            found += some
+            break
+    return min(found, key=lambda each: (each.at_ns, each.what), default=None)
+
+
+def _unlike(ours: dict[str, Series], theirs: dict[str, Series]) -> Iterator[Difference]:
+    """Variables that only one of them has, or that have another shape."""
     for name in sorted({*ours, *theirs}):
-        until = min((each.at_ns for each in found), default=1 << 62)
         if name not in ours or name not in theirs:
             there = ours.get(name) or theirs.get(name)
             at = 0 if there is None else next(iter(there.values()), (0, None))[0]
-            found.append(Difference(at, name, *_presence(name in ours)))
+            yield Difference(at, name, *_presence(name in ours), name)
         elif str(ours[name].shape) != str(theirs[name].shape):
-            found.append(Difference(0, name, str(ours[name].shape), str(theirs[name].shape)))
-        else:
-            found += _courses(name, ours[name], theirs[name], tolerance, until)
-    return min(found, key=lambda each: (each.at_ns, each.what), default=None)
+            yield Difference(0, name, str(ours[name].shape), str(theirs[name].shape), name)
 
 
 def _presence(is_ours: bool) -> tuple[str, str]:
@@ -99,49 +105,36 @@ def _words(told: tuple[int, dict[str, Any]] | None) -> str:
     if told is None:
         return "nothing more"
     at, event = told
+    return f"{_bare_words(event)} at {at * 1e-9:.9g} s"
+
+
+def _bare_words(event: dict[str, Any]) -> str:
+    match event["type"]:
+        case "Began":
+            return f"action {event['action']} begins"
+        case "Done":
+            return f"action {event['index'] + 1} is done"
+        case "TaskState":
+            return f"{event['task']} is {event['state']}"
+        case "Moved":
+            return f"it is {event['state']}"
     rest = " ".join(f"{key} {value}" for key, value in event.items() if key != "type" and value not in ("", [], None))
-    return f"{event['type']} {rest}".strip() + f" at {at * 1e-9:.9g} s"
+    return f"{event['type']} {rest}".strip()
 
 
 # -- variables
 
 
-def _courses(name: str, ours: Series, theirs: Series, tolerance: Tolerance, until_ns: int) -> Iterator[Difference]:
-    """The first value that the other one does not take on near that time."""
-    for left, right, is_swapped in ((ours, theirs, False), (theirs, ours, True)):
-        found = _stray(left, right, tolerance, until_ns)
+def _strays(
+    name: str, ours: Series, theirs: Series, tolerance: Tolerance, begin_ns: int, end_ns: int
+) -> Iterator[Difference]:
+    """The first value that the other one does not take on near that time, of each of the two."""
+    for is_swapped, found in enumerate(strays(ours, theirs, tolerance, begin_ns, end_ns)):
         if found is not None:
-            at, place, value, near = found
-            label = name.rpartition("/")[0] + "/" + left.labels[place]
-            words = (_show(value), _show(near))
-            yield Difference(at, label, *(reversed(words) if is_swapped else words))
-
-
-def _stray(one: Series, other: Series, tolerance: Tolerance, until_ns: int) -> tuple[int, int, Any, Any] | None:
-    """Where a value of `one` is far from every value of `other` within the tolerance of time."""
-    slack = round(tolerance.seconds * 1e9)
-    window: list[tuple[int, list[Any]]] = []
-    coming = other.flat()
-    ahead = next(coming, None)
-    for at, values in one.flat(0, until_ns):
-        while ahead is not None and ahead[0] <= at + slack:
-            window.append(ahead)
-            ahead = next(coming, None)
-        while len(window) > 1 and window[1][0] <= at - slack:
-            window.pop(0)
-        if not window:
-            return at, 0, values[0], None
-        for place, value in enumerate(values):
-            near = [each[place] for _, each in window]
-            if not _fits(value, near, tolerance):
-                return at, place, value, near[-1]
-    return None
-
-
-def _fits(value: Any, near: list[Any], tolerance: Tolerance) -> bool:
-    if isinstance(value, int | float) and all(isinstance(each, int | float) for each in near):
-        return tolerance.covers(value, min(near), max(near))
-    return value in near
+            label = name.rpartition("/")[0] + "/" + ours.labels[found.place]
+            one, other = _show(found.value), _show(found.near)
+            first, second = (other, one) if is_swapped else (one, other)
+            yield Difference(found.at_ns, label, first, second, name)
 
 
 def _show(value: Any) -> str:

@@ -12,6 +12,8 @@ import msgspec
 _encode = msgspec.json.Encoder().encode
 _ROW = "<7f"
 _THIN = 0.001
+_LIT = "lit"
+"""Under this key stands the name of each shape of a body that shines."""
 _WIDE = 20.0
 """How wide a plane without end is drawn."""
 
@@ -41,6 +43,8 @@ _TRANSFORM = _object(
     translation=_VECTOR,
     rotation=_TURN,
 )
+_NEVER = ("arrows", "lines", "triangles", "texts", "models")
+"""What an entity must name, and no world of ours has."""
 _SOLID = {"pose": _POSE, "size": _VECTOR, "color": _COLOR}
 _ENTITY = _object(
     "foxglove.SceneEntity",
@@ -53,6 +57,7 @@ _ENTITY = _object(
     cubes=_list(_object("foxglove.CubePrimitive", **_SOLID)),
     spheres=_list(_object("foxglove.SpherePrimitive", **_SOLID)),
     cylinders=_list(_object("foxglove.CylinderPrimitive", **_SOLID, bottom_scale=_NUMBER, top_scale=_NUMBER)),
+    **dict.fromkeys(_NEVER, _list(_object())),
 )
 _DELETION = _object("foxglove.SceneEntityDeletion", timestamp=_TIME, type=_WHOLE, id=_TEXT)
 
@@ -106,12 +111,46 @@ def scene(world: str, at_ns: int, shapes: Sequence[Mapping[str, Any]], lit: Coll
                 "cubes": [],
                 "spheres": [],
                 "cylinders": [],
+                **{kind: [] for kind in _NEVER},
             }
         _add(bodies[number], shape, shape["name"] in lit)
     return _encode({"deletions": [], "entities": list(bodies.values())})
 
 
+def lit(body: bytes) -> list[str]:
+    """The other way round: the names of the shapes that shine."""
+    entities = msgspec.json.decode(body)["entities"]
+    return [word["value"] for one in entities for word in one["metadata"] if word["key"] == _LIT]
+
+
+def shapes(body: bytes) -> list[dict[str, Any]]:
+    """The other way round, as far as it goes: what has no name here is called by its body."""
+    found = []
+    for one in msgspec.json.decode(body)["entities"]:
+        number = int(one["id"].rpartition("/")[2])
+        for kind, key in (("box", "cubes"), ("ellipsoid", "spheres"), ("cylinder", "cylinders")):
+            found += [_shape(f"{one['id']} {key} {k}", number, kind, each) for k, each in enumerate(one[key])]
+    return found
+
+
+def _shape(name: str, body: int, kind: str, one: Mapping[str, Any]) -> dict[str, Any]:
+    x, y, z = (one["size"][axis] / 2 for axis in "xyz")
+    turn, color = one["pose"]["orientation"], one["color"]
+    return {
+        "name": name,
+        "body": body,
+        "kind": kind,
+        "size": [x, z] if kind == "cylinder" else [x, y, z],
+        "position": [one["pose"]["position"][axis] for axis in "xyz"],
+        "quaternion": [turn[part] for part in "wxyz"],
+        "rgba": [color[part] for part in "rgba"],
+        "paint": "",
+    }
+
+
 def _add(entity: dict[str, Any], shape: Mapping[str, Any], is_lit: bool) -> None:
+    if is_lit:
+        entity["metadata"].append({"key": _LIT, "value": shape["name"]})
     sizes = [*shape["size"], 0.0, 0.0, 0.0]
     one = {"pose": _pose(shape), "color": _color(shape["rgba"], is_lit)}
     match shape["kind"]:

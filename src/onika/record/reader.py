@@ -3,7 +3,7 @@
 It is gone through once, from record to record, without unpacking; a chunk is unpacked when something in it is wanted.
 """
 
-import mmap
+import struct
 from bisect import bisect_right
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -11,12 +11,16 @@ from functools import lru_cache
 from io import BytesIO
 from pathlib import Path
 from struct import Struct
+from zlib import crc32
 
 import zstandard
 from mcap.data_stream import ReadDataStream
+from mcap.exceptions import McapError
 from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Metadata
+from msgspec import MsgspecError
 
+from onika.record.stored import Stored
 from onika.record.writer import MAGIC
 
 _RECORD = Struct("<BQ")
@@ -25,6 +29,22 @@ _INDEX = Struct("<HI")
 _MESSAGE = Struct("<BQHIQQ")
 _KEPT = 48
 """Unpacked chunks that are kept: whoever looks at an instant mostly looks beside it next."""
+
+
+def complaint(path: Path, wrong: Exception) -> str:
+    """Why a file cannot be read, in words; the file first."""
+    if isinstance(wrong, OSError):
+        return f"{path}: {(wrong.strerror or str(wrong)).lower()}"
+    if type(wrong) is ValueError and ": " in str(wrong):  # ours, which names its file
+        return str(wrong)
+    return f"{path}: expected a recording (MCAP), found one that is spoilt"
+
+
+UNREADABLE = (
+    *(OSError, ValueError, LookupError, TypeError, OverflowError, MemoryError),
+    *(struct.error, zstandard.ZstdError, MsgspecError, McapError),
+)
+"""What reading a file raises that somebody else has written, or spoilt."""
 
 Said = tuple[int, bytes]
 """When, in ns since the run's start, and the JSON."""
@@ -37,6 +57,8 @@ class _Chunk:
     at: int
     packed: int
     size: int
+    sum: int
+    """CRC-32 of what it holds; 0: not told."""
     index: dict[int, int]
     """By channel, where in the file its entries begin; empty: to be found by unpacking."""
 
@@ -54,11 +76,9 @@ class Reader:
         """Bytes at the end of a file cut short that make no whole chunk."""
         self._chunks: list[_Chunk] = []
         self._attachments: dict[str, tuple[int, int]] = {}
-        with path.open("rb") as stream:
-            if stream.read(len(MAGIC)) != MAGIC:
-                raise ValueError(f"{path}: expected a recording (MCAP), found something else")
-            self._map = mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ)
-        self._view = memoryview(self._map)
+        self._stored = Stored(path)
+        if self._stored.size < len(MAGIC) or self._stored.read(0, len(MAGIC)) != MAGIC:
+            raise ValueError(f"{path}: expected a recording (MCAP), found something else")
         self._scan()
         self._of: dict[int, list[int]] = {}
         """By channel, the chunks in which it speaks."""
@@ -79,7 +99,10 @@ class Reader:
         if name not in self._attachments:
             return None
         at, size = self._attachments[name]
-        data: bytes = Attachment.read(self._stream(at, size)).data
+        record = self._stored.read(at, size)
+        if (check := int.from_bytes(record[-4:], "little")) and crc32(record[:-4]) != check:
+            raise ValueError(f"{self.path}: it is spoilt: its part {name} is not what was written")
+        data: bytes = Attachment.read(ReadDataStream(BytesIO(record))).data
         return data
 
     @property
@@ -95,7 +118,17 @@ class Reader:
             if channel is not None and chunk.last >= begin_ns and chunk.first < end_ns:
                 for at, offset in self._index(number, channel.id):
                     if begin_ns <= at < end_ns:
-                        yield at, self._body(number, offset)
+                        yield at, self._body(number, offset, at)
+
+    def bodies(self, topic: str, begin_ns: int = 0, end_ns: int = 1 << 63) -> Iterator[tuple[list[int], list[bytes]]]:
+        """The same, chunk by chunk: the times and the messages."""
+        channel = self.channels.get(topic)
+        for number in [] if channel is None else self._of.get(channel.id, []):
+            chunk = self._chunks[number]
+            if channel is not None and chunk.last >= begin_ns and chunk.first < end_ns:
+                said = [one for one in self._index(number, channel.id) if begin_ns <= one[0] < end_ns]
+                data = self._unpack(number) if said else b""
+                yield [at for at, _ in said], [self._message(data, offset, at) for at, offset in said]
 
     def newest(self, topic: str, at_ns: int) -> Said | None:
         """What was said last on a topic, at this time or before."""
@@ -105,7 +138,8 @@ class Reader:
                 times = self._index(number, channel.id)
                 place = bisect_right(times, at_ns, key=lambda one: one[0])
                 if place:
-                    return times[place - 1][0], self._body(number, times[place - 1][1])
+                    at, offset = times[place - 1]
+                    return at, self._body(number, offset, at)
         return None
 
     def count(self, topic: str) -> int:
@@ -117,18 +151,17 @@ class Reader:
     def close(self) -> None:
         """Give the file back."""
         self._unpack.cache_clear()
-        self._view.release()
-        self._map.close()
+        self._stored.close()
 
     # Inner
 
     def _scan(self) -> None:
-        at, size = len(MAGIC), len(self._view)
+        at, size = len(MAGIC), self._stored.size
         while at + _RECORD.size <= size:
-            opcode, length = _RECORD.unpack_from(self._view, at)
+            opcode, length = _RECORD.unpack(self._stored.read(at, _RECORD.size))
             end = at + _RECORD.size + length
             if opcode == Opcode.DATA_END:
-                self.is_whole = self._map[-len(MAGIC) :] == MAGIC
+                self.is_whole = self._stored.read(size - len(MAGIC), len(MAGIC)) == MAGIC
             if end > size or opcode in (0, Opcode.DATA_END):
                 break
             self._take(opcode, at + _RECORD.size, length)
@@ -143,7 +176,7 @@ class Reader:
             self._chunks[-1].index.clear()
             try:
                 self._unpacked(len(self._chunks) - 1)
-            except zstandard.ZstdError:
+            except (zstandard.ZstdError, ValueError):
                 self.unread += self._chunks.pop().packed
 
     def _take(self, opcode: int, at: int, length: int) -> None:
@@ -156,15 +189,14 @@ class Reader:
                 self.notes[note.name] = note.metadata
             case Opcode.ATTACHMENT:
                 name_at = at + 16
-                name_size = int.from_bytes(self._view[name_at : name_at + 4], "little")
-                name = str(self._view[name_at + 4 : name_at + 4 + name_size], "utf-8")
-                self._attachments[name] = (at, length)
+                name_size = int.from_bytes(self._stored.read(name_at, 4), "little")
+                self._attachments[self._stored.read(name_at + 4, name_size).decode()] = (at, length)
             case Opcode.CHUNK:
-                first, last, whole, _, name = _CHUNK.unpack_from(self._view, at)
+                first, last, whole, check, name = _CHUNK.unpack(self._stored.read(at, _CHUNK.size))
                 data = at + _CHUNK.size + name + 8
-                self._chunks.append(_Chunk(first, last, data, at + length - data, whole, {}))
+                self._chunks.append(_Chunk(first, last, data, at + length - data, whole, check, {}))
             case Opcode.MESSAGE_INDEX if self._chunks:
-                channel_id, _ = _INDEX.unpack_from(self._view, at)
+                channel_id, _ = _INDEX.unpack(self._stored.read(at, _INDEX.size))
                 self._chunks[-1].index[channel_id] = at
 
     def _index(self, number: int, channel: int) -> list[tuple[int, int]]:
@@ -172,9 +204,8 @@ class Reader:
         at = self._chunks[number].index.get(channel)
         if at is None:
             return self._entries(number).get(channel, [])
-        _, size = _INDEX.unpack_from(self._view, at)
-        begin = at + _INDEX.size
-        words = self._view[begin : begin + size].cast("Q")
+        _, size = _INDEX.unpack(self._stored.read(at, _INDEX.size))
+        words = memoryview(self._stored.read(at + _INDEX.size, size)).cast("Q")
         return sorted(zip(words[::2], words[1::2], strict=True), key=lambda one: one[0])
 
     def _entries(self, number: int) -> dict[int, list[tuple[int, int]]]:
@@ -187,15 +218,23 @@ class Reader:
             at += _RECORD.size + length
         return {channel: sorted(entries, key=lambda one: one[0]) for channel, entries in found.items()}
 
-    def _body(self, number: int, offset: int) -> bytes:
-        data = self._unpack(number)
-        _, length = _RECORD.unpack_from(data, offset)
+    def _body(self, number: int, offset: int, at: int) -> bytes:
+        return self._message(self._unpack(number), offset, at)
+
+    def _message(self, data: bytes, offset: int, at: int) -> bytes:
+        """The message of this time that begins there in an unpacked chunk."""
+        opcode, length, _, _, time, _ = _MESSAGE.unpack_from(data, offset)
+        if opcode != Opcode.MESSAGE or time != at:
+            raise ValueError(f"{self.path}: it is spoilt: a message is not where its index says")
         return data[offset + _MESSAGE.size : offset + _RECORD.size + length]
 
     def _unpacked(self, number: int) -> bytes:
         chunk = self._chunks[number]
-        packed = self._view[chunk.at : chunk.at + chunk.packed]
-        return zstandard.ZstdDecompressor().decompress(packed, max_output_size=chunk.size)
+        packed = self._stored.read(chunk.at, chunk.packed)
+        data: bytes = zstandard.ZstdDecompressor().decompress(packed, max_output_size=chunk.size)
+        if chunk.sum and crc32(data) != chunk.sum:
+            raise ValueError(f"{self.path}: it is spoilt: the part at byte {chunk.at} is not what was written")
+        return data
 
     def _stream(self, at: int, size: int) -> ReadDataStream:
-        return ReadDataStream(BytesIO(self._view[at : at + size]))
+        return ReadDataStream(BytesIO(self._stored.read(at, size)))

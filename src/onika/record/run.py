@@ -14,6 +14,7 @@ from onika.wire.plan import Code
 from onika.wire.request import Begin, Prepare
 
 NOTE, END = "onika", "end"
+_TOO_SHORT = "expected a recording of a run, found one that was cut short before anything was run"
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 
 
@@ -67,6 +68,8 @@ class Run(Struct, frozen=True):
         note = reader.notes.get(NOTE)
         plan, begin, known = (reader.attachment(name) for name in (_PLAN, _BEGIN, _CODE))
         if note is None or plan is None or begin is None or known is None:
+            if not reader.is_whole:
+                raise ValueError(f"{reader.path}: {_TOO_SHORT}")
             raise ValueError(f"{reader.path}: expected a recording of a run, found none in this file")
         if note.get("version") != "1":
             raise ValueError(f"{reader.path}: expected a recording of version 1, found {note.get('version')}")
@@ -103,6 +106,8 @@ def ending(result: Result) -> dict[str, str]:
 def _code(reader: Reader, digest: str, module: str, path: str) -> Code:
     source = reader.attachment(_file(digest))
     if source is None:
+        if not reader.is_whole:
+            raise ValueError(f"{reader.path}: {_TOO_SHORT}")
         raise ValueError(f"{reader.path}: expected the source of module {module}, found none")
     return Code(digest, module, path, source.decode())
 

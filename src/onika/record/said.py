@@ -25,6 +25,11 @@ def scene(world: str) -> str:
     return f"/worlds/{world}/scene"
 
 
+def shapes(world: str) -> str:
+    """The name of the file in which the shapes of a world stand as they were shown, with names and paints."""
+    return f"worlds/{world}.json"
+
+
 class Happened(Struct, frozen=True):
     """An event; `subsystem` is whom it is about, empty: everybody."""
 

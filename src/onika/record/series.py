@@ -44,10 +44,13 @@ class Series:
 
     def flat(self, begin_ns: int = 0, end_ns: int = 1 << 63) -> Iterator[tuple[int, list[Any]]]:
         """The same, each value as the list of its elements, row by row."""
-        whole = Shape(self.shape.type, (self.shape.count,))
         for at, body in self.reader.messages(self.topic, begin_ns, end_ns):
-            found = value.decode(body, whole if self.shape.dims else self.shape)
-            yield at, found if isinstance(found, list) else [found]
+            yield at, value.flat(body, self.shape)
+
+    @property
+    def is_picture(self) -> bool:
+        """Whether it is a picture, of more bytes than anybody reads one by one."""
+        return value.is_picture(self.shape)
 
     @property
     def labels(self) -> list[str]:

@@ -80,6 +80,12 @@ def decode(body: bytes, shape: Shape) -> Any:
     return value
 
 
+def flat(body: bytes, shape: Shape) -> list[Any]:
+    """The same as the list of its elements, row by row."""
+    found = decode(body, Shape(shape.type, (shape.count,)) if shape.dims else shape)
+    return found if isinstance(found, list) else [found]
+
+
 def _real(value: float | None) -> float:
     return math.nan if value is None else float(value)
 

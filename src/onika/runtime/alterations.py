@@ -71,6 +71,7 @@ class Alterations:
         try:
             if isinstance(order, command.Set):
                 task.module.set(order.name, order.value)
+                self._unit.watch(task, now)
             value = task.module.get(order.name) if isinstance(order, command.Get) else order.value
             got = news.Got(*address, order.name, value)
             news.encode(got)  # a module may hand out what cannot travel

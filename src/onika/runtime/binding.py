@@ -12,7 +12,7 @@ from onika.ring.device import DeviceSheet
 from onika.ring.slots import Ring
 from onika.runtime import parameter
 from onika.runtime.command import DeviceGrant, Spawn
-from onika.runtime.declaration import slot
+from onika.runtime.declaration import PortDeclaration, slot
 from onika.runtime.device import Device
 from onika.runtime.module import Module
 from onika.words.name import SVAR_NAME
@@ -39,6 +39,9 @@ class Binding:
         self.rings: dict[str, Ring] = {}
         self._counts: list[tuple[str, memoryview]] = []
         self._real_inputs: list[tuple[str, memoryview]] = []
+        self.read_each_cycle: list[tuple[str, PortDeclaration, str, NDArray[Any], Ring]] = []
+        """The real inputs but constants: port, as declared, variable, buffer, ring."""
+        self._published: dict[str, NDArray[Any]] = {}
         self._real_outputs: list[tuple[str, memoryview]] = []
         self._copies: dict[str, list[Callable[[], Any]]] = {"init_in": [], "init_out": [], "in": [], "out": []}
         self.preloads: list[Callable[[], Any]] = []
@@ -83,6 +86,8 @@ class Binding:
                 self.input_rings.append(ring)
                 if shape.type.is_real:
                     self._real_inputs.append((svar, flat.data))
+                    declared = type(self.instance).declared_ports[attribute]
+                    self.read_each_cycle.append((declared.name or attribute, declared, svar, flat, ring))
         else:
             signed = ring.signed_writer(data)
             self._add(kind, "out", signed.publish)
@@ -94,6 +99,7 @@ class Binding:
                 self._on_out.append((flat, signed.publish))
             if shape.type.is_real and kind != "OUTCONST":
                 self._real_outputs.append((svar, flat.data))
+                self._published[svar] = flat
             if kind != "OUTCONST":
                 self.preloads.append(ring.reader(data))
         self._shown[attribute] = shown
@@ -148,6 +154,10 @@ class Binding:
             if not math.isfinite(sum(values)):
                 return [svar for svar, numbers in self._real_inputs if not math.isfinite(sum(numbers))]
         return []
+
+    def real_outputs(self) -> dict[str, "NDArray[Any]"]:
+        """The buffers of the real outputs but constants, by variable."""
+        return self._published
 
     def not_finite_outputs(self) -> list[str]:
         """The variables among the real outputs whose newest value holds NaN or infinity."""

@@ -14,20 +14,27 @@ Bound = float | str
 """A number, or the name of an INCONST that holds one (a vector bounds element by element)."""
 
 
+Step = float | str | tuple[float | str, ...] | None
+"""What a step may be: a number, the name of a port or parameter that holds it, several of them to be multiplied."""
+
+
 class PortDeclaration:
     """A port as a class attribute; on an instance it is the module's own copy of the variable.
 
     A vector is a NumPy array (inputs cannot be written), a scalar a number, a text or character a str, several of them
     a list. `name` is the coded name where it is no Python name, as in `Q^_REF`. Assigning writes into place, whole.
+    `step` is what an input of a hardware task may step by in one cycle at a reconfiguration: `math.inf` where it steps
+    by nature, as a valve; None: nobody knows, it is only told (law 33).
     """
 
     kind: ClassVar[PortKind]
 
-    def __init__(self, shape: str, unit: str = "-", meaning: str = "", *, name: str = "") -> None:
+    def __init__(self, shape: str, unit: str = "-", meaning: str = "", *, name: str = "", step: Step = None) -> None:
         self.shape = Shape.parse(shape)
         self.unit = unit
         self.meaning = meaning
         self.name = name
+        self.step = step
 
     def port(self, attribute: str) -> Port:
         """The port as a value."""
@@ -102,14 +109,26 @@ class Input:
 class Local:
     """A parameter that the LOCAL block of the `.rmod` gives; its key is the attribute's name.
 
-    Without a default the line must be there. On an instance it is a number, a str, or a list of them.
+    Without a default the line must be there. On an instance it is a number, a str, or a list of them; numbers beyond
+    `low` and `high` are refused before the task lives.
     """
 
-    def __init__(self, shape: str, unit: str = "-", meaning: str = "", *, default: Any = None) -> None:
+    def __init__(
+        self,
+        shape: str,
+        unit: str = "-",
+        meaning: str = "",
+        *,
+        default: Any = None,
+        low: float | None = None,
+        high: float | None = None,
+    ) -> None:
         self.shape = Shape.parse(shape)
         self.unit = unit
         self.meaning = meaning
         self.default = default
+        self.low = low
+        self.high = high
 
 
 def slot(attribute: str) -> str:

@@ -79,6 +79,7 @@ class Exchange:
             except ValueError as wrong:
                 return f"on: it asks for other input: {wrong}"
             reason = self._calls.trial(new, "on", now, lambda: _begin(new, inputs, now))
+        reason = reason or self._unit.objection(new)
         if not reason and new.is_synchronous:
             reason = self._calls.trial(new, "fileno", now, lambda: self._await_event(old, new))
         return reason
@@ -105,6 +106,7 @@ class Exchange:
         self._unit.exchange(old, new)
         if was_on:
             self._unit.speak_on(new, now)
+            self._unit.watch(new, now)
         new.publish_constants(first_values=not was_on)
         if was_on and not new.goes_on:
             new.publish()

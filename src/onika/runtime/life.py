@@ -170,6 +170,9 @@ class Life:
             self._unit.agenda.change(task.slot, task.change_rate(frequency), now)
         except ValueError as wrong:
             self._unit.refuse(address, "rate", str(wrong))
+            return
+        if task.is_on:
+            self._unit.watch(task, now)
 
     def _on(self, address: Address, launch: command.Launch, now: int) -> None:
         task = self._unit.tasks.get(address)
@@ -199,19 +202,33 @@ class Life:
             self._ask(task, str(wrong) if line else "", now)
             return
         try:
-            began = self._calls.attempt(task, "on", now, partial(task.on, now, inputs), passing=AskAgain)
+            began = self._calls.attempt(task, "on", now, partial(task.begin, now, inputs), passing=AskAgain)
         except AskAgain as again:
             self._ask(task, str(again), now)
             return
-        if not began:
+        if not began or self._steps_too_far(task, now):
             return
+        task.publish()
         task.line, task.goes_on = line, False
         task.step(Step.ANSWERED if task.state is State.ASKING else Step.ON)
         self._unit.enter(task, now)
+        self._unit.watch(task, now)
         if task.is_synchronous:
             self._calls.attempt(task, "fileno", now, partial(self._unit.await_event, task))
         state = _ON if task.state is State.ON else task.state.value
         self._unit.tell(news.Changed(*task.address, state, now, "", task.activation))
+
+    def _steps_too_far(self, task: RunningTask, now: int) -> bool:
+        """Whether a device cannot be given what `on` has left and nobody has seen yet: then it is OFF, and refused."""
+        reason = self._unit.objection(task)
+        if not reason:
+            return False
+        if self._calls.attempt(task, "off", now, task.off):
+            if task.state is State.ASKING:
+                task.step(Step.OFF)
+                self._unit.tell(news.Changed(*task.address, _OFF, now, "", task.activation))
+            self._unit.refuse(task.address, "on", reason)
+        return True
 
     def _ask(self, task: RunningTask, reason: str, now: int) -> None:
         task.step(Step.ASK)
@@ -228,6 +245,7 @@ class Life:
     def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
         self._unit.leave(task, now)
+        self._unit.watch(task, now)
         if task.is_on and not self._calls.attempt(task, "off", now, task.off):
             return False
         task.step(step)

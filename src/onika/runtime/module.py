@@ -157,6 +157,13 @@ class Module:
         """A hardware task whose inputs are not all fresh yet: called in place of `cycle`; read, command nothing."""
         self.cycle()
 
+    def held(self, name: str) -> Any:
+        """Of a hardware module: what this input would have to be for the device to stay as it is held now.
+
+        Asked before the device follows its inputs again, so that these do not jump (law 33). None: nobody knows.
+        """
+        return None
+
     @classmethod
     def constants(cls, local: SimpleNamespace) -> dict[str, Any]:
         """Of a robot module: its OUTCONSTs from its parameters alone, so that reach is known before a run (law 26)."""

@@ -164,6 +164,25 @@ class Signalled(Struct, frozen=True, tag=True):
     activation: int = 0
 
 
+class Stepped(Struct, frozen=True, tag=True):
+    """How far an input of a hardware task has stepped at a reconfiguration, told when watching it is over (law 33).
+
+    `step` is the largest from one cycle to the next, `given` the largest that reached the task, `limit` what one may
+    be; 0: none is declared. `cycles` is over how many it was blended; 0: not at all.
+    """
+
+    subsystem: str
+    task: str
+    variable: str
+    unit: str
+    index: int
+    step: float
+    given: float
+    limit: float
+    cycles: int
+    at_ns: int
+
+
 class Asked(Struct, frozen=True, tag=True):
     """A task is ASKING: what for, and what was wrong with what it got."""
 
@@ -220,6 +239,7 @@ News = (
     | Failed
     | Warned
     | Signalled
+    | Stepped
     | Asked
     | Refused
     | Got

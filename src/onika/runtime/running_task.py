@@ -14,8 +14,9 @@ from onika.runtime.binding import Binding, Views, give_locals, instantiate, loca
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.containment import Containment
 from onika.runtime.counters import Counters
-from onika.runtime.device import SILENCE_NS, Device
-from onika.runtime.module import LawBroken, Module, ModuleError
+from onika.runtime.device import Device
+from onika.runtime.intake import Intake
+from onika.runtime.module import Module, ModuleError
 from onika.runtime.partner import Partner
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
@@ -69,8 +70,8 @@ class RunningTask:
         self._views = views
         self._wanted = cls.declared_inputs
         self._input: UserInput | None = None
-        self._waits_for_fresh = False
-        self._marks: list[int] = []
+        self.intake = self._make_intake() if cls.hardware else None
+        """Of a hardware task: how it is given its inputs."""
 
     @property
     def device(self) -> Device | None:
@@ -103,6 +104,11 @@ class RunningTask:
     def is_on(self) -> bool:
         """Whether it is ON."""
         return self.state is State.ON
+
+    @property
+    def is_driving(self) -> bool:
+        """Whether it is ON and passes its inputs on to its device."""
+        return self.is_on and self.intake is not None and not self.intake.is_waiting
 
     @property
     def key(self) -> tuple[int, int, str]:
@@ -141,6 +147,8 @@ class RunningTask:
         self.no_strays()
         if self._wanted:
             self._input = UserInput(sheet_of(type(self.module)).inputs, self._constants())
+        if self.intake is not None:
+            self.intake.prepare()
         self.is_initialised = True
 
     def publish_constants(self, first_values: bool = True) -> None:
@@ -164,6 +172,8 @@ class RunningTask:
             give_locals(self.module, parameters)
         self.spawn = spawn
         self._reads, self._writes = self.binding.copies("in"), self.binding.copies("out")
+        if self.intake is not None:
+            self.intake.bind(self.binding)
         self.is_initialised = False
 
     def clear(self) -> None:
@@ -177,6 +187,8 @@ class RunningTask:
         self.period_ns = period_of(frequency)
         self.frequency = frequency
         self.module.dt = 1.0 / frequency
+        if self.intake is not None:
+            self.intake.change_rate(self.period_ns)
         return self.period_ns
 
     def on(self, now: int, inputs: SimpleNamespace) -> None:
@@ -190,8 +202,10 @@ class RunningTask:
         self.look()
         if self.module.partner is not None:
             self.module.partner.begin()
-        if self.hardware:
-            self._begin_hold(now)
+        if self.intake is not None:
+            if self.device is None:
+                raise ModuleError("a hardware task needs a device")
+            self.intake.begin(now)
         self.module.on(inputs)
 
     def look(self) -> None:
@@ -209,12 +223,16 @@ class RunningTask:
     def cycle(self, now: int) -> Signal | None:
         """Copy in, cycle, copy out, times."""
         began = perf_counter_ns()
-        if self._waits_for_fresh:
-            self._look_for_fresh()
-        for read in self._reads:
-            read()
-        self.module.now = now * 1e-9
-        signal = self._hardware_cycle(now) if self.hardware else self.module.cycle()
+        if self.intake is None:
+            for read in self._reads:
+                read()
+            self.module.now = now * 1e-9
+            signal = self.module.cycle()
+        elif self.intake.take_in(now):
+            signal = self.module.cycle()
+        else:
+            self.module.hold()
+            signal = None
         for write in self._writes:
             write()
         took, counters = perf_counter_ns() - began, self.counters
@@ -278,6 +296,8 @@ class RunningTask:
         """Put the task's device in hold, whatever its module thinks."""
         if self.spawn.device is not None:
             self.module.device.hold()
+        if self.intake is not None:
+            self.intake.rest()
 
     def part(self) -> None:
         """The task is gone: so are the connection to its partner and the program it started."""
@@ -299,36 +319,13 @@ class RunningTask:
         """Raises Strayed where the module is no more what was bound, or writes what is no port."""
         self.containment.check()
 
-    # Hardware
-
-    def _begin_hold(self, now: int) -> None:
-        device = self.device
-        if device is None:
-            raise ModuleError("a hardware task needs a device")
-        self._marks = [ring.count for ring in self.binding.input_rings]
-        self._waits_for_fresh = bool(self._marks)
-        device.holding(self._waits_for_fresh)
-        device.listen_from(now)
-
-    def _hardware_cycle(self, now: int) -> Signal | None:
-        device = self.module.device
-        if device.silent_ns(now) > SILENCE_NS:
-            raise LawBroken(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
-        if self._waits_for_fresh:
-            self.module.hold()
-            return None
-        bad = self.binding.not_finite()
-        if bad:
-            raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
-        return self.module.cycle()
-
-    def _look_for_fresh(self) -> None:
-        """Before the inputs are copied in: a value written meanwhile may only be newer than what is counted here."""
-        rings = self.binding.input_rings
-        self._waits_for_fresh = any(ring.count == mark for ring, mark in zip(rings, self._marks, strict=True))
-        self.module.device.holding(self._waits_for_fresh)
-
     # Inner
+
+    def _make_intake(self) -> Intake:
+        table = self._views[f"table:{self.spawn.subsystem}"]
+        intake = Intake(self.spawn.subsystem, self.spawn.task, self.module, self.period_ns, table)
+        intake.bind(self.binding)
+        return intake
 
     def _constants(self) -> dict[str, object]:
         cls = type(self.module)

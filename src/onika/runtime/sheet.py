@@ -1,5 +1,6 @@
 """The sheet of a module's class, read off the class and compared with `.rmod` files (law 24)."""
 
+from math import inf
 from typing import Any
 
 from onika.model.port import PortKind
@@ -27,6 +28,7 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
     names = [port.name for port in ports]
     if len(set(names)) < len(names):
         raise ValueError(f"expected each port name once, found {', '.join(sorted(names))}")
+    _check_steps(cls, {*names, *cls.declared_locals, "dt"})
     _check_bounds(cls, {port.name for port in ports if port.kind in ("INCONST", "INBOTH")})
     return ModuleSheet(
         ports,
@@ -35,7 +37,7 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
             for name, one in cls.declared_inputs.items()
         ),
         tuple(
-            LocalSheet(name, str(one.shape), one.unit, one.meaning, _plain(one.default))
+            LocalSheet(name, str(one.shape), one.unit, one.meaning, _plain(one.default), one.low, one.high)
             for name, one in cls.declared_locals.items()
         ),
         cls.trigger,
@@ -70,6 +72,11 @@ def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
     faults += _bad_parameters(task, sheet, place, instead)
     if sheet.hardware and "DEVICE" not in given:
         faults.append(Fault(place, "a LOCAL line DEVICE world:device, as the module is hardware", "none", instead))
+    faults += [
+        Fault(place, "one device after LOCAL DEVICE, as world:device", " ".join(line.words) or "none", instead)
+        for line in task.local
+        if line.key == "DEVICE" and len(line.words) != 1
+    ]
     if sheet.hardware and task.frequency is not None and task.frequency < SLOWEST_HARDWARE_HZ:
         faults.append(
             Fault(place, f"a hardware task of at least {SLOWEST_HARDWARE_HZ:g} Hz", f"{task.frequency:g} Hz", instead)
@@ -84,15 +91,22 @@ def strangers(task: Task, sheet: ModuleSheet) -> list[str]:
 
 
 def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: str) -> list[Fault]:
-    shapes = {one.name: Shape.parse(one.shape) for one in sheet.locals}
+    known = {one.name: one for one in sheet.locals}
     faults = []
     for line in task.local:
-        if line.key in shapes:
+        if (one := known.get(line.key)) is not None:
             try:
-                parameter.parse(line.key, shapes[line.key], line.words)
+                _within(one, parameter.parse(line.key, Shape.parse(one.shape), line.words))
             except ValueError as wrong:
-                faults.append(Fault(place, f"LOCAL {line.key} {shapes[line.key]}", str(wrong), instead))
+                faults.append(Fault(place, f"LOCAL {line.key} {one.shape}", str(wrong), instead))
     return faults
+
+
+def _within(one: LocalSheet, value: Any) -> None:
+    low, high = -inf if one.low is None else one.low, inf if one.high is None else one.high
+    for number in value if isinstance(value, list) else [value]:
+        if not isinstance(number, str) and not low <= number <= high:
+            raise ValueError(f"LOCAL {one.name}: expected {low:g}..{high:g} {one.unit}, found {number:.12g}")
 
 
 SLOWEST_HARDWARE_HZ = 40.0
@@ -104,6 +118,18 @@ def _check_bounds(cls: type[Module], constants: set[str]) -> None:
         for bound in (one.low, one.high):
             if isinstance(bound, str) and bound not in constants:
                 raise ValueError(f"input {name}: expected a bound that is a number or an INCONST, found {bound!r}")
+
+
+def _check_steps(cls: type[Module], known: set[str]) -> None:
+    for attribute, one in cls.declared_ports.items():
+        if one.step is None:
+            continue
+        name = one.name or attribute
+        if not (cls.hardware and one.kind in (PortKind.INVAR, PortKind.INBOTH)):
+            raise ValueError(f"expected a step only of what hardware reads each cycle, found one of {name}")
+        for factor in one.step if isinstance(one.step, tuple) else (one.step,):
+            if isinstance(factor, str) and factor not in known:
+                raise ValueError(f"step of {name}: expected numbers, ports and parameters, found {factor!r}")
 
 
 def _found(kind: str | None) -> str:

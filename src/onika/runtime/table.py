@@ -25,6 +25,10 @@ class Entry:
     offset: int
 
 
+HEAD = 64
+"""Bytes before the first entry: the first word is the time until which inputs of hardware are watched (law 33)."""
+
+
 class Table:
     """One writer of the directory (the runner); variables are read and written wherever the segment is shared."""
 
@@ -32,7 +36,7 @@ class Table:
         self.segment = segment
         self.entries: dict[str, Entry] = {}
         self._rings: dict[str, Ring] = {}
-        self._end = 0
+        self._end = HEAD
         self._free: dict[int, list[int]] = {}
 
     def entry(self, name: str, shape: Shape) -> Entry:

@@ -7,6 +7,7 @@ from onika.ring.slots import Ring
 from onika.runtime import news
 from onika.runtime.agenda import Agenda, Slot
 from onika.runtime.binding import Views
+from onika.runtime.continuity import WATCHED_NS
 from onika.runtime.preparations import Preparations
 from onika.runtime.running_task import RunningTask
 
@@ -58,6 +59,8 @@ class Unit:
         task.tid = self._last_tid
         self.tasks[task.address] = task
         self.slots[task.slot] = task
+        if task.intake is not None:
+            task.intake.continuity.tell = self.tell
         self.know_rings(task)
 
     def exchange(self, old: RunningTask, new: RunningTask) -> None:
@@ -66,6 +69,8 @@ class Unit:
         new.slot = old.slot
         self.tasks[old.address] = new
         self.slots[old.slot] = new
+        if new.intake is not None:
+            new.intake.continuity.tell = self.tell
         self.agenda.rekey(new.slot, new.key)
         self.know_rings(new)
 
@@ -132,6 +137,27 @@ class Unit:
                 rings.update(task.binding.rings)
         if not rings:
             self._rings.pop(subsystem, None)
+
+    def watch(self, task: RunningTask, now: int) -> None:
+        """What this task makes of its outputs is another thing from now on: inputs of hardware are watched (law 33).
+
+        On whatever unit that is. Hardware itself feeds none.
+        """
+        table = self.views.get(f"table:{task.spawn.subsystem}")
+        if table is not None and task.intake is None:
+            words = table[:8].cast("q")
+            periods_ns = 2 * task.period_ns if task.is_on and task.is_periodic else 0
+            words[0] = max(words[0], now + WATCHED_NS + periods_ns)
+
+    def objection(self, task: RunningTask) -> str:
+        """Why what a task that comes on has in its outputs cannot be given to a device; empty where it can."""
+        outputs = task.binding.real_outputs()
+        for one in self.tasks.values():
+            if one.intake is not None and one.spawn.subsystem == task.spawn.subsystem and one.is_driving:
+                for svar, value in outputs.items():
+                    if reason := one.intake.continuity.objection(svar, value):
+                        return reason
+        return ""
 
     def forget(self, subsystem: str, names: tuple[str, ...]) -> None:
         """These variables steer nothing any more (law 3)."""

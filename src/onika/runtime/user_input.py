@@ -116,7 +116,8 @@ def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
     low = -np.inf if item.low is None else item.low[index]
     high = np.inf if item.high is None else item.high[index]
     if not low <= value <= high:
-        raise ValueError(f"{where}: expected {low:g}..{high:g} {item.unit}, found {value:g}")
+        said = f"{value:g}" if f"{value:g}" not in (f"{low:g}", f"{high:g}") else repr(value)
+        raise ValueError(f"{where}: expected {low:g}..{high:g} {item.unit}, found {said}")
 
 
 def _vector(item: AskedItem, values: list[Value]) -> Any:

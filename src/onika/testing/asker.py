@@ -4,7 +4,7 @@ from collections import deque
 from collections.abc import Callable
 
 from onika.host.gate import Call
-from onika.host.leases import Leases
+from onika.host.leases import Heard, Leases
 from onika.host.program import Program
 from onika.host.virtual import VirtualDriver
 from onika.link.caller import Role
@@ -42,9 +42,14 @@ class OpenGate:
         """All that have asked something and are not gone."""
         return tuple(holding.SessionStanding(name, role.word) for name, role in self.known.items())
 
-    def silent_ns(self, session: str) -> int | None:
-        """How long a session has not been heard, as a test says it; None: its lease never ends."""
-        return self.silent.get(session)
+    def deaf_ns(self) -> int:
+        """Everybody is heard as soon as he speaks."""
+        return 0
+
+    def hearing(self, session: str) -> Heard | None:
+        """For how long a session has not been heard, as a test says it; None: its lease never ends."""
+        silent_ns = self.silent.get(session)
+        return None if silent_ns is None else Heard(silent_ns)
 
     def reply(self, ticket: int, response: request.Response) -> None:
         """Each request is answered once."""
@@ -91,7 +96,7 @@ class Asker:
 
     def lease(self, length_ns: int) -> None:
         """From now on holders are there only as long as the gate hears them."""
-        self.program.leases = Leases(self.program.holders, self.gate.silent_ns, length_ns)
+        self.program.leases = Leases(self.program.holders, self.gate.hearing, length_ns)
 
     def send(self, asked: request.Request, session: str = "me") -> int:
         """Ask, and look for the answer later; its ticket."""

@@ -139,6 +139,11 @@ class FrailDriver(VirtualDriver):
         """As the stage says."""
         return self._program.stage.is_still
 
+    @property
+    def is_hurried(self) -> bool:
+        """As the stage says."""
+        return self._program.stage.is_hurried
+
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Pass on what a unit that is there says."""
         if rtpu in self.gone:

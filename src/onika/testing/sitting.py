@@ -9,6 +9,7 @@ from typing import Any
 
 import msgspec
 
+from onika.desk.environment.aside import Aside
 from onika.desk.environment.commands import Commands
 from onika.desk.environment.environment import Answer, Environment
 from onika.desk.environment.handlers import HANDLERS
@@ -41,7 +42,15 @@ class Sitting:
         self.says: list[page.Say] = []
         self.changes: Queue[Callable[[Model], Done]] = Queue()
         commands = Commands(self.changes.put, os.environ)
-        self.surroundings = Surroundings(self.site, time.monotonic, folder / "state", commands)
+        self.surroundings = Surroundings(
+            self.site,
+            time.monotonic,
+            folder / "state",
+            commands,
+            reading=Aside(self.changes.put),
+            comparing=Aside(self.changes.put),
+            keeping=Aside(self.changes.put),
+        )
         self.environment = Environment(opened, HANDLERS, self.surroundings, self)
         self.copy: dict[str, Any] = _plain(self.environment)
         self.environment.listeners.append(self)
@@ -69,6 +78,18 @@ class Sitting:
             raise AssertionError(f"{asked} was answered {len(given)} times")
         return given[0]
 
+    def later(self, asked: act.AnyAct, by: str = "me") -> Answer:
+        """The answer that an act gets when what it needs has been done aside; raises queue.Empty without one."""
+        given: list[Answer] = []
+        self.environment.do(asked, by, given.append)
+        while not given:
+            self.become()
+        return given[0]
+
+    def become(self) -> None:
+        """Wait for the next change from outside; raises queue.Empty where nothing comes for a long time."""
+        self.environment.become(self.changes.get(timeout=30))
+
     def new(self, *tasks: str) -> str:
         """A new configuration with these tasks beside each other; its id."""
         doc: str = self.do(act.New())
@@ -79,7 +100,7 @@ class Sitting:
     def button(self, name: str, until: Callable[[ButtonView], bool]) -> ButtonView:
         """A button as soon as it is as it is waited for; raises queue.Empty where nothing comes for a long time."""
         while not until(self.environment.tree.buttons[name]):
-            self.environment.become(self.changes.get(timeout=30))
+            self.become()
         return self.environment.tree.buttons[name]
 
     def patch(self, patch: page.Patch) -> None:

@@ -36,7 +36,9 @@ class Tape:
         self.path = path
         self._stream = path.open("wb")
         self._writer = Writer(self._stream)
-        (recorded or run()).write(self._writer)
+        recorded = recorded or run()
+        recorded.write(self._writer)
+        self.plan = recorded.prepare.plan
 
     def variable(self, name: str, type_: str, *course: tuple[float, Any], unit: str = "", home: str = "flow0") -> None:
         """A variable and its values."""
@@ -45,7 +47,7 @@ class Tape:
         schema = (value.title(shape, unit), value.schema(shape, unit))
         channel = self._writer.channel(said.variable(home, name), *schema, about)
         for at_s, one in course:
-            data = np.array(one, dtype=shape.type.code).tobytes()
+            data = one if isinstance(one, bytes) else np.array(one, dtype=shape.type.code).tobytes()
             self._writer.message(channel, _ns(at_s), value.encoder(shape)(data))
 
     def tell(self, at_s: float, one: event.Event, subsystem: str = "flow0") -> None:
@@ -62,6 +64,10 @@ class Tape:
     def show(self, at_s: float, topic: str, title: str, schema: bytes, body: bytes) -> None:
         """Any other message."""
         self._writer.message(self._writer.channel(topic, title, schema), _ns(at_s), body)
+
+    def attach(self, name: str, data: bytes) -> None:
+        """A file within the file."""
+        self._writer.attach(name, "application/json", data)
 
     def cut(self) -> Reader:
         """Leave it as a killed runtime does."""

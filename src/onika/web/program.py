@@ -10,6 +10,7 @@ from functools import partial
 from pathlib import Path
 
 from onika.desk.environment import opening, preferring, refreshing
+from onika.desk.environment.aside import Aside
 from onika.desk.environment.autosave import Autosave
 from onika.desk.environment.commands import Commands
 from onika.desk.environment.diary import Diary
@@ -17,6 +18,8 @@ from onika.desk.environment.disk import Disk
 from onika.desk.environment.environment import Answer, Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.launching import Launching
+from onika.desk.environment.model import Model
+from onika.desk.environment.outcome import Done
 from onika.desk.environment.recovery import Recovery, reopened
 from onika.desk.environment.station import Station
 from onika.desk.environment.surroundings import Surroundings
@@ -76,8 +79,15 @@ class Program:
         def post(do: Callable[[], None]) -> None:
             loop.call_soon_threadsafe(do)
 
-        commands = Commands(lambda change: post(lambda: environment.become(change)), os.environ)
-        surroundings = Surroundings(self._site, time.monotonic, self._state, commands)
+        def tell(change: Callable[[Model], Done]) -> None:
+            post(lambda: environment.become(change))
+
+        commands = Commands(tell, os.environ)
+        reading, comparing = Aside(tell, "reading"), Aside(tell, "comparing")
+        keeping = Aside(tell, "keeping")
+        surroundings = Surroundings(
+            self._site, time.monotonic, self._state, commands, reading=reading, comparing=comparing, keeping=keeping
+        )
         launching = Launching(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
         station = Station(launching, post)
         disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
@@ -102,6 +112,9 @@ class Program:
             listening.close()
             station.end()
             commands.close()
+            reading.close()
+            comparing.close()
+            keeping.close()
             if diary is not None:
                 diary.close()
             self._leave(environment, surroundings, kept, autosave)

@@ -194,6 +194,31 @@ class Course(Struct, frozen=True):
     values: tuple[Any, ...]
 
 
+class Stepped(Struct, frozen=True, tag=True):
+    """How far an input of a hardware task has stepped at a reconfiguration (X04); in a run only if it was too far."""
+
+    subsystem: str
+    task: str
+    variable: str
+    unit: str
+    index: int
+    """The element that stepped farthest, as a share of what it may."""
+    step: float
+    """From one cycle to the next, as it was wanted."""
+    given: float
+    """The largest step that reached the task."""
+    limit: float
+    """What one cycle may change it by; 0: nobody has said."""
+    cycles: int
+    """Over how many cycles it was blended; 0: it was not."""
+    at_s: float
+
+    @property
+    def is_too_far(self) -> bool:
+        """Whether it was more than one cycle may change."""
+        return 0.0 < self.limit < self.step
+
+
 class Explained(Struct, frozen=True, tag=True):
     """Why a flow stands still or the run ends: the chain from the task to whoever waits, and what can be done (X06)."""
 
@@ -233,6 +258,29 @@ class TaskFigures(Struct, frozen=True):
     most_us: float
 
 
+class VariableSteps(Struct, frozen=True):
+    """The steps of an input of a hardware task at the reconfigurations of a run (X04)."""
+
+    subsystem: str
+    task: str
+    variable: str
+    unit: str
+    count: int
+    """At how many of them it was measured."""
+    index: int
+    """The element with the largest step, and when that was."""
+    step: float
+    given: float
+    limit: float
+    at_s: float
+    blended: int = 0
+    """How often it was blended."""
+    cycles: int = 0
+    """Over how many cycles at most."""
+    refused: int = 0
+    """How often it was too large for that, and the device has held."""
+
+
 class Result(Struct, frozen=True, tag=True):
     """The end of a run: always the last event."""
 
@@ -252,6 +300,8 @@ class Result(Struct, frozen=True, tag=True):
     """From each trigger's finish to the first cycle of the next action's tasks, in the runtime's time."""
     outside: tuple[str, ...] = ()
     """Of a virtual run: the tasks, SUBSYSTEM/TASK, that had to do with the outside, so that it may not repeat."""
+    steps: tuple[VariableSteps, ...] = ()
+    """What the inputs of hardware tasks have stepped by where what drives them was exchanged (X04)."""
 
 
 Event = (
@@ -264,6 +314,7 @@ Event = (
     | Drive
     | Moved
     | Met
+    | Stepped
     | Explained
     | Result
     | Edited

@@ -42,6 +42,8 @@ class SessionStanding(Struct, frozen=True):
     is_here: bool = True
     """Whether it is heard at present."""
     only_watches: bool = False
+    lease_s: float = 0.0
+    """For how long it may be silent before it holds nothing any more; 0: for ever."""
 
 
 class Company(Struct, frozen=True, tag=True):

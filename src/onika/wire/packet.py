@@ -95,6 +95,8 @@ class Beat(msgspec.Struct, frozen=True, array_like=True, tag="beat", forbid_unkn
 
     count: Count
     clock_ns: Count
+    round_trip_us: Annotated[int, msgspec.Meta(ge=-1, le=2**63 - 1)] = -1
+    """Of one that came as a datagram: the shortest round trip of the connection; -1: it came over the connection."""
 
 
 class Bye(msgspec.Struct, frozen=True, array_like=True, tag="bye", forbid_unknown_fields=True):

@@ -107,6 +107,8 @@ class Abort(Struct, frozen=True, tag=True):
     """End the run: tasks off, devices in hold."""
 
     cause: str
+    subsystem: str = ""
+    """Of the application that runs there; empty: all that this session may end."""
 
 
 class Stop(Struct, frozen=True, tag=True):

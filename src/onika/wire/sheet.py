@@ -35,6 +35,8 @@ class LocalSheet(Struct, frozen=True):
     unit: str
     meaning: str
     default: Any
+    low: float | None = None
+    high: float | None = None
 
 
 class ModuleSheet(Struct, frozen=True):

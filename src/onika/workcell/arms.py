@@ -10,6 +10,7 @@ from itertools import combinations
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.kinematic_unit import KinematicUnit
 from onika.workcell.layout import KINDS, SIDES, STANDARD, base
+from onika.workcell.unit import Unit
 
 
 class Arms:
@@ -50,6 +51,14 @@ class Arms:
             elif one.mode != other.mode:
                 modes = f"{one.sheet.name!r} is {_MODES[one.mode]}, {other.sheet.name!r} is {_MODES[other.mode]}"
                 yield f"{modes}; all arms of a world are of one mode"
+
+    def remarks(self, devices: Sequence[str], hands: Sequence[Unit]) -> Iterator[str]:
+        """Hands of which none is borne by an arm of these devices."""
+        arms = [unit for unit in self.units if unit.sheet.name in devices]
+        if arms and not {unit.side for unit in arms} & {unit.side for unit in hands}:
+            names = " and ".join(unit.sheet.name for unit in arms)
+            for hand in hands:
+                yield f"{hand.sheet.name} is the hand at the {hand.side}, and the arm that moves is {names}"
 
     def admit(self, unit: ArmUnit) -> bool:
         """Let this arm act; whether anything changed by that. Raises ValueError where one in use stands against it."""

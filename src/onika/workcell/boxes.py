@@ -70,6 +70,11 @@ class BoxesWorld:
         """Why these devices cannot be used together; none: they can."""
         return tuple(self._arms.objections(devices))
 
+    def remarks(self, devices: Sequence[str]) -> tuple[str, ...]:
+        """What is odd about these devices in one flow, and forbids nothing: hands, and arms that do not bear them."""
+        hands = [unit for unit in self._hands.values() if unit.sheet.name in devices]
+        return tuple(self._arms.remarks(devices, hands))
+
     def claim(self, device: str, epoch: int) -> DeviceSheet:
         """Give the device to the writer `epoch`; raises ValueError for one unknown or taken, and for a dead writer."""
         unit = self._unit(device)

@@ -57,11 +57,11 @@ def test_who_is_there_is_said_with_what_he_holds(sit):  # R-X12
     one = sit()
     one.does("take")
     one.runtime.sessions = (
-        holding.SessionStanding("you", "owner"),
-        holding.SessionStanding("anna#2", "viewer", is_here=False, only_watches=True),
+        holding.SessionStanding("you", "owner", lease_s=0.25),
+        holding.SessionStanding("anna#2", "viewer", is_here=False, only_watches=True, lease_s=1.0),
     )
     assert one.does("sessions") == [
-        "you              owner       this console, holds main",
+        "you              owner       this console, silent for 0.25 s at most, holds main",
         "anna#2           viewer      away, only watches",
     ]
 

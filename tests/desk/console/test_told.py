@@ -14,6 +14,12 @@ from onika.wire import event
         (event.Warned("main", "puma", "late", 1.0), "     1.00 s  note: main/puma: late", Tone.NOTE),
         (event.Warned("", "", "late", 1.0), "     1.00 s  note: late", Tone.NOTE),
         (
+            event.Stepped("main", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0),
+            "     1.00 s  note: main/puma: TAU_REF[1] stepped by 40 N m at a switch, more than 9.76 N m a cycle: "
+            "blended over 6 cycles",
+            Tone.NOTE,
+        ),
+        (
             event.Drive("boxes:arm", "PRESSED", 10**9, 0, 0, "panic button pressed"),
             "     1.00 s  drive boxes:arm PRESSED: panic button pressed",
             Tone.FAULT,

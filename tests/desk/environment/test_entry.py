@@ -49,6 +49,7 @@ def test_a_line_has_the_seven_columns_of_the_thesis():  # R-H01, §E.2
         (act.Draft("c2"), None, "try_job move c2 none 0 dict"),
         (act.MakeJob("c2", "7"), None, "new_job move c2 none 0 dict"),
         (act.MakeTarget("", "Joint object", (("1", "2"), ("3",)), ""), None, "new_target none 0 none 0 dict"),
+        (act.OpenRecording("/r/run.mcap"), "/r/run.mcap", "open_recording /r/run.mcap /r/run.mcap none 0 main"),
         (act.Note("select_icon", "pd", "x", "y", "z", "lexi"), None, "select_icon pd x y z lexi"),
         (act.Note(""), None, "none none 0 none 0 root"),
     ],
@@ -65,6 +66,7 @@ def test_what_was_refused_is_marked():  # R-H01
 
 def test_every_act_of_a_user_has_its_event_and_what_a_page_asks_by_itself_has_none():  # R-H01
     of_the_page = {act.Watch, act.Scene, act.Peek, act.Seats}
+    of_the_page |= {act.Company, act.Recordings, act.Glance, act.Course, act.RecordedScene}
     assert set(_EVENTS) == set(get_args(act.AnyAct)) - of_the_page - {act.Note}
     assert entry(act.Watch(), Answer(), NAMES) is None
 

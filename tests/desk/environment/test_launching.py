@@ -1,6 +1,7 @@
 import pytest
 
 from onika.desk.environment.launching import Launching
+from onika.desk.environment.outcome import Simulator
 from onika.link.lost import LinkLost
 
 
@@ -14,6 +15,15 @@ def test_a_runtime_on_another_machine_needs_a_token(monkeypatch):  # R-C18
     monkeypatch.delenv("ONIKA_TOKEN", raising=False)
     with pytest.raises(LinkLost, match="token is needed"):
         Launching()("wss://lab.example:7994", "")
+
+
+@pytest.mark.site
+def test_a_simulator_has_the_units_it_is_asked_for_and_the_pace_of_the_wall():  # R-X05, A16
+    from onika.wire import live
+
+    with Launching()("", "", Simulator(("left",))) as runtime:
+        standing = runtime.ask(live.Survey())
+    assert [one.name for one in standing.rtpus] == ["left"] and standing.is_virtual
 
 
 @pytest.mark.site

@@ -33,6 +33,7 @@ def test_the_runtime_is_shown_as_it_stands():
         "linked", "ws://x", "", True, True, "why",
         {"rt0": view.UnitView(0.12), "rt1": view.UnitView(0.0, True)}, {"boxes": True},
         {"left": "anna#2", "right": "assemble"},
+        {"left": view.HoldView("anna#2"), "right": view.HoldView("", "assemble")},
     )  # fmt: skip
 
 

@@ -8,6 +8,7 @@ from collections import deque
 import pytest
 
 from onika.desk.environment.environment import Environment
+from onika.desk.environment.outcome import Order, Reach, Simulator
 from onika.desk.environment.station import Station
 from onika.desk.runtime import Reply
 from onika.link.lost import Cause, LinkLost
@@ -90,10 +91,11 @@ class Lab(Sitting):
         self.environment.listeners.append(self)
         self.station.begin(self.environment)
 
-    def open(self, url, token):
+    def open(self, url, token, simulator=None):
         if self.refusal:
             raise self.refusal
         self.lines.append(Line())
+        self.simulator = simulator
         self.reached = (url, token, threading.current_thread().name)
         return self.lines[-1]
 
@@ -125,6 +127,16 @@ def test_the_first_connect_gets_a_runtime_in_the_stations_own_thread(lab):  # R-
     assert lab.reached == ("ws://there", "secret", "station")
     lab.until(lambda: lab.environment.tree.documents[doc].tasks["a"].state == "OFF")
     assert live.Attend(("*",), hz=0.1) in lab.lines[0].asked
+
+
+def test_a_simulator_takes_the_place_of_the_runtime_as_it_was_asked_for(lab):  # R-X05
+    doc = lab.new("a")
+    lab.do(act.Connect(doc))
+    assert lab.simulator is None
+    wanted = Simulator(("left",), ("--shake", "3"))
+    lab.station.send(Order(live.Survey(), reach=Reach(is_anew=True, simulator=wanted)))
+    lab.until(lambda: len(lab.lines) == 2)
+    assert lab.simulator == wanted and lab.lines[0].is_left
 
 
 def test_a_token_is_known_for_the_next_time(lab):  # R-C18
@@ -229,3 +241,26 @@ def test_a_runtime_that_was_started_here_is_exchanged_for_another(lab):  # R-E10
     assert len(lab.lines) == 2 and lab.lines[0].is_left and not lab.lines[1].is_left
     assert "started anew" in given[0].no.reason
     assert lab.environment.tree.documents[doc].connection == "none"
+
+
+def test_a_runtime_elsewhere_hears_nothing_while_the_environment_does_not_turn(lab, monkeypatch):  # R-X12
+    monkeypatch.setattr("onika.desk.environment.vouch.LIMIT_S", 0.2)
+    doc = lab.new()
+    assert lab.answer(act.Connect(doc, url="ws://far:1")).no is None
+    line = lab.lines[-1]
+    served = []
+    line.due_s = lambda: served.append(time.monotonic()) or 0.01
+
+    def grows():
+        before = len(served)
+        end = time.monotonic() + 0.3
+        while len(served) == before and time.monotonic() < end:
+            time.sleep(0.005)
+        return len(served) > before
+
+    lab.until(lambda: len(served) > 3)
+    end = time.monotonic() + PATIENCE_S
+    while grows():  # nothing is taken from `things`: the environment is busy
+        assert time.monotonic() < end, "the thread spoke on for an environment that does not turn"
+    count = len(served)
+    lab.until(lambda: len(served) > count)

@@ -103,6 +103,19 @@ def test_a_run_is_kept_with_others_of_other_seeds_in_shaken_worlds(repeated):  #
     assert (found.kept.seed, found.kept.expectations, found.hash) == (5, ("LAMP == 1",), "h")
 
 
+def test_one_run_after_the_other_is_told_how_far_it_is(repeated):  # R-X07
+    told = []
+    keep(SETTINGS, SITE, shakes=2, progress=lambda *where: told.append((*where, len(repeated))))
+    assert told == [(1, 3, 0), (2, 3, 1), (3, 3, 2)]
+
+
+def test_others_of_a_run_that_cannot_be_kept_are_not_done(workshop, monkeypatch):  # R-X07
+    done = []
+    monkeypatch.setattr(keeping, "give_account", lambda *_: done.append(1) or workshop.run(cause="it fell"))
+    assert "it fell" in keep(SETTINGS, SITE).refusal
+    assert len(done) == 1
+
+
 def test_a_test_file_is_written_and_its_comments_stay(repeated, tmp_path):  # R-X07, R-B01
     path = tmp_path / "a.test"
     is_kept, told = keep_in(path, SETTINGS, SITE, seen="h")

@@ -6,15 +6,26 @@ import pytest
 from onika.wire import act, page
 
 EVERY = get_args(act.AnyAct)
-WORDS = {"doc": "c1", "tasks": ("pd",), "x": 1, "y": 2, "is_shown": True, "is_on": True, "hz": 5.0, "edge": "left"}
+WORDS = {
+    "wish": "pause",
+    "doc": "c1",
+    "tasks": ("pd",),
+    "x": 1,
+    "y": 2,
+    "is_shown": True,
+    "is_on": True,
+    "hz": 5.0,
+    "edge": "left",
+}
 UPPER = {"steps": (1, 2), "step": 3, "after": 3, "test": 4, "anchor": 5, "conditions": ("X > 1",), "is_parallel": True}
+TIMES = {"at_s": 1.0, "begin_s": 0.5, "end_s": 2.0}
 LISTS = {"svars": ("Q",), "lines": (("SPEED", ("0.5",)),), "values": {"min_size": 64}, "kind": "rmod"}
 
 
 def filled(kind):
     """An act with something in every field that it needs."""
     needed = [one for one in msgspec.structs.fields(kind) if one.required]
-    given = {"local": (), **WORDS, **LISTS, **UPPER}
+    given = {"local": (), **WORDS, **TIMES, **LISTS, **UPPER}
     if kind is act.MakeTarget:
         return act.MakeTarget("home", "Joint object", (("1", "2"),), "8" * 1024)
     if kind is act.Move:

@@ -1,6 +1,6 @@
 """The commands of a console by groups, as `help` shows them."""
 
-from onika.desk.console import holding, life, log, look, passing, running, steering, touching, tuning
+from onika.desk.console import holding, jumps, life, log, look, passing, running, steering, touching, tuning
 from onika.desk.console.command import Command
 from onika.desk.console.session import Faults, Session
 from onika.desk.steering import VERBS
@@ -132,6 +132,16 @@ LOOKS = (
         "One line for each variable: time, subsystem, name, type, values. The file is written whole or not at all.",
         log.log,
         ("file", "subsystem"),
+        1,
+    ),
+    Command(
+        "jumps",
+        "jumps [SUBSYSTEM]",
+        "how far inputs of hardware stepped at switches\n"
+        "What one cycle may change, the robot's module says. A larger step is blended, or refused: the drive holds.",
+        jumps.jumps,
+        ("subsystem",),
+        0,
         1,
     ),
     Command("check", "check [SUBSYSTEM…]", "check the memory of variables", look.check, ("subsystem",)),

@@ -64,6 +64,7 @@ def sessions(session: Session, words: Words) -> Faults:
         marks = ["this console"] if one.name == answer.you else []
         marks += [] if one.is_here else ["away"]
         marks += ["only watches"] if one.only_watches else []
+        marks += [f"silent for {one.lease_s:g} s at most"] if one.lease_s and one.name in held else []
         marks += [f"holds {', '.join(held[one.name])}"] if one.name in held else []
         session.say(f"{one.name:<16} {one.role:<11} {', '.join(marks)}".rstrip())
     return ()

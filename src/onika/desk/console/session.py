@@ -74,6 +74,8 @@ class Session:
         self.is_stopped = False
         self.result: event.Result | None = None
         """How the last run ended."""
+        self.steps: dict[tuple[str, str], event.Stepped | event.VariableSteps] = {}
+        """What was told last of steps in the inputs of hardware, by subsystem and variable."""
         self.ticks: list[Callable[[], None]] = []
         """What is looked at whenever the runtime is listened to: variables watched, files followed."""
         self._in_tick = False
@@ -218,9 +220,16 @@ class Session:
                 self.questions.pop((one.subsystem, one.task), None)
             case event.Stopped():
                 self.is_stopped = one.is_stopped
-            case event.Result() if self._is_own(one):
-                self.running, self.cast = "", None
-                self.result = one
+            case event.Stepped():
+                self.steps[one.subsystem, one.variable] = one
+            case event.Result():
+                self._ended(one)
+
+    def _ended(self, one: event.Result) -> None:
+        self.steps |= {(step.subsystem, step.variable): step for step in one.steps}
+        if self._is_own(one):
+            self.running, self.cast = "", None
+            self.result = one
 
     def _is_own(self, one: event.Result) -> bool:
         """Whether it is the end of what this console runs: several applications may run side by side."""

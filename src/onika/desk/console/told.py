@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from onika.desk import explained
+from onika.desk import explained, stepping
 from onika.desk.console.face import Tone
 from onika.desk.console.value import shown
 from onika.desk.positions import waits
@@ -20,9 +20,8 @@ def lines(one: event.Event) -> Iterator[Line]:
             yield f"{_at(one.at_s)}  {one.index + 1}/{one.of}  {one.action}", Tone.PLAIN
         case event.TaskState():
             yield f"{_at(one.at_s)}  {one.subsystem}/{one.task} {one.state}", _STATES.get(one.state, Tone.DIM)
-        case event.Warned():
-            who = f"{one.subsystem}/{one.task}: " if one.task else ""
-            yield f"{_at(one.at_s)}  note: {who}{one.text}", Tone.NOTE
+        case event.Warned() | event.Stepped():
+            yield from _noted(one)
         case event.Failed():
             yield from _failed(one)
         case event.Asked():
@@ -85,6 +84,15 @@ def _moved(one: event.Moved) -> Iterator[Line]:
 
 def _at(seconds: float) -> str:
     return f"{seconds:9.2f} s"
+
+
+def _noted(one: event.Warned | event.Stepped) -> Iterator[Line]:
+    """What is worth knowing; a step that was no larger than it may be is not."""
+    if isinstance(one, event.Warned):
+        who = f"{one.subsystem}/{one.task}: " if one.task else ""
+        yield f"{_at(one.at_s)}  note: {who}{one.text}", Tone.NOTE
+    elif one.is_too_far:
+        yield f"{_at(one.at_s)}  note: {one.subsystem}/{stepping.sentence(one)}", Tone.NOTE
 
 
 def _failed(one: event.Failed) -> Iterator[Line]:

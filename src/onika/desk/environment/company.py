@@ -5,10 +5,21 @@ from dataclasses import replace
 
 import msgspec
 
+from onika.desk.environment import holds
 from onika.desk.environment.live import Offer
+from onika.desk.environment.merging import runtime_view
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order
-from onika.wire import event, holding, page, request, view
+from onika.desk.environment.refusing import refusal
+from onika.desk.environment.surroundings import Surroundings
+from onika.wire import act, event, holding, live, page, request, steer, view
+
+
+def look_around(model: Model, _asked: act.Company, _outside: Surroundings) -> Done | No:
+    """Ask anew who is there, who holds what, and where flows are."""
+    if model.runtime.state != "linked":
+        return No("there is no runtime yet, so nobody else is there")
+    return Done(model, orders=(Order(live.Survey(), _looked), ask_flows(), ask_company()), is_answered_later=True)
 
 
 def ask_company() -> Order:
@@ -16,14 +27,25 @@ def ask_company() -> Order:
     return Order(holding.Sessions(), _answered, is_aside=True)
 
 
+def ask_what() -> Order:
+    """Ask what there is."""
+    return Order(live.Survey(), surveyed, is_aside=True)
+
+
+def ask_flows() -> Order:
+    """Ask where the flows of applications are."""
+    return Order(steer.Who(), _placed, is_aside=True)
+
+
 def came(model: Model, told: event.Company) -> Done:
     """Somebody has come or gone."""
     return Done(_with_sessions(model, told.sessions, you(model)))
 
 
-def offered(model: Model, told: event.Offered) -> Done:
+def offered(model: Model, told: event.Offered, at_s: float = 0.0) -> Done:
     """A holder offers something, or does so no more; those whom it is about are told."""
     me = you(model)
+    model = replace(model, runtime=holds.offered(model.runtime, told, at_s))
     document = next(
         (one for one in model.documents.values() if one.live and one.live.subsystem == told.subsystem), None
     )
@@ -41,6 +63,23 @@ def you(model: Model) -> str:
     return next((name for name, one in model.runtime.sessions.items() if one.is_you), "")
 
 
+def surveyed(model: Model, response: request.Response) -> Done | No:
+    """What there is now."""
+    if not isinstance(response, live.Standing):
+        return Done(model)
+    return Done(replace(model, runtime=runtime_view(model.runtime, response)))
+
+
+def _looked(model: Model, response: request.Response) -> Done | No:
+    return surveyed(model, response) if isinstance(response, live.Standing) else No(refusal(response))
+
+
+def _placed(model: Model, response: request.Response) -> Done:
+    if not isinstance(response, steer.Positions):
+        return Done(model)
+    return Done(replace(model, runtime=holds.placed(model.runtime, response)))
+
+
 def _answered(model: Model, response: request.Response) -> Done | No:
     if not isinstance(response, holding.Company):
         return Done(model)
@@ -48,13 +87,21 @@ def _answered(model: Model, response: request.Response) -> Done | No:
 
 
 def _with_sessions(model: Model, sessions: Sequence[holding.SessionStanding], me: str) -> Model:
-    views = {one.name: view.SessionView(one.role, one.is_here, one.only_watches, one.name == me) for one in sessions}
+    views = {
+        one.name: view.SessionView(one.role, one.is_here, one.only_watches, one.name == me, one.lease_s)
+        for one in sessions
+    }
     return replace(model, runtime=msgspec.structs.replace(model.runtime, sessions=views))
 
 
 def _words(told: event.Offered, me: str) -> str:
+    is_accepted = told.outcome == "accepted"
     if told.to == me:
+        if is_accepted:
+            return f"{told.subsystem} is held here now: {told.holder} has handed it over"
         text = f"{told.holder} offers {told.subsystem}: take it, or decline"
         return f"{told.holder} offers {told.subsystem} no more: {told.outcome}" if told.outcome else text
+    if is_accepted:
+        return f"{told.to} has taken {told.subsystem}"
     text = f"{told.subsystem} is offered to {told.to}"
     return f"{text}: {told.outcome}" if told.outcome else text

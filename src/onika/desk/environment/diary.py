@@ -56,7 +56,8 @@ class Diary:
             self._say(page.Say("warning", f"the diary cannot be written: {self._wrong}"))
         model = self._model()
         self._names |= {one.id: one.name for one in model.documents.values()}
-        self._names |= names_in(model, (getattr(asked, "doc", ""), str(answer.value)))
+        opened = answer.value if isinstance(answer.value, str) else ""
+        self._names |= names_in(model, (getattr(asked, "doc", ""), opened))
         found = entry(asked, answer, self._names)
         if found is not None:
             self._put(found)

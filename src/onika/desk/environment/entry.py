@@ -91,6 +91,7 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Hand: ("hand_over", "conf"),
     act.Decline: ("decline", "conf"),
     act.OnlyWatch: ("only_watch", "main"),
+    act.WatchNoMore: ("watch_no_more", "main"),
     act.Draft: ("try_job", "dict"),
     act.MakeJob: ("new_job", "dict"),
     act.Prefer: ("set_preference", "main"),
@@ -100,9 +101,16 @@ _EVENTS: dict[type, tuple[str, str]] = {
     act.Run: ("run_appl", "appl"),
     act.Steer: ("steer_appl", "appl"),
     act.Redirect: ("redirect_task", "appl"),
+    act.SteerTaken: ("steer_taken", "main"),
+    act.Preflight: ("check_reach", "appl"),
     act.SkipTo: ("skip_to_icon", "appl"),
     act.Dismiss: ("dismiss_run", "appl"),
     act.StartAnew: ("start_runtime_anew", "main"),
+    act.OpenRecording: ("open_recording", "main"),
+    act.CloseRecording: ("close_recording", "main"),
+    act.CompareWith: ("compare_recording", "main"),
+    act.Continue: ("continue_run", "main"),
+    act.KeepTest: ("keep_test", "appl"),
 }
 """Not here: what a page asks for by itself, which no user does."""
 

@@ -32,8 +32,7 @@ def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
 
 def heard(model: Model, told: event.Event, outside: Surroundings) -> Done:
     """What a runtime has told."""
-    del outside
-    done = hearing.heard(model, told)
+    done = hearing.heard(model, told, outside.calendar())
     run = hearing_run.heard(done.model, told)
     says, replies = (*done.says, *run.says), (*done.replies, *run.replies)
     orders = (*done.orders, *run.orders, *limits.heard(run.model, told))

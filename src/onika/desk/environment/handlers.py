@@ -9,6 +9,7 @@ from onika.desk.environment import (
     buttons,
     canvas,
     check,
+    company,
     connecting,
     diary,
     documents,
@@ -20,8 +21,10 @@ from onika.desk.environment import (
     living,
     peeking,
     preferring,
+    promise,
     retuning,
     scenery,
+    taken,
     tasks,
     texts,
     undoing,
@@ -43,7 +46,8 @@ from onika.desk.upper.flow import (
     past,
 )
 from onika.desk.upper.flow.on_application import is_application
-from onika.desk.upper.run import anew, beginning, redirecting, steering as steering_run
+from onika.desk.upper.review import comparing, courses, glancing, listing as recordings, opening as reviewing
+from onika.desk.upper.run import anew, beginning, continuing, keeping, preflight, redirecting, steering as steering_run
 from onika.wire import act
 
 
@@ -126,10 +130,14 @@ HANDLERS: Mapping[type, Handler] = {
     act.Release: holding.release,
     act.Hand: holding.hand,
     act.Decline: holding.decline,
-    act.OnlyWatch: holding.only_watch,
+    act.OnlyWatch: promise.only_watch,
+    act.WatchNoMore: promise.watch_no_more,
+    act.Company: company.look_around,
+    act.SteerTaken: taken.steer_taken,
     act.Scene: scenery.scene,
     act.Run: beginning.run,
     act.Steer: steering_run.steer_line,
+    act.Preflight: preflight.preflight,
     act.Redirect: redirecting.redirect,
     act.Seats: redirecting.seats,
     act.SkipTo: steering_run.skip_to,
@@ -159,4 +167,13 @@ HANDLERS: Mapping[type, Handler] = {
     act.Teach: teaching.teach,
     act.EditOnikon: revising.edit_onikon,
     act.RemoveOnikon: revising.remove_onikon,
+    act.Continue: continuing.continue_run,
+    act.KeepTest: keeping.keep_test,
+    act.OpenRecording: reviewing.open_recording,
+    act.CloseRecording: reviewing.close_recording,
+    act.Recordings: recordings.recordings,
+    act.CompareWith: comparing.compare_with,
+    act.Glance: glancing.glance,
+    act.RecordedScene: glancing.recorded_scene,
+    act.Course: courses.course,
 }

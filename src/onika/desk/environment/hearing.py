@@ -4,7 +4,8 @@ from dataclasses import replace
 
 import msgspec
 
-from onika.desk.environment import company, pursuit
+from onika.desk import stepping
+from onika.desk.environment import company, holds, pursuit
 from onika.desk.environment.document import Document
 from onika.desk.environment.facts import settled
 from onika.desk.environment.live import Live, TaskFacts
@@ -12,23 +13,30 @@ from onika.desk.environment.merging import look_again
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
 from onika.desk.environment.present import ask_present
+from onika.desk.environment.watching import is_going
 from onika.wire import event, page, view
 
 
-def heard(model: Model, told: event.Event) -> Done:
-    """The model after a piece of news, and what is worth a line."""
+def heard(model: Model, told: event.Event, at_s: float = 0.0) -> Done:
+    """The model after a piece of news, and what is worth a line; `at_s` is seconds since 1970."""
     match told:
         case event.TaskState() | event.Failed() | event.Asked() | event.Warned() | event.Signalled():
             return _of_task(model, told)
+        case event.Stepped() if told.is_too_far:
+            return _stepped(model, told)
         case event.Edited():
             document = _home(model, told.subsystem)
             return pursuit.edited(model, document.id, told.number, told.cause) if document else Done(model)
         case event.Held():
-            return _held(model, told)
+            return _held(model, told, at_s)
         case event.Offered():
-            return company.offered(model, told)
+            return company.offered(model, told, at_s)
         case event.Company():
             return company.came(model, told)
+        case event.Moved():
+            return Done(replace(model, runtime=holds.moved(model.runtime, told)))
+        case event.Result() if not is_going(model):  # of a run that is not of this environment
+            return Done(model, orders=(company.ask_what(),))
         case event.Stopped():
             return _stopped(model, told)
         case event.Lost():
@@ -45,7 +53,8 @@ _OfTask = event.TaskState | event.Failed | event.Asked | event.Warned | event.Si
 def _of_task(model: Model, told: _OfTask) -> Done:
     document = _home(model, told.subsystem)
     if document is None or document.live is None:
-        return Done(_with_subsystem(model, told.subsystem))
+        is_new = bool(told.subsystem) and told.subsystem not in model.runtime.subsystems and not is_going(model)
+        return Done(_with_subsystem(model, told.subsystem), orders=(company.ask_what(),) if is_new else ())
     known, facts = document.live, document.live.tasks.get(told.task)
     where = f"task:{told.task}"
 
@@ -105,16 +114,26 @@ def _signal(told: event.Signalled, doc: str) -> page.Say:
     return page.Say("info" if told.kind == "LEGAL" else "warning", text, doc, where, told.at_s)
 
 
-def _held(model: Model, told: event.Held) -> Done:
-    subsystems = {**model.runtime.subsystems, told.subsystem: told.holder}
-    model = replace(model, runtime=msgspec.structs.replace(model.runtime, subsystems=subsystems))
+def _held(model: Model, told: event.Held, at_s: float) -> Done:
+    runtime = holds.changed(model.runtime, told, company.you(model), at_s)
+    subsystems = {**runtime.subsystems, told.subsystem: runtime.holds[told.subsystem].application or told.holder}
+    model = replace(model, runtime=msgspec.structs.replace(runtime, subsystems=subsystems))
     document = _home(model, told.subsystem)
+    says: tuple[page.Say, ...] = ()
+    if told.cause and not told.holder:  # who holds it no more is gone or was silent, and others may want it
+        says = (page.Say("warning", f"{told.subsystem}: {told.cause}", document.id if document else ""),)
     if document is None or document.live is None:
-        return Done(model)
-    was_here = document.live.is_held_here
+        return Done(model, says=says)
     known = replace(document.live, holder=told.holder, offer=None)
-    says = (page.Say("warning", f"{told.subsystem}: {told.cause}", document.id),) if was_here and told.cause else ()
     return Done(model.with_document(replace(document, live=known)), says=says)
+
+
+def _stepped(model: Model, told: event.Stepped) -> Done:
+    document = _home(model, told.subsystem)
+    if document is None:
+        return Done(model)
+    said = page.Say("warning", stepping.sentence(told), document.id, f"task:{told.task}", told.at_s)
+    return Done(model, says=(said,))
 
 
 def _stopped(model: Model, told: event.Stopped) -> Done:

@@ -1,12 +1,13 @@
-"""Acts about who may move the robots: stop, reset, take, release, hand over, decline, only watch (law 27)."""
+"""Acts about who may move the robots: stop, reset, take, release, hand over, decline (law 27, requirement X12)."""
 
 from dataclasses import replace
 from functools import partial
 
-from onika.desk.environment.company import ask_company
+from onika.desk.environment import taken
+from onika.desk.environment.company import ask_flows
 from onika.desk.environment.living import simply_done
+from onika.desk.environment.merging import runtime_view
 from onika.desk.environment.model import Model
-from onika.desk.environment.on_document import closed
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.refusing import refusal
 from onika.desk.environment.surroundings import Surroundings
@@ -27,85 +28,74 @@ def reset(model: Model, _asked: act.Reset, _outside: Surroundings) -> Done | No:
 
 
 def take(model: Model, asked: act.Take, _outside: Surroundings) -> Done | No:
-    """Become the one who may change a document's subsystem."""
-    return _hand(model, asked)
+    """Become the one who may change a subsystem; a run that is nobody's is taken as a whole."""
+    name = taken.named(model, asked.doc, asked.subsystem, connects=True)
+    if isinstance(name, No):
+        return name
+    why = taken.refused(model, name, asked)
+    return _asked(model, live.Take(name), name, is_taken=True) if why is None else why
 
 
 def release(model: Model, asked: act.Release, _outside: Surroundings) -> Done | No:
     """Let another become the one who may."""
-    return _hand(model, asked)
+    name = taken.named(model, asked.doc, asked.subsystem, connects=True)
+    if isinstance(name, No):
+        return name
+    holder = taken.holder(model, name)
+    if holder and not taken.is_held_here(model, name):
+        return No(f"{name} is held by {holder}")
+    return _asked(model, live.Release(name), name, is_taken=False)
 
 
 def hand(model: Model, asked: act.Hand, _outside: Surroundings) -> Done | No:
-    """Offer a document's subsystem to another session; to nobody: no more."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
-    known = document.live
-    if known is None or known.state != "live" or not known.is_held_here:
-        take_it = (Remedy("Take it", act.Take(document.id)),) if known is not None and not known.holder else ()
-        return No(f"{document.name} is not held here, so it cannot be handed over", take_it)
-    order = Order(holding.Hand(known.subsystem, asked.to), simply_done, document.id)
-    return Done(model, orders=(order,), is_answered_later=True)
+    """Offer a subsystem to another session; to nobody: no more."""
+    name = taken.named(model, asked.doc, asked.subsystem)
+    if isinstance(name, No):
+        return name
+    if not taken.is_held_here(model, name):
+        is_free = bool(name) and not taken.holder(model, name)
+        take_it = (Remedy("Take it", act.Take(asked.doc, asked.subsystem)),) if is_free else ()
+        what = taken.called(model, asked.doc, name)
+        return No(f"{what} is not held here, so it cannot be handed over", take_it)
+    return Done(model, orders=(Order(holding.Hand(name, asked.to), simply_done, asked.doc),), is_answered_later=True)
 
 
 def decline(model: Model, asked: act.Decline, _outside: Surroundings) -> Done | No:
     """Say no to what is offered."""
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
-    if document.live is None or document.live.offer is None or not document.live.offer.is_here:
-        return No(f"nobody offers {document.name} to this environment")
-    order = Order(holding.Decline(document.live.subsystem), simply_done, document.id)
-    return Done(model, orders=(order,), is_answered_later=True)
+    name = taken.named(model, asked.doc, asked.subsystem)
+    if isinstance(name, No):
+        return name
+    if not taken.is_offered_here(model, name):
+        return No(f"nobody offers {taken.called(model, asked.doc, name)} to this environment")
+    return Done(model, orders=(Order(holding.Decline(name), simply_done, asked.doc),), is_answered_later=True)
 
 
-def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> Done | No:
-    """This environment changes nothing in this runtime any more."""
-    here = [one for one in model.documents.values() if one.live and one.live.is_held_here]
-    if here:
-        remedies = tuple(Remedy(f"Release {one.name}", act.Release(one.id)) for one in here)
-        return No(f"{', '.join(one.name for one in here)} is held here; release it first", remedies)
-    return Done(model, orders=(Order(holding.OnlyWatch(), _watches),), is_answered_later=True)
+def _asked(model: Model, asked: live.Take | live.Release, name: str, is_taken: bool) -> Done:
+    document = taken.home(model, name)
+    doc = document.id if document is not None else ""
+    then = partial(_handed, name=name, is_taken=is_taken)
+    return Done(model, orders=(Order(asked, then, doc),), is_answered_later=True)
 
 
-def _watches(model: Model, response: request.Response) -> Done | No:
+def _handed(model: Model, response: request.Response, name: str, is_taken: bool) -> Done | No:
     if not isinstance(response, request.Done):
         return No(refusal(response))
-    return Done(model, orders=(ask_company(),), value="this environment only watches from now on")
+    document = taken.home(model, name)
+    then = partial(_seen, name=name, is_taken=is_taken)
+    order = Order(live.Survey(), then, document.id if document is not None else "")
+    return Done(model, orders=(order, ask_flows()), is_answered_later=True)
 
 
-def _hand(model: Model, asked: act.Take | act.Release) -> Done | No:
-    document = model.documents.get(asked.doc)
-    if document is None:
-        return closed()
-    known = document.live
-    if known is None or known.state != "live":
-        return No(f"{document.name} is not connected", (Remedy("Connect", act.Connect(document.id)),))
-    order: request.Request = live.Take(known.subsystem)
-    if isinstance(asked, act.Release):
-        if known.is_foreign:
-            return No(f"{known.subsystem} is held by {known.holder}")
-        order = live.Release(known.subsystem)
-    then = partial(_handed, doc=document.id, is_taken=isinstance(asked, act.Take))
-    return Done(model, orders=(Order(order, then, document.id),), is_answered_later=True)
-
-
-def _handed(model: Model, response: request.Response, doc: str, is_taken: bool) -> Done | No:
-    if not isinstance(response, request.Done):
-        return No(refusal(response))
-    then = partial(_seen, doc=doc, is_taken=is_taken)
-    return Done(model, orders=(Order(live.Survey(), then, doc),), is_answered_later=True)
-
-
-def _seen(model: Model, response: request.Response, doc: str, is_taken: bool) -> Done | No:
+def _seen(model: Model, response: request.Response, name: str, is_taken: bool) -> Done | No:
     """Who holds it now; after it was taken, that is the name by which the runtime knows this environment."""
-    document = model.documents.get(doc)
-    known = document.live if document else None
-    if document is None or known is None or not isinstance(response, live.Standing):
+    if not isinstance(response, live.Standing):
         return Done(model)
-    holder = next((one.holder for one in response.subsystems if one.name == known.subsystem), "")
-    known = replace(known, holder=holder, me=holder if is_taken else known.me)
+    model = replace(model, runtime=runtime_view(model.runtime, response))
+    document = taken.home(model, name)
+    if document is None or document.live is None:
+        return Done(model)
+    holder = next((one.holder for one in response.subsystems if one.name == name), "")
+    known = replace(document.live, holder=holder, me=holder if is_taken else document.live.me)
     return Done(model.with_document(replace(document, live=known)))
 
 

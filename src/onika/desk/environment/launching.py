@@ -3,7 +3,11 @@
 from collections.abc import Sequence
 from contextlib import AbstractContextManager
 
+from onika.desk.environment.outcome import Simulator
 from onika.desk.runtime import Conversation, Runtime, connect
+
+_AS_WALL_TIME = ("--scale", "1")
+"""A person looks on."""
 
 
 class Launching:
@@ -26,8 +30,12 @@ class Launching:
         self._with_fifo = with_fifo
         self._options = tuple(options)
 
-    def __call__(self, url: str, token: str) -> AbstractContextManager[Conversation]:
+    def __call__(
+        self, url: str, token: str, simulator: Simulator | None = None
+    ) -> AbstractContextManager[Conversation]:
         """A runtime; raises ValueError for what is no address, LinkLost where no token is to be had."""
         if url:
             return connect(url, token)
+        if simulator is not None:
+            return Runtime(simulator.rtpus, True, False, (*_AS_WALL_TIME, *simulator.options))
         return Runtime(self._rtpus, self._is_virtual, self._with_fifo, self._options)

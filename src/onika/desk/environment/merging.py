@@ -4,6 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
+from onika.desk.environment import holds
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
 from onika.desk.environment.facts import alive, settled, with_standing
@@ -78,6 +79,7 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
         units={one.name: view.UnitView(round(one.load, 2), one.is_lost) for one in standing.rtpus},
         worlds=dict.fromkeys(standing.worlds, True),
         subsystems={one.name: one.application or one.holder for one in standing.subsystems},
+        holds=holds.surveyed(former.holds, standing),
         sessions=former.sessions,
     )
 

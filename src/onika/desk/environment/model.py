@@ -12,6 +12,7 @@ from onika.desk.environment.habits import Habits
 from onika.desk.environment.shelf import Shelf
 from onika.desk.upper.dictionary.dictionary import Dictionary
 from onika.desk.upper.flow.open_application import OpenApplication
+from onika.desk.upper.review.looking import Looking
 from onika.desk.upper.run.performance import Run
 from onika.model.application import Step
 from onika.model.button import Button
@@ -62,6 +63,10 @@ class Model:
     """Those of the start and end icons, 1024 digits each."""
     run: Run | None = None
     """The run of an application that goes on now, or the last one."""
+    looking: Looking | None = None
+    """The recorded run that is looked at."""
+    keeping: view.KeepingView | None = None
+    """The test that is being kept, or was last."""
     performed: int = 0
     """How many runs there were."""
     people: int = 0

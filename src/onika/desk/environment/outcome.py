@@ -21,6 +21,15 @@ class No:
 
 
 @dataclass(frozen=True, slots=True)
+class Simulator:
+    """A runtime in virtual time, which passes as wall time does as soon as nothing is repeated in it."""
+
+    rtpus: tuple[str, ...]
+    options: tuple[str, ...] = ()
+    """More words for the runtime program."""
+
+
+@dataclass(frozen=True, slots=True)
 class Reach:
     """A runtime to be there before it is asked: one elsewhere by its address; without one, that of this environment."""
 
@@ -28,6 +37,8 @@ class Reach:
     token: str = ""
     is_anew: bool = False
     """Whether one that was started here ends first."""
+    simulator: Simulator | None = None
+    """What is started in its place; None: what this environment starts else."""
 
 
 @dataclass(frozen=True, slots=True)

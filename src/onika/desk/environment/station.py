@@ -12,8 +12,9 @@ from typing import Protocol
 from onika.desk.environment import losing
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.frames import Frames
-from onika.desk.environment.outcome import Order, Reach
+from onika.desk.environment.outcome import Order, Reach, Simulator
 from onika.desk.environment.talk import Talk
+from onika.desk.environment.vouch import Vouch
 from onika.desk.environment.watching import Watching
 from onika.desk.runtime import Conversation, in_short
 from onika.link.lost import LinkLost
@@ -26,8 +27,10 @@ Post = Callable[[Callable[[], None]], None]
 class Opening(Protocol):
     """How a runtime is got hold of."""
 
-    def __call__(self, url: str, token: str) -> AbstractContextManager[Conversation]:
-        """At an address, or where that is empty the one that is started here; raises LinkLost, ValueError, OSError."""
+    def __call__(
+        self, url: str, token: str, simulator: Simulator | None = None
+    ) -> AbstractContextManager[Conversation]:
+        """At an address, or where that is empty one that is started here; raises LinkLost, ValueError, OSError."""
         ...
 
 
@@ -52,6 +55,7 @@ class Station:
         self._url = ""
         self._tokens: dict[str, str] = {}
         self._environment: Environment | None = None
+        self._vouch = Vouch(post, self._ring, monotonic)
         self._watching = Watching()
         self._frames = Frames()
 
@@ -101,6 +105,8 @@ class Station:
         try:
             while not self._is_over:
                 self._wait()
+                if self._is_alone:
+                    continue
                 self._send_out()
                 self._listen()
         finally:
@@ -112,16 +118,22 @@ class Station:
         except (BlockingIOError, OSError):
             return  # it has rung already, or nobody is there any more
 
+    @property
+    def _is_alone(self) -> bool:
+        """Whether this thread is there and the environment is not: to a runtime elsewhere both are silent then."""
+        return bool(self._url) and self._vouch.is_missing
+
     def _wait(self) -> None:
         readers: list[int] = [self._door.fileno()]
         writers: list[int] = []
         wait_s = None
-        if self._runtime is not None and self._talk is not None:
+        if self._runtime is not None and self._talk is not None and not self._is_alone:
             readers += self._runtime.readers()
             writers = self._runtime.writers()
             times = [self._runtime.due_s(), self._talk.poll_figures(self._watching.figures)]
+            times += [self._vouch.ask()] if self._url else []
             wait_s = min((one for one in times if one is not None), default=None)
-        if not self._orders:
+        if not self._orders or self._is_alone:
             select.select(readers, writers, [], wait_s)
         try:
             self._door.recv(4096)
@@ -170,7 +182,7 @@ class Station:
         self._reply(orphans)
         token = reach.token or self._tokens.get(reach.url, "")
         try:
-            self._entered = self._opening(reach.url, token)
+            self._entered = self._opening(reach.url, token, reach.simulator)
             self._runtime = self._entered.__enter__()
         except (LinkLost, ValueError, OSError) as wrong:
             self._entered = self._runtime = None

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from onika.desk.environment.aside import Aside
 from onika.desk.environment.commands import Commands
 from onika.store.site import Site
 
@@ -18,6 +19,9 @@ class Surroundings:
     calendar  seconds since 1970
     state     the directory of what outlives a session: diary and recovery; None: nothing does
     commands  runs the commands of buttons; None: they cannot be run
+    reading   reads recordings; None: none can be looked at
+    comparing compares them
+    keeping   keeps runs as tests; None: none is kept
     """
 
     site: Site
@@ -25,3 +29,6 @@ class Surroundings:
     state: Path | None = None
     commands: Commands | None = None
     calendar: Callable[[], float] = time.time
+    reading: Aside | None = None
+    comparing: Aside | None = None
+    keeping: Aside | None = None

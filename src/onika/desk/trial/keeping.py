@@ -1,6 +1,6 @@
 """Keeping a run as a test: what is asked of later ones is chosen by what stays the same in shaken ones (X07)."""
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -38,20 +38,52 @@ class Keepsake:
     """Of the run, to be compared with another."""
 
 
-def keep(settings: RunSettings, site: Site, *, workers: int = 1, shakes: int = SHAKES) -> Keepsake:
-    """Do a run, and others with shaken worlds, and keep what they have in common."""
+Progress = Callable[[int, int], None]
+"""Told which run begins, from 1, and how many there will be; or nobody is."""
+
+
+def keep(
+    settings: RunSettings, site: Site, *, workers: int = 1, shakes: int = SHAKES, progress: Progress | None = None
+) -> Keepsake:
+    """Do a run, and others with shaken worlds, and keep what they have in common.
+
+    progress    with one worker, who is told how far it is
+    """
     refusal = unkeepable(settings)
     if refusal:
         return Keepsake(None, refusal=refusal)
     plain = _plain(settings)
     shaken = [replace(plain, seed=settings.seed + n, shake=settings.seed + n) for n in range(1, shakes + 1)]
-    with ThreadPoolExecutor(max(workers, 1)) as pool:
-        first, *others = pool.map(lambda one: give_account(one, site), [plain, *shaken])
+    if workers > 1:
+        with ThreadPoolExecutor(workers) as pool:
+            first, *others = pool.map(lambda one: give_account(one, site), [plain, *shaken])
+    else:  # no pool: it would keep a program that is about to end from ending
+        first, *others = _one_by_one([plain, *shaken], site, progress or (lambda *_: None))
     return kept_of(settings, first, others)
 
 
+def _one_by_one(asked: Sequence[RunSettings], site: Site, progress: Progress) -> Iterable[Account]:
+    """Of a run that cannot be kept the others say nothing: they are not done."""
+    for number, one in enumerate(asked, start=1):
+        progress(number, len(asked))
+        account = give_account(one, site)
+        yield account
+        if number == 1 and not _is_good(account):
+            return
+
+
+def _is_good(account: Account) -> bool:
+    return not (account.refusals or account.cause) and all(holds for _, _, holds in account.expectations)
+
+
 def keep_in(
-    path: Path, settings: RunSettings, site: Site, *, workers: int = 1, seen: str = ""
+    path: Path,
+    settings: RunSettings,
+    site: Site,
+    *,
+    workers: int = 1,
+    seen: str = "",
+    progress: Progress | None = None,
 ) -> tuple[bool, tuple[str, ...]]:
     """Keep a run in a test file: whether that could be done, and what is to be said of it, for a command or a page.
 
@@ -60,7 +92,7 @@ def keep_in(
     refusal = unkeepable(settings, path)
     if refusal:
         return False, (refusal,)
-    keepsake = keep(settings, site, workers=workers)
+    keepsake = keep(settings, site, workers=workers, progress=progress)
     if keepsake.kept is None:
         return False, (keepsake.refusal,)
     notes = list(keepsake.notes)

@@ -67,6 +67,16 @@ from onika.wire.act.document import (
     Save as Save,
     Undo as Undo,
 )
+from onika.wire.act.holding import (
+    Company as Company,
+    Decline as Decline,
+    Hand as Hand,
+    OnlyWatch as OnlyWatch,
+    Release as Release,
+    SteerTaken as SteerTaken,
+    Take as Take,
+    WatchNoMore as WatchNoMore,
+)
 from onika.wire.act.job import Draft as Draft, MakeJob as MakeJob
 from onika.wire.act.library import (
     Alias as Alias,
@@ -80,8 +90,20 @@ from onika.wire.act.library import (
     WriteText as WriteText,
 )
 from onika.wire.act.own import Halt as Halt, Note as Note, Prefer as Prefer, Press as Press, SetButton as SetButton
+from onika.wire.act.review import (
+    CloseRecording as CloseRecording,
+    CompareWith as CompareWith,
+    Continue as Continue,
+    Course as Course,
+    Glance as Glance,
+    KeepTest as KeepTest,
+    OpenRecording as OpenRecording,
+    RecordedScene as RecordedScene,
+    Recordings as Recordings,
+)
 from onika.wire.act.run import (
     Dismiss as Dismiss,
+    Preflight as Preflight,
     Redirect as Redirect,
     Run as Run,
     Seats as Seats,
@@ -93,17 +115,12 @@ from onika.wire.act.running import (
     Answer as Answer,
     Clear as Clear,
     Connect as Connect,
-    Decline as Decline,
     Disconnect as Disconnect,
-    Hand as Hand,
-    OnlyWatch as OnlyWatch,
     Reinit as Reinit,
-    Release as Release,
     Renew as Renew,
     Reset as Reset,
     Scene as Scene,
     Stop as Stop,
-    Take as Take,
     Toggle as Toggle,
     Turn as Turn,
     Watch as Watch,
@@ -162,6 +179,9 @@ AnyAct = (
     | Hand
     | Decline
     | OnlyWatch
+    | WatchNoMore
+    | Company
+    | SteerTaken
     | Watch
     | Scene
     | Draft
@@ -202,4 +222,14 @@ AnyAct = (
     | SkipTo
     | Dismiss
     | StartAnew
+    | Preflight
+    | OpenRecording
+    | CloseRecording
+    | Recordings
+    | RecordedScene
+    | Glance
+    | Course
+    | CompareWith
+    | Continue
+    | KeepTest
 )

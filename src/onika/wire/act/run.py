@@ -17,6 +17,17 @@ class Run(Act, frozen=True):
     passes_breakpoints: bool = False
     saves_unsaved: bool = False
     """Whether configurations that it uses and that were changed here are saved first."""
+    is_recorded: bool = False
+    """Whether the run is recorded, in a file of its own (X05)."""
+
+
+class Preflight(Act, frozen=True):
+    """Look at everything that could keep an application from running, the modules' reach too; nothing moves (X02).
+
+    The faults are then those of the application, each at its step; replied with how many there are.
+    """
+
+    doc: str
 
 
 class Redirect(Act, frozen=True):

@@ -77,35 +77,6 @@ class Reset(Act, frozen=True):
     """After a Stop: allow motion again."""
 
 
-class Take(Act, frozen=True):
-    """Become the holder of a document's subsystem."""
-
-    doc: str
-
-
-class Release(Act, frozen=True):
-    """Let another become the holder."""
-
-    doc: str
-
-
-class Hand(Act, frozen=True):
-    """Offer a document's subsystem to another session, which takes it or not; to nobody: offer it no more."""
-
-    doc: str
-    to: str = ""
-
-
-class Decline(Act, frozen=True):
-    """Say no to what is offered of a document's subsystem; a yes is Take."""
-
-    doc: str
-
-
-class OnlyWatch(Act, frozen=True):
-    """From now on this environment changes nothing in the runtime that it is connected with; stopping stays."""
-
-
 class Watch(Act, frozen=True):
     """What this browser wants to see from now on: variables as `DOC/NAME`, worlds by name, figures of tasks.
 

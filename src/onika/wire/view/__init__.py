@@ -38,14 +38,34 @@ from onika.wire.view.reply import (
     SeatView as SeatView,
     TextView as TextView,
 )
+from onika.wire.view.review import (
+    DifferenceView as DifferenceView,
+    InstantView as InstantView,
+    KeepingView as KeepingView,
+    MarkView as MarkView,
+    PassageView as PassageView,
+    RecordedFlowView as RecordedFlowView,
+    RecordedVariableView as RecordedVariableView,
+    RecordingFile as RecordingFile,
+    RecordingsView as RecordingsView,
+    RecordingView as RecordingView,
+    ReviewView as ReviewView,
+    StretchView as StretchView,
+)
 from onika.wire.view.run import (
     CourseView as CourseView,
     FlowRunView as FlowRunView,
+    JumpView as JumpView,
     MeetView as MeetView,
     RunView as RunView,
     StepRunView as StepRunView,
     StopView as StopView,
 )
-from onika.wire.view.runtime import RuntimeView as RuntimeView, SessionView as SessionView, UnitView as UnitView
+from onika.wire.view.runtime import (
+    HoldView as HoldView,
+    RuntimeView as RuntimeView,
+    SessionView as SessionView,
+    UnitView as UnitView,
+)
 from onika.wire.view.tree import ButtonView as ButtonView, ConfigurationFile as ConfigurationFile, Tree as Tree
 from onika.wire.view.view import Reason as Reason, Remedy as Remedy, View as View

@@ -39,7 +39,7 @@ class StepView(View, frozen=True):
     flows: tuple[str, ...] = ()
     """Of a branch: the paths of its flows."""
     note: str = ""
-    """What became of it in the last run and is worth a mark: its target was re-resolved for another robot."""
+    """What became of it when a runtime looked at it last, worth a mark: its target is re-resolved for another robot."""
 
 
 class AppFlowView(View, frozen=True):
@@ -58,6 +58,8 @@ class RedirectView(View, frozen=True):
     old: str
     new: str
     flow: str = ""
+    homes: tuple[str, ...] = ()
+    """The flows that use it and are not nested, by their subsystems; they come a moment later than the wish."""
 
 
 class FaultView(View, frozen=True):
@@ -67,6 +69,8 @@ class FaultView(View, frozen=True):
     level: Literal["fault", "warning"] = "fault"
     step: int = 0
     remedies: tuple[Remedy, ...] = ()
+    is_of_runtime: bool = False
+    """Whether a runtime has found it, where it looked; `Run` looks again."""
 
 
 class ApplicationView(View, frozen=True):
@@ -89,6 +93,8 @@ class ApplicationView(View, frozen=True):
     faults: dict[str, FaultView] = field(default_factory=dict)
     is_judged: bool = False
     """Whether `faults` are those of what is here now; they come a moment later than a change."""
+    is_checked: bool = False
+    """Whether a runtime has looked at what is here now, with what it found among `faults`."""
     is_running: bool = False
     redirects: tuple[RedirectView, ...] = ()
 

@@ -44,11 +44,15 @@ class SeatView(View, frozen=True):
 
     task: str
     taken_by: str
+    """Empty: in each flow another one."""
     candidates: tuple[CandidateView, ...] = ()
+    description: str = ""
+    is_hardware: bool = False
+    """Whether it has a device: the others are generic, and learn from it what robot it is."""
 
 
 class SeatsView(View, frozen=True):
-    """The tasks of every flow that is not nested, by its subsystem."""
+    """The tasks of every flow that is not nested, by its subsystem; where there are several, those of all by ""."""
 
     flows: dict[str, tuple[SeatView, ...]] = field(default_factory=dict)
 

@@ -91,6 +91,28 @@ class StopView(View, frozen=True):
     """What each choice does."""
 
 
+class JumpView(View, frozen=True):
+    """The largest step of an input of a hardware task where what drives it was exchanged, and what became of them."""
+
+    subsystem: str
+    task: str
+    variable: str
+    """With its element."""
+    unit: str
+    jump: float
+    limit: float
+    """What one cycle may change it by; 0: nobody says."""
+    at_s: float
+    count: int
+    """At how many switches it was measured."""
+    blended: int = 0
+    """At how many of them it was blended."""
+    cycles: int = 0
+    """Over how many cycles at most."""
+    refused: int = 0
+    """At how many it was too large for that, and the drive has held."""
+
+
 class RunView(View, frozen=True):
     """The run of an application that goes on now, or the last one."""
 
@@ -120,3 +142,11 @@ class RunView(View, frozen=True):
     of: int = 0
     took_s: float = 0.0
     """Of the run's own clock, once it is over."""
+    jumps: tuple[JumpView, ...] = ()
+    """How far inputs of hardware have stepped at switches, once it is over (X04)."""
+    recording: str = ""
+    """The file in which it is recorded; empty: it is not."""
+    recorded_bytes: int = 0
+    """Of that file, once the run is over; 0: it is not there."""
+    repeats_until_s: float = 0.0
+    """Up to when it is a recorded run again, before it goes on as it is steered; 0: it is a run of its own."""

@@ -22,6 +22,31 @@ class SessionView(View, frozen=True):
     """Whether it is heard at present."""
     only_watches: bool = False
     is_you: bool = False
+    lease_s: float = 0.0
+    """For how long it may be silent before it holds nothing any more; 0: for ever."""
+
+
+class HoldView(View, frozen=True):
+    """Who may change a subsystem that lives (law 27, X12)."""
+
+    holder: str = ""
+    """A session, by its name; empty: nobody."""
+    application: str = ""
+    """What runs in it; empty: its tasks are held by hand."""
+    state: str = ""
+    """Of a flow of an application, a word of `engine.flow.FlowState`; empty: it was not told."""
+    since_at_s: float = 0.0
+    """Seconds since 1970 when it was told here that this one holds it, or that nobody does; 0: it was so before."""
+    cause: str = ""
+    """Why the holder changed last, where that is worth a word."""
+    former: str = ""
+    """Who held it before and is gone or was silent for too long; empty: nobody, or it was released."""
+    was_here: bool = False
+    """Whether that was this environment."""
+    offered_to: str = ""
+    """The session that may take it or decline."""
+    offered_until_s: float = 0.0
+    """Seconds since 1970 when the offer ends; 0: that is not known."""
 
 
 class RuntimeView(View, frozen=True):
@@ -38,5 +63,7 @@ class RuntimeView(View, frozen=True):
     worlds: dict[str, bool] = field(default_factory=dict)
     subsystems: dict[str, str] = field(default_factory=dict)
     """Names of those that live, with what holds them."""
+    holds: dict[str, HoldView] = field(default_factory=dict)
+    """Who may change which of them."""
     sessions: dict[str, SessionView] = field(default_factory=dict)
     """Who is there, by name."""

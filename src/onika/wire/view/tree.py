@@ -8,6 +8,7 @@ from onika.wire.view.application import ApplicationFile, ApplicationView
 from onika.wire.view.dictionary import DictionaryView, OnikonView, TypeView
 from onika.wire.view.document import DocumentView
 from onika.wire.view.library import LibraryView, TaskView
+from onika.wire.view.review import KeepingView, ReviewView
 from onika.wire.view.run import RunView
 from onika.wire.view.runtime import RuntimeView
 from onika.wire.view.view import View
@@ -60,5 +61,7 @@ class Tree(View, frozen=True):
     icon_clipboard: str = ""
     """The icons in the buffer, in words."""
     run: RunView | None = None
+    review: ReviewView | None = None
+    keeping: KeepingView | None = None
     people: int = 0
     """How many browsers look at this."""

@@ -57,8 +57,12 @@ class Gate:
     def reply(self, ticket: int, answer: request.Response) -> None:
         """Nobody asked."""
 
-    def silent_ns(self, session: str) -> None:
+    def hearing(self, session: str) -> None:
         """Nobody is there who could be silent."""
+
+    def deaf_ns(self) -> int:
+        """It always hears."""
+        return 0
 
     def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
         """Nothing is recorded."""

@@ -25,6 +25,13 @@ class Belonging:
             _look(flow, syntax, owners, inside)
         return cls(owners, inside)
 
+    def targets(self) -> dict[int, tuple[int, ...]]:
+        """Of each action that has some: its targets and the holes for them, in order."""
+        found: dict[int, tuple[int, ...]] = {}
+        for target, action in self.owners.items():
+            found[action] = (*found.get(action, ()), target)
+        return found
+
     def meant(self, step: int) -> frozenset[tuple[int, ...]]:
         """The actions that are meant by a step, each as the beginning of a spot."""
         return frozenset((one,) for one in self.inside.get(step, frozenset((self.owners.get(step, step),))))

@@ -35,7 +35,17 @@ def set_breakpoint(
         icon = replace(action.icon, marker=asked.is_set, marker_if=condition if asked.is_set else "")
         flows[path] = exchanged(flows.get(path, flow), {action.position: icon})
     label = f"{'setting' if asked.is_set else 'removing'} {_breakpoints(marked)}"
-    return reflowed(model, opened, flows, label)
+    done = reflowed(model, opened, flows, label)
+    return done if condition else _still_looked(done, opened)
+
+
+def _still_looked(done: Done, before: OpenApplication) -> Done:
+    """What a runtime has found is still so: plain breakpoints are nothing that it looks at."""
+    after, looked = done.model.applications[before.id], before.looked
+    if looked is None or looked.of is not before.application:
+        return done
+    kept = replace(after, looked=replace(looked, of=after.application))
+    return replace(done, model=done.model.with_application(kept))
 
 
 @on_resting_application

@@ -27,6 +27,21 @@ class Judgement:
 
     of: Application
     faults: tuple[FaultView, ...] = ()
+    has_new_files: bool = False
+    """Whether files that it uses have changed since it was looked at before."""
+    homes: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """Of each task for which another one stands: the flows that use it."""
+
+
+@dataclass(frozen=True, slots=True)
+class Looked:
+    """What a runtime has found wrong with an application, as it was when the runtime was asked (X02)."""
+
+    of: Application
+    redirects: tuple[Redirect, ...]
+    at: str
+    """The address of the runtime; empty: it is that of the environment."""
+    faults: tuple[FaultView, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +68,9 @@ class OpenApplication:
     redirects: tuple[Redirect, ...] = ()
     """The tasks that stand for others as long as it is open."""
     marks: Mapping[int, str] = field(default_factory=dict)
-    """What became of steps in the last run, by their numbers."""
+    """What became of steps when a runtime looked at them last, by their numbers."""
+    looked: Looked | None = None
+    """The last look of a runtime, which may be of an earlier content."""
 
     @property
     def name(self) -> str:
@@ -71,6 +88,13 @@ class OpenApplication:
     def is_judged(self) -> bool:
         """Whether what is known to be wrong is of what is here now."""
         return self.judgement is not None and self.judgement.of is self.application
+
+    def looked_at(self, address: str) -> Looked | None:
+        """What the runtime of that address has found in what is here now; None: it has not looked at it."""
+        one = self.looked
+        if one is None or one.of is not self.application or one.redirects != self.redirects or one.at != address:
+            return None
+        return one
 
     def having(self, application: Application) -> "OpenApplication":
         """With other content."""

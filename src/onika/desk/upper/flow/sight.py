@@ -10,10 +10,11 @@ from msgspec import structs
 
 from onika.desk.environment.model import Model
 from onika.desk.upper.flow.on_application import syntax_of
-from onika.desk.upper.flow.open_application import OpenApplication
+from onika.desk.upper.flow.open_application import Looked, OpenApplication
 from onika.desk.upper.flow.step_sight import Known, step_views
 from onika.model.application import AppFlow, Hole
 from onika.model.flow_path import flows_by_path
+from onika.model.redirect import Redirect
 from onika.model.syntax import END, START, Syntax
 from onika.wire.view import AppFlowView, ApplicationView, FaultView, RedirectView, StepView
 
@@ -35,12 +36,13 @@ class ApplicationSight:
     def __init__(self) -> None:
         self._flows: dict[str, _Flow] = {}
         self._of: tuple[object, object] = (None, None)
-        self._faults: tuple[object, object, dict[str, FaultView]] = (None, None, {})
+        self._faults: tuple[object, object, object, dict[str, FaultView]] = (None, None, None, {})
 
     def view(self, opened: OpenApplication, order: int, model: Model, *, is_running: bool) -> ApplicationView:
         """The application as it is now; `order` is its place among those that are open."""
         past = opened.history
         self._look(opened, model)
+        looked = opened.looked_at(model.runtime.address)
         return ApplicationView(
             name=opened.name,
             order=order,
@@ -52,18 +54,19 @@ class ApplicationSight:
             redo=past.next.label if past.next else "",
             is_parallel=opened.application.is_parallel,
             flows={path: one.view for path, one in self._flows.items()},
-            steps=self._marked(opened),
+            steps=self._marked(opened if looked else None),
             holes=sum(one.holes for one in self._flows.values()),
-            faults=self._told(opened),
+            faults=self._told(opened, looked),
             is_judged=opened.is_judged,
+            is_checked=looked is not None,
             is_running=is_running,
-            redirects=tuple(RedirectView(one.old, one.new, one.home) for one in opened.redirects),
+            redirects=tuple(_wish(opened, one) for one in opened.redirects),
         )
 
-    def _marked(self, opened: OpenApplication) -> dict[str, StepView]:
-        """The steps by their numbers, with what became of them."""
+    def _marked(self, looked_at: OpenApplication | None) -> dict[str, StepView]:
+        """The steps by their numbers, with what became of them where a runtime has looked at what is here now."""
         steps = {number: view for one in self._flows.values() for number, view in one.steps.items()}
-        for number, note in opened.marks.items():
+        for number, note in (looked_at.marks if looked_at is not None else {}).items():
             if (view := steps.get(str(number))) is not None:
                 steps[str(number)] = structs.replace(view, note=note)
         return steps
@@ -81,18 +84,26 @@ class ApplicationSight:
             else:
                 self._flows[path] = _seen(path, flow, model, before if is_same else None, known)
 
-    def _told(self, opened: OpenApplication) -> dict[str, FaultView]:
+    def _told(self, opened: OpenApplication, looked: Looked | None) -> dict[str, FaultView]:
         """What is wrong with its file, then with what is here, as it was looked at last."""
-        told, judgement, faults = self._faults
-        if told is opened.told and judgement is opened.judgement:
+        told, judgement, looked_before, faults = self._faults
+        if told is opened.told and judgement is opened.judgement and looked_before is looked:
             return faults
         judged = opened.judgement.faults if opened.judgement else ()
+        known = {(one.step, one.text) for one in judged}
+        more = [one for one in looked.faults if (one.step, one.text) not in known] if looked else []
         found = {
             **{f"file {number}": one for number, one in enumerate(opened.told)},
             **{str(number): one for number, one in enumerate(judged)},
+            **{f"runtime {number}": one for number, one in enumerate(more)},
         }
-        self._faults = (opened.told, opened.judgement, found)
+        self._faults = (opened.told, opened.judgement, looked, found)
         return found
+
+
+def _wish(opened: OpenApplication, one: Redirect) -> RedirectView:
+    known = opened.judgement.homes.get(one.old, ()) if opened.judgement is not None else ()
+    return RedirectView(one.old, one.new, one.home, (one.home,) if one.home else known)
 
 
 def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, known: Mapping[int, Known]) -> _Flow:

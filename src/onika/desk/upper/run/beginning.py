@@ -18,6 +18,7 @@ from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order, Reach
 from onika.desk.environment.refusing import refusal
 from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.taken import run_here
 from onika.desk.preparation import PreparedRun, prepare
 from onika.desk.rehousing import rehoused
 from onika.desk.runtime import in_short
@@ -25,13 +26,13 @@ from onika.desk.upper.flow.belonging import Belonging
 from onika.desk.upper.flow.on_application import closed
 from onika.desk.upper.flow.open_application import OpenApplication
 from onika.desk.upper.flow.unread import not_run
-from onika.desk.upper.run import hearing, homes, unsaved
+from onika.desk.upper.run import hearing, homes, recording, unsaved
 from onika.desk.upper.run.complaint import refused, refused_by_runtime
-from onika.desk.upper.run.marked import marked
+from onika.desk.upper.run.looked import looked
 from onika.desk.upper.run.obstacles import Obstacle, left, obstacles
 from onika.desk.upper.run.performance import Run, Wait, begun
 from onika.desk.upper.run.speech import Speech
-from onika.desk.upper.run.troubles import Troubles
+from onika.desk.upper.run.troubles import Troubles, place_of
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
 from onika.store.site import Site
@@ -39,10 +40,10 @@ from onika.wire import act, live, page, request
 from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
-from onika.words.fault import Place
 
 _ON_LOSS = "stop"
 _END_THEM = "End them and run"
+_NO_RECORDING = "no recording can be made"
 _ABORT = Remedy("Abort it", act.Steer("abort"))
 
 
@@ -63,6 +64,8 @@ class _Start:
     began_at_s: float
     closes: tuple[str, ...] = ()
     """Subsystems that are to end first."""
+    record: str = ""
+    """The file of its recording; empty: none is made."""
 
 
 def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
@@ -72,6 +75,9 @@ def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
         return closed()
     if model.run is not None and not model.run.is_over:
         return No(f"{model.run.view.name} runs already, and one application runs at a time", (_ABORT,))
+    if run_here(model):
+        other = model.runtime.holds[run_here(model)].application
+        return No(f"{other}, which was taken over here, runs already, and one application runs at a time")
     syntax = model.syntax
     if syntax is None:
         return No("there is no syntax definition that can be read: nothing is known of the types of icons")
@@ -86,12 +92,15 @@ def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
             return saved
         model, changed = saved.model, ()
         prepared = ready(opened, outside.site, syntax, passes_breakpoints=asked.passes_breakpoints)
-    troubles = Troubles.of(opened.id, opened.application, syntax, place_of(opened), prepared)
+    troubles = Troubles.of(opened, syntax, prepared, outside.site)
     complaint = refused(opened, tuple(troubles.views(prepared))) or unsaved.refused(opened, changed, asked)
     if complaint is not None:
         return complaint
     if prepared.plan is None:
         return No(f"{opened.name} has nothing to run")
+    file = recording.place(model, asked, opened.name, outside)
+    if isinstance(file, No):
+        return file
     start = _Start(
         asked=asked,
         name=opened.name,
@@ -104,13 +113,9 @@ def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
         notes=(),
         former=model.run,
         began_at_s=outside.calendar(),
+        record="" if file is None else str(file),
     )
     return _began(replace(model, run=_new(model, start)), start)
-
-
-def place_of(opened: OpenApplication) -> Place:
-    """What stands for the file of an application in faults and plans."""
-    return Place(str(opened.opened.path) if opened.opened is not None else opened.name)
 
 
 def ready(opened: OpenApplication, site: Site, syntax: Syntax, *, passes_breakpoints: bool = False) -> PreparedRun:
@@ -137,7 +142,7 @@ def durations(targets: tuple[TargetValues, ...], syntax: Syntax) -> dict[tuple[i
 
 def _new(model: Model, start: _Start) -> Run:
     run = begun(start.asked.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.speech)
-    run = replace(run, durations=start.durations)
+    run = replace(run, durations=start.durations).shown(recording=start.record)
     for note in start.notes:
         run = run.noted(note)
     return run
@@ -221,21 +226,23 @@ def _closed(model: Model, response: request.Response, start: _Start) -> Done | N
 def _prepared(model: Model, response: request.Response, start: _Start) -> Done | No:
     """The runtime has looked at every module, argument line and target of the plan."""
     if not isinstance(response, request.Prepared) or response.faults:
+        if isinstance(response, request.Prepared):
+            model = looked(model, start.troubles, start.plan, response)
         return _off(model, start, refused_by_runtime(start.troubles, response))
     if _is_given_up(model):
         return _off(model, start, _given_up(start))
-    model = marked(model, start.asked.doc, start.plan, response)
+    model = looked(model, start.troubles, start.plan, response)
     if model.run is not None:
         for note in response.notes:
             model = replace(model, run=model.run.noted(note))
-    asked = request.Begin(may_ask=True, on_error="wait", on_loss=_ON_LOSS)
+    asked = request.Begin(may_ask=True, on_error="wait", on_loss=_ON_LOSS, record=start.record)
     then = partial(_running, start=start)
     return Done(model, orders=(Order(asked, then, start.asked.doc),), is_answered_later=True)
 
 
 def _running(model: Model, response: request.Response, start: _Start) -> Done | No:
     if not isinstance(response, request.Done):
-        return _off(model, start, No(f"{start.name} does not run: {refusal(response)}"))
+        return _off(model, start, _unbegun(start, refusal(response)))
     if model.run is None:
         return Done(model)
     run = model.run if model.run.is_over else model.run.shown(state="running")
@@ -244,6 +251,13 @@ def _running(model: Model, response: request.Response, start: _Start) -> Done | 
     end = (Order(request.Abort("aborted by the user"), doc=start.asked.doc, is_aside=True),)
     orders = (*(end if _is_given_up(model) else ()), hearing.look(), *described.orders)
     return Done(described.model, value=run.view.number, says=says, orders=orders)
+
+
+def _unbegun(start: _Start, why: str) -> No:
+    """The runtime will not begin it, for its recording's sake or another's."""
+    if start.record and why.startswith(_NO_RECORDING):
+        return recording.without(why.removeprefix(f"{_NO_RECORDING}: "), start.asked)
+    return No(f"{start.name} does not run: {why}")
 
 
 def _is_given_up(model: Model) -> bool:

@@ -20,19 +20,22 @@ def refused(opened: OpenApplication, found: Sequence[FaultView]) -> No | None:
     faults = [one for one in found if one.level == "fault"]
     if not faults:
         return None
-    told = [one.text for one in faults[:_TOLD]]
-    more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
-    reason = told[0] if len(faults) == 1 else f"{len(faults)} things: {'; '.join(told)}{more}"
-    return No(f"{opened.name} cannot run: {reason}", _offered(faults))
+    return No(f"{opened.name} cannot run: {_listed(faults)}", _offered(faults))
 
 
 def refused_by_runtime(troubles: Troubles, response: request.Response) -> No:
     """Why the runtime will not: its modules, argument lines and targets are looked at there."""
     if not isinstance(response, request.Prepared):
         return No(f"{troubles.application.name} cannot run: {refusal(response)}")
-    faults = [troubles.view(one) for one in map(fault_of, response.faults)]
-    told = "; ".join(one.text for one in faults[:_TOLD])
-    return No(f"{troubles.application.name} cannot run: {told}", _offered(faults))
+    faults = list(troubles.told(map(fault_of, response.faults)))
+    return No(f"{troubles.application.name} cannot run: {_listed(faults)}", _offered(faults))
+
+
+def _listed(faults: Sequence[FaultView]) -> str:
+    """What is told in a line; all of it stands at the icons and in the list beside them."""
+    told = [one.text for one in faults[:_TOLD]]
+    more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
+    return told[0] if len(faults) == 1 else f"{len(faults)} things: {'; '.join(told)}{more}"
 
 
 def _offered(faults: Sequence[FaultView]) -> tuple[Remedy, ...]:

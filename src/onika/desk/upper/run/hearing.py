@@ -9,7 +9,7 @@ from onika.desk.environment.merging import runtime_view
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.present import measured, values_of
-from onika.desk.upper.run import progress, sight
+from onika.desk.upper.run import progress, recording, sight
 from onika.desk.upper.run.performance import Run
 from onika.wire import event, live, page, request, steer
 
@@ -24,6 +24,8 @@ def heard(model: Model, told: event.Event) -> Done:
     now = progress.after(run, told)
     if now is run:
         return Done(model)
+    if isinstance(told, event.Result):
+        now = recording.measured(now)
     return Done(
         replace(model, run=now),
         orders=_orders(model, run, now, told),
@@ -39,7 +41,7 @@ def lost(model: Model, reason: str) -> Done:
     if run.view.state == "beginning":
         waits = ((run.wait.order, request.Refused(reason)),) if run.wait else ()
         return Done(replace(model, run=replace(run, wait=None)), replies=waits)
-    now = progress.lost(run, f"the runtime is lost: {reason}")
+    now = recording.measured(progress.lost(run, f"the runtime is lost: {reason}"))
     return Done(replace(model, run=now), says=(end(now),))
 
 
@@ -81,7 +83,7 @@ def _says(run: Run, told: event.Event, *, is_held: bool) -> tuple[page.Say, ...]
             who_ = "/".join(one for one in (told.subsystem, told.task) if one)
             text = run.speech.said(f"{who_}: {told.text}" if who_ else told.text)
             return (page.Say("error", text, doc, f"step:{where}" if where else "", told.at_s),)
-        case event.Warned():
+        case event.Warned() | event.Stepped():
             return (page.Say("warning", run.view.notes[-1], doc, "", told.at_s),)
         case event.Result():
             return (end(run),)

@@ -9,12 +9,14 @@ from dataclasses import dataclass, replace
 from operator import is_
 from typing import Any
 
+from onika.desk import redirection
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
+from onika.desk.preparation import PreparedRun
 from onika.desk.upper.flow.belonging import icons
 from onika.desk.upper.flow.open_application import Judgement, OpenApplication
 from onika.desk.upper.run import unsaved
-from onika.desk.upper.run.beginning import place_of, ready
+from onika.desk.upper.run.beginning import ready
 from onika.desk.upper.run.troubles import Troubles
 from onika.desk.upper.run.unsaved import Changed
 from onika.model.application import Application
@@ -34,6 +36,8 @@ class Case:
     opened: OpenApplication
     syntax: Syntax
     dirty: tuple[Changed, ...]
+    has_new_files: bool = False
+    """Whether files that it uses have changed."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,7 +80,7 @@ class Judge:
         for opened in model.applications.values():
             known = self._known.get(opened.id)
             if known is not None and known.stamps != self._stamps(opened, known.program):
-                found.append(Case(opened, model.syntax, dirty))
+                found.append(Case(opened, model.syntax, dirty, has_new_files=True))
         return tuple(found)
 
     def judge(self, case: Case) -> Judgement:
@@ -87,9 +91,9 @@ class Judge:
         self._known[opened.id] = _Known(
             opened.application, case.syntax, case.dirty, stamps, prepared.program, opened.redirects
         )
-        troubles = Troubles.of(opened.id, opened.application, case.syntax, place_of(opened), prepared)
+        troubles = Troubles.of(opened, case.syntax, prepared, self._site)
         told = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
-        return Judgement(opened.application, told)
+        return Judgement(opened.application, told, case.has_new_files, _homes(opened, prepared))
 
     def _is_new(self, case: Case) -> bool:
         known = self._known.get(case.opened.id)
@@ -122,12 +126,22 @@ def judged(model: Model, doc: str, judgement: Judgement) -> Done:
     opened = model.applications.get(doc)
     if opened is None:
         return Done(model)
+    if judgement.has_new_files and opened.looked is not None:
+        opened = replace(opened, looked=None)
     former = opened.judgement
     if former is not None and former.faults == judgement.faults:
-        judgement = Judgement(judgement.of, former.faults)
-        if former.of is judgement.of:
+        judgement = Judgement(judgement.of, former.faults, homes=judgement.homes)
+        is_same = former.of is judgement.of and former.homes == judgement.homes
+        if is_same and opened is model.applications[doc]:
             return Done(model)
     return Done(model.with_application(replace(opened, judgement=judgement)))
+
+
+def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[str, ...]]:
+    plan, program = prepared.plan, prepared.program
+    if plan is None or program is None:
+        return {}
+    return {one.old: redirection.homes_of(one.old, plan, program) for one in opened.redirects}
 
 
 def _unsaved(case: Case, troubles: Troubles, program: Program | None) -> Iterator[FaultView]:

@@ -3,13 +3,14 @@
 from dataclasses import replace
 
 from onika.desk.environment.model import Model
+from onika.desk.upper.run.troubles import Troubles
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared
 
 
-def marked(model: Model, doc: str, plan: Plan, prepared: Prepared) -> Model:
-    """With the marks of a run that is about to begin; `plan` has the numbers of its steps as lines."""
-    opened = model.applications.get(doc)
+def marked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> Model:
+    """With the marks of what was looked at; `plan` has the numbers of its steps as lines."""
+    opened = model.applications.get(troubles.doc)
     if opened is None:
         return model
     marks: dict[int, str] = {}
@@ -17,5 +18,6 @@ def marked(model: Model, doc: str, plan: Plan, prepared: Prepared) -> Model:
         spot = plan.flows[one.flow].actions[one.action].spot
         if spot:
             words = f"{one.target} is re-resolved for {one.task}, by the pose that it is for {one.instead_of}"
-            marks[spot[0]] = "; ".join(dict.fromkeys((*filter(None, [marks.get(spot[0])]), words)))
+            step = troubles.target_of(spot[0], one.target) if len(spot) == 1 else spot[0]
+            marks[step] = "; ".join(dict.fromkeys((*filter(None, [marks.get(step)]), words)))
     return model if marks == opened.marks else model.with_application(replace(opened, marks=marks))

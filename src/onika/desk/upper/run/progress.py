@@ -5,13 +5,15 @@ from dataclasses import replace
 
 from msgspec import structs
 
+from onika.desk import stepping
+from onika.desk.upper.run.jump import jump_view
 from onika.desk.upper.run.performance import Run
 from onika.desk.upper.run.sight import ask_view, is_question, left_for, stop_view, tag
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
 
 ABORTED = "aborted by the user"
-_WHERE = re.compile(r"^\w+: ModuleError: ")
+_WHERE = re.compile(r"^\w+: (?:ModuleError|LawBroken): ")
 """Where in a module it was said: a module's own error is a sentence for people."""
 _MOST_MEETS = 60
 _WAITS = ("waiting", "joining")
@@ -41,6 +43,8 @@ def after(run: Run, told: event.Event) -> Run:
         case event.Warned() if told.subsystem in run.view.flows:
             is_shown = not told.task and is_question(told.text)
             return run if is_shown else run.noted(f"{told.task}: {told.text}" if told.task else told.text)
+        case event.Stepped() if told.subsystem in run.view.flows and told.is_too_far:
+            return run.noted(stepping.sentence(told))
         case event.Explained() if told.subsystem in ("", *run.view.flows):
             key = told.subsystem if told.choices else ""
             return run.shown(stops={**run.view.stops, key: stop_view(run, told)})
@@ -61,6 +65,7 @@ def over(run: Run, result: event.Result) -> Run:
         cause=_cause(run, run.speech.said(result.cause)),
         done=result.done,
         took_s=result.runtime_s,
+        jumps=tuple(map(jump_view, result.steps)),
     )
 
 

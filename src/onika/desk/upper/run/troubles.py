@@ -1,22 +1,36 @@
 """What is wrong with an application, told of its steps and with what could be done about it (E01, X01)."""
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Literal
 
 from onika.desk.preparation import PreparedRun
-from onika.desk.upper.flow.belonging import icons
-from onika.desk.upper.naming import a, kind_named, listed
+from onika.desk.substitutes import with_substitutes
+from onika.desk.upper.flow.belonging import Belonging, icons
+from onika.desk.upper.flow.open_application import OpenApplication
+from onika.desk.upper.naming import a, kind_named, listed, quoted
 from onika.desk.upper.run.wording import EMPTY, said, together
+from onika.files import appl, rmod
 from onika.model.application import Application, Branch, Hole, Icon, Step
 from onika.model.flow_path import Spot, flows_by_path, spots
+from onika.model.redirect import Redirect
 from onika.model.rules.hole import holes
 from onika.model.rules.outline import Outline
 from onika.model.syntax import Syntax
 from onika.store.program import Program
+from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy
 from onika.words.fault import Fault, Place
+
+_SUBSTITUTE = re.compile(r"redirect (\S+) to (\S+)")
+
+
+def place_of(opened: OpenApplication) -> Place:
+    """What stands for the file of an application in faults and plans."""
+    return Place(str(opened.opened.path) if opened.opened is not None else opened.name)
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,29 +42,48 @@ class Troubles:
     syntax: Syntax
     place: Place
     program: Program | None
+    redirects: tuple[Redirect, ...] = ()
+    prepared: PreparedRun | None = None
+    site: Site | None = None
+    """Where substitutes are looked for; None: none are told."""
     _spots: Mapping[int, Spot] = field(default_factory=dict)
     _users: Mapping[str, int] = field(default_factory=dict)
+    _targets: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
+    """Of each action."""
 
     @classmethod
-    def of(cls, doc: str, application: Application, syntax: Syntax, place: Place, prepared: PreparedRun) -> "Troubles":
-        """Those of an open application."""
+    def of(cls, opened: OpenApplication, syntax: Syntax, prepared: PreparedRun, site: Site | None = None) -> "Troubles":
+        """Those of an open application, that was prepared with its redirections."""
         users: dict[str, int] = {}
-        if prepared.program is not None:
+        application, program = opened.application, prepared.program
+        if program is not None:
             for icon in icons(application):
-                _use(icon.onikon.name, icon.number, prepared.program, users)
-        return cls(doc, application, syntax, place, prepared.program, spots(application), users)
+                _use(icon.onikon.name, icon.number, program, users)
+            for one in opened.redirects:
+                for name in _named(one.new, program):
+                    users.setdefault(name, users.get(one.old, 0))
+        known = spots(application), users, Belonging.of(application, syntax).targets()
+        place = place_of(opened)
+        return cls(opened.id, application, syntax, place, program, opened.redirects, prepared, site, *known)
 
     def views(self, prepared: PreparedRun) -> Iterator[FaultView]:
         """Everything that was found, faults first."""
         yield from self._holes()
-        yield from (self.view(one) for one in together(prepared.faults) if not self._is_hole(one))
-        yield from (self.view(one) for one in prepared.notes)
+        yield from self.told(one for one in together(prepared.faults) if not self._is_hole(one))
+        yield from self.told(prepared.notes)
 
-    def view(self, fault: Fault) -> FaultView:
-        """One fault or note."""
-        step = self.step_of(fault.place)
-        remedies = tuple(self._remedies(fault, step))
-        return FaultView(said(fault), "warning" if fault.is_note else "fault", step, remedies)
+    def told(self, faults: Iterable[Fault], *, is_of_runtime: bool = False) -> Iterator[FaultView]:
+        """Faults and notes, those of tasks with who could stand for these."""
+        every = list(faults)
+        if self.prepared is not None and self.site is not None:
+            every = with_substitutes(every, self.prepared, self.redirects, self.site)
+        found: dict[tuple[int, str], FaultView] = {}
+        for one in every:
+            step = self._meant(one)
+            text, remedies = said(self._shown(one, step)), tuple(dict.fromkeys(self._remedies(one, step)))
+            level: Literal["fault", "warning"] = "warning" if one.is_note else "fault"
+            found.setdefault((step, text), FaultView(text, level, step, remedies, is_of_runtime))
+        yield from found.values()
 
     def step_of(self, place: Place) -> int:
         """The step at which a fault stands, or the first one that uses the file in which it stands; 0: none."""
@@ -58,9 +91,32 @@ class Troubles:
             return place.line if place.line in self._spots else 0
         return self._users.get(Path(place.file).name, self._users.get(place.file, 0))
 
+    def target_of(self, action: int, name: str) -> int:
+        """The step that is a target of an action, by its name or since there is no other; else the action itself."""
+        targets = self._targets.get(action, ())
+        named = [one for one in targets if isinstance(icon := self._step(one), Icon) and icon.onikon.name == name]
+        meant = named or targets
+        return meant[0] if len(meant) == 1 or named else action
+
     def user_of(self, name: str) -> int:
         """The first step that uses a configuration, a task or an application; 0: none."""
         return self._users.get(name, 0)
+
+    def _meant(self, fault: Fault) -> int:
+        step = self.step_of(fault.place)
+        is_of_target = self._is_own(fault) and (_is_of_reach(fault) or _is_of_values(fault))
+        return self.target_of(step, fault.found.partition(":")[0]) if is_of_target else step
+
+    def _is_own(self, fault: Fault) -> bool:
+        """Whether it stands in the application itself, and not in one that it uses."""
+        return fault.place.file == self.place.file
+
+    def _shown(self, fault: Fault, number: int) -> Fault:
+        """A target by what its icon shows, where it is found here by its name."""
+        step, (name, _, why) = self._step(number), fault.found.partition(":")
+        if number == self.step_of(fault.place) or not isinstance(step, Icon) or step.onikon.name != name:
+            return fault
+        return replace(fault, found=f"{quoted(step.onikon)}:{why}")
 
     def _is_hole(self, fault: Fault) -> bool:
         step = self._step(self.step_of(fault.place))
@@ -86,7 +142,11 @@ class Troubles:
     def _remedies(self, fault: Fault, number: int) -> Iterator[Remedy]:
         """What is obvious, likeliest first; where it stands comes last."""
         step = self._step(number)
-        if isinstance(step, Icon):
+        if not fault.is_note:
+            yield from self._redirections(fault)
+        if isinstance(step, Icon) and not self._is_own(fault) and fault.place.file.endswith(appl.ENDING):
+            yield Remedy(f"Open {Path(fault.place.file).stem}", act.Open(fault.place.file))
+        elif isinstance(step, Icon):
             yield from self._of_icon(fault, step)
         if isinstance(step, Branch) and "conditions" in fault.expected:
             yield Remedy("Its conditions…", show=f"step:{number}")
@@ -94,6 +154,16 @@ class Troubles:
             yield Remedy("What fits here", show=f"fits:{match[1]}:0")
         elif number:
             yield Remedy("Show it", show=f"step:{number}")
+
+    def _redirections(self, fault: Fault) -> Iterator[Remedy]:
+        """Another robot for what this one cannot do: the one that was meant, then the substitutes."""
+        file = Path(fault.place.file)
+        for one in self.redirects:
+            is_of_it = fault.place.file == f"redirect {one}" or file.name == f"{one.new}{rmod.ENDING}"
+            if is_of_it or _is_of_reach(fault) or _is_of_company(fault):
+                yield Remedy(f"Let {one.old} do it again", act.Redirect(self.doc, one.home, one.old, ""))
+        for found in filter(None, map(_SUBSTITUTE.fullmatch, fault.remedies)):
+            yield Remedy(f"Redirect {found[1]} to {found[2]}", act.Redirect(self.doc, "", found[1], found[2]))
 
     def _of_icon(self, fault: Fault, icon: Icon) -> Iterator[Remedy]:
         expected, number = fault.expected, icon.number
@@ -104,7 +174,7 @@ class Troubles:
             yield Remedy("Remove the tag", act.SetSynchTag(self.doc, number))
         elif "as its trigger" in expected or expected == "a type the syntax defines":
             yield Remedy("Take it from the dictionary anew", act.ExchangeIcon(self.doc, number, icon.onikon.name))
-        elif expected.startswith("values for") or "within reach" in expected:
+        elif _is_of_values(fault) or _is_of_reach(fault):
             yield Remedy("Its values…", show=f"values:{number}")
         elif expected.endswith(" behind it"):
             spot = self._spots[number]
@@ -115,6 +185,26 @@ class Troubles:
             yield Remedy("Open its configuration", show=f"configuration:{icon.onikon.name}")
 
 
+def _is_of_reach(fault: Fault) -> bool:
+    """Whether a robot does not come to a target."""
+    return "within reach" in fault.expected or fault.expected.startswith("a posture of ")
+
+
+def _is_of_company(fault: Fault) -> bool:
+    """Whether two robots cannot be used together, whichever of them it stands at."""
+    return "that can be used together" in fault.expected or fault.expected.endswith(" for one task")
+
+
+def _is_of_values(fault: Fault) -> bool:
+    return fault.expected.startswith("values for")
+
+
+def _named(name: str, program: Program) -> list[str]:
+    """A task, with the names of its files."""
+    task = program.tasks.get(name)
+    return [f"{name}.rmod", name, *([f"{task.module}.py"] if task else [])]
+
+
 def _use(name: str, number: int, program: Program, users: dict[str, int]) -> None:
     """Notes which step is the first to use which files, and names of what stands in them."""
     waiting = [name]
@@ -123,8 +213,7 @@ def _use(name: str, number: int, program: Program, users: dict[str, int]) -> Non
         if (configuration := program.configurations.get(name)) is not None or name in program.unread:
             names = [f"{name}.conf", f"{name}.appl", name]
             for placed in configuration.placed if configuration else ():
-                task = program.tasks.get(placed.task)
-                names += [f"{placed.task}.rmod", placed.task, *([f"{task.module}.py"] if task else [])]
+                names += _named(placed.task, program)
             for one in names:
                 users.setdefault(one, number)
         elif (application := program.applications.get(name)) is not None and f"{name}.appl" not in users:

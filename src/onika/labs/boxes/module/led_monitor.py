@@ -20,6 +20,11 @@ class LedMonitor(Module):
 
     WINDOW = Local("double", "s", "how far back is looked: single contacts flicker", default=0.2)
 
+    @classmethod
+    def fits(cls, constants, said):
+        """Why the device that says this of itself has no lamp."""
+        return None if "BOXES" in said else f"expected the lamp behind the device, found {said.get('ROBOT', 'none')}"
+
     def on(self, inputs):
         self._seen = deque([False] * max(1, round(self.WINDOW / self.dt)), maxlen=max(1, round(self.WINDOW / self.dt)))
         self.LAMP = 0

@@ -35,8 +35,8 @@ class Ctraj(Module):
     X_MEZ = InVar("double[4,4]", "-", "measured pose; the start where no reference is in force")
     X_REF = OutVar("double[4,4]", "-", "reference pose; preloaded at `on`, it is the start")
 
-    SPEED = Local("double", "m/s", "peak speed of the tool", default=0.3)
-    TURN = Local("double", "rad/s", "peak speed of its turning", default=1.5)
+    SPEED = Local("double", "m/s", "peak speed of the tool", default=0.3, low=1e-3)
+    TURN = Local("double", "rad/s", "peak speed of its turning", default=1.5, low=1e-3)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
 
     pose = Input("double[9]", "-", "approach, normal, position (m) in the world")

@@ -19,7 +19,7 @@ class Diff(Module):
     Y = InVar("double[NDOF]", "rad", "what is measured")
     Yd = OutVar("double[NDOF]", "rad/s", "its derivative", name="Y^")
 
-    CUTOFF = Local("double", "Hz", "where the low-pass begins", default=100.0)
+    CUTOFF = Local("double", "Hz", "where the low-pass begins", default=100.0, low=1e-3)
 
     def on(self, inputs):
         self._law = Derivative(self.NDOF, self.dt, self.CUTOFF)

@@ -43,7 +43,7 @@ class Jvia(Module):
     Q_REF = OutVar("double[NDOF]", "rad", "reference position; preloaded at `on`, it is the start")
     Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
 
-    SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6)
+    SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
     SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
 
     via = Input("double[NDOF]", "rad", "where to pass", low="QMIN", high="QMAX")

@@ -1,5 +1,7 @@
 """The two-finger hand behind its valves."""
 
+import math
+
 from onika.module import InVar, Module, ModuleError, OutVar
 
 
@@ -15,8 +17,14 @@ class Gripper(Module):
 
     hardware = True
 
-    GRIP = InVar("double", "-", "+1 opens, -1 closes, 0 changes nothing")
+    GRIP = InVar("double", "-", "+1 opens, -1 closes, 0 changes nothing", step=math.inf)
     GRIP_MEZ = OutVar("double[3]", "m,m/s,N", "opening, its speed, force on a finger")
+
+    @classmethod
+    def fits(cls, constants, said):
+        """Why the device that says this of itself is no hand."""
+        found = said.get("ROBOT", "another device")
+        return None if found == "gripper" else f"expected a hand behind the device, found {found}"
 
     def on(self, inputs):
         self._read()

@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 
 from onika.laws import puma560, reach
+from onika.laws.arm import Arm
 from onika.laws.robot import published, unlike
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
 
@@ -29,6 +30,7 @@ class Puma(Module):
              INVAR    TAU_REF  double[NDOF]    N m        wanted torque, clipped to TAUMAX
              OUTVAR   Q_MEZ    double[NDOF]    rad        measured position
     Local    BASE              double[4]       m, deg     x, y, z and turn about z of frame 0 in the world
+             STEP              double          1/s        share of TAUMAX that a switch may change it by in a second
     Errors   another robot     the device is no such robot, or stands elsewhere than BASE says: stays uninitialised
              tripped           the drive has tripped: ERROR; clear brings the drive back to hold
              panic button      it is pressed: ERROR; clear is refused until it is let go
@@ -50,10 +52,11 @@ class Puma(Module):
     BASE_POSE = OutConst("double[4,4]", "-", "frame 0 in the world", name="BASE")
     TOOL = OutConst("double[4,4]", "-", "point between the fingers in the last frame")
     ROBOT = OutConst("string", "-", "kind of robot")
-    TAU_REF = InVar("double[NDOF]", "N m", "wanted torque, clipped to TAUMAX")
+    TAU_REF = InVar("double[NDOF]", "N m", "wanted torque, clipped to TAUMAX", step=("dt", "STEP", "TAUMAX"))
     Q_MEZ = OutVar("double[NDOF]", "rad", "measured position")
 
     BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
+    STEP = Local("double", "1/s", "share of TAUMAX that a switch may change it by in a second", default=50.0)
 
     @classmethod
     def constants(cls, local):
@@ -87,7 +90,9 @@ class Puma(Module):
                 setattr(self, attribute, known[declared.name or attribute])
         if reason := self.fits(known, self.device.identity):
             raise ModuleError(reason)
+        self._arm = Arm(self.DH, self.DYN, self.LOAD, self.BASE_POSE)
         self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
+        self.held("TAU_REF")  # the model of the arm is built with its first use: here, not in a cycle
 
     def on(self, inputs):
         self.Q_MEZ = self.device.read()
@@ -103,6 +108,9 @@ class Puma(Module):
         self.Q_MEZ = self.device.read()
         self._see_drive()
         self.device.hold()
+
+    def held(self, name):
+        return self._arm.bias(self.Q_MEZ, np.zeros(self.NDOF), out=np.zeros(self.NDOF))
 
     def off(self):
         self.device.hold()

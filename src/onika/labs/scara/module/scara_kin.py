@@ -51,7 +51,12 @@ class ScaraKin(Module):
     BASE_POSE = OutConst("double[4,4]", "-", "frame 0 in the world", name="BASE")
     TOOL = OutConst("double[4,4]", "-", "point between the fingers in the last frame")
     ROBOT = OutConst("string", "-", "kind of robot")
-    Q_REF = InVar("double[NDOF]", "rad", "reference position; followed within QMIN..QMAX and Q^_MAX")
+    Q_REF = InVar(
+        "double[NDOF]",
+        "rad",
+        "reference position; followed within QMIN..QMAX and Q^_MAX",
+        step=(4.0, "dt", "Q^_MAX"),  # it may come from a task of a quarter of this rate
+    )
     Q_MEZ = OutVar("double[NDOF]", "rad", "measured position")
 
     BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
@@ -102,6 +107,9 @@ class ScaraKin(Module):
         self.Q_MEZ = self.device.read()
         self._see_drive()
         self.device.hold()
+
+    def held(self, name):
+        return self.Q_MEZ
 
     def off(self):
         self.device.hold()

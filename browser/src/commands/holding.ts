@@ -1,0 +1,16 @@
+// Commands about who may move the robots.
+import { act } from '../act'
+import { command } from '../commands'
+import { desk } from '../desk.svelte'
+import { closeDialog, here, openDialog } from '../here.svelte'
+import { everything, onlyWatches } from '../holding/standing.svelte'
+import { t } from '../texts/index.svelte'
+
+const isThere = (): boolean => desk.live.runtime.state === 'linked'
+const offer = () => everything().find((one) => one.isOfferedHere)
+
+command({ id: 'run.holding', group: 'run', title: () => t('holding.open'), keys: ['Alt+H'], when: isThere, run: () => (here.dialog.name === 'holding' ? closeDialog() : openDialog('holding')) })
+command({ id: 'run.accept', group: 'run', title: () => t('holding.accept'), when: () => offer() !== undefined, run: () => act({ t: 'Take', subsystem: offer()!.subsystems[0]! }) })
+command({ id: 'run.decline', group: 'run', title: () => t('holding.decline'), when: () => offer() !== undefined, run: () => act({ t: 'Decline', subsystem: offer()!.subsystems[0]! }) })
+command({ id: 'run.watch', group: 'run', title: () => t('holding.watch'), when: () => isThere() && !!desk.live.runtime.address && !onlyWatches(), run: () => act({ t: 'OnlyWatch' }) })
+command({ id: 'run.watchNoMore', group: 'run', title: () => t('holding.watchNoMore'), when: onlyWatches, run: () => act({ t: 'WatchNoMore' }) })

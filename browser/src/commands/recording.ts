@@ -1,0 +1,20 @@
+// Commands of runs that are recorded or kept.
+import { announce } from '../announce'
+import { command } from '../commands'
+import { desk } from '../desk.svelte'
+import { here, openDialog } from '../here.svelte'
+import { options } from '../perform/options.svelte'
+import { openRecording } from '../review/deeds'
+import { isReviewing } from '../review/review.svelte'
+import { t } from '../texts/index.svelte'
+
+const last = (): string => (desk.live.run?.state === 'over' ? desk.live.run.recording ?? '' : '')
+
+function turn(): void {
+  options.records = !options.records
+  announce(t(options.records ? 'recording.recordOn' : 'recording.recordOff'))
+}
+
+command({ id: 'application.record', group: 'application', level: 'applications', title: () => (options.records ? `${t('recording.record')} ✓` : t('recording.record')), keys: ['Alt+R'], run: turn })
+command({ id: 'application.look', group: 'application', title: () => t('recording.look'), when: () => last() !== '' && !isReviewing(), run: () => openRecording(last()) })
+command({ id: 'application.keep', group: 'application', level: 'applications', title: () => t('recording.keep'), keys: ['Alt+Shift+K'], when: () => here.app !== '', run: () => openDialog('keep', { doc: here.app }) })

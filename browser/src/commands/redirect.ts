@@ -1,0 +1,12 @@
+// Commands before a run: look at everything that could keep it from running; another robot for it.
+import { command } from '../commands'
+import { desk } from '../desk.svelte'
+import { here, openDialog } from '../here.svelte'
+import { isGoing } from '../perform/orders'
+import { check } from '../redirect/check.svelte'
+import { t } from '../texts/index.svelte'
+
+const isResting = (): boolean => desk.tree.applications[here.app] !== undefined && !isGoing()
+
+command({ id: 'application.check', group: 'application', level: 'applications', title: () => t('check.run'), keys: ['Alt+K'], when: isResting, run: () => check.look(here.app), whileTyping: true })
+command({ id: 'application.redirect', group: 'application', level: 'applications', title: () => t('redirect.menu'), keys: ['Alt+I'], when: isResting, run: () => openDialog('redirect') })

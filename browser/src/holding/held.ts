@@ -1,0 +1,89 @@
+// Who holds what, as one list: a configuration's subsystem each, an application with all its flows.
+import type { DocumentView, HoldView, RuntimeView, SessionView } from '../api.gen'
+
+export interface Held {
+  /** What it is called: the application, else the subsystem. */
+  name: string
+  subsystems: string[]
+  /** Whether an application runs in it. */
+  isRun: boolean
+  /** Whether it is the run that this environment began. */
+  isOwnRun: boolean
+  /** The open configuration that is connected with it; empty: none is. */
+  doc: string
+  /** The session; empty: nobody. */
+  holder: string
+  isMine: boolean
+  /** Seconds since 1970; 0: it was so before this environment came. */
+  since: number
+  /** Why the holder changed last. */
+  cause: string
+  /** Who held it and is gone, or fell silent. */
+  former: string
+  wasHere: boolean
+  offeredTo: string
+  isOfferedHere: boolean
+  offeredUntil: number
+  /** Where the flows are, each once. */
+  states: string[]
+}
+
+type Documents = Record<string, DocumentView>
+
+export const meIn = (runtime: RuntimeView): string => Object.entries(runtime.sessions ?? {}).find(([, one]) => one.is_you)?.[0] ?? ''
+
+/** Everything that lives on a runtime; `own` are the flows of the run of this environment. */
+export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly string[]): Held[] {
+  const me = meIn(runtime)
+  const found = new Map<string, Held>()
+  for (const [subsystem, hold] of Object.entries(runtime.holds ?? {})) {
+    const key = hold.application ? `${hold.application}/${hold.holder ?? ''}/${own.includes(subsystem)}` : `/${subsystem}`
+    const known = found.get(key)
+    if (known) {
+      known.subsystems.push(subsystem)
+      if (hold.state && !known.states.includes(hold.state)) known.states.push(hold.state)
+    } else found.set(key, one(subsystem, hold, documents, own, me))
+  }
+  return [...found.values()]
+}
+
+function one(subsystem: string, hold: HoldView, documents: Documents, own: readonly string[], me: string): Held {
+  const home = Object.entries(documents).find(([, doc]) => doc.connection === 'live' && doc.subsystem === subsystem)
+  const holder = hold.holder ?? ''
+  return {
+    name: hold.application || subsystem,
+    subsystems: [subsystem],
+    isRun: !!hold.application,
+    isOwnRun: own.includes(subsystem),
+    doc: home?.[0] ?? '',
+    holder,
+    isMine: (me !== '' && holder === me) || home?.[1].is_held_here === true,
+    since: hold.since_at_s ?? 0,
+    cause: hold.cause ?? '',
+    former: hold.former ?? '',
+    wasHere: hold.was_here === true,
+    offeredTo: hold.offered_to ?? '',
+    isOfferedHere: me !== '' && hold.offered_to === me,
+    offeredUntil: hold.offered_until_s ?? 0,
+    states: hold.state ? [hold.state] : [],
+  }
+}
+
+/** What one holds, by name. */
+export const heldBy = (all: readonly Held[], session: string): string[] => all.filter((one) => one.holder === session).map((one) => one.name)
+
+/** Why nothing can be handed over to a session; empty: it can. */
+export function cannotTake(session: SessionView): '' | 'away' | 'watches' | 'viewer' {
+  if (session.is_here === false) return 'away'
+  if (session.only_watches) return 'watches'
+  return session.role === 'viewer' ? 'viewer' : ''
+}
+
+/** A time that is left, as 0:42. */
+export function left(until: number, now: number): string {
+  const seconds = Math.max(0, Math.ceil(until - now))
+  return `${Math.floor(seconds / 60)}:${String(seconds % 60).padStart(2, '0')}`
+}
+
+/** For how long a holder was not heard, in seconds, as its loss says; empty: it says something else. */
+export const silence = (cause: string): string => /silent for ([\d.]+) s/.exec(cause)?.[1] ?? ''

@@ -1,0 +1,16 @@
+import { describe, expect, it } from 'vitest'
+import { NONE, read, valuesOf } from '../../src/review/tolerance'
+
+describe('A tolerance', () => {
+  it('is read with a point or a comma; nothing is zero', () => {
+    expect(['0.5', '0,5', ' 1e-3 ', ''].map(read)).toEqual([0.5, 0.5, 0.001, 0])
+  })
+
+  it('counts as none where it cannot be read', () => {
+    expect(valuesOf({ ...NONE, tolerance: '0,1', time_s: 'soon' })).toEqual({ tolerance: 0.1, part: 0, time_s: 0 })
+  })
+
+  it('is not read where it is no number, or less than nothing', () => {
+    expect(['much', '-1', '1,2,3'].map(read)).toEqual([undefined, undefined, undefined])
+  })
+})

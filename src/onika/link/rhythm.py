@@ -1,0 +1,22 @@
+"""The rhythm of a connection: the beats that came beside it as datagrams, how many, when last, and the way they go."""
+
+from dataclasses import dataclass
+
+from onika.wire.packet import Beat
+
+
+@dataclass(frozen=True, slots=True)
+class Rhythm:
+    """Of one connection; nothing where no datagram gets through."""
+
+    beats: int = 0
+    last_ns: int = 0
+    """When the last one came, on this side's clock."""
+    round_trip_us: int = -1
+    """The shortest round trip of the connection; -1: it was not told."""
+
+    def after(self, beat: Beat, now_ns: int) -> "Rhythm":
+        """With one more; those that came over the connection do not count."""
+        if beat.round_trip_us < 0:
+            return self
+        return Rhythm(self.beats + 1, now_ns, beat.round_trip_us)

@@ -1,0 +1,52 @@
+from onika.desk.environment import holds
+from onika.wire import event, live, steer
+from onika.wire.view import HoldView, RuntimeView
+
+
+def standing(*subsystems):
+    homes = tuple(live.SubsystemStanding(name, holder, application, ()) for name, holder, application in subsystems)
+    return live.Standing(homes, (), (), False, False, 0.0)
+
+
+def test_what_was_told_of_a_holder_counts_as_long_as_he_holds_it():  # R-X12
+    known = {"main": HoldView("ann#1", since_at_s=5.0), "gone": HoldView("ann#1")}
+    same = holds.surveyed(known, standing(("main", "ann#1", "")))
+    assert same == {"main": HoldView("ann#1", since_at_s=5.0)}
+    assert holds.surveyed(known, standing(("main", "bob#2", ""))) == {"main": HoldView("bob#2")}
+
+
+def test_who_was_silent_is_remembered_and_who_released_is_not():  # R-X12
+    runtime = RuntimeView(holds={"main": HoldView("ann#1", "play", "running")})
+    lost = holds.changed(runtime, event.Held("main", "", "its holder ann#1 is gone"), "ann#1", 9.0).holds["main"]
+    assert (lost.holder, lost.former, lost.was_here, lost.since_at_s) == ("", "ann#1", True, 9.0)
+    assert (lost.application, lost.state) == ("play", "running")
+    assert not holds.changed(runtime, event.Held("main", "", "gone"), "bob#2", 9.0).holds["main"].was_here
+    released = holds.changed(runtime, event.Held("main", ""), "ann#1", 9.0).holds["main"]
+    assert (released.former, released.was_here) == ("", False)
+    handed = holds.changed(runtime, event.Held("main", "bob#2", "ann#1 has handed it over"), "ann#1", 9.0)
+    assert (handed.holds["main"].former, handed.holds["main"].cause) == ("", "ann#1 has handed it over")
+
+
+def test_an_offer_ends_at_its_time_or_with_its_outcome():  # R-X12
+    runtime = RuntimeView(holds={"main": HoldView("ann#1")})
+    offered = holds.offered(runtime, event.Offered("main", "ann#1", "bob#2"), 100.0)
+    assert (offered.holds["main"].offered_to, offered.holds["main"].offered_until_s) == ("bob#2", 160.0)
+    over = holds.offered(offered, event.Offered("main", "ann#1", "bob#2", "withdrawn"), 101.0)
+    assert over.holds["main"] == HoldView("ann#1")
+    assert holds.offered(runtime, event.Offered("far", "ann#1", "bob#2"), 1.0) is runtime
+
+
+def test_where_flows_are_is_told_one_by_one_or_all_together():  # R-X03
+    runtime = RuntimeView(holds={"flow0": HoldView(application="play")})
+    moved = holds.moved(runtime, event.Moved("flow0", "paused", 1, 1.0))
+    assert moved.holds["flow0"].state == "paused"
+    assert holds.moved(moved, event.Moved("flow0", "paused", 1, 2.0)) is moved
+    assert holds.moved(moved, event.Moved("far", "paused", 1, 2.0)) is moved
+    all_ = steer.Positions((steer.Position("flow0", "running", 2), steer.Position("far", "done", 2)))
+    assert holds.placed(moved, all_).holds["flow0"].state == "running"
+
+
+def test_the_flows_of_a_run_are_found_by_one_of_them():  # R-X12
+    run = {"a": HoldView("", "play"), "b": HoldView("", "play"), "c": HoldView("x#1", "play"), "d": HoldView()}
+    assert holds.flows_with(run, "a") == ("a", "b")
+    assert holds.flows_with(run, "d") == ("d",)

@@ -1,0 +1,80 @@
+import pytest
+
+from onika.testing.laboratory import job
+from onika.wire import act
+
+
+@pytest.fixture
+def watched(cinema):
+    cinema.doc = cinema.open([job("aC"), job("bC")])
+    cinema.look(cinema.film(cinema.doc))
+    return cinema
+
+
+def compared(cinema, path, **tolerance):
+    answer = cinema.later(act.CompareWith(str(path), **tolerance))
+    assert answer.no is None
+    while cinema.environment.tree.review.difference is None:
+        cinema.become()
+    return cinema.environment.tree.review.difference
+
+
+def test_the_first_difference_of_two_runs_is_found(watched):  # R-X05: side by side
+    found = compared(watched, watched.film(watched.doc, "other", step=2.0))
+    assert (found.at_s, found.variable) == (0.1, "flow0/A")
+    assert found.text == "flow0/A: 0.1, in the other 0.2"
+    assert watched.environment.tree.review.other.name == "play"
+    assert watched.glance(1.5, of_other=True).values["flow0/A"] == 3.0
+    assert watched.later(act.Course("flow0/A", 0.0, 2.0, of_other=True)).value[0].most[-1] == 3.8
+
+
+def test_what_lies_within_the_tolerance_is_no_difference(watched):  # R-X05
+    other = watched.film(watched.doc, "other", step=2.0)
+    assert compared(watched, other, part=1.0).text == ""
+    assert compared(watched, other, tolerance=2.0).text == ""
+    assert compared(watched, other, tolerance=1.0).at_s == 1.1
+
+
+def test_an_action_that_is_another_is_told_in_the_words_of_its_icon(watched):  # R-X05
+    watched.do(act.RemoveIcons(watched.doc, (1,)))
+    found = compared(watched, watched.film(watched.doc, "other"))
+    assert (found.at_s, found.variable) == (0.0, "")
+    assert "begins at 0 s" in found.text
+
+
+def test_the_other_one_can_be_put_away(watched):
+    compared(watched, watched.film(watched.doc, "other"))
+    other = watched.environment.model.looking.other
+    watched.do(act.CompareWith(""))
+    assert other.away.is_set() and watched.environment.tree.review.other is None
+    assert not watched.environment.model.looking.subject.away.is_set()
+
+
+def test_what_cannot_be_compared_is_refused(watched, tmp_path):
+    assert "cannot be looked at" in watched.later(act.CompareWith(str(tmp_path / "none.mcap"))).no.reason
+    assert watched.no(act.CompareWith("x", tolerance=-1.0)).fields == {"tolerance": "expected 0 or more"}
+    watched.do(act.CloseRecording())
+    assert "open one first" in watched.no(act.CompareWith("x")).reason
+
+
+def test_one_that_is_closed_while_another_is_read_is_not_compared(watched):
+    given = []
+    path = watched.film(watched.doc, "other")
+    watched.environment.do(act.CompareWith(str(path)), "me", given.append)
+    watched.do(act.CloseRecording())
+    while not given:
+        watched.become()
+    assert "put away" in given[0].no.reason
+
+
+def test_nobody_hears_of_a_difference_that_is_not_wanted_any_more(watched):
+    watched.later(act.CompareWith(str(watched.film(watched.doc, "other", step=2.0))))
+    watched.do(act.CloseRecording())
+    watched.look(watched.film(watched.doc, "third"))
+    assert watched.environment.tree.review.difference is None
+
+
+def test_why_two_cannot_be_compared_is_told_in_place_of_a_difference(watched):
+    watched.environment.model.looking.subject.path.write_bytes(b"")
+    found = compared(watched, watched.film(watched.doc, "other"))
+    assert "cannot be compared" in found.text

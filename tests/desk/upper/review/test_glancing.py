@@ -1,0 +1,63 @@
+import pytest
+
+from onika.testing.cinema import LAMP
+from onika.testing.laboratory import job
+from onika.wire import act
+
+
+@pytest.fixture
+def watched(cinema):
+    cinema.doc = cinema.open([job("aC"), job("bC"), job("cC")])
+    cinema.look(cinema.film(cinema.doc))
+    return cinema
+
+
+def test_an_instant_is_what_was_shown_then(watched):  # R-X05: canvas, flows, plots, 3-D
+    instant = watched.glance(1.5)
+    flow = instant.run.flows["flow0"]
+    assert (flow.state, flow.step, flow.index, flow.done, flow.began_s) == ("running", 2, 1, 1, 1.0)
+    assert {key: (one.state, one.times) for key, one in instant.run.steps.items()} == {
+        "1": ("done", 1),
+        "2": ("running", 0),
+    }
+    assert (instant.run.doc, instant.run.state, instant.run.done, instant.run.of) == (watched.doc, "running", 1, 3)
+    assert instant.tasks == {"flow0/a": "OFF", "flow0/b": "ON"}
+    assert instant.values == {"flow0/A": 1.5, "flow0/WORD": "on"}
+    assert instant.poses == {"yard": {"rows": [[0, 0, 0, 1, 0, 0, 0], [1, 0, 0, 1, 0, 0, 0]], "lit": ["lamp"]}}
+
+
+def test_before_the_beginning_and_after_the_end_it_is_as_it_was_there(watched):
+    early, late = watched.glance(-5.0), watched.glance(99.0)
+    assert (early.run.steps, early.values, early.tasks, early.poses) == ({}, {}, {}, {})
+    assert (late.run.state, late.run.is_completed, late.run.took_s) == ("over", True, 3.0)
+    assert watched.glance(0.5).poses["yard"]["lit"] == []
+    assert watched.glance(1e308).run == late.run
+
+
+def test_time_runs_backwards_as_well(watched):  # R-X05: scrubbed
+    assert [watched.glance(at).run.done for at in (2.5, 0.5, 1.5, 2.5)] == [2, 0, 1, 2]
+
+
+def test_tasks_of_an_open_configuration_are_found_in_their_subsystem(watched):  # R-X05: the canvas
+    doc = watched.do(act.Open("aC"))
+    assert watched.glance(1.0).homes == {doc: "flow0"}
+
+
+def test_a_world_is_what_was_drawn_live(watched):  # R-X05: 3-D
+    (shape,) = watched.do(act.RecordedScene("yard"))["shapes"]
+    assert shape == {key: list(one) if isinstance(one, tuple) else one for key, one in LAMP.items()}
+    assert "nothing of a world moon" in watched.no(act.RecordedScene("moon")).reason
+
+
+def test_nothing_is_shown_of_another_one_that_is_not_there(watched):
+    assert "no other recording" in watched.no(act.Glance(0.0, of_other=True)).reason
+    assert "no other recording" in watched.no(act.RecordedScene("yard", of_other=True)).reason
+
+
+def test_a_file_that_is_written_over_meanwhile_does_no_harm(watched):  # R-X05: the same name recorded again
+    path = watched.environment.model.looking.subject.path
+    with path.open("wb") as other:
+        other.write(b"\x89MCAP0\r\n")
+    assert "film.mcap cannot be read there" in watched.no(act.Glance(1.5)).reason
+    assert "film.mcap cannot be read there" in watched.later(act.Course("flow0/A", 0.0, 3.0)).no.reason
+    watched.do(act.CloseRecording())

@@ -1,0 +1,56 @@
+import pytest
+
+from onika.testing.laboratory import job
+from onika.wire import event, live, request, steer
+
+STOP = event.Explained("flow0", "b", "bC", 1, "", "b failed", "", 0, (), (), (("retry", "again"),), 1.5, "error")
+
+
+def marks(cinema, *, told=(), asked=()):
+    doc = cinema.open([job("aC"), job("bC")])
+    tape = cinema.tape(doc)
+    for at_s, one in told:
+        tape.tell(at_s, one)
+    for at_s, one in asked:
+        tape.ask(at_s, one)
+    tape.end()
+    return [(one.at_s, one.kind, one.text) for one in cinema.look(tape.path).marks]
+
+
+def test_errors_standstills_meetings_and_ends_are_marked(cinema):  # R-X05
+    told = [
+        (2.0, event.Met("0 meet", ("flow0", "flow1"), 12.0, 2.0)),
+        (1.0, event.Failed("flow0", "b", "ValueError: no", "b.py", 1, "", 1.0)),
+        (1.5, STOP),
+        (2.5, event.Stopped(True, "ann pressed stop")),
+        (3.0, event.Result(False, "aborted by the user", 0, 2, 3.0, 0.0, {}, (), "")),
+        (0.5, event.Warned("flow0", "b", "hot", 0.5)),
+    ]
+    assert marks(cinema, told=told) == [
+        (1.0, "error", "b: ValueError: no"),
+        (1.5, "stop", "flow0: b failed"),
+        (2.0, "meet", "flow0 and flow1 met at meet"),
+        (2.5, "stop", "everything was stopped: ann pressed stop"),
+        (3.0, "stop", "the run ended: aborted by the user"),
+    ]
+
+
+@pytest.mark.parametrize(
+    ("asked", "kind", "text"),
+    [
+        (steer.Pause(), "command", "pause"),
+        (steer.Resume("flow0"), "command", "go on: flow0"),
+        (steer.Skip("flow0", 1), "command", "skip to a job: flow0"),
+        (steer.Skip("flow0"), "command", "skip to the next action: flow0"),
+        (steer.Mark("flow0", 1), "command", "set a breakpoint after a job"),
+        (request.Stop("ann"), "stop", "stop: ann"),
+        (request.Abort("enough"), "command", "end the run: enough"),
+        (request.Reply("flow0", "b", "1 2"), "command", "answer to b: 1 2"),
+        (live.Touch("yard", "button", 1.0), "command", "button is pressed"),
+        (live.Set("flow0", "b", "GAIN", "3"), "command", "set GAIN of b to 3"),
+        (live.Clear("flow0", "b"), "command", "bring out of its error: b"),
+        (live.Reset(), "command", "allow motion again"),
+    ],
+)
+def test_what_was_asked_is_marked(cinema, asked, kind, text):  # R-X05
+    assert marks(cinema, asked=[(0.5, asked)]) == [(0.5, kind, text)]

@@ -1,0 +1,100 @@
+import pytest
+
+from onika.testing.laboratory import job
+from onika.wire import act
+
+THREE = [job("aC"), job("bC"), job("cC")]
+
+
+@pytest.fixture
+def doc(cinema):
+    return cinema.open(THREE)
+
+
+def steps(view):
+    return [one.step for one in view.flows["flow0"].passages]
+
+
+def test_a_recorded_run_is_shown_with_its_flows_variables_and_worlds(cinema, doc):  # R-X05
+    view = cinema.look(cinema.film(doc))
+    assert (view.name, view.doc, view.is_virtual, view.is_whole, view.is_completed) == ("play", doc, True, True, True)
+    assert (view.begin_s, view.end_s) == (0.0, 3.0)
+    assert "November 2026" in view.began
+    assert steps(view) == [1, 2, 3]
+    assert (view.variables["flow0/A"].unit, view.variables["flow0/A"].labels) == ("s", ("A",))
+    assert (view.worlds, view.notes, view.cannot_continue) == (("yard",), (), "")
+
+
+def test_a_recording_that_was_cut_short_is_looked_at_and_says_so(cinema, doc):  # R-X05: kill -9
+    path = cinema.film(doc, ends=False)
+    whole = path.read_bytes()
+    view = cinema.look(path)
+    assert (view.is_whole, view.is_completed) == (False, False)
+    assert "cut short" in view.notes[0]
+    path.with_stem("half").write_bytes(whole[: len(whole) - 7])
+    assert cinema.later(act.OpenRecording(str(path.with_stem("half")))).no is None
+
+
+@pytest.mark.parametrize("content", [b"", b"nonsense", b"\x89MCAP0\r\n", b"\x89MCAP0\r\n" + b"\x07" * 400])
+def test_what_is_no_recording_is_refused_with_the_reason(cinema, tmp_path, content):  # R-X05
+    path = tmp_path / "odd.mcap"
+    path.write_bytes(content)
+    no = cinema.later(act.OpenRecording(str(path))).no
+    assert no is not None and "odd.mcap cannot be looked at: " in no.reason
+    assert cinema.environment.tree.review is None
+
+
+def test_a_file_that_is_not_there_or_cannot_be_read_is_refused(cinema, tmp_path):
+    assert "No such file" in cinema.later(act.OpenRecording(str(tmp_path / "none.mcap"))).no.reason
+    assert "Is a directory" in cinema.later(act.OpenRecording(str(tmp_path))).no.reason
+
+
+def test_no_spoilt_file_breaks_anything(cinema, doc, tmp_path):  # R-X05: garbage anywhere
+    whole = cinema.film(doc).read_bytes()
+    path = tmp_path / "spoilt.mcap"
+    for at in range(8, len(whole), len(whole) // 60):
+        path.write_bytes(whole[:at] + bytes([whole[at] ^ 0xFF]) + whole[at + 1 :])
+        answer = cinema.later(act.OpenRecording(str(path)))
+        assert answer.no is None or "spoilt.mcap cannot be looked at" in answer.no.reason
+        if answer.no is None:
+            assert (
+                cinema.answer(act.Glance(1.0)).no is None
+                or "cannot be read" in cinema.answer(act.Glance(1.0)).no.reason
+            )
+
+
+def test_its_application_is_opened_with_it(cinema, doc):  # R-X05: the page shows the flows
+    path = cinema.film(doc)
+    cinema.do(act.Close(doc))
+    view = cinema.look(path)
+    assert view.doc in cinema.environment.tree.applications and view.doc != doc
+    assert steps(view) != [0, 0, 0]
+
+
+def test_without_its_application_it_is_shown_without_icons(cinema, doc):  # R-X05
+    path = cinema.film(doc)
+    cinema.do(act.Close(doc))
+    (cinema.base.path / "appl" / "play.appl").unlink()
+    view = cinema.look(path)
+    assert (view.doc, steps(view)) == ("", [0, 0, 0])
+    assert "play is not open" in view.notes[0]
+    assert view.flows["flow0"].passages[0].name == "aC"
+
+
+def test_an_application_that_has_changed_shows_what_is_still_there(cinema, doc):  # R-X05: icons that are others now
+    path = cinema.film(doc)
+    cinema.do(act.RemoveIcons(doc, (2,)))
+    view = cinema.look(path)
+    assert steps(view) == [1, 0, 3]
+    assert "1 of 3 recorded actions has no icon now" in view.notes[0]
+
+
+def test_another_recording_takes_its_place_and_closing_puts_it_away(cinema, doc):  # R-X05
+    cinema.look(cinema.film(doc, "one"))
+    first = cinema.environment.model.looking.subject
+    assert cinema.look(cinema.film(doc, "two")).path.endswith("two.mcap")
+    assert first.away.is_set()
+    cinema.do(act.CloseRecording())
+    assert cinema.environment.tree.review is None
+    assert cinema.no(act.Glance(0.0)).reason == "no recording is looked at"
+    cinema.do(act.CloseRecording())

@@ -1,0 +1,31 @@
+import pytest
+
+from onika.testing.laboratory import job
+from onika.wire import event
+
+
+@pytest.fixture
+def tape(cinema):
+    return cinema.tape(cinema.open([job("aC"), job("bC")]))
+
+
+def test_the_last_action_of_a_run_cut_short_has_no_end_and_one_that_was_left_has(cinema, tape):  # R-X05
+    tape.tell(0.0, event.Began(0, 0, 2, "aC", 0.0))
+    tape.tell(1.0, event.Began(0, 1, 2, "bC", 1.0))
+    tape.cut()
+    passages = cinema.look(tape.path).flows["flow0"].passages
+    assert [(one.begin_s, one.end_s) for one in passages] == [(0.0, 1.0), (1.0, None)]
+
+
+def test_what_was_lost_is_told(cinema, tape):  # R-X05
+    tape.tell(1.0, event.Result(False, "aborted by the user", 0, 2, 1.0, 0.0, {}, (), ""), "")
+    tape.end(missed="3", untold="2", cause="aborted by the user", completed="no")
+    view = cinema.look(tape.path)
+    assert view.notes[0].startswith("3 values") and view.notes[1].startswith("2 events")
+    assert (view.is_completed, view.cause) == (False, "aborted by the user")
+
+
+def test_why_it_cannot_be_gone_on_from_is_told(cinema, tape):  # R-X05
+    tape.tell(0.0, event.Began(0, 0, 2, "aC", 0.0))
+    tape.end(outside="flow0/gauge")
+    assert cinema.look(tape.path).cannot_continue.endswith("found tasks that had to do with the outside: flow0/gauge")

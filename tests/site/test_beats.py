@@ -1,0 +1,114 @@
+"""Beats as datagrams, with real sockets: a short lease where they get through, and nobody else's count."""
+
+import os
+import re
+import select
+import socket
+import subprocess
+import sys
+from contextlib import contextmanager
+from pathlib import Path
+from time import monotonic
+
+import pytest
+
+from onika.desk.runtime import connect
+from onika.link import opening
+from onika.link.beats import EVERY_NS, Beater
+from onika.wire import event, holding, live, request
+
+pytestmark = pytest.mark.site
+
+
+@pytest.fixture(scope="module")
+def there(tmp_path_factory):
+    """A runtime that listens on loopback: its address and token."""
+    environment = os.environ | {"XDG_STATE_HOME": str(tmp_path_factory.mktemp("state"))}
+    words = [sys.executable, "-m", "onika.host", "--listen", "127.0.0.1:0", "--no-fifo"]
+    with subprocess.Popen(words, stdout=subprocess.PIPE, text=True, env=environment) as process:
+        found = re.search(r"listening on (\S+), token in (.*)$", process.stdout.readline())
+        yield found[1], Path(found[2]).read_text().strip()
+        process.terminate()
+        assert process.wait(20) == 0
+
+
+def listen(*runtimes, until, seconds=20.0):
+    """All of them beat and listen until this holds."""
+    end = monotonic() + seconds
+    while not until():
+        assert monotonic() < end, "it did not come"
+        select.select([fd for one in runtimes for fd in one.readers()], [], [], 0.02)
+        for one in runtimes:
+            one.heard += list(one.told())
+
+
+@contextmanager
+def session(there):
+    with connect(*there) as runtime:
+        runtime.heard = []
+        runtime.you = runtime.ask(holding.Sessions()).you
+        runtime.ask(live.Attend(("*",)))
+        yield runtime
+
+
+def lease(asking, of):
+    known = {one.name: one.lease_s for one in asking.ask(holding.Sessions()).sessions}
+    return known[of.you]
+
+
+def lost(watcher, subsystem):
+    return [
+        one for one in watcher.heard if isinstance(one, event.Held) and one.subsystem == subsystem and not one.holder
+    ]
+
+
+def silent_s(told):
+    return float(re.search(r"silent for ([0-9.]+) s", told.cause)[1])
+
+
+def test_where_datagrams_get_through_silence_counts_after_a_quarter_of_a_second(there):  # R-X12, network.md D4
+    with session(there) as watcher, session(there) as holder:
+        assert holder.ask(live.Take("quick")) == request.Done()
+        listen(watcher, holder, until=lambda: lease(watcher, holder) == 0.25)
+        listen(watcher, until=lambda: lost(watcher, "quick"))  # the holder is not served any more: it is silent
+        assert 0.25 <= silent_s(lost(watcher, "quick")[0]) < 0.75
+
+
+def test_where_none_gets_through_it_counts_after_a_second(there, monkeypatch):  # R-X12
+    monkeypatch.setattr(opening, "_beater", lambda *_: None)
+    with session(there) as watcher, session(there) as holder:
+        assert holder.ask(live.Take("slow")) == request.Done()
+        end = monotonic() + 1.5
+        listen(watcher, holder, until=lambda: monotonic() > end)
+        assert not lost(watcher, "slow") and lease(watcher, holder) == 1.0
+        listen(watcher, until=lambda: lost(watcher, "slow"))
+        assert 1.0 <= silent_s(lost(watcher, "slow")[0]) < 1.75
+
+
+class Eavesdropper(Beater):
+    """Keeps what is sent, and says it again whenever it is asked."""
+
+    def __init__(self, pact, host, family):
+        super().__init__(pact, host, family)
+        self.at, self.heard = (host, pact.port), [pact.beat(count) for count in range(1, 40)]
+        Eavesdropper.last = self
+
+
+def test_beats_that_were_overheard_or_forged_keep_nobody_alive(there, monkeypatch):  # R-X12
+    monkeypatch.setattr(opening, "Beater", Eavesdropper)
+    with session(there) as watcher, session(there) as holder:
+        thief = Eavesdropper.last
+        assert holder.ask(live.Take("robbed")) == request.Done()
+        listen(watcher, holder, until=lambda: lease(watcher, holder) == 0.25)
+        beats = monotonic() + 45 * EVERY_NS * 1e-9
+        listen(watcher, holder, until=lambda: monotonic() > beats)  # its own count is beyond what was overheard
+        forged = [one[:-1] + bytes([one[-1] ^ 1]) for one in thief.heard]
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as air:
+
+            def is_lost():
+                for one in (*thief.heard, *forged, os.urandom(32), b"", os.urandom(2000)):
+                    air.sendto(one, thief.at)
+                return bool(lost(watcher, "robbed"))
+
+            listen(watcher, until=is_lost)
+        assert 0.25 <= silent_s(lost(watcher, "robbed")[0]) < 0.75

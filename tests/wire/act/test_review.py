@@ -1,0 +1,13 @@
+import msgspec
+
+from onika.wire import act
+
+
+def test_nothing_goes_on_from_a_recording_or_is_replaced_unless_it_is_confirmed():
+    assert msgspec.to_builtins(act.Continue(12.5)) == {"t": "Continue", "at_s": 12.5}
+    assert not act.KeepTest("a1").confirmed
+
+
+def test_two_runs_are_compared_exactly_unless_said():
+    asked = act.CompareWith("run.mcap")
+    assert (asked.tolerance, asked.part, asked.time_s) == (0.0, 0.0, 0.0)
