@@ -586,9 +586,9 @@ export interface CloseRecording {
 export interface CompareWith {
   t: 'CompareWith';
   path: string;
-  tolerance?: number;
-  part?: number;
-  time_s?: number;
+  tolerance?: number | null;
+  part?: number | null;
+  time_s?: number | null;
 }
 
 /** Go on from an instant of the recorded run in the simulator: the same run up to there, then as it is steered. */
@@ -1126,6 +1126,9 @@ export interface DifferenceView {
   text?: string;
   at_s?: number;
   variable?: string;
+  tolerance?: number;
+  part?: number;
+  time_s?: number;
 }
 
 /** What a recorded run was like at an instant. */

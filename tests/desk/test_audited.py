@@ -25,4 +25,4 @@ def test_nothing_in_a_record_steers_the_terminal():
 def test_the_verdict_names_the_head_or_the_faults():  # R-X12
     assert verdict(Trail(records=[STOP], head="abc")) == "1 records, whole; head abc"
     assert "going on from" in verdict(Trail(begins="abc"))
-    assert verdict(Trail(faults=[Fault(Place("f", 1), "a", "b", "c")])) == "0 records, NOT WHOLE: 1 faults"
+    assert verdict(Trail(faults=[Fault(Place("f", 1), "a", "b", "c")])) == "0 records, NOT WHOLE: 1 fault"

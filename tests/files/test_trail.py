@@ -136,3 +136,19 @@ def test_a_record_is_json_on_one_line():
     assert text.count(b"\n") == 1
     assert json.loads(text[65:]) == {"what": "a\nb", "who": "Ünïcode"}
     assert text[:64].decode() == head
+
+
+@pytest.mark.parametrize("other", [b"\x89PNG\r\n\x1a\n" + bytes(range(256)), b"words\nof another\nfile\n", b"a word"])
+def test_a_file_of_something_else_is_no_whole_trail(tmp_path, other):  # R-X12
+    (tmp_path / "audit.log").write_bytes(other)
+    assert read([tmp_path / "audit.log"]).faults
+
+
+def test_lines_that_are_made_into_something_else_at_the_end_show(tmp_path):  # R-X12
+    first, head = line("", {"before": "", "do": "a"})
+    second, _ = line(head, {"do": "b"})
+    (tmp_path / "audit.log").write_bytes(first + b"x" + second)
+    assert read([tmp_path / "audit.log"]).faults
+    (tmp_path / "audit.log").write_bytes(first + second[:-9])
+    found = read([tmp_path / "audit.log"])
+    assert (found.faults, len(found.notes)) == ([], 1)

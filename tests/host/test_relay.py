@@ -1,4 +1,5 @@
 import asyncio
+import contextlib
 import socket
 
 import pytest
@@ -147,5 +148,30 @@ def test_whole_frames_go_both_ways_until_one_side_ends_it():
         assert heard == [b"down", b"again"]
         writer.close()
         await carrying
+
+    in_loop(story)
+
+
+def test_who_floods_leaves_everybody_his_turn():  # network.md F14
+    async def story(visitor):
+        greeting = await visitor.shake()
+        visitor.say(HELLO)
+        _, _, payloads = await greeting
+        outer, inner = socket.socketpair()
+        inner.setblocking(False)
+        for _ in range(3000):
+            visitor.protocol.send_binary(bytes(20))
+        visitor.flush()
+        carrying = asyncio.create_task(visitor.relay.carry(payloads, outer))
+        frames, came, most = FrameReader(), 0, 0
+        while came < 3001:
+            await asyncio.sleep(0)
+            with contextlib.suppress(BlockingIOError):
+                found = len(list(frames.feed(inner.recv(1 << 20))))
+                came, most = came + found, max(most, found)
+        carrying.cancel()
+        await asyncio.gather(carrying, return_exceptions=True)
+        inner.close()
+        assert most < 700  # of the 8 kB that are looked at in one turn, and what a turn of the test may miss
 
     in_loop(story)

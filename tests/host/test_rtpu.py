@@ -99,7 +99,8 @@ def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # h
     assert unit.hear(news.Changed).state == "ON"
     first = unit.hear(news.Cycled).at_ns
     finished = unit.hear(news.Finished)
-    assert finished.now_ns - first >= 4 * 4_000_000  # five cycles of 5 ms, each at its release or later
+    # Five cycles of 4 ms, each at its release or later; the first may be late, but by less than a period.
+    assert finished.now_ns - first > 3 * 4_000_000
     assert unit.table.value("N") == 5
 
 

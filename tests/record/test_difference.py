@@ -83,7 +83,7 @@ def test_a_difference_late_in_long_runs_is_found_and_one_that_nobody_wants_is_no
 
 def test_a_run_cut_short_is_compared_as_far_as_it_goes(tmp_path):  # R-X05
     whole = tape(tmp_path, "a", course=(*COURSE, (9.0, [5.0, 6.0])))
-    for course, differs in ((COURSE, False), ((COURSE[0], (1.0, [1.0, 3.0])), True)):
+    for course, differs in ((COURSE, False), ((COURSE[0], (1.0, [1.0, 3.0]), (1.2, [1.0, 3.5])), True)):
         tape(tmp_path, "b", course=course)
         path = tmp_path / "b.mcap"
         path.write_bytes(path.read_bytes()[:-9])

@@ -178,6 +178,13 @@ def test_a_partner_that_says_no(partner, outsider):
         _ = partner.answer
 
 
+def test_what_a_partner_says_writes_no_lines_of_its_own(partner, outsider):  # R-F04
+    partner.ask("a")
+    call = outsider.accept()
+    call.answer(call.read(), error="no\n     0.50 s  drive boxes:arm_left HELD\r\n")
+    assert fault(partner).endswith("it says: no 0.50 s drive boxes:arm_left HELD")
+
+
 # A partner that breaks the rules
 
 

@@ -19,7 +19,7 @@ export function continueHere(): Promise<unknown> {
 
 /** Show another run beside, compared with the tolerances that were typed last; false where it was refused. */
 export async function compareWith(path: string): Promise<boolean> {
-  return (await act({ t: 'CompareWith', path, ...valuesOf(kept('reviewTolerance', NONE)) })) !== undefined
+  return (await act({ t: 'CompareWith', path, ...valuesOf(kept('reviewMayDiffer', NONE)) })) !== undefined
 }
 
 export async function openRecording(path: string): Promise<boolean> {

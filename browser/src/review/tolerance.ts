@@ -3,11 +3,14 @@
 export const TOLERANCES = ['tolerance', 'part', 'time_s'] as const
 export type Tolerance = (typeof TOLERANCES)[number]
 
-/** As it is typed at first. */
-export const NONE: Record<Tolerance, string> = { tolerance: '0', part: '0', time_s: '0' }
+/** As it is typed at first: nothing, so that it is as runs of their kind do. */
+export const NONE: Record<Tolerance, string> = { tolerance: '', part: '', time_s: '' }
 
-/** What is typed as numbers; what is no number counts as none. */
-export const valuesOf = (typed: Record<Tolerance, string>): Record<Tolerance, number> => ({ tolerance: read(typed.tolerance) ?? 0, part: read(typed.part) ?? 0, time_s: read(typed.time_s) ?? 0 })
+/** What is typed as numbers; what is nothing, or no number, is left to the environment. */
+export function valuesOf(typed: Record<Tolerance, string>): Record<Tolerance, number | null> {
+  const value = (text: string): number | null => (text.trim() ? (read(text) ?? null) : null)
+  return { tolerance: value(typed.tolerance), part: value(typed.part), time_s: value(typed.time_s) }
+}
 
 /** The number in a text, with a point or a comma; undefined where it is none, or less than nothing. */
 export function read(text: string): number | undefined {

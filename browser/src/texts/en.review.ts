@@ -52,7 +52,9 @@ export const enReview = {
 
   'review.beside': 'Beside it: {name}, {began}',
   'review.comparing': 'Looking for the first difference…',
-  'review.same': 'No difference within the tolerance.',
+  'review.same': 'No difference.',
+  'review.exactly': 'Compared exactly.',
+  'review.within': 'Allowed: ±{value} + {percent} %, ±{seconds} s.',
   'review.differs': 'First difference at {seconds} s: {text}',
   'review.goThere': 'Go there',
   'review.tolerance': 'Tolerance…',

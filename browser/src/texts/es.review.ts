@@ -54,7 +54,9 @@ export const esReview: Record<keyof typeof enReview, string> = {
 
   'review.beside': 'Al lado: {name}, {began}',
   'review.comparing': 'Buscando la primera diferencia…',
-  'review.same': 'Ninguna diferencia dentro de la tolerancia.',
+  'review.same': 'Ninguna diferencia.',
+  'review.exactly': 'Comparadas con exactitud.',
+  'review.within': 'Permitido: ±{value} + {percent} %, ±{seconds} s.',
   'review.differs': 'Primera diferencia a los {seconds} s: {text}',
   'review.goThere': 'Ir allí',
   'review.tolerance': 'Tolerancia…',

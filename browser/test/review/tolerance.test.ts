@@ -6,8 +6,9 @@ describe('A tolerance', () => {
     expect(['0.5', '0,5', ' 1e-3 ', ''].map(read)).toEqual([0.5, 0.5, 0.001, 0])
   })
 
-  it('counts as none where it cannot be read', () => {
-    expect(valuesOf({ ...NONE, tolerance: '0,1', time_s: 'soon' })).toEqual({ tolerance: 0.1, part: 0, time_s: 0 })
+  it('is left to the environment where nothing is typed, or what cannot be read', () => {
+    expect(valuesOf({ ...NONE, tolerance: '0,1', time_s: 'soon' })).toEqual({ tolerance: 0.1, part: null, time_s: null })
+    expect(valuesOf({ ...NONE, part: '0' })).toEqual({ tolerance: null, part: 0, time_s: null })
   })
 
   it('is not read where it is no number, or less than nothing', () => {

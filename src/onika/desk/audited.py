@@ -27,7 +27,7 @@ def verdict(trail: Trail) -> str:
     """Whether it is whole, and by which hash its end can be known again."""
     count = f"{len(trail.records)} records"
     if trail.faults:
-        return f"{count}, NOT WHOLE: {len(trail.faults)} faults"
+        return f"{count}, NOT WHOLE: {len(trail.faults)} fault{'' if len(trail.faults) == 1 else 's'}"
     begins = f", going on from {trail.begins[:12]} in a file that is gone" if trail.begins else ""
     return f"{count}, whole{begins}; head {trail.head}"
 

@@ -117,11 +117,13 @@ def _open(
     settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
 ) -> Iterator[tuple[Running, tuple[Cue, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
-    recorded = None if settings.source is None else recorded_run(settings.source)
+    source = settings.source
+    recorded = recorded_run(source) if source is not None else None
     if isinstance(recorded, RecordedRun):
         prepared = recorded.prepared
         outcome.notes += recorded.notes
     elif recorded is not None:
+        outcome.name = source.path.name if source is not None else ""
         outcome.faults += recorded
         yield None
         return

@@ -48,7 +48,8 @@ def first_difference(
     ours, theirs = Series.all_of(one), Series.all_of(other)
     found = [each for each in (*_events(one, other, tolerance), *_unlike(ours, theirs)) if each.at_ns <= last]
     both = [name for name in ours if name in theirs and str(ours[name].shape) == str(theirs[name].shape)]
-    until = min([1 + min(last, max(one.span[1], other.span[1])), *(each.at_ns for each in found)])
+    # Of the last instant of one that was cut short not all may be there.
+    until = min([last, 1 + max(one.span[1], other.span[1]), *(each.at_ns for each in found)])
     for begin in range(0, until, _BLOCK_NS):
         if not is_wanted():
             return None

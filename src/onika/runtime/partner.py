@@ -259,7 +259,7 @@ class Partner:
             self._alarm.stop()
             if "error" in answer:
                 self._dialogue.answer = None
-                self._fail(f"it says: {str(answer['error'])[:200]}")
+                self._fail(f"it says: {' '.join(str(answer['error'])[:200].split())}")  # it writes no lines of its own
 
     def _lose(self, why: str) -> None:
         """The connection is gone: so is a question that was sent on it; one that was not is sent on the next one."""

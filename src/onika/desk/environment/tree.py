@@ -56,7 +56,7 @@ class Projector:
             icon_clipboard=several(model.icons) if model.icons else "",
             **self._dictionaries(model),
             run=model.run.view if model.run is not None else None,
-            review=model.looking.view if model.looking is not None else None,
+            review=model.looking.view(model.applications) if model.looking is not None else None,
             keeping=model.keeping,
             people=model.people,
         )

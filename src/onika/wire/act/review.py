@@ -47,11 +47,11 @@ class CompareWith(Act, frozen=True):
     """Show another recorded run beside the one that is looked at, with their first difference; empty: no more."""
 
     path: str
-    tolerance: float = 0.0
-    """How far values may lie apart."""
-    part: float = 0.0
+    tolerance: float | None = None
+    """How far values may lie apart; None, as for those below: as runs of their kind do."""
+    part: float | None = None
     """And by which part of themselves."""
-    time_s: float = 0.0
+    time_s: float | None = None
     """How far times may lie apart."""
 
 

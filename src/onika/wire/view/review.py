@@ -80,6 +80,12 @@ class DifferenceView(View, frozen=True):
     text: str = ""
     at_s: float = 0.0
     variable: str = ""
+    tolerance: float = 0.0
+    """How far values were allowed to lie apart."""
+    part: float = 0.0
+    """And by which part of themselves."""
+    time_s: float = 0.0
+    """How far times were."""
 
 
 class ReviewView(View, frozen=True):

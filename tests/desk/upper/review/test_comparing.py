@@ -1,4 +1,7 @@
+from dataclasses import replace
+
 import pytest
+from msgspec import structs
 
 from onika.testing.laboratory import job
 from onika.wire import act
@@ -33,6 +36,20 @@ def test_what_lies_within_the_tolerance_is_no_difference(watched):  # R-X05
     assert compared(watched, other, part=1.0).text == ""
     assert compared(watched, other, tolerance=2.0).text == ""
     assert compared(watched, other, tolerance=1.0).at_s == 1.1
+
+
+def test_runs_in_wall_time_may_differ_as_such_runs_do_unless_it_is_said(watched):  # R-X05
+    other = watched.film(watched.doc, "other", step=1.004)
+    found = compared(watched, other)
+    assert (found.text != "", found.tolerance, found.part, found.time_s) == (True, 0.0, 0.0, 0.0)
+    watched.do(act.CompareWith(""))
+    looking = watched.environment.model.looking
+    view = structs.replace(looking.subject.view, is_virtual=False)
+    subject = replace(looking.subject, view=view)
+    watched.environment.model = replace(watched.environment.model, looking=replace(looking, subject=subject))
+    found = compared(watched, other)
+    assert (found.text, found.tolerance, found.part, found.time_s) == ("", 0.005, 0.01, 0.05)
+    assert compared(watched, other, tolerance=0.0, part=0.0).text
 
 
 def test_an_action_that_is_another_is_told_in_the_words_of_its_icon(watched):  # R-X05

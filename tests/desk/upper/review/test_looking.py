@@ -1,5 +1,6 @@
 from onika.desk.upper.review.looking import Looking
 from onika.testing.laboratory import job
+from onika.wire import act
 
 
 def test_one_is_looked_at_and_perhaps_another_beside_it(cinema):  # R-X05
@@ -7,4 +8,14 @@ def test_one_is_looked_at_and_perhaps_another_beside_it(cinema):  # R-X05
     subject = cinema.environment.model.looking.subject
     alone, both = Looking(subject), Looking(subject, subject)
     assert (alone.one(of_other=False), alone.one(of_other=True)) == (subject, None)
-    assert (alone.view.other, both.view.other) == (None, subject.view)
+    docs = cinema.environment.model.applications
+    assert (alone.view(docs).other, both.view(docs).other) == (None, subject.view)
+
+
+def test_an_application_that_was_closed_meanwhile_is_not_named(cinema):  # R-X05
+    cinema.look(cinema.film(cinema.open([job("aC")])))
+    doc = cinema.environment.tree.review.recording.doc
+    assert doc in cinema.environment.model.applications
+    cinema.do(act.Close(doc, discards=True))
+    assert cinema.environment.tree.review.recording.doc == ""
+    assert cinema.glance(0.5).run.name == "play"

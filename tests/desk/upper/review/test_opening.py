@@ -45,8 +45,8 @@ def test_what_is_no_recording_is_refused_with_the_reason(cinema, tmp_path, conte
 
 
 def test_a_file_that_is_not_there_or_cannot_be_read_is_refused(cinema, tmp_path):
-    assert "No such file" in cinema.later(act.OpenRecording(str(tmp_path / "none.mcap"))).no.reason
-    assert "Is a directory" in cinema.later(act.OpenRecording(str(tmp_path))).no.reason
+    assert "no such file" in cinema.later(act.OpenRecording(str(tmp_path / "none.mcap"))).no.reason
+    assert "found a folder" in cinema.later(act.OpenRecording(str(tmp_path))).no.reason
 
 
 def test_no_spoilt_file_breaks_anything(cinema, doc, tmp_path):  # R-X05: garbage anywhere

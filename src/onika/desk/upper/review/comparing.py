@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 
+from msgspec import structs
+
 from onika.desk.environment.aside import Outcome
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No
@@ -15,6 +17,10 @@ from onika.record.tolerance import Tolerance
 from onika.wire import act
 from onika.wire.view import DifferenceView
 
+EXACT = Tolerance()
+WALL = Tolerance(0.005, 0.01, 0.05)
+"""Between two runs of the same program in wall time."""
+
 
 def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) -> Done | No:
     """Show another one beside it; the value is its path. The difference comes later, with the tree."""
@@ -23,12 +29,11 @@ def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) ->
         return NOT_HERE
     if model.looking is None:
         return No("no recording is looked at: open one first")
-    if min(asked.tolerance, asked.part, asked.time_s) < 0:
-        return No("a tolerance is 0 or more", fields=_negative(asked))
+    if wrong := _negative(asked):
+        return No("a tolerance is 0 or more", fields=wrong)
     if not asked.path:
         put_one_away(model.looking.other, reading)
         return Done(replace(model, looking=Looking(model.looking.subject)))
-    tolerance = Tolerance(asked.tolerance, asked.part, asked.time_s)
 
     def adopted(model: Model, found: Subject) -> Done | No:
         if model.looking is None:
@@ -36,6 +41,7 @@ def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) ->
             return No("the recording was put away meanwhile")
         put_one_away(model.looking.other, reading)
         one = model.looking.subject
+        tolerance = _tolerance(asked, one, found)
         order = comparing.order(lambda: _compared(one, found, tolerance))
         return Done(replace(model, looking=Looking(one, found)), value=found.view.path, orders=(order,))
 
@@ -43,7 +49,17 @@ def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) ->
 
 
 def _negative(asked: act.CompareWith) -> dict[str, str]:
-    return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if getattr(asked, name) < 0}
+    return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(asked, name) or 0) < 0}
+
+
+def _tolerance(asked: act.CompareWith, one: Subject, other: Subject) -> Tolerance:
+    """As asked; else two runs of the simulator may not differ at all, and in wall time no run is like another."""
+    usual = EXACT if one.view.is_virtual and other.view.is_virtual else WALL
+    return Tolerance(
+        usual.value if asked.tolerance is None else asked.tolerance,
+        usual.part if asked.part is None else asked.part,
+        usual.seconds if asked.time_s is None else asked.time_s,
+    )
 
 
 def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Outcome:
@@ -63,6 +79,9 @@ def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Outcome:
         if looking is None or looking.subject is not one or looking.other is not other:
             return Done(model)
         difference = DifferenceView(wrong) if wrong else _view(found, one)
+        difference = structs.replace(
+            difference, tolerance=tolerance.value, part=tolerance.part, time_s=tolerance.seconds
+        )
         return Done(replace(model, looking=replace(looking, difference=difference)))
 
     return told

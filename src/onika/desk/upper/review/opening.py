@@ -25,7 +25,7 @@ from onika.desk.upper.run.speech import Speech
 from onika.desk.upper.run.troubles import place_of
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax
-from onika.record.reader import UNREADABLE
+from onika.record.reader import UNREADABLE, complaint
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.plan import Plan
@@ -84,8 +84,7 @@ def read(model: Model, path: str, outside: Surroundings, aside: Aside, adopt: Ad
 
 
 def _refusing(file: Path, wrong: Exception) -> Outcome:
-    words = wrong.strerror if isinstance(wrong, OSError) else str(wrong)
-    no = No(f"{file.name} cannot be looked at: {(words or type(wrong).__name__).removeprefix(f'{file}: ')}")
+    no = No(f"{file.name} cannot be looked at: {complaint(file, wrong).removeprefix(f'{file}: ')}")
     return lambda _: no
 
 
