@@ -8,7 +8,7 @@ from collections.abc import Callable
 from time import monotonic_ns
 
 from websockets.http11 import Request, Response
-from websockets.protocol import State
+from websockets.protocol import Event, State
 from websockets.server import ServerProtocol
 
 from onika.host.beat_book import BeatBook
@@ -163,7 +163,7 @@ class Relay:
             if self._protocol.state is not State.OPEN:
                 raise Unwelcome("closed")
 
-    async def _events(self) -> list:  # type: ignore[type-arg]
+    async def _events(self) -> list[Event]:
         data = await self._reader.read(_TURN)
         if data:
             self._protocol.receive_data(data)
