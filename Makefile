@@ -35,10 +35,12 @@ check: $(VENV)/.installed-dev page page-check ## style, types, floors, tests for
 
 # The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
 # starts programs runs apart from what starts browsers, and both from the rest: two of a kind at a time share the machine.
+# Those two meet the machine's clock: what fails in them is tried once more, and the summary names it as RERUN. A test
+# that is named there twice is a fault like any other.
 test: check ## the checks and all tests but the soak
 	$(BIN)/pytest -m "not slow and not site and not page" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
-	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
-	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile
+	$(BIN)/pytest -m "site and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
+	$(BIN)/pytest -m "page and not slow" --hypothesis-profile=ci --numprocesses=2 --dist=loadfile --reruns 1 -rR
 
 soak: $(VENV)/.installed-dev ## the long tests, and every property on new examples
 	$(BIN)/pytest -m slow

@@ -183,7 +183,8 @@ def test_the_cause_that_is_named_is_the_planted_one(tmp_path, plant):  # R-X06
         result = console.result()
     assert result["state"] == "aborted"
     (one,) = [event for event in console.events if event["event"] == "explained"]
-    assert (one["kind"], one["task"], one["suspect"]) == (planted.kind, planted.task, planted.suspect)
+    assert (one["kind"], one["suspect"]) == (planted.kind, planted.suspect)
+    assert one["task"] == planted.task or planted.kills  # the blow may meet the task in its call
     assert planted.text in one["text"]
     if planted.task:
         assert one["action"]

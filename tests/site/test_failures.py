@@ -95,7 +95,7 @@ def test_a_killed_processing_unit_ends_the_run(tmp_path):  # R-A16, R-E10, law 1
     with Console("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
         os.kill(console.process("onika.host.rtpu"), signal.SIGKILL)
-        assert aborted(console)["cause"] == "processing unit rt0 was killed by signal 9"
+        assert aborted(console)["cause"].startswith("processing unit rt0 was killed by signal 9")
     assert_held_in_time(console)
 
 
