@@ -24,7 +24,7 @@ if find_spec("hatchling"):
     from hatchling.builders.hooks.plugin.interface import BuildHookInterface
 else:  # by hand nothing is packed, and hatchling need not be there
 
-    class BuildHookInterface:  # type: ignore[no-redef]
+    class BuildHookInterface:  # type: ignore[no-redef]  # one of the two is there, never both
         """Stands where hatchling's own would."""
 
 

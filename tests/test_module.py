@@ -25,5 +25,6 @@ def test_a_module_has_exactly_these_entry_points():  # R-A01
     entries = {"init", "reinit", "on", "cycle", "sync", "fileno", "off", "kill", "error", "clear", "get", "set", "hold"}
     entries |= {"take", "held"}
     calls = {"warn", "continues", "buffer", "constants", "resolve", "poses", "postures", "fits"}
+    calls |= {"check_drive", "clear_drive", "state_constants"}
     found = {name for name, one in vars(Module).items() if not name.startswith("_") and hasattr(one, "__get__")}
     assert found == entries | calls

@@ -673,6 +673,7 @@ export interface Run {
   passes_breakpoints?: boolean;
   saves_unsaved?: boolean;
   is_recorded?: boolean;
+  on_loss?: 'finish' | 'run' | 'stop';
 }
 
 /** Which tasks the flows of an application use, and who could stand for each; the value is a `view.SeatsView`. */
@@ -1129,6 +1130,7 @@ export interface DifferenceView {
   tolerance?: number;
   part?: number;
   time_s?: number;
+  is_of_places?: boolean;
 }
 
 /** What a recorded run was like at an instant. */
@@ -1214,6 +1216,7 @@ export interface RecordingView {
   cannot_continue?: string;
   doc?: string;
   began_at_s?: number;
+  redirects?: (RedirectView)[];
 }
 
 /** What is looked at. */
@@ -1347,6 +1350,8 @@ export interface HoldView {
   was_here?: boolean;
   offered_to?: string;
   offered_until_s?: number;
+  asks?: Record<string, AskView>;
+  on_loss?: string;
 }
 
 /** The runtime of this environment. */

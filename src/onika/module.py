@@ -3,8 +3,9 @@
 from onika.model.signal import Signal, finish, illegal, legal, off, shutdown, user_signal
 from onika.runtime.declaration import InBoth, InConst, Input, InVar, Local, OutBoth, OutConst, OutVar
 from onika.runtime.device import Device
+from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.function import module
-from onika.runtime.module import AskAgain, Module, ModuleError
+from onika.runtime.module import Module
 from onika.runtime.partner import Partner
 
 __all__ = [

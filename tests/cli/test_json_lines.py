@@ -5,11 +5,12 @@ from onika.desk.outcome import Outcome
 from onika.desk.preparation import prepare_run
 from onika.store.site import open_site
 from onika.wire import event
+from onika.wire.figures import TaskFigures
 from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
-FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
+FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
 RESULT = event.Result(True, "", 1, 1, 2.0, 0.12345, {"Q": [1.5], "NAME": "é"}, (FIGURES,), "abc", (3.5,))
 
 

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli import main
-from onika.testing.tape import Tape
+from onika.testing.tape import Tape, run
 
 
 @pytest.fixture
@@ -54,8 +54,27 @@ def test_a_file_that_is_spoilt_or_cut_is_told_by_its_name(files, tmp_path, capsy
     (tmp_path / "b.mcap").write_bytes(data[:-9])
     assert main(["recording", "diff", files[0], files[1], "--tolerance", "1"]) == 0
     assert f"{files[1]} was cut short: compared up to 1 s" in capsys.readouterr().out
+    for more in ([], ["--output", str(tmp_path / "b.csv")]):
+        assert main(["recording", "csv", files[1], *more]) == 0
+        assert f"{files[1]} was cut short: the table ends at 1 s" in capsys.readouterr().err
+    assert main(["recording", "csv", files[0]]) == 0
+    assert capsys.readouterr().err == ""
     place = data.index(b"plan.json") + 60
     (tmp_path / "b.mcap").write_bytes(data[:place] + b"#" + data[place + 1 :])
     for words in (["show", files[1]], ["csv", files[1]], ["diff", *files]):
         assert main(["recording", *words]) == 2
         assert files[1] in capsys.readouterr().err
+
+
+def test_runs_in_wall_time_are_compared_as_such_unless_it_is_said(tmp_path, capsys):  # R-X05
+    files = []
+    for name, speed in (("a", 1.0), ("b", 9.0)):
+        tape = Tape(tmp_path / f"{name}.mcap", run(is_virtual=False))
+        tape.variable("Q^", "double", (0.0, 0.0), (1.0, speed), unit="rad/s")
+        tape.end(completed="yes")
+        files.append(str(tape.path))
+    assert main(["recording", "diff", *files]) == 0
+    told = capsys.readouterr().out.splitlines()
+    assert told[0] == "no difference"
+    assert "speeds and forces are not compared" in told[1]
+    assert main(["recording", "diff", *files, "--tolerance", "1"]) == 1

@@ -3,10 +3,11 @@ import pytest
 from onika.cli.told import asked_item, lines as told, sentence, summary
 from onika.desk.outcome import Outcome
 from onika.wire import event
+from onika.wire.figures import TaskFigures
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
 
-FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
+FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
 
 
 def result(**changes):
@@ -34,14 +35,14 @@ def result(**changes):
         ),
         (event.Failed("flow0", "pd", "cycle: no", "pd.py", 0, "", 0.5), "    0.50 s  ERROR flow0/pd: cycle: no"),
         (
-            event.Drive("boxes:arm_left", "PRESSED", 2_500_000_000, 0, 0, "panic button pressed"),
+            event.Drive("boxes:arm_left", "PRESSED", 9, 0, 0, "panic button pressed", 2.5),
             "    2.50 s  boxes:arm_left holds: panic button pressed",
         ),
         (
-            event.Drive("boxes:arm_left", "TRIPPED", 2_500_000_000, 0, 0, "its writer died"),
+            event.Drive("boxes:arm_left", "TRIPPED", 9, 0, 0, "its writer died", 2.5),
             "    2.50 s  boxes:arm_left has tripped: its writer died",
         ),
-        (event.Drive("boxes:arm_left", "HELD", 2_500_000_000, 0, 0, "stop"), ""),
+        (event.Drive("boxes:arm_left", "HELD", 9, 0, 0, "stop", 2.5), ""),
         (event.Done(0, 0, 1.0), ""),
         (event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)), "    1.00 s  flow1 waits at a for flow0"),
         (event.Moved("flow0", "paused", 1, 1.0), "    1.00 s  flow0 is paused after 2"),

@@ -52,10 +52,11 @@ def test_a_line_replaced_by_junk_is_reported(form: Format, data: st.DataObject, 
     lines = form.write(data.draw(form.models)).splitlines()  # R-B07
     at = data.draw(st.sampled_from([at for at, line in enumerate(lines) if line]))
     meaning, _ = form.read("\n".join(lines) + "\n")
+    is_value = lines[at].startswith("UI ") and junk.startswith("UI ")  # as good a text as the one that stood there
     lines[at] = junk
     read, faults = form.read("\n".join(lines) + "\n")
     free = form.name == "task" and "LOCAL" in [line.strip() for line in lines[:at]] and junk in ("xyz", "UI none none")
-    assert faults or read == meaning or free
+    assert faults or read == meaning or free or is_value
 
 
 @every_format

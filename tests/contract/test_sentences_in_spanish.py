@@ -28,6 +28,11 @@ def test_what_is_unknown_is_not_taken_for_known():
     assert len(PATTERNS) > 40 and not is_known("a sentence that nobody has said")
 
 
+def test_what_another_did_and_is_taken_back():  # R-X10
+    assert is_known("“inserting a” in play was done on another page, and is taken back here; Redo does it again")
+    assert is_known("“inserting a” in play was done on another page, and is done again here")
+
+
 @pytest.mark.parametrize(
     ("expected", "found"),
     [

@@ -44,10 +44,13 @@ def test_a_run_is_begun_as_it_was_with_what_is_wanted_beside(path):  # R-X05
 
 def test_one_that_was_cut_short_is_repeated_as_far_as_it_goes(path):  # R-X05
     taped(path).cut()
-    assert recorded_run(Source(path)).until_ns == 3_000_000_000
+    cut = recorded_run(Source(path))
+    assert cut.until_ns == 3_000_000_000
+    assert cut.notes[0].startswith("the recording was cut short: it is repeated up to 3 s, and from there")
+    assert recorded_run(Source(path, 1.0)).notes == ()
     taped(path).end()
     found = recorded_run(Source(path))
-    assert (found.until_ns, found.is_before(1e9)) == (-1, True)
+    assert (found.until_ns, found.is_before(1e9), found.notes) == (-1, True, ())
 
 
 def test_a_wall_run_is_approximate_and_says_so(path):  # law 29

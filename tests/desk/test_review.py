@@ -11,7 +11,7 @@ EVENTS = (
     event.Moved("flow0", "running", 0, 0.0),
     event.Began(0, 0, 2, "one", 0.0),
     event.TaskState("flow0", "servo", "ON", 0.1),
-    event.Drive("yard:m0", "DRIVEN", 0, 0, 0, ""),
+    event.Drive("yard:m0", "DRIVEN", 0, 0, 0, "", 0.1),
     event.Done(0, 0, 1.0),
     event.Began(0, 1, 2, "two", 1.0),
     event.Moved("flow0", "paused", 1, 1.5),

@@ -2,6 +2,7 @@ import pytest
 
 from onika.desk.stepping import sentence, summary
 from onika.wire import event
+from onika.wire.figures import VariableSteps
 
 
 def stepped(step, limit=9.76, cycles=0):
@@ -27,7 +28,7 @@ def test_a_step_is_one_sentence(one, said):  # R-X04
 
 def steps(**changes):
     fields = {"step": 40.0, "given": 9.0, "limit": 9.76, "at_s": 4.3, "count": 3, "index": 1} | changes
-    return event.VariableSteps("flow0", "puma", "TAU_REF", **({"unit": "N m"} | fields))
+    return VariableSteps("flow0", "puma", "TAU_REF", **({"unit": "N m"} | fields))
 
 
 def test_a_summary_tells_only_what_was_too_far():  # R-X04, R-E14

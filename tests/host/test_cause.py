@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.cause import Cause, Kind, of_failure, of_loss, of_question, of_refusal, of_signal, of_user
+from onika.host.cause import Kind, of_failure, of_loss, of_question, of_refusal, of_signal
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
 
@@ -66,10 +66,6 @@ def test_a_question_names_what_is_asked_for_and_what_was_wrong():  # R-X06, law 
 def test_a_loss_names_the_task_in_whose_call_it_was(reason, named):  # R-A16, R-X06
     found = of_loss(reason, [("flow0", "sick"), ("flow1", "sick")])
     assert (found.kind, found.subsystem, found.task) == (Kind.LOST, *named)
-
-
-def test_what_somebody_wanted_is_no_tasks_fault():  # R-X06
-    assert of_user("stopped by the user (Ctrl-C)") == Cause(Kind.USER, "stopped by the user (Ctrl-C)")
 
 
 def test_equal_causes_are_one_to_a_set():

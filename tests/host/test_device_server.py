@@ -44,7 +44,7 @@ class Server:
         while True:
             received = self.post.receive()
             if received is None:
-                assert select.select([self.post], [], [], 20.0)[0], f"no {kind.__name__}"
+                assert select.select([self.post], [], [], 20.0)[0], f"no {kind}"
                 continue
             word = room.decode_word(received[0])
             if isinstance(word, kind):
@@ -164,3 +164,15 @@ def test_it_ends_with_the_runtime(server):  # law 31
     server.post.close()
     server.thread.join(20.0)
     assert not server.thread.is_alive()
+
+
+def test_poses_are_told_to_whoever_brings_a_socket_and_not_to_the_runner(server):  # law 29: it is woken for nothing
+    server.open()
+    near, far = Post.pair()
+    server.say(room.Pose("yard"), (far.fileno(),))
+    assert select.select([near], [], [], 20.0)[0]
+    assert room.decode_word(near.receive()[0]).world == "yard"
+    near.close()
+    far.close()
+    server.say(room.Touch("yard", "bell", 1.0))
+    assert isinstance(server.hear(room.Word.__args__), room.Denied)

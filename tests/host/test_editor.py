@@ -59,7 +59,10 @@ def pushed():
 
 def test_a_change_after_which_a_device_would_step_too_far_is_taken_back_with_the_number(pushed):  # R-X04, R-X10
     cause = pushed.change(spawn=["hardest"], on=["hardest"], kill=("push",))
-    assert cause == "hardest: on: FORCE would step by 499 N: a cycle may change it by 1 N, 0.1 s by 50 N"
+    assert cause == (
+        "hardest: on: FORCE would step by 499 N: a cycle may change it by 1 N, 0.1 s by 50 N; "
+        "begin near 1 N, or turn mass off first and on again after this task"
+    )
     assert pushed.states == {"mass": "ON", "push": "ON"}
     pushed.let_pass(0.2)
     assert pushed.values("FORCE") == {"FORCE": 1.0}

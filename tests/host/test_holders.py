@@ -2,8 +2,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.testing.hand import hand_with_tasks
-from onika.testing.rail import MASS, SERVO, rail
-from onika.testing.workshop import action
+from onika.testing.rail import rail
 from onika.wire import event, holding, live, request, steer
 
 
@@ -20,13 +19,6 @@ def leave(hand, session):
     hand.asker.gate.gone.append(session)
     hand.asker.program.serve()
     hand.work()
-
-
-def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
-    hand.shop = rail()
-    plan = hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
-    hand.asker.ask(request.Prepare(plan, ()), session)
-    return hand.asker.ask(request.Begin(on_loss=on_loss), session)
 
 
 def test_who_changes_a_subsystem_first_holds_it(hand):  # R-X12
@@ -148,97 +140,7 @@ def test_what_is_on_its_way_is_turned_off_while_stopped(hand):  # law 27
     assert hand.change(kill=["counter"]) == ""
 
 
-def test_an_application_does_not_begin_where_others_hold_or_tasks_live(hand):  # law 4, R-X12
-    hand.task("mass", MASS, frequency=500.0, local={"DEVICE": "yard:m1"})
-    hand.change(spawn=["counter"], session="one", subsystem="flow0")
-    assert "held by one" in perform(hand, "two").reason
-    answer = perform(hand, "one")
-    assert answer.reason == "subsystem flow0 has tasks already (counter); kill them, or use another subsystem"
-    assert hand.change(kill=["counter"], session="one", subsystem="flow0") == ""
-    assert perform(hand, "one") == request.Done()
-    assert hand.asker.to_the_end().completed
-
-
-def test_a_subsystem_with_an_application_is_not_changed_by_hand(hand):  # R-X12
-    perform(hand, "one")
-    for session in ("one", "two"):
-        assert "application test runs in subsystem flow0" in hand.change(
-            spawn=["servo"], session=session, subsystem="flow0"
-        )
-        assert isinstance(hand.asker.ask(live.Take("flow0"), session), request.Refused)
-
-
-def test_a_run_ends_with_the_session_that_began_it(hand):  # R-X12, R-E10
-    perform(hand, "one")
-    hand.asker.send(live.Advance(0.2), "two")
-    hand.asker.program.advance(1)
-    leave(hand, "one")
-    result = hand.asker.to_the_end()
-    assert not result.completed
-    assert "session one" in result.cause
-    assert perform(hand, "two") == request.Done()
-
-
-def test_a_run_that_was_begun_to_go_on_goes_on(hand):  # R-X12
-    perform(hand, "one", on_loss="run")
-    leave(hand, "one")
-    assert hand.asker.to_the_end().completed
-
-
-@pytest.mark.parametrize("on_loss", ["stop", "finish", "run"])
-def test_a_run_whose_session_is_gone_is_told_to_be_nobodys(hand, on_loss):  # R-X12
-    perform(hand, "one", on_loss=on_loss)
-    leave(hand, "one")
-    told = hand.asker.of(event.Held)[-1]
-    assert (told.subsystem, told.holder) == ("flow0", "")
-    assert "one that began it is gone" in told.cause
-    assert hand.asker.ask(live.Take("flow0"), "two") == request.Done()
-
-
-def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
-    def abort(subsystem, session):
-        ticket = hand.asker.send(request.Abort("enough", subsystem), session)
-        return hand.asker.gate.replies[ticket]
-
-    perform(hand, "one", on_loss="run")
-    hand.asker.send(live.Advance(0.2), "two")
-    hand.asker.program.advance(1)
-    assert "begun by one" in abort("flow0", "two").reason
-    assert abort("elsewhere", "one") == request.Done()
-    hand.asker.gate.gone.append("one")
-    hand.asker.program.serve()
-    assert abort("flow0", "two") == request.Done()
-    hand.asker.to_the_end()
-    assert [one.cause for one in hand.asker.of(event.Result)] == ["enough"]
-
-
-def test_an_answer_to_an_application_is_for_who_began_it(hand):  # R-X12, law 25
-    hand.shop = rail()
-    hand.asker.ask(request.Prepare(hand.shop.plan([action("mass", "servo")]), ()), "one")
-    hand.asker.ask(request.Begin(may_ask=True), "one")
-    hand.work()
-    assert "held by one" in hand.outcome(hand.asker.ask(request.Reply("flow0", "servo", "1.0"), "two"))
-    assert hand.asker.ask(request.Reply("flow0", "servo", "1.0"), "one") == request.Done()
-    assert hand.asker.to_the_end().completed
-
-
-def test_the_servo_of_one_holder_is_not_answered_by_another(hand):  # R-X12
-    hand.shop = rail()
-    hand.task("servo", SERVO)
-    hand.change(spawn=["mass", "servo"], on=["mass", "servo"], session="one")
-    assert "held by one" in hand.outcome(hand.asker.ask(request.Reply("s0", "servo", "1.0"), "two"))
-    assert hand.states["servo"] == "ASKING"
-
-
 SECOND = 1_000_000_000
-
-
-@pytest.fixture
-def watched():
-    """A hand whose holders have a lease of one second, which a test lets run out."""
-    hand = hand_with_tasks()
-    hand.asker.lease(SECOND)
-    return hand
 
 
 def silent(hand, session, seconds):
@@ -317,18 +219,6 @@ def test_a_user_with_one_session_is_enough_of_a_name(hand):  # R-X12
     assert "bob#3, bob#4" in hand.asker.ask(holding.Hand("s0", "bob"), "one").reason
 
 
-def test_a_run_is_handed_over_and_goes_on(hand):  # R-X12
-    there(hand, "two")
-    perform(hand, "one")
-    hand.asker.send(live.Advance(0.2), "two")
-    hand.asker.program.advance(1)
-    assert hand.asker.ask(holding.Hand("flow0", "two"), "one") == request.Done()
-    hand.asker.ask(live.Take("flow0"), "two")
-    assert "was begun by two" in hand.asker.ask(steer.Pause("flow0"), "one").reason
-    leave(hand, "one")
-    assert hand.asker.to_the_end().completed
-
-
 def test_who_only_watches_changes_nothing_and_may_stop(hand):  # R-X12, law 27
     assert hand.asker.ask(holding.OnlyWatch(), "two") == request.Done()
     for asked in (live.Take("s0"), live.Change("s0"), live.Reset(), request.Abort("no"), steer.Resume("s0")):
@@ -344,78 +234,6 @@ def test_a_holder_releases_before_it_only_watches(hand):  # R-X12
     assert hand.asker.ask(holding.OnlyWatch(), "one") == request.Done()
     there_now = hand.asker.ask(holding.Sessions(), "two").sessions
     assert [(one.name, one.only_watches) for one in there_now] == [("one", True), ("two", False)]
-
-
-def test_a_holder_that_is_silent_for_its_lease_leaves_everything_off(watched):  # R-X12, network.md D4
-    watched.change(spawn=["counter"], on=["counter"], session="one")
-    silent(watched, "one", 0.999)
-    assert watched.states == {"counter": "ON"}
-    silent(watched, "one", 1.0)
-    assert watched.states == {"counter": "OFF"}
-    assert held(watched)[-1] == ("s0", "")
-    assert watched.asker.of(event.Held)[-1].cause == "its holder one has been silent for 1.00 s"
-
-
-def test_hardware_of_a_silent_holder_holds(watched):  # R-X12, law 17
-    watched.shop = rail()
-    watched.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")], session="one")
-    watched.let_pass(0.2)
-    silent(watched, "one", 1.2)
-    watched.asker.ask(live.Advance(0.5), "two")
-    where = watched.values("X")["X"]
-    watched.asker.ask(live.Advance(0.5), "two")
-    assert watched.values("X")["X"] == where
-    assert watched.states == {"mass": "OFF", "servo": "OFF"}
-
-
-def test_nothing_moves_again_before_a_holder_that_was_silent_takes_anew(watched):  # R-X12
-    watched.change(spawn=["counter"], on=["counter"], session="one")
-    silent(watched, "one", 1.5)
-    for asked in (live.Change("s0", on=(live.Turn("counter"),)), live.Clear("s0", "counter"), steer.Resume("s0")):
-        assert "was not heard for too long" in watched.asker.ask(asked, "one").reason
-    assert watched.states == {"counter": "OFF"}
-    assert watched.asker.ask(live.Take("s0"), "one") == request.Done()
-    assert watched.states == {"counter": "OFF"}
-    assert watched.change(on=["counter"], session="one") == ""
-
-
-def test_what_a_silent_holder_held_may_be_taken_by_another(watched):  # R-X12
-    watched.change(spawn=["counter"], on=["counter"], session="one")
-    silent(watched, "one", 1.5)
-    assert watched.asker.ask(live.Take("s0"), "two") == request.Done()
-    assert "held by two" in watched.asker.ask(live.Take("s0"), "one").reason
-
-
-@pytest.mark.parametrize(("on_loss", "completed"), [("stop", False), ("run", True)])
-def test_a_run_depends_on_its_lease_as_it_was_begun(watched, on_loss, completed):  # R-X12, R-E10
-    perform(watched, "one", on_loss=on_loss)
-    watched.asker.send(live.Advance(0.2), "two")
-    watched.asker.program.advance(1)
-    silent(watched, "one", 1.5)
-    assert watched.asker.to_the_end().completed is completed
-
-
-def test_a_run_that_paused_for_its_silent_holder_is_anybodys(watched):  # R-X12, R-E10
-    perform(watched, "one", on_loss="finish", goals=("5.0", "1.0"))
-    watched.asker.send(live.Advance(0.2), "two")
-    watched.asker.program.advance(1)
-    silent(watched, "one", 1.5)
-    assert watched.asker.to_the_end() is None
-    assert "was not heard" in watched.asker.ask(steer.Resume("flow0"), "one").reason
-    assert watched.asker.ask(live.Take("flow0"), "one") == request.Done()
-    assert watched.asker.ask(steer.Resume("flow0"), "one") == request.Done()
-    assert watched.asker.to_the_end().completed
-
-
-def test_a_plan_that_was_prepared_before_the_silence_is_not_begun_after_it(watched):  # R-X12
-    watched.asker.ask(live.Take("s1"), "one")
-    watched.shop = rail()
-    plan = watched.shop.plan([action("mass", "servo", arguments="5.0")])
-    watched.asker.ask(request.Prepare(plan, ()), "one")
-    silent(watched, "one", 1.5)
-    assert "no plan is prepared" in watched.asker.ask(request.Begin(), "one").reason
-    watched.asker.ask(request.Prepare(plan, ()), "one")
-    assert watched.asker.ask(request.Begin(), "one") == request.Done()
 
 
 SESSIONS = ("one", "two", "three")

@@ -3,7 +3,7 @@ import signal
 import pytest
 
 from onika.host.patience import Patience
-from onika.runtime.module import ModuleError
+from onika.runtime.error import ModuleError
 
 
 @pytest.fixture

@@ -114,7 +114,10 @@ def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
     desk.ask(request.Prepare(rail().plan([action("mass", "servo")]), ()))
     desk.ask(request.Begin(may_ask=True))
     assert desk.to_the_end() is None
-    assert isinstance(desk.gate.told[-1], event.Asked)
+    asked = desk.gate.told[-1]
+    assert isinstance(asked, event.Asked)
+    (home,) = desk.ask(live.Survey()).subsystems
+    assert (home.asks, home.on_loss) == ((asked,), "stop")  # who comes later can be asked too
     desk.ask(request.Reply("flow0", "servo", "0.5"))
     assert desk.to_the_end().completed
 
@@ -186,8 +189,7 @@ def test_who_may_change_a_subsystem_is_judged_when_the_change_is_carried_out(mon
     first, second = desk.send(change, "first"), desk.send(change, "second")
     assert desk.gate.replies == {}
     loading.is_patient = True
-    kept, desk.program._kept = desk.program._kept, []
-    for call, answer in kept:
+    for call, answer in desk.program._backlog.take():
         desk.program._try(call, answer)
     assert isinstance(desk.gate.replies[first], live.Accepted)
     assert "held by first" in desk.gate.replies[second].reason
@@ -202,8 +204,7 @@ def test_nobody_waits_behind_a_description(monkeypatch):  # law 21
     changed = desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
     assert described not in desk.gate.replies and isinstance(desk.gate.replies[changed], live.Accepted)
     loading.is_patient = True
-    kept, desk.program._kept = desk.program._kept, []
-    for call, answer in kept:
+    for call, answer in desk.program._backlog.take():
         desk.program._try(call, answer)
     assert set(desk.gate.replies[described].sheets) == {shop.code("servo").digest}
 

@@ -2,7 +2,9 @@ import msgspec
 import numpy as np
 import pytest
 
-from onika.host.scribe import Finish, Meet, Pose, Scribe, Show, Tell, Variable, decode, encode
+from onika.host.posing import Posed
+from onika.host.scribe import Finish, Meet, Scribe, Show, Tell, decode, encode
+from onika.host.watched import Variable
 from onika.record import foxglove, said
 from onika.record.reader import Reader
 from onika.record.series import Series
@@ -74,12 +76,12 @@ def test_several_values_since_the_last_look_are_all_there_each_at_a_time_of_its_
 def test_what_was_written_over_is_counted(desk):  # X05: dropping is counted and told in the file
     desk.meet("X", "double")
     desk.scribe.look(0)
-    for k in range(8):
+    for k in range(20):
         desk.write("X", k)
     desk.scribe.look(MS)
     assert desk.scribe.missed == 5
     reader = desk.read()
-    assert [value for _, value in Series.all_of(reader)["flow0/X"].values()] == [5.0, 6.0, 7.0]
+    assert [value for _, value in Series.all_of(reader)["flow0/X"].values()] == [float(k) for k in range(5, 20)]
     assert reader.notes["end"]["missed"] == "5"
 
 
@@ -97,7 +99,7 @@ def test_worlds_are_drawn_once_and_again_when_a_lamp_shines(desk):  # K03
     row = np.array([[0, 0, 1, 1, 0, 0, 0]], dtype=np.float32).tobytes()
     desk.scribe.take(decode(encode(Show("boxes", (shape,)))))
     for at, lit in ((1, ()), (2, ()), (3, ("lamp",))):
-        desk.scribe.take(decode(encode(Pose("boxes", at * MS, row, lit))))
+        desk.scribe.take(decode(encode(Posed("boxes", at * MS, row, lit))))
     reader = desk.read()
     assert [at for at, _ in reader.messages(said.scene("boxes"))] == [0, 3 * MS]
     assert foxglove.lit(reader.newest(said.scene("boxes"), 3 * MS)[1]) == ["lamp"]
@@ -113,3 +115,16 @@ def test_what_was_said_stands_there_and_is_out_at_every_flush(desk):  # R-X05: k
     desk.scribe.take(Tell(said.EVENTS, 6 * MS, body))
     desk.scribe.look(10**10)
     assert Reader(desk.path).count(said.EVENTS) == 2
+
+
+def test_a_file_that_is_deleted_or_cut_meanwhile_is_told(desk):  # R-X05: else it would be missed after the run
+    body = said.encode(said.Happened("flow0", event.Done(0, 1, 0.5)))
+    desk.scribe.take(Tell(said.EVENTS, 5 * MS, body))
+    desk.scribe.flush()
+    with desk.path.open("r+b") as file:
+        file.truncate(10)
+    with pytest.raises(OSError, match="was cut while"):
+        desk.scribe.flush()
+    desk.path.unlink()
+    with pytest.raises(OSError, match="was deleted or replaced"):
+        desk.scribe.take(Finish({}))

@@ -3,9 +3,14 @@ import select
 import threading
 from time import monotonic, monotonic_ns
 
+import numpy as np
+
 from onika.host import scribe_process
+from onika.host.posing import Posed
 from onika.host.post import Post
-from onika.host.scribe import Finish, Meet, Start, Variable, encode
+from onika.host.scribe import Finish, Meet, Start, encode
+from onika.host.watched import Variable
+from onika.record import said
 from onika.record.reader import Reader
 from onika.record.run import Run
 from onika.record.series import Series
@@ -24,7 +29,9 @@ class Beside:
         memory = Segment.create("run", len(body))
         memory.view[:] = body
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT)
-        self.post.send(b"run", (memory.fd, descriptor))
+        self.inlet, far = Post.pair()
+        self.post.send(b"run", (memory.fd, descriptor, far.fileno()))
+        far.close()
         os.close(descriptor)
         memory.close()
         self.far = Post(theirs)
@@ -33,6 +40,7 @@ class Beside:
 
     def close(self):
         self.post.close()
+        self.inlet.close()
         self.thread.join(10)
         self.far.close()
         assert not self.thread.is_alive()
@@ -70,3 +78,26 @@ def test_when_the_runtime_is_gone_it_writes_what_it_has_seen(tmp_path):  # R-X05
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
     assert (Run.read(reader), reader.is_whole) == (run(), False)
+
+
+def test_poses_come_straight_from_whoever_steps_the_world_and_stand_at_their_own_times(tmp_path):  # law 29, K03
+    beside = Beside(tmp_path / "run.mcap")
+    beside.word()
+    zero = monotonic_ns()
+    beside.post.send(encode(Start(zero)))
+    row = np.array([[1, 2, 3, 1, 0, 0, 0]], dtype=np.float32).tobytes()
+    for at in (5, 40):
+        beside.inlet.send(encode(Posed("yard", 0, row, (), zero + at, left_out=at - 5)))
+    beside.post.send(encode(Finish({})))
+    assert beside.word() == scribe_process.Ended(0, "", 35)
+    beside.close()
+    reader = Reader(tmp_path / "run.mcap")
+    assert [at for at, _ in reader.messages(said.frames("yard"))] == [5, 40]
+    assert reader.notes["end"]["untold"] == "35"
+
+
+def test_a_file_that_cannot_take_any_more_is_told_with_its_reason(tmp_path):  # R-X05: a full disk
+    (tmp_path / "full").symlink_to("/dev/full")
+    beside = Beside(tmp_path / "full")
+    assert "No space left" in beside.word().reason
+    beside.close()

@@ -127,3 +127,13 @@ def test_an_event_of_a_subsystem_is_heard_by_its_listeners_and_its_holder(hand):
     hand.change(spawn=["counter"], session="one")
     told = {(where, who) for where, who, one in hand.asker.gate.heard if isinstance(one, event.TaskState)}
     assert told == {("s0", "one")}
+
+
+def test_a_drive_is_told_in_the_time_of_the_run_that_uses_it(hand, stage):  # law 24
+    hand.let_pass(0.5)
+    assert perform(hand, "1.0") == request.Done()
+    result = hand.asker.to_the_end()
+    drives = hand.asker.of(event.Drive)
+    assert [one.state for one in drives] == ["DRIVEN", "HELD"]
+    assert drives[-1].at_s == pytest.approx(result.runtime_s) and drives[0].at_s < 0.1
+    assert stage.run_began("yard:m0") == 0  # nobody uses it any more

@@ -111,6 +111,7 @@ def test_the_drive_follows_from_the_first_fresh_command_and_holds_at_the_end(): 
     drives = run.of(event.Drive)
     assert [(one.device, one.state) for one in drives] == [("yard:m0", "DRIVEN"), ("yard:m0", "HELD")]
     assert drives[1].at_ns == run.driver.now
+    assert drives[1].at_s == run.result.runtime_s  # in the time of the run that uses it
 
 
 def test_two_flows_share_one_world():  # R-K02, law 18

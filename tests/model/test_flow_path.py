@@ -1,7 +1,7 @@
 import pytest
 
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
-from onika.model.flow_path import flows_by_path, numbered, spots, unnumbered, with_flows, with_step
+from onika.model.flow_path import flows_by_path, numbered, spot_of, spots, unnumbered, with_flows, with_step
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 
@@ -30,6 +30,8 @@ def test_a_flow_is_named_by_its_path_through_branches():  # R-D13
     branch = next(number for number, spot in spots(application).items() if isinstance(spot.step, Branch))
     assert [path for path, _ in flows_by_path(application)] == ["0", "1", f"1/{branch}/0", f"1/{branch}/1"]
     assert spots(application)[branch][:2] == ("1", 1)
+    assert {number: spot_of(application, number) for number in spots(application)} == spots(application)
+    assert spot_of(application, 99) is None
 
 
 def test_another_flow_takes_the_place_of_one_deep_inside_and_the_rest_is_the_same():  # R-D13

@@ -10,7 +10,7 @@ pytestmark = pytest.mark.page
 TASKS = ("gravcomp", "diff", "torque_sum", "pd", "led_monitor")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def program(begin):
     """The environment as a newcomer starts it."""
     return begin()

@@ -203,7 +203,11 @@ def test_a_target_is_made_taught_in_words_and_edited(me, program):  # R-D08, R-D
     panel.get_by_label(re.compile("^duration, s")).fill("4")
     panel.get_by_role("button", name="Save", exact=True).click()
     expect(panel).to_have_count(0)
-    assert re.search(r"UI +4", (program.home / "onika" / "dict" / "shelf.onk").read_text())
+    path = program.home / "onika" / "dict" / "shelf.onk"
+    assert re.search(r"UI +4", path.read_text())
+    me.icon("shelf").click(button="middle")
+    path.write_text(path.read_text().replace("to the shelf", "to the upper shelf"))  # by hand meanwhile; R-X10
+    expect(me.panel("to the upper shelf").get_by_role("status")).to_contain_text("changed elsewhere")
 
 
 def test_what_is_begun_of_a_target_is_kept_until_it_is_cancelled(me):  # R-D21

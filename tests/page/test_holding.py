@@ -31,6 +31,7 @@ class There:
         (folder / "users").write_text("\n".join(lines) + "\n")
         self.lab = small_laboratory(folder / "bench")
         own = Laboratory(self.lab.path)
+        own.application("asks", [job("pauseC", "Unheard job")])
         own.application("thrice", [step for _ in range(3) for step in (job("pauseC", "Pause job"), pause("1.0"))])
         self.environment = os.environ | {"XDG_STATE_HOME": str(folder / "state")}
         words = ["--listen", "127.0.0.1:0", "--no-fifo", "--users", str(folder / "users"), "--rtpu", "rt0"]
@@ -102,17 +103,19 @@ def there(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def programs(there, begin):
+def programs():
     """An environment each."""
-    return {name: begin(f"--base={there.lab.path}", "--no-connect") for name in ("ann", "bob")}
+    return {}
 
 
 @pytest.fixture
-def side(programs, new_page, people, excused):
+def side(there, begin, programs, new_page, people, excused):
     """Makes a person at an environment, with a blank configuration."""
     excused.append("WebSocket|ERR_")  # programs are killed under their pages
 
     def entered(name):
+        if name not in programs or programs[name].process.poll() is not None:
+            programs[name] = begin(f"--base={there.lab.path}", "--no-connect")
         person = people(programs[name].enter(new_page()))
         person.blank()
         person.shelf("bench")
@@ -219,6 +222,30 @@ def test_a_run_whose_holder_is_gone_is_taken_over_and_goes_on_only_when_somebody
     bob.press("End it…", row="thrice")
     bob.confirms("End it")
     expect(bob.row("thrice")).to_have_count(0)
+
+
+def test_what_a_run_asks_is_answered_on_the_page_of_whoever_has_taken_it(two):  # R-X12, R-C13
+    ann, bob = two
+    ann.page.get_by_role("button", name="Applications", exact=True).click()
+    ann.page.locator("body").press("Control+o")
+    ann.page.get_by_role("dialog", name="Open an application").get_by_role("button", name="Open asks").click()
+    run = ann.page.get_by_role("region", name="Run", exact=True)
+    run.get_by_label("If the runtime loses this environment").select_option("it goes on")
+    run.get_by_role("button", name=re.compile("^Run")).click()
+    bob.holds("asks and waits for an answer", row="asks")
+    bob.holds("If its holder is lost, it goes on", row="asks")
+    assert bob.page.get_by_role("dialog", name=re.compile("asks$")).count() == 0
+    ann.page.locator("body").press("Alt+h")
+    ann.press("Hand over…", row="asks")
+    ann.page.get_by_role("menuitem", name=re.compile("^bob#")).click()
+    bob.cards.get_by_role("button", name="Take it").click()
+    form = bob.page.get_by_role("dialog", name=re.compile("asks$"))
+    form.get_by_role("textbox", name=re.compile("^duration,")).fill("0.04")
+    form.get_by_role("button", name="Send").click()
+    expect(form).to_have_count(0)
+    expect(bob.row("asks")).to_have_count(0)
+    expect(run.get_by_text(re.compile("Done: "))).to_be_visible()
+    ann.page.get_by_role("button", name="Tasks", exact=True).click()
 
 
 def test_a_frozen_environment_loses_what_it_holds_and_is_told_when_it_is_back(two):  # R-X12

@@ -15,12 +15,12 @@ def wait(seconds):
     return job("pauseC", "Pause job") + target("for_a_while", "Pause object", seconds)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def folder(tmp_path_factory):
     return tmp_path_factory.mktemp("onika")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def program(begin, folder):
     """With a runtime of its own, and small applications in its home."""
     own = Laboratory(folder / "home" / "onika")
@@ -54,12 +54,6 @@ class Recorder:
     def starts(self):
         self.run.get_by_role("button", name=re.compile("^Run ")).click()
 
-    def begins_anew(self):
-        """The runtime as at first, so that the next run is the first on it."""
-        self.page.keyboard.press("Escape")
-        self.run.get_by_role("button", name=re.compile("Put the workcell back|Leave the simulator")).click()
-        expect(self.page.get_by_text("a new runtime is there").first).to_be_visible()
-
     def keeps(self, expects=""):
         self.panel.get_by_placeholder("LAMP == 1").fill(expects)
         self.panel.get_by_role("button", name=re.compile("^Keep( again)?$")).click()
@@ -87,7 +81,6 @@ def test_a_run_is_recorded_where_that_is_switched_on_and_is_looked_at_afterwards
     me.page.get_by_role("button", name="Close the recording").click()
     me.page.reload()
     expect(me.record).to_have_attribute("aria-pressed", "true")
-    me.begins_anew()
 
 
 def test_a_recorded_run_goes_on_in_the_simulator_and_can_be_steered_there(me):  # R-X05, R-E10
@@ -106,14 +99,14 @@ def test_a_recorded_run_goes_on_in_the_simulator_and_can_be_steered_there(me):  
     expect(me.run.get_by_text("1 of 2")).to_be_visible()
     me.run.get_by_role("button", name="Abort", exact=True).click()
     expect(me.run.get_by_text("Ended early")).to_be_visible()
-    me.begins_anew()
+    me.page.keyboard.press("Escape")
+    me.run.get_by_role("button", name="Leave the simulator").click()
+    expect(me.page.get_by_text("a new runtime is there").first).to_be_visible()
     expect(me.page.get_by_text("Simulator", exact=True)).to_have_count(0)
 
 
 def test_where_nothing_can_be_recorded_that_is_said_before_and_it_runs_without(me, folder):  # R-X01, R-X05
-    recordings = folder / "state" / "onika" / "recordings"
-    recordings.rename(recordings.with_name("kept"))
-    recordings.write_text("in the way")
+    (folder / "state" / "onika" / "recordings").write_text("in the way")
     me.opens("quick")
     me.has_switched_it(True)
     me.starts()

@@ -101,7 +101,7 @@ def test_another_robot_is_chosen_at_the_start_icon_and_does_the_program(me):  # 
     expect(me.card).to_contain_text("there is re-resolved for scara, by the pose that it is for puma")
     me.runs()
     expect(me.run.get_by_text(re.compile("Done: "))).to_be_visible(timeout=30_000)
-    me.run.get_by_role("button", name="Undo all").click()
+    me.run.get_by_role("button", name="All as the program says").click()
     expect(me.mark("redirect", 0)).to_have_count(0)
     expect(me.mark("note", 2)).to_have_count(0)
     expect(me.page.locator(".tabs")).not_to_contain_text("•")

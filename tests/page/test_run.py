@@ -73,6 +73,10 @@ class Operator:
 
     def starts(self, name):
         self.opens(name)
+        former = self.run.get_by_role("button", name="Dismiss")
+        if former.is_visible():  # the result of an earlier run of it says the same words
+            former.click()
+            expect(former).to_have_count(0)
         self.run.get_by_role("button", name=re.compile("^Run")).click()
 
     def press(self, words):

@@ -3,9 +3,10 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
-from onika.record.tolerance import Tolerance
+from onika.record.tolerance import WALL, Tolerance
 from onika.testing.tape import Tape
 from onika.wire import event
+from onika.wire.figures import VariableSteps
 
 COURSE = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.0]), (2.0, [3.0, 4.0]))
 
@@ -91,3 +92,28 @@ def test_a_run_cut_short_is_compared_as_far_as_it_goes(tmp_path):  # R-X05
         assert not cut.is_whole
         assert (first_difference(whole, cut, Tolerance()) is not None) == differs
         assert (first_difference(cut, whole, Tolerance()) is not None) == differs
+
+
+def test_runs_in_wall_time_are_compared_by_places(tmp_path):  # R-X05
+    def hand(name, place, speed, force):
+        one = Tape(tmp_path / f"{name}.mcap")
+        for at_s in (0.0, 1.0):
+            one.tell(at_s, event.Began(0, 0, 1, "go", at_s))
+        one.variable("GRIP", "double[3]", (0.0, [0.1, 0.0, 0.0]), (1.0, [place, speed, force]), unit="m,m/s,N")
+        one.variable("TAU", "double[2]", (0.0, [0.0, 0.0]), (1.0, [force, force]), unit="N m")
+        return one.end()
+
+    one = hand("a", 0.2, 1.0, 60.0)
+    assert first_difference(one, hand("b", 0.201, -3.0, -60.0), WALL) is None
+    assert first_difference(one, hand("c", 0.21, 1.0, 60.0), WALL).what == "flow0/GRIP[0]"
+    assert first_difference(one, hand("d", 0.2, 1.0, -60.0), Tolerance(0.1)).what == "flow0/GRIP[2]"
+
+
+def test_the_steps_that_a_run_measured_at_its_end_are_no_difference_by_themselves(tmp_path):  # R-X05: told by values
+    def ended(name, step):
+        one = Tape(tmp_path / f"{name}.mcap")
+        steps = (VariableSteps("flow0", "puma", "TAU", "N m", 1, 0, step, step, 18.0, 0.5),)
+        one.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), "", steps=steps), "")
+        return one.end()
+
+    assert first_difference(ended("a", 1.0), ended("b", 1.1), Tolerance()) is None

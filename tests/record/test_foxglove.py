@@ -1,5 +1,6 @@
 import json
 
+import msgspec
 import numpy as np
 import pytest
 
@@ -75,3 +76,14 @@ def test_shapes_come_back_as_far_as_they_are_drawn(kind, back, size):  # R-X05: 
     (shape,) = foxglove.shapes(foxglove.scene("w", 0, [{**SHAPE, "kind": kind}]))
     assert (shape["body"], shape["kind"], shape["size"]) == (2, back, pytest.approx(size))
     assert (shape["position"], shape["quaternion"], shape["rgba"]) == ([1, 2, 3], [1, 0, 0, 0], [0.1, 0.2, 0.3, 1.0])
+
+
+def test_a_world_may_be_called_what_it_likes_and_have_no_body():  # R-X05
+    row = np.array([[1, 2, 3, 0.5, -0.5, 0.25, 1e-9]] * 2, dtype=np.float32).tobytes()
+    for name in ("a%b", '"quoted"', "größe"):
+        found = msgspec.json.decode(foxglove.frames(name, 2_000_000_003, row))["transforms"]
+        assert [one["parent_frame_id"] for one in found] == [name, name]
+        assert [one["child_frame_id"] for one in found] == [f"{name}/0", f"{name}/1"]
+        assert found[0]["timestamp"] == {"sec": 2, "nsec": 3}
+        assert found[1]["rotation"] == {"x": -0.5, "y": 0.25, "z": pytest.approx(1e-9), "w": 0.5}
+    assert foxglove.rows(foxglove.frames("none", 0, b"")) == []

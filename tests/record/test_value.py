@@ -19,32 +19,39 @@ def same(one, other):
 @given(st.lists(REALS, min_size=1, max_size=12))
 def test_every_double_comes_back_as_it_was(numbers):  # R-X05
     shape = Shape.parse(f"double[{len(numbers)}]")
-    body = value.encoder(shape)(np.array(numbers).tobytes())
+    body = value.encoder(shape)([np.array(numbers).tobytes()])[0]
     assert all(map(same, value.decode(body, shape), numbers))
 
 
 @given(REALS)
 def test_a_lone_double_is_no_list(number):  # R-X05
-    body = value.encoder(Shape.parse("double"))(np.float64(number).tobytes())
+    body = value.encoder(Shape.parse("double"))([np.float64(number).tobytes()])[0]
     assert same(value.decode(body, Shape.parse("double")), number)
 
 
 @given(st.integers(-(2**63), 2**63 - 1))
 def test_every_whole_number_comes_back_as_it_was(number):  # R-X05
-    body = value.encoder(Shape.parse("long"))(np.int64(number).tobytes())
+    body = value.encoder(Shape.parse("long"))([np.int64(number).tobytes()])[0]
     assert value.decode(body, Shape.parse("long")) == number
 
 
 @given(st.text(max_size=60).filter(lambda text: "\0" not in text))
 def test_every_text_comes_back_as_it_was(text):  # R-X05
     shape = Shape.parse("line")
-    body = value.encoder(shape)(letters.encode(text, shape.type, shape.size))
+    body = value.encoder(shape)([letters.encode(text, shape.type, shape.size)])[0]
     assert value.decode(body, shape) == text
+
+
+@given(st.lists(st.tuples(REALS, REALS), min_size=1, max_size=6))
+def test_many_at_once_stand_there_as_each_alone(rows):  # R-X05
+    encoded = value.encoder(Shape.parse("double[2]"))
+    values = [np.array(row).tobytes() for row in rows]
+    assert encoded(values) == [encoded([one])[0] for one in values]
 
 
 def test_a_matrix_is_flat_in_the_file_and_deep_when_read():  # viewers know no lists of lists
     shape = Shape.parse("double[2,3]")
-    body = value.encoder(shape)(np.arange(6.0).tobytes())
+    body = value.encoder(shape)([np.arange(6.0).tobytes()])[0]
     assert json.loads(body) == {"value": [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]}
     assert value.decode(body, shape) == [[0.0, 1.0, 2.0], [3.0, 4.0, 5.0]]
 
@@ -52,7 +59,7 @@ def test_a_matrix_is_flat_in_the_file_and_deep_when_read():  # viewers know no l
 def test_a_picture_is_base64():
     shape = Shape.parse("byte[10,10]")
     data = bytes(range(100))
-    body = value.encoder(shape)(data)
+    body = value.encoder(shape)([data])[0]
     assert len(body) < 200
     assert value.decode(body, shape)[3][4] == 34
 

@@ -55,7 +55,7 @@ def test_a_full_chunk_goes_out_by_itself():  # R-X05: what is written is readabl
     stream = io.BytesIO()
     writer = Writer(stream)
     channel = writer.channel("a", "any", SCHEMA)
-    for at in range(400):
+    for at in range(600):
         writer.message(channel, at, bytes(1000))
     assert stream.tell() > 0
     before = stream.tell()
@@ -71,3 +71,22 @@ def test_a_stream_that_cannot_take_it_is_an_error():
 
     with pytest.raises(OSError, match="no space left"):
         Writer(Full())
+
+
+def test_many_messages_at_once_are_the_same_as_one_after_the_other():
+    def stream(say):
+        found = io.BytesIO()
+        writer = Writer(found)
+        writer.message(writer.channel("b", "any", SCHEMA), 1, b"{}")
+        say(writer, writer.channel("a", "any", SCHEMA))
+        writer.finish()
+        return found.getvalue()
+
+    def one_by_one(writer, channel):
+        for at in range(5):
+            writer.message(channel, at, b"[%d]" % 10**at)
+
+    def at_once(writer, channel):
+        writer.messages(channel, range(5), [b"[%d]" % 10**at for at in range(5)])
+
+    assert stream(one_by_one) == stream(at_once)

@@ -4,19 +4,11 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig
+from onika.testing.rig import HOME, Rig, rig_of
 from onika.testing.source import module
 from onika.words.shape import Shape
 
 MS = 1_000_000
-
-
-def rig_of(source, **given):
-    return Rig().spawn("one", source, **given)
-
-
-def last(rig, kind):
-    return rig.heard(kind)[-1]
 
 
 # Get and set
@@ -33,13 +25,13 @@ def test_a_module_answers_get_and_set():  # R-A05
 def test_a_get_that_raises_is_refused_and_the_task_lives_on(body):  # R-A05
     rig = rig_of(module(body)).do(command.Get(HOME, "one", "gain"))
     assert rig.heard(news.Got) == []
-    assert last(rig, news.Refused).command == "get or set"
+    assert rig.last(news.Refused).command == "get or set"
     assert rig.task("one").state is State.OFF
 
 
 def test_what_cannot_travel_is_refused():
     rig = rig_of(module("    def get(self, name):\n        return 2 ** 70")).do(command.Get(HOME, "one", "x"))
-    assert "OverflowError" in last(rig, news.Refused).reason
+    assert "OverflowError" in rig.last(news.Refused).reason
 
 
 # Ranks
@@ -102,7 +94,7 @@ def test_a_change_of_ndof_binds_the_ports_anew_and_the_instance_lives_on():  # R
 
 def test_what_was_bound_anew_does_not_come_on_before_it_is_reinitialised():  # law 12
     rig = ndof_rig().do(command.Rebind(HOME, "one", ())).switch(on=["one"])
-    assert last(rig, news.Refused).reason == "it was bound anew and waits to be reinitialised"
+    assert rig.last(news.Refused).reason == "it was bound anew and waits to be reinitialised"
     assert rig.do(command.Reinit(HOME, "one")).switch(on=["one"]).task("one").state is State.ON
 
 
@@ -111,14 +103,14 @@ def test_a_reinit_that_raises_is_an_error_and_clear_initialises():  # R-A05
         module("    bad = True\n    def reinit(self):\n        if self.bad:\n            raise ValueError('no')")
     )
     rig.do(command.Reinit(HOME, "one"))
-    assert (last(rig, news.Failed).entry, rig.task("one").state) == ("reinit", State.ERROR)
+    assert (rig.last(news.Failed).entry, rig.task("one").state) == ("reinit", State.ERROR)
     rig.do(command.Clear(HOME, "one"))
     assert (len(rig.heard(news.Initialised)), rig.task("one").state) == (2, State.OFF)
 
 
 def test_a_bad_parameter_is_refused_and_nothing_has_changed():  # R-B07
     rig = ndof_rig().do(command.Rebind(HOME, "robot", (), (("VALUE", ("many",)),)))
-    assert "LOCAL VALUE" in last(rig, news.Refused).reason
+    assert "LOCAL VALUE" in rig.last(news.Refused).reason
     assert rig.task("robot").is_initialised
 
 

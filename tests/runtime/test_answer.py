@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from onika.runtime.answer import Answer
-from onika.runtime.module import ModuleError
+from onika.runtime.error import ModuleError
 
 ANYTHING = st.recursive(
     st.none() | st.booleans() | st.floats() | st.integers() | st.text(),

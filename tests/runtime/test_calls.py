@@ -4,18 +4,10 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig
+from onika.testing.rig import HOME, Rig, rig_of
 from onika.testing.source import COUNTER, cycle, module
 
 MS = 1_000_000
-
-
-def rig_of(source, **given):
-    return Rig().spawn("one", source, **given)
-
-
-def last(rig, kind):
-    return rig.heard(kind)[-1]
 
 
 # Errors
@@ -26,7 +18,7 @@ FAILS = "    def cycle(self):\n        x = 1\n        raise ValueError('planted'
 def test_an_error_is_told_with_file_line_and_traceback():  # R-A18
     source = module(FAILS)
     rig = rig_of(source).switch(on=["one"]).run(0)
-    failed = last(rig, news.Failed)
+    failed = rig.last(news.Failed)
     line = source.splitlines().index("        raise ValueError('planted')") + 1
     assert (failed.entry, failed.text, failed.path, failed.line) == ("cycle", "ValueError: planted", "one.py", line)
     assert f'File "one.py", line {line}' in failed.traceback
@@ -44,7 +36,7 @@ def test_the_modules_error_entry_comes_first_and_may_mend():  # R-A09
 @pytest.mark.parametrize("answer", ["return False", "return None", "raise KeyError", "sys.exit()"])
 def test_an_error_entry_that_gives_up_or_raises_leaves_the_error_as_it_was(answer):  # R-A09
     source = module(FAILS + f"    def error(self, fault):\n        {answer}")
-    assert last(rig_of(source).switch(on=["one"]).run(0), news.Failed).text == "ValueError: planted"
+    assert rig_of(source).switch(on=["one"]).run(0).last(news.Failed).text == "ValueError: planted"
 
 
 def test_a_task_in_error_cycles_no_more_and_the_others_go_on():  # R-A05
@@ -55,7 +47,7 @@ def test_a_task_in_error_cycles_no_more_and_the_others_go_on():  # R-A05
 
 def test_a_module_that_exits_ends_nobody_else():
     rig = rig_of(cycle("sys.exit(3)")).switch(on=["one"]).run(20 * MS)
-    assert last(rig, news.Failed).text == "SystemExit: 3"
+    assert rig.last(news.Failed).text == "SystemExit: 3"
 
 
 def test_a_cycle_that_raises_publishes_nothing():  # law 2
@@ -71,7 +63,7 @@ def test_what_raises_in_another_entry_is_an_error_by_its_name(entry):  # R-A05
     rig = rig_of(module(body)).switch(on=["one"]).run(0)
     if entry != "on":
         rig.do(command.Switch(HOME, ("one",), (), ()) if entry == "off" else command.Clear(HOME, "one"))
-    assert last(rig, news.Failed).entry == entry
+    assert rig.last(news.Failed).entry == entry
     assert rig.task("one").state is State.ERROR
 
 
@@ -91,11 +83,9 @@ def test_a_kill_that_raises_is_told_and_the_task_is_gone():  # R-A05
 @pytest.mark.parametrize("when", ["init", "cycle"])
 def test_a_name_that_is_no_port_is_an_error(when):  # style §3, habit 5
     rig = rig_of(module(f"    def {when}(self):\n        self.Q_REFF = 1.0")).switch(on=["one"]).run(0)
-    assert "Q_REFF is no port of this module: declare it or use another name" in last(rig, news.Failed).text
+    assert "Q_REFF is no port of this module: declare it or use another name" in rig.last(news.Failed).text
 
 
 def test_an_input_cannot_be_written():  # R-A02
     source = module("    X = InVar('double')\n    def cycle(self):\n        self.X = 1.0")
-    assert (
-        "X is an INVAR: it is read, never written" in last(rig_of(source).switch(on=["one"]).run(0), news.Failed).text
-    )
+    assert "X is an INVAR: it is read, never written" in rig_of(source).switch(on=["one"]).run(0).last(news.Failed).text

@@ -134,9 +134,22 @@ def test_what_on_leaves_for_a_device_and_cannot_be_blended_is_refused_before_any
     rig.spawn("second", source("second", 100.0), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
     (refused,) = rig.heard(news.Refused)
     assert refused.command == "on"
-    assert refused.reason == "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N"
+    assert refused.reason == (
+        "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N; "
+        "begin near 0 N, or turn hand off first and on again after this task"
+    )
     assert rig.task("second").state is State.OFF
     assert rig.task("hand").state is State.ON
+    assert largest_step(rig) == 0.0
+
+
+def test_what_the_refusal_says_helps_does_help():  # R-X04, R-X01
+    rig = driven(hand_rig(), 0.0)
+    rig.spawn("second", source("second", 100.0), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
+    rig.switch(off=["hand"]).run(rig.now + 20 * MS).switch(on=["second"]).run(rig.now + 20 * MS)
+    rig.switch(on=["hand"]).run(rig.now + 200 * MS)
+    assert (rig.task("second").state, rig.task("hand").state) == (State.ON, State.ON)
+    assert list(rig.task("hand").module.given[-1]) == [100.0, -100.0]
     assert largest_step(rig) == 0.0
 
 
@@ -146,7 +159,8 @@ def test_what_nobody_could_foresee_and_cannot_be_blended_makes_the_device_hold()
     rig.switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
     (failed,) = rig.heard(news.Failed)
     assert failed.task == "hand"
-    assert "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N" in failed.text
+    assert "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N;" in failed.text
+    assert "turn off what came on" in failed.text
     assert largest_step(rig) == 0.0
     (stepped,) = told(rig)
     assert (stepped.step, stepped.given, stepped.cycles) == (100.0, 0.0, 0)

@@ -6,7 +6,7 @@ import pytest
 from onika.module import InVar
 from onika.ring.slots import Ring
 from onika.runtime.crossing import Crossing
-from onika.runtime.module import LawBroken
+from onika.runtime.error import LawBroken
 
 MOST = 50
 

@@ -31,10 +31,6 @@ def running(source=OLD, *, until=25 * MS, **given):
     return rig.run(until)
 
 
-def last(rig, kind):
-    return rig.heard(kind)[-1]
-
-
 def test_a_module_with_take_goes_on_where_the_old_one_stood_and_misses_no_cycle():  # R-X15, law 21
     rig = running()
     old, tid = rig.task("one").module, rig.task("one").tid
@@ -178,14 +174,14 @@ def test_what_the_old_module_raises_on_its_way_out_is_a_warning():  # law 21
 def test_what_is_not_there_or_of_another_kind_is_refused(given, reason):  # law 21
     rig = running()
     rig.do(swap_of(rig, NEW, **given))
-    assert reason in last(rig, news.Refused).reason
+    assert reason in rig.last(news.Refused).reason
 
 
 def test_a_task_that_asks_is_not_exchanged():  # law 11
     asks = module("    goal = Input('double')")
     rig = Rig().spawn("one", asks).switch(on=["one"])
     rig.do(swap_of(rig, asks))
-    assert "while ASKING" in last(rig, news.Refused).reason
+    assert "while ASKING" in rig.last(news.Refused).reason
 
 
 def test_the_last_argument_line_is_said_again():  # law 21
@@ -201,7 +197,7 @@ ARM = module("    def cycle(self):\n        self.device.write((1.0,))", hardware
 def test_what_commands_a_device_is_exchanged_only_while_it_is_off():  # law 21
     rig = Rig(MassWorld()).spawn("one", ARM, device="m0").switch(on=["one"]).run(100 * MS)
     rig.do(swap_of(rig, ARM, device="m0"))
-    assert last(rig, news.Refused).reason == "it commands a device and is ON: turn it off first"
+    assert rig.last(news.Refused).reason == "it commands a device and is ON: turn it off first"
     rig.switch(off=["one"]).do(swap_of(rig, ARM.replace("1.0", "-1.0"), device="m0"))
     place = rig.bus.world.state("m0")[2]
     rig.switch(on=["one"]).run(400 * MS)
@@ -237,6 +233,6 @@ def test_a_synchronous_module_without_a_descriptor_does_not_take_the_place():  #
     rig = Rig().spawn("one", SYNC, kind="synchronous").switch(on=["one"])
     before = rig.executive.events()
     rig.do(swap_of(rig, module(), kind="synchronous"))
-    assert "fileno" in last(rig, news.Refused).reason
+    assert "fileno" in rig.last(news.Refused).reason
     assert rig.executive.events() == before
     rig.do(command.Kill(HOME, "one"))

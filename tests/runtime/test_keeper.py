@@ -100,6 +100,26 @@ def test_a_program_that_does_not_want_to_end_is_ended_with_all_it_started(keep):
     assert kept.output_ends()
 
 
+LEAVES = "import os, time; os.fork() and ({}); os.setsid(); print('up', flush=True); time.sleep(1000)"
+"""A program that leaves a child behind in a session of its own; what else it does."""
+
+
+def test_nothing_is_left_of_a_program_that_ends_at_once_when_it_shall(keep):  # R-F04
+    kept = keep(sys.executable, "-c", LEAVES.format("time.sleep(1000)"))
+    assert kept.first_line() == "up\n"
+    kept.lifeline.close()
+    assert kept.output_ends()
+
+
+def test_what_a_program_leaves_behind_lives_as_long_as_the_task_and_no_longer(keep):  # R-F04
+    kept = keep(sys.executable, "-c", LEAVES.format("os._exit(0)"))
+    assert kept.said() == "ended with exit code 0"
+    assert kept.first_line() == "up\n"
+    assert not select.select([kept.output], [], [], 0.05)[0]
+    kept.lifeline.close()
+    assert kept.output_ends()
+
+
 def test_the_program_is_in_a_session_of_its_own_and_may_use_all_processors(keep):
     script = "import os; print(f'{os.getsid(0) == os.getpid()} {len(os.sched_getaffinity(0))}')"
     kept = keep(sys.executable, "-c", script)

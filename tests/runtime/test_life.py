@@ -1,22 +1,14 @@
-"""The lives of tasks: commands in every state, switches, kinds of tasks, user input."""
+"""The lives of tasks: commands in every state, switches, kinds of tasks."""
 
 import pytest
 from msgspec import structs
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig
-from onika.testing.source import COUNTER, HEAD, cycle, module
+from onika.testing.rig import HOME, Rig, rig_of
+from onika.testing.source import COUNTER, HEAD, module
 
 MS = 1_000_000
-
-
-def rig_of(source, **given):
-    return Rig().spawn("one", source, **given)
-
-
-def last(rig, kind):
-    return rig.heard(kind)[-1]
 
 
 # Spawning
@@ -40,13 +32,13 @@ def test_a_task_is_off_after_it_was_spawned():  # R-A05
 )
 def test_a_task_that_cannot_live_is_refused_with_the_reason(source, given, reason):  # R-B07
     rig = rig_of(source, **given)
-    assert reason in last(rig, news.Refused).reason
+    assert reason in rig.last(news.Refused).reason
     assert rig.executive.tasks == {}
 
 
 def test_a_second_task_of_one_name_is_refused():  # R-A06
     rig = rig_of(module()).spawn("one", module())
-    assert last(rig, news.Refused).reason == "a task of this name lives here already"
+    assert rig.last(news.Refused).reason == "a task of this name lives here already"
 
 
 def test_one_module_serves_many_tasks_that_share_nothing():  # R-A01, law 14
@@ -65,7 +57,7 @@ def test_an_init_that_raises_is_an_error_and_clear_initialises_anew():  # R-A05
         "        if len(self.tried) == 1:\n            raise ModuleError('not yet')"
     )
     rig = rig_of(source)
-    assert (last(rig, news.Failed).entry, rig.task("one").state) == ("init", State.ERROR)
+    assert (rig.last(news.Failed).entry, rig.task("one").state) == ("init", State.ERROR)
     rig.do(command.Clear(HOME, "one"))
     assert rig.heard(news.Initialised) == [news.Initialised(HOME, "one")]
     assert rig.task("one").module.tried == [1, 1]
@@ -230,7 +222,7 @@ def test_what_another_subsystem_forgets_is_none_of_ours():  # R-A06
 @pytest.mark.parametrize("rate", [0.0, -1.0, float("nan"), float("inf"), 2e9])
 def test_a_rate_that_is_none_is_refused_and_the_old_one_stays(rate):  # R-A04
     rig = rig_of(COUNTER).switch(on=["one"], rates=[("one", rate)])
-    assert "expected a rate" in last(rig, news.Refused).reason
+    assert "expected a rate" in rig.last(news.Refused).reason
     assert rig.run(20 * MS)["N"] == 3
 
 
@@ -298,7 +290,7 @@ def test_a_synchronous_task_waits_for_its_descriptor_while_it_is_on():  # R-A04
 def test_a_synchronous_module_that_names_no_descriptor_is_in_error():  # R-A04
     rig = rig_of(module("    pass"), kind="synchronous").switch(on=["one"])
     assert rig.task("one").state is State.ERROR
-    assert "fileno" in last(rig, news.Failed).text
+    assert "fileno" in rig.last(news.Failed).text
 
 
 def test_an_event_of_a_task_that_is_off_or_not_synchronous_is_nothing():  # R-A04
@@ -313,93 +305,6 @@ def test_an_error_in_sync_is_one_of_the_cycle():  # R-A09
     rig = rig_of(source, kind="synchronous").switch(on=["one"])
     heard = rig.executive.event((HOME, "one"), 0)
     assert [(one.entry, one.text) for one in heard] == [("cycle", "ValueError: planted")]
-
-
-# User input
-
-ASKS = module(
-    "    QMAX = InConst('double[2]')\n    goal = Input('double[2]', 'rad', 'where', low=0, high='QMAX')\n"
-    "    def on(self, inputs):\n        self.goal = inputs.goal\n"
-    "        if inputs.goal[0] == 0.5:\n            raise AskAgain('anywhere but there')"
-)
-
-
-def asking_rig():
-    rig = Rig()
-    rig.spawn("limit", module("    QMAX = OutConst('double[2]')\n    def init(self):\n        self.QMAX = 3.0"))
-    return rig.spawn("one", ASKS)
-
-
-@pytest.mark.parametrize(
-    ("line", "reason"),
-    [
-        ("", ""),
-        ("1", "expected 2 values"),
-        ("1 2 3", "expected 2 values"),
-        ("1 x", "goal[1]: expected a number"),
-        ("1 3.5", "goal[1]: expected 0..3 rad, found 3.5"),
-        ('"1', "double quotes"),
-        ("0.5 1", "anywhere but there"),
-    ],
-)
-def test_input_that_is_missing_or_wrong_is_asked_for_with_the_reason_until_it_is_right(line, reason):  # R-A10
-    rig = asking_rig().switch(on=[command.Launch("one", line)])
-    asked = last(rig, news.Asked)
-    assert reason in asked.reason
-    assert bool(asked.reason) == bool(reason)
-    assert (asked.items[0].name, asked.items[0].count, asked.items[0].high) == ("goal", 2, (3.0, 3.0))
-    assert rig.run(50 * MS).task("one").counters.cycles == 0
-    rig.do(command.Answer(HOME, "one", "9 9"))
-    assert "expected 0..3 rad, found 9" in last(rig, news.Asked).reason
-    assert rig.task("one").state is State.ASKING
-    rig.do(command.Answer(HOME, "one", "1 2")).run(rig.now)
-    assert rig.task("one").state is State.ON
-    assert rig.task("one").module.goal.tolist() == [1.0, 2.0]
-
-
-def test_a_task_that_asks_can_be_turned_off_and_its_off_is_not_run():  # R-A10
-    source = ASKS + "\n    def off(self):\n        raise ValueError('never was on')"
-    rig = Rig().spawn("limit", module("    QMAX = OutConst('double[2]')")).spawn("one", source)
-    rig.switch(on=["one"]).switch(off=["one"])
-    assert (rig.task("one").state, rig.heard(news.Failed)) == (State.OFF, [])
-
-
-# Activations
-
-
-def test_news_carry_the_activation_of_the_last_launch():  # R-A07
-    source = cycle("return finish()", trigger=True)
-    rig = rig_of(source).switch(on=[command.Launch("one", activation=7)]).run(0)
-    rig.switch(on=[command.Launch("one", activation=8)]).run(rig.now)
-    told = [(type(one).__name__, one.activation) for _, one in rig.news[1:]]
-    assert told == [(name, run) for run in (7, 8) for name in ("Changed", "Cycled", "Finished")]
-
-
-@pytest.mark.parametrize(
-    ("line", "kind"),
-    [
-        ("return illegal('x')", news.Signalled),
-        ("return off()", news.Changed),
-        ("raise ValueError", news.Failed),
-        ("pass", news.Cycled),
-    ],
-)
-def test_every_word_of_a_run_carries_its_activation(line, kind):  # R-A07
-    rig = rig_of(cycle(line)).switch(on=[command.Launch("one", activation=7)]).run(0)
-    assert last(rig, kind).activation == 7
-
-
-def test_a_question_and_what_follows_its_answer_carry_the_activation():  # R-A10
-    rig = asking_rig().switch(on=[command.Launch("one", activation=5)])
-    assert last(rig, news.Asked).activation == 5
-    assert last(rig.do(command.Answer(HOME, "one", "1 2")), news.Changed).activation == 5
-    assert last(rig.do(command.Kill(HOME, "one")), news.Changed).activation == 5
-
-
-def test_a_launch_that_is_refused_leaves_the_activation_of_the_present_run():
-    rig = rig_of(COUNTER).switch(on=[command.Launch("one", activation=1)])
-    rig.switch(on=[command.Launch("one", activation=2)]).switch(off=["one"])
-    assert last(rig, news.Changed).activation == 1
 
 
 # After a stop

@@ -4,7 +4,11 @@ from types import SimpleNamespace
 
 import pytest
 
+from onika.model.lifecycle import State
 from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
+from onika.ring.device import Drive, Order
+from onika.testing.bench import Bench
+from onika.testing.bench_device import BenchDevice
 from onika.testing.rig import Rig
 from onika.testing.source import module
 
@@ -100,3 +104,75 @@ def test_compiled_code_gets_the_memory_of_a_port():  # R-A01
     assert (one.buffer("X").shape, one.buffer("X").flags.writeable) == ((1,), False)
     with pytest.raises(AttributeError, match=r"expected a port \(X, Y\), found Z"):
         one.buffer("Z")
+
+
+# Hardware modules
+
+ARM = """
+from onika.module import InVar, Local, Module, OutConst
+
+class One(Module):
+    hardware = True
+    NDOF = OutConst("int")
+    SIZE = OutConst("double", name="SIZE^")
+    F = InVar("double")
+    WIDE = Local("double", "m", "how wide", default=0.5)
+
+    @classmethod
+    def constants(cls, local):
+        return {"NDOF": 2, "SIZE^": 2 * local.WIDE}
+
+    def init(self):
+        assert self.state_constants() == {"NDOF": 2, "SIZE^": 2 * self.WIDE}
+
+    def cycle(self):
+        self.device.read()
+        self.check_drive()
+        self.device.write((self.F,))
+
+    def clear(self):
+        self.clear_drive()
+"""
+
+
+@pytest.fixture
+def device():
+    return BenchDevice((), ("force",))
+
+
+@pytest.fixture
+def arm(device, tmp_path):
+    path = tmp_path / "one.py"
+    path.write_text(ARM)
+    bench = Bench(path, device=device).init().on()
+    bench["F"] = 1.0
+    return bench
+
+
+def test_a_robot_publishes_what_it_states_before_a_run(arm):  # law 26
+    assert (arm["NDOF"], arm["SIZE^"]) == (2, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("drive", "why"), [(Drive.TRIPPED, "the drive has tripped"), (Drive.PRESSED, "panic button pressed")]
+)
+def test_a_drive_that_does_not_follow_is_an_error(arm, device, drive, why):  # law 17, R-K06
+    device.values[1] = drive
+    arm.cycle()
+    assert (arm.state, why in arm.why) == (State.ERROR, True)
+
+
+@pytest.mark.parametrize("drive", [Drive.DRIVEN, Drive.HELD])
+def test_a_drive_that_holds_may_follow_again(arm, device, drive):  # law 4
+    device.values[1] = drive
+    assert arm.cycle().state is State.ON
+
+
+def test_a_drive_is_cleared_only_after_its_button_was_let_go(arm, device):  # R-K06
+    device.values[1] = Drive.PRESSED
+    arm.cycle().clear()
+    assert (arm.state, "let it go, then clear" in arm.why) == (State.ERROR, True)
+    device.values[1] = Drive.TRIPPED
+    device.publish(0)
+    arm.clear()
+    assert (arm.state, device.order) == (State.OFF, Order.CLEAR)

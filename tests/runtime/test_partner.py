@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.runtime.dialogue import LONGEST
-from onika.runtime.module import ModuleError
+from onika.runtime.error import ModuleError
 from onika.runtime.partner import Partner
 from onika.testing.outsider import Outsider, wait
 

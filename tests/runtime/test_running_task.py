@@ -6,13 +6,12 @@ from types import SimpleNamespace
 import pytest
 
 from onika.model.lifecycle import IllegalTransition, State, Step
-from onika.model.signal import Signal, SignalKind, finish
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, ModuleError, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.device import SILENCE_NS
-from onika.runtime.module import LawBroken
-from onika.runtime.running_task import RunningTask, period_of
+from onika.runtime.error import LawBroken
+from onika.runtime.running_task import RunningTask
 from onika.runtime.table import Table
 from onika.testing.bench_device import SEGMENT, BenchDevice
 from onika.words.shape import Shape
@@ -186,30 +185,10 @@ def test_a_clear_initialises_what_never_was(place):
     assert (task.is_initialised, task.module.tries) == (True, 2)
 
 
-@pytest.mark.parametrize(("frequency", "period"), [(1.0, 10**9), (3.0, 333_333_333), (500.0, 2 * MS), (1e9, 1)])
-def test_a_period_is_whole_nanoseconds(frequency, period):  # law 13
-    assert period_of(frequency) == period
-
-
-@pytest.mark.parametrize("frequency", [0.0, -1.0, 1.1e9, float("nan"), float("inf")])
-def test_what_has_no_period_is_refused(frequency):
-    with pytest.raises(ValueError, match="expected a rate above 0 Hz"):
-        period_of(frequency)
-
-
 def test_another_rate_is_another_period_and_another_dt(place):  # R-A04
     task = place.task(Steps)
     assert task.change_rate(50.0) == 20 * MS
     assert (task.period_ns, task.module.dt) == (20 * MS, 0.02)
-
-
-@pytest.mark.parametrize(
-    ("returned", "told"),
-    [(finish(), "only a trigger finishes"), ("done", "found 'done'"), (Signal(SignalKind.USER, number="x"), "'str'")],
-)
-def test_what_is_no_signal_of_this_task_is_refused(place, returned, told):  # R-A08
-    with pytest.raises(TypeError, match=told):
-        place.task(Steps).sound(returned)
 
 
 def test_what_is_prepared_is_not_seen_by_others_before_it_is_published(place):  # law 21

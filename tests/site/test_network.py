@@ -260,7 +260,7 @@ def porter_of(pid):
     for path in Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
             words = path.read_bytes().split(b"\0")
-            if b"onika.host.porter" in words and str(pid).encode() in words:
+            if b"onika.host.porter_process" in words and str(pid).encode() in words:
                 return int(path.parent.name)
     raise AssertionError("there is no porter")
 

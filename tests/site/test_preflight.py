@@ -243,6 +243,11 @@ PLANTED = {
     "a port too few": (own("p", lined(POSE), pd={"INVAR": "Q_REF Q^_REF Q_MEZ"}), (), ["INVAR Q^_MEZ"]),
     "too slow a robot": (own("p", lined(POSE), puma={"FREQ": "20"}), (), ["at least 40 Hz"]),
     "a parameter that is none": (own("p", lined(POSE), puma={"BASE": "0 0"}), (), ["LOCAL BASE"]),
+    "a parameter beyond what is possible": (
+        own("p", lined(POSE), puma={"BASE": "0 0 0 0\nSTEP        -5"}),
+        (),
+        ["STEP"],
+    ),
     "five of six joints": (
         own("p", [job("jmove_scaraC", "Joint job"), joints("there", *REACHED)]),
         (),

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig
+from onika.testing.rig import HOME, Rig, rig_of
 from onika.testing.source import COUNTER
 from onika.testing.worlds import MassWorld
 
@@ -89,3 +89,9 @@ def test_a_rig_gives_its_memory_back_with_its_last_use():
         assert len(list(Path("/proc/self/fd").iterdir())) == before
     finally:
         gc.enable()
+
+
+def test_the_last_news_of_a_kind_of_a_rig_with_one_task():
+    rig = rig_of(COUNTER).switch(on=["one"]).switch(off=["one"])
+    assert [one.state for one in rig.heard(news.Changed)] == ["ON", "OFF"]
+    assert rig.last(news.Changed).state == "OFF"

@@ -48,6 +48,16 @@ def test_a_test_without_its_source_is_named(tool, house):
     assert found(tool, house) == ["tests/model/test_task.py tests no src/onika/model/task.py"]
 
 
+def test_what_is_said_of_one_source_may_stand_apart_by_subject(tool, house):
+    (house / "tests/model/test_task_ports.py").touch()
+    assert found(tool, house) == []
+
+
+def test_a_subject_does_not_stand_in_for_the_test_of_its_source(tool, house):
+    (house / "tests/model/test_task.py").rename(house / "tests/model/test_task_ports.py")
+    assert found(tool, house) == ["src/onika/model/task.py has no tests/model/test_task.py"]
+
+
 def test_an_exception_stands_only_while_it_is_needed(tool, house):
     (house / "src/onika/model/port.py").touch()
     tool["complaints"].__globals__["WITHOUT_TEST"] |= {"model/port.py": "why", "model/task.py": "why", "gone.py": "why"}

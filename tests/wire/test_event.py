@@ -2,10 +2,11 @@ import msgspec
 import pytest
 
 from onika.wire import event, holding
+from onika.wire.figures import TaskFigures, VariableSteps
 
 ITEM = event.Item("level", "double", 2, "m", "how high", (0.5, 0.5), (0.0, 0.0), None)
-STEPS = event.VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 40.0, 9.0, 9.76, 1.5, 2, 6, 0)
-FIGURES = event.TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 2, 4.5, 20.0)
+STEPS = VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 40.0, 9.0, 9.76, 1.5, 2, 6, 0)
+FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 2, 4.5, 20.0)
 EVENTS = [
     event.Began(0, 1, 3, "jmoveC home", 1.5),
     event.Done(0, 1, 2.5),

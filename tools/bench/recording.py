@@ -1,23 +1,26 @@
 """What recording costs a wall run: share of a core, missed cycles, values that were not seen.
 
 Usage: python tools/bench/recording.py [--rounds N] [--application NAME] [--no-fifo]. Runs with and without a recording
-take turns, so that the machine's other load falls on both alike.
+take turns, so that the machine's other load falls on both alike. Shares are those of the run itself: what processes
+use until they are up is told apart. The last line is the cost: all that recorded runs use more than others, the median
+of the rounds.
 """
 
 import argparse
 import json
-import os
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+from statistics import median
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
 
 from onika.record.reader import Reader
 
-_TICK_S = 1.0 / os.sysconf("SC_CLK_TCK")
+_SETTLED_S = 1.0
+"""So long after the last process has come up, everything runs."""
 
 
 def main() -> None:
@@ -28,34 +31,48 @@ def main() -> None:
     parser.add_argument("--no-fifo", action="store_true")
     given = parser.parse_args()
     with tempfile.TemporaryDirectory() as folder:
+        costs = []
         for number in range(given.rounds):
-            for path in (None, Path(folder) / f"{number}.mcap"):
-                print(_line(given, path), flush=True)
+            plain, recorded = (_shares(given, path) for path in (None, Path(folder) / f"{number}.mcap"))
+            costs.append(recorded - plain)
+            print(f"{'':8}  recording costs {costs[-1]:.1f} % of a core", flush=True)
+    print(f"recording costs {median(costs):.1f} % of a core")
 
 
-def _line(given: argparse.Namespace, path: Path | None) -> str:
+def _shares(given: argparse.Namespace, path: Path | None) -> float:
+    """Print how a run went; what share of a core all its processes used."""
     words = [sys.executable, "-c", "from onika.cli import main; raise SystemExit(main())", "run", given.application]
     words += ["--json", *(("--no-fifo",) if given.no_fifo else ()), *(("--record", str(path)) if path else ())]
     program = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
-    used: dict[str, float] = {}
+    seen: list[tuple[float, dict[str, float]]] = []
     while program.poll() is None:
-        for name, seconds in _used(program.pid).items():
-            used[name] = max(used.get(name, 0.0), seconds)
-        time.sleep(0.2)
+        seen.append((time.monotonic(), _used(program.pid)))
+        time.sleep(0.1)
     said, _ = program.communicate()
     result = json.loads(said.splitlines()[-1])
-    lasted = result["runtime_s"]
-    cycles = sum(one["cycles"] for one in result["tasks"])
-    missed = sum(one["missed"] for one in result["tasks"])
-    shares = "  ".join(f"{name} {100 * seconds / lasted:.1f} %" for name, seconds in sorted(used.items()))
-    text = f"{'recorded' if path else 'plain':8}  {lasted:.2f} s  {missed} of {cycles} cycles missed  {shares}"
+    shares, before = _between(seen)
+    cycles, missed = (sum(one[key] for one in result["tasks"]) for key in ("cycles", "missed"))
+    total = sum(shares.values())
+    parts = "  ".join(f"{name} {share:.1f} %" for name, share in sorted(shares.items()))
+    text = f"{'recorded' if path else 'plain':8}  {missed} of {cycles} cycles missed  {parts}  in all {total:.1f} %"
     if path:
-        reader = Reader(path)
+        reader, lasted = Reader(path), result["runtime_s"]
         count, size = sum(map(reader.count, reader.channels)), path.stat().st_size
         text += (
             f"  {count / lasted:.0f} values/s, {size / lasted / 1e3:.0f} kB/s, {reader.notes['end']['missed']} unseen"
         )
-    return text
+        text += f", {before.get('scribe_process', 0.0):.2f} s to come up"
+    print(text, flush=True)
+    return total
+
+
+def _between(seen: list[tuple[float, dict[str, float]]]) -> tuple[dict[str, float], dict[str, float]]:
+    """Of each process its share of a core in % while everything runs, and the seconds it had used before."""
+    most = max(len(used) for _, used in seen)
+    full = [(at, used) for at, used in seen if len(used) == most]
+    some = [one for one in full if one[0] >= full[0][0] + _SETTLED_S]
+    (begin, before), (end, after) = some[0], some[-1]
+    return {name: 100 * (after[name] - before[name]) / (end - begin) for name in after}, before
 
 
 def _used(parent: int) -> dict[str, float]:
@@ -65,12 +82,13 @@ def _used(parent: int) -> dict[str, float]:
         try:
             words = (status.parent / "cmdline").read_text().split("\0")
             fields = status.read_text().rpartition(") ")[2].split()
+            used = (status.parent / "schedstat").read_text()
         except OSError:
             continue
         module = next((one for one in words if one.startswith("onika.host")), "")
         if module and _descends(int(fields[1]), parent):
             name = module.removeprefix("onika.host").lstrip(".") or "runtime"
-            found[name] = (int(fields[11]) + int(fields[12])) * _TICK_S
+            found[name] = int(used.split()[0]) * 1e-9
     return found
 
 

@@ -10,12 +10,14 @@ import { skipping } from '../perform/skipping.svelte'
 import { isReviewing } from '../review/review.svelte'
 import { stopped, standstills } from '../perform/stopped.svelte'
 import '../perform/ticking.svelte'
-import { asks } from '../run/asks.svelte'
+import { takenAsks } from '../holding/held'
+import { everything } from '../holding/standing.svelte'
+import { asking as allAsking, asks } from '../run/asks.svelte'
 import { t } from '../texts/index.svelte'
 
 const run = () => (isReviewing() ? null : desk.live.run)
 const waiting = (): string | undefined => flowsOf(run()).find((name) => run()?.flows?.[name]?.state === 'waiting')
-const asking = (): string | undefined => Object.keys(run()?.asks ?? {})[0]
+const asking = (): string | undefined => Object.keys(allAsking(undefined, run(), takenAsks(everything())))[0]
 const looping = (): string | undefined => flowsOf(run()).find((name) => run()?.flows?.[name]?.loops?.length)
 
 /** Panels that ask for something: what is typed is meant for them, and a key does not set the machine in motion beneath them. */

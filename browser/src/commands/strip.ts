@@ -3,6 +3,8 @@ import { command } from '../commands'
 import { desk } from '../desk.svelte'
 import { here, type StripTab } from '../here.svelte'
 import { watchAgain } from '../frames'
+import { takenAsks } from '../holding/held'
+import { everything } from '../holding/standing.svelte'
 import { asking, asks } from '../run/asks.svelte'
 import { isWorldShown, plot, showWorld } from '../run/plots.svelte'
 import { t } from '../texts/index.svelte'
@@ -57,5 +59,5 @@ command({
 const firstWorld = (): string | undefined => Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
 
 function firstAsking(): string | undefined {
-  return desk.live.review ? undefined : Object.keys(asking(desk.tree.documents[here.doc], desk.tree.run))[0]
+  return desk.live.review ? undefined : Object.keys(asking(desk.tree.documents[here.doc], desk.tree.run, takenAsks(everything())))[0]
 }

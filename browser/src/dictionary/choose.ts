@@ -17,16 +17,19 @@ export interface Entry {
 export interface Group {
   readonly type: string
   readonly names: string[]
-  /** Whether its icons fit at the place where the next one goes; `hole`: they are what is missing there. */
-  readonly fit: '' | 'here' | 'hole'
+  /** The left edge of its icons. */
+  readonly left: string
 }
+
+/** Whether the icons of a group fit at the place where the next one goes; `hole`: they are what is missing there. */
+export type Fit = '' | 'here' | 'hole'
 
 export interface Wish {
   /** The dictionary's path; empty: all. */
   readonly dictionary: string
   readonly wanted: string
-  readonly gap: Gap | undefined
-  readonly fitsOnly: boolean
+  /** The left edge of those that fit, where no others are wanted. */
+  readonly left: string | undefined
 }
 
 /** All icons in the order of the syntax's types, of the dictionaries, and within these. */
@@ -55,13 +58,13 @@ function compared(a: readonly number[], b: readonly number[]): number {
 }
 
 /** What is wished for, in groups of one type each. */
-export function choose(entries: readonly Entry[], { dictionary, wanted, gap, fitsOnly }: Wish): Group[] {
+export function choose(entries: readonly Entry[], { dictionary, wanted, left }: Wish): Group[] {
   const words = wanted.trim().toLowerCase().split(/\s+/).filter(Boolean)
   const isChosen = (one: Entry): boolean =>
-    (words.length > 0 || !dictionary || one.dictionary === dictionary) && words.every((word) => one.text.includes(word)) && (!fitsOnly || fits(one, gap))
+    (words.length > 0 || !dictionary || one.dictionary === dictionary) && words.every((word) => one.text.includes(word)) && (left === undefined || one.left === left)
   const groups = new Map<string, Entry[]>()
   for (const one of entries) if (isChosen(one)) groups.get(one.type)?.push(one) ?? groups.set(one.type, [one])
-  return [...groups].map(([type, some]) => ({ type, names: sorted(some, words[0]).map((one) => one.name), fit: fitOf(type, some[0]!, gap) }))
+  return [...groups].map(([type, some]) => ({ type, names: sorted(some, words[0]).map((one) => one.name), left: some[0]!.left }))
 }
 
 /** Names and words that begin with what was typed come first. */
@@ -71,7 +74,7 @@ function sorted(some: readonly Entry[], word: string | undefined): readonly Entr
   return [...some].sort((a, b) => begins(a) - begins(b))
 }
 
-function fitOf(type: string, one: Entry, gap: Gap | undefined): Group['fit'] {
-  if (!gap || !fits(one, gap)) return ''
-  return gap.isHole && gap.wants.includes(type) ? 'hole' : 'here'
+export function fitOf(group: Group, gap: Gap | undefined): Fit {
+  if (!gap || !fits(group, gap)) return ''
+  return gap.isHole && gap.wants.includes(group.type) ? 'hole' : 'here'
 }

@@ -22,6 +22,9 @@ export function subjectOf({ step, onikon, doc }: Record<string, string>): Subjec
 /** What tells it from others, for what is begun of it and not saved. */
 export const keyOf = ({ step, onikon, doc }: Record<string, string>): string => (step !== undefined ? `step ${doc || here.app} ${step}` : `onikon ${onikon}`)
 
+/** What it says and shows, in one word: another one tells that somebody has changed it meanwhile. */
+export const contentOf = ({ description, words, values, picture }: Subject['one']): string => JSON.stringify([description, words, values, picture])
+
 function stepOf(doc: string, number: string): Subject | undefined {
   const app = desk.tree.applications[doc]
   const one = app?.steps?.[number]

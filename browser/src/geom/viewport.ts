@@ -1,6 +1,6 @@
 /** What part of a scene is seen and how large: an immutable view, moved and scaled by the functions here. */
 
-import { areaOf, grown, overlaps, span, touches, union, type Area, type Pt, type Rect } from './rect'
+import { union, type Area, type Pt } from './rect'
 
 /** A point p of the scene appears at p · scale + (x, y). */
 export interface View {
@@ -64,15 +64,4 @@ export function seen(view: View, screen: Size): Area {
   const [x0, y0] = toScene(view, [0, 0])
   const [x1, y1] = toScene(view, [screen.w, screen.h])
   return { x0, y0, x1, y1 }
-}
-
-/** What of many boxes is on the screen, with a margin so that nothing appears late while panning. */
-export function culled<T extends Rect>(boxes: Iterable<T>, view: View, screen: Size, margin = 100): T[] {
-  const shown = grown(seen(view, screen), margin)
-  return [...boxes].filter((box) => overlaps(shown, areaOf(box)))
-}
-
-/** Whether any of a wire may be on the screen. */
-export function wireSeen(points: readonly Pt[], shown: Area): boolean {
-  return points.slice(1).some((p, k) => touches(shown, span([points[k], p])))
 }

@@ -1,5 +1,5 @@
 // Who holds what, as one list: a configuration's subsystem each, an application with all its flows.
-import type { DocumentView, HoldView, RuntimeView, SessionView } from '../api.gen'
+import type { AskView, DocumentView, HoldView, RuntimeView, SessionView } from '../api.gen'
 
 export interface Held {
   /** What it is called: the application, else the subsystem. */
@@ -26,6 +26,10 @@ export interface Held {
   offeredUntil: number
   /** Where the flows are, each once. */
   states: string[]
+  /** What becomes of a run where its holder is lost. */
+  onLoss: string
+  /** What its tasks ask, as `SUBSYSTEM/TASK`. */
+  asks: Record<string, AskView>
 }
 
 type Documents = Record<string, DocumentView>
@@ -41,6 +45,7 @@ export function heldIn(runtime: RuntimeView, documents: Documents, own: readonly
     const known = found.get(key)
     if (known) {
       known.subsystems.push(subsystem)
+      Object.assign(known.asks, asksIn(subsystem, hold))
       if (hold.state && !known.states.includes(hold.state)) known.states.push(hold.state)
     } else found.set(key, one(subsystem, hold, documents, own, me))
   }
@@ -66,8 +71,17 @@ function one(subsystem: string, hold: HoldView, documents: Documents, own: reado
     isOfferedHere: me !== '' && hold.offered_to === me,
     offeredUntil: hold.offered_until_s ?? 0,
     states: hold.state ? [hold.state] : [],
+    onLoss: hold.on_loss ?? '',
+    asks: asksIn(subsystem, hold),
   }
 }
+
+const asksIn = (subsystem: string, hold: HoldView): Record<string, AskView> =>
+  Object.fromEntries(Object.entries(hold.asks ?? {}).map(([task, ask]) => [`${subsystem}/${task}`, ask]))
+
+/** What runs that others began and that are held here ask. */
+export const takenAsks = (all: readonly Held[]): Record<string, AskView> =>
+  Object.assign({}, ...all.filter((one) => one.isRun && one.isMine && !one.isOwnRun).map((one) => one.asks))
 
 /** What one holds, by name. */
 export const heldBy = (all: readonly Held[], session: string): string[] => all.filter((one) => one.holder === session).map((one) => one.name)

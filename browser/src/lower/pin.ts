@@ -4,8 +4,6 @@ import type { PinView } from '../api.gen'
 /** CONST square, VAR circle, BOTH half and half. */
 export type Shape = 'C' | 'V' | 'B'
 
-/** How far a pin and its stub stand out of the box where the preferences say nothing. */
-export const STUB = 8
 const R = 4
 
 export const isInput = (pin: Pick<PinView, 'kind'>): boolean => pin.kind.startsWith('IN')

@@ -4,6 +4,8 @@ import { keep, kept } from '../kept'
 class Options {
   private passes = $state(kept('passesBreakpoints', false))
   private writes = $state(kept('recordsRuns', false))
+  /** What becomes of the next run where this environment is lost; not kept, so that whoever comes back begins with the safe choice. */
+  onLoss: 'stop' | 'finish' | 'run' = $state('stop')
   private shows = $state(kept('showsWorkcell', true))
 
   /** Whether breakpoints are passed by. */

@@ -20,7 +20,7 @@ export const stateOf = (flow: FlowRunView | undefined): NonNullable<FlowRunView[
 export const isHeld = (state: string): boolean => state === 'paused' || state === 'stopped'
 export const isEnded = (state: string): boolean => ['done', 'killing', 'ended'].includes(state)
 
-export const start = (doc: string): Promise<unknown> => act({ t: 'Run', doc, passes_breakpoints: options.passesBreakpoints, is_recorded: options.records })
+export const start = (doc: string): Promise<unknown> => act({ t: 'Run', doc, passes_breakpoints: options.passesBreakpoints, is_recorded: options.records, on_loss: desk.live.runtime.address ? options.onLoss : 'stop' })
 export const steer = (verb: string, flow = ''): Promise<unknown> => act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb })
 export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss' })
 export const putBack = (): Promise<unknown> => act({ t: 'StartAnew' })

@@ -15,9 +15,17 @@ export function nameOf(run: RunView, subsystem: string): string {
 /** Whether there is more than one flow to tell apart. */
 export const isSeveral = (run: RunView): boolean => Object.values(run.flows ?? {}).filter((flow) => !flow.is_nested).length > 1
 
-/** Seconds with one place, as they are said in this language. */
+const formats = new Map<string, Intl.NumberFormat>()
+
+/** Seconds with one place, as they are said in this language; a thousand icons say them, so that each form is made once. */
 export function seconds(value: number, places = 1): string {
-  return new Intl.NumberFormat(here.language, { minimumFractionDigits: places, maximumFractionDigits: places, useGrouping: false }).format(value)
+  const key = `${here.language} ${places}`
+  let form = formats.get(key)
+  if (!form) {
+    form = new Intl.NumberFormat(here.language, { minimumFractionDigits: places, maximumFractionDigits: places, useGrouping: false })
+    formats.set(key, form)
+  }
+  return form.format(value)
 }
 
 /** As `00:08.8`, or `1:02:03.4`. */

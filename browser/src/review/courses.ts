@@ -2,8 +2,6 @@
 import type { StretchView } from '../api.gen'
 import type { Past, Stretch } from '../run/series'
 
-/** As many parts of a time as can be told apart in a wide plot. */
-export const POINTS = 800
 const SOON_MS = 120
 const MOST = 24
 

@@ -1,13 +1,14 @@
 // What a user does with the recording that is looked at.
 import { act } from '../act'
 import { announce } from '../announce'
-import type { RecordingFile, RecordingsView } from '../api.gen'
+import type { RecordingFile, RecordingsView, RecordingView } from '../api.gen'
 import { here } from '../here.svelte'
 import { kept } from '../kept'
 import { clockText, seconds } from '../perform/words'
+import { allSaid } from '../redirect/wishes'
 import { t } from '../texts/index.svelte'
 import { review } from './review.svelte'
-import { NONE, valuesOf } from './tolerance'
+import { KEPT, NONE, valuesOf } from './tolerance'
 
 export const closeRecording = (): Promise<unknown> => act({ t: 'CloseRecording' })
 
@@ -19,7 +20,7 @@ export function continueHere(): Promise<unknown> {
 
 /** Show another run beside, compared with the tolerances that were typed last; false where it was refused. */
 export async function compareWith(path: string): Promise<boolean> {
-  return (await act({ t: 'CompareWith', path, ...valuesOf(kept('reviewMayDiffer', NONE)) })) !== undefined
+  return (await act({ t: 'CompareWith', path, ...valuesOf(kept(KEPT, NONE)) })) !== undefined
 }
 
 export async function openRecording(path: string): Promise<boolean> {
@@ -42,6 +43,10 @@ export function whenOf(file: Pick<RecordingFile, 'began_at_s'>): string {
   const isThisYear = began.getFullYear() === new Date().getFullYear()
   return file.began_at_s ? new Intl.DateTimeFormat(here.language, { day: 'numeric', month: 'short', year: isThisYear ? undefined : 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit', hourCycle: 'h23' }).format(began) : ''
 }
+
+/** What tells it from others of the same application: when it began, whether in a simulator, and who stood for whom. */
+export const aboutOf = (recording: RecordingView): string =>
+  [whenOf(recording), recording.is_virtual ? t('review.simulated') : '', allSaid(recording.redirects ?? [])].filter(Boolean).join(' · ')
 
 /** As `12.4 s` or `3:05 min`. */
 export function lengthOf(took_s: number): string {

@@ -24,6 +24,10 @@ export function beginnings(recording: RecordingView): number[] {
   return [...new Set([recording.begin_s ?? 0, ...all])].sort((one, other) => one - other)
 }
 
+/** The steps of the application that its actions are, as one word. */
+export const stepsOf = (recording: RecordingView | undefined): string =>
+  recording ? `${recording.doc}: ${lanesOf(recording).flatMap((lane) => lane.passages.map((passage) => passage.step)).join()}` : ''
+
 const HERE_S = 1e-6
 
 /** The moment next to one, in either direction; undefined where there is none. */

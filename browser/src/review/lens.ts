@@ -1,6 +1,6 @@
 // The tree as it was at an instant of a recorded run: whoever draws it needs not know. Nothing of the present is mixed in:
 // what the recording does not tell is not shown.
-import type { DocumentView, InstantView, LocusView, PlacedView, RuntimeView } from '../api.gen'
+import type { ApplicationView, DocumentView, InstantView, LocusView, PlacedView, RedirectView, RuntimeView, StepView } from '../api.gen'
 import type { FullTree } from '../desk.svelte'
 import { MARK } from '../lower/mark'
 
@@ -8,6 +8,9 @@ export interface Then {
   /** Undefined before the first answer. */
   instant: InstantView | undefined
   worlds: readonly string[]
+  /** The application whose run it was, and who stood for whom in it. */
+  doc?: string
+  redirects?: readonly RedirectView[]
 }
 
 /** Makes the lens; what it reads of `then` when it is looked through is what the drawing follows. */
@@ -58,6 +61,15 @@ export function lensOf(then: () => Then): (live: FullTree) => FullTree {
       return value
     })
 
+  /** What was found when it was looked at since, and who stands for whom now, is no part of that run. */
+  const step = (one: StepView): StepView => over(one, (name, value) => (name === 'note' ? '' : value))
+  const application = (one: ApplicationView, doc: string): ApplicationView =>
+    over(one, (name, value) => {
+      if (doc !== then().doc) return value
+      if (name === 'redirects') return then().redirects ?? []
+      return name === 'steps' && value ? each(value as Record<string, StepView>, step) : value
+    })
+
   const runtime = (one: RuntimeView): RuntimeView =>
     over(one, (name, value) => (name === 'worlds' ? Object.fromEntries(then().worlds.map((world) => [world, true])) : name === 'units' ? {} : value))
 
@@ -65,6 +77,7 @@ export function lensOf(then: () => Then): (live: FullTree) => FullTree {
     over(live, (name, value) => {
       if (name === 'run') return then().instant?.run ?? null
       if (name === 'documents') return each(value as Record<string, DocumentView>, document)
+      if (name === 'applications') return each(value as Record<string, ApplicationView>, application)
       return name === 'runtime' ? runtime(value as RuntimeView) : value
     })
 }

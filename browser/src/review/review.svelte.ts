@@ -11,7 +11,7 @@ import { Refusal } from '../refusal'
 import type { Marked } from '../run/marks'
 import { Asker } from './asker'
 import { Courses, RecordedPast, type Course } from './courses'
-import { beginnings, blocksUntil, endOf, nextTo } from './lanes'
+import { beginnings, blocksUntil, endOf, nextTo, stepsOf } from './lanes'
 import { lensOf } from './lens'
 
 export const PACES = [0.5, 1, 2, 4] as const
@@ -206,7 +206,7 @@ class Review implements Source {
 }
 
 export const review = new Review()
-desk.lens = lensOf(() => ({ instant: review.instant, worlds: review.recording?.worlds ?? [] }))
+desk.lens = lensOf(() => ({ instant: review.instant, worlds: review.recording?.worlds ?? [], doc: review.recording?.doc ?? '', redirects: review.recording?.redirects ?? [] }))
 /** Asks what a world consists of: the one that is there, or as it was recorded. */
 export const sceneOf = (world: string, of_other = false): AnyAct =>
   review.isOpen ? { t: 'RecordedScene', world, at_s: review.shown_s, of_other } : { t: 'Scene', world }
@@ -219,6 +219,7 @@ $effect.root(() => {
   const other = $derived(desk.live.review?.other?.path ?? '')
   const line = $derived(desk.isLinked)
   const docs = $derived(Object.keys(desk.live.documents).join())
+  const icons = $derived(stepsOf(desk.live.review?.recording))
   $effect(() => {
     const now = path
     untrack(() => review.turnTo(now))
@@ -229,9 +230,10 @@ $effect.root(() => {
     if (!line && now) return
     untrack(() => review.renew())
   })
-  // A configuration that has been opened meanwhile was somewhere, too.
+  // A configuration that has been opened meanwhile was somewhere, too; an application that has been is shown at its icons.
   $effect(() => {
     void docs
+    void icons
     untrack(() => review.go(review.at_s))
   })
 })

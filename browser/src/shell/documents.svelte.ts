@@ -24,7 +24,6 @@ export const inOrder = (level: Level = here.level): [string, Opened][] =>
   Object.entries(allOf(level)).sort(([, a], [, b]) => a.order - b.order)
 
 export const shownDocument = (): DocumentView | undefined => desk.live.documents[here.doc]
-export const shownApplication = (): ApplicationView | undefined => desk.tree.applications[here.app]
 /** The id of what is shown at the level that is on show; empty: nothing is. */
 export const shownId = (): string => shownAt(here.level)
 export const shownOne = (): Opened | undefined => allOf(here.level)[shownId()]

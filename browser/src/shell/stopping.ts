@@ -1,19 +1,45 @@
-// Stop is sent whatever else is going on; where nobody hears it, that is said aloud.
-import { act } from '../act'
+// Stop is sent whatever else is going on; where nobody hears it, that is said aloud, and it goes out with the first
+// chance: to stop late harms nobody.
 import { announce } from '../announce'
 import { desk } from '../desk.svelte'
+import { hear, send } from '../link'
 import { Refusal } from '../refusal'
-import { showRefusal } from '../refused.svelte'
+import { hideRefusal, showRefusal } from '../refused.svelte'
+import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
+import { stopAsked } from './stopAsked.svelte'
 
 export function stopEverything(): void {
   if (desk.isLinked) {
+    hideRefusal()
     announce(t('stop.sent'))
-    void act({ t: 'Stop' }).then((answer) => {
-      if (typeof answer === 'string') announce(answer) // there was nothing to stop
-    })
+    void ask()
     return
   }
+  stopAsked.isUnsent = true
   announce(t('stop.unheard'))
   showRefusal(new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
 }
+
+async function ask(): Promise<void> {
+  stopAsked.begin()
+  try {
+    const answer = await send({ t: 'Stop' })
+    stopAsked.answered()
+    if (typeof answer === 'string') announce(answer) // there was nothing to stop
+  } catch (why) {
+    stopAsked.failed()
+    if (!(why instanceof Refusal)) throw why
+    if (!desk.isLinked) stopAsked.isUnsent = true // nobody knows whether it was heard: it is said again
+    showRefusal(desk.isLinked ? why : new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
+    announce(heard(why.reason))
+  }
+}
+
+hear('Snapshot', () => {
+  if (!stopAsked.isUnsent) return
+  stopAsked.isUnsent = false
+  hideRefusal()
+  announce(t('stop.sent'))
+  void ask()
+})

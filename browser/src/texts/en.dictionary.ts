@@ -105,6 +105,7 @@ export const enDictionary = {
   'icon.ofStep': 'in {application}: only this one changes',
   'icon.ofDictionary': 'in the dictionary: icons already placed stay as they are',
   'icon.running': 'The application runs; its icons are locked until the run is over.',
+  'icon.meanwhile': 'It was changed elsewhere since you opened it. Save replaces what you have changed here too.',
   'icon.gone': 'This icon is no longer there.',
   'icon.saved': '{name} is changed.',
   'icon.behind': 'Stands for',

@@ -26,7 +26,6 @@ export const enRedirect = {
   'redirect.badge': 'Redirected: {wishes}. Change it…',
   'redirect.held': 'As long as it is open here. The file is not changed.',
   'redirect.change': 'Change…',
-  'redirect.back': 'Undo all',
   'redirect.note': 'Another posture for this robot: {text}',
   'redirect.readNote': 'posture found anew',
   'redirect.readFault': 'fault: {text}',

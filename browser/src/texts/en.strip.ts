@@ -116,11 +116,8 @@ export const enStrip = {
   'ask.above': '{found} is above {bound}, the most allowed.',
   'ask.field': '{name}, {range}',
   'ask.slider': '{name}, slider',
-  'ask.close': 'Close; the question stays',
 
   'job.title': 'Save {name} as a job',
-  'job.name': 'Name',
-  'job.type': 'Type',
   'job.edges': 'Edges come from the type. The black border stays.',
   'job.description': 'Description',
   'job.hint': 'One sentence: what it does.',
@@ -129,8 +126,6 @@ export const enStrip = {
   'job.saved': 'The job {name} is saved.',
   'job.loading': 'Asking what job this would make…',
   'job.warnings': 'Worth knowing',
-  'job.picture': 'Picture of {name}',
-  'job.unchanged': 'The picture is still blank.',
 
   'paint.pen': 'Pen',
   'paint.line': 'Line',

@@ -107,6 +107,7 @@ export const esDictionary: Record<keyof typeof enDictionary, string> = {
   'icon.ofStep': 'en {application}: solo cambia este',
   'icon.ofDictionary': 'en el diccionario: los iconos ya colocados quedan como están',
   'icon.running': 'La aplicación se está ejecutando; sus iconos están bloqueados hasta que termine.',
+  'icon.meanwhile': 'Se ha cambiado en otro sitio desde que lo abrió. Guardar sustituye lo que usted también haya cambiado aquí.',
   'icon.gone': 'Este icono ya no está.',
   'icon.saved': '{name} está cambiado.',
   'icon.behind': 'Representa',

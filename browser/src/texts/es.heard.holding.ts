@@ -12,7 +12,7 @@ export const esHeardHolding: readonly (readonly [RegExp, string])[] = [
   [/^no answer within 60 s$/, 'sin respuesta en 60 s'],
   [/^(.+) is held here now: (.+) has handed it over$/, '{0} lo tiene ahora usted: {1} lo ha entregado'],
   [/^(.+) has taken (.+)$/, '{0} ha tomado {1}'],
-  [/^(.+) is offered to (.+): (.+)$/, '{0} está ofrecido a {1}: {=2}'],
+  [/^(.+) is no longer offered to (.+): (.+)$/, '{0} ya no está ofrecido a {1}: {=2}'],
   [/^(.+) is offered to (.+)$/, '{0} está ofrecido a {1}'],
   [/^(.+): (its holder .+)$/, '{0}: {=1}'],
   [/^(.+): (the session .+ that began it is gone)$/, '{0}: {=1}'],

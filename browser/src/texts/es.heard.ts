@@ -1,9 +1,14 @@
 // Español: frases que dice el entorno. Cada una por lo que es en inglés; lo que no está aquí queda en inglés.
 // `{0}` es lo primero que varía; `{=0}`, si a su vez es una frase de estas, se traduce también.
+import { esHeardDone } from './es.heard.done'
+import { esHeardEdit } from './es.heard.edit'
 import { esHeardHolding } from './es.heard.holding'
 import { esHeardReview } from './es.heard.review'
 
 export const esHeard: readonly (readonly [RegExp, string])[] = [
+  // lo que hizo otro
+  [/^“(.+)” in (.+) was done on another page, and is taken back here; Redo does it again$/, '«{=0}» en {1} se hizo en otra página, y aquí se deshace; Rehacer lo repite'],
+  [/^“(.+)” in (.+) was done on another page, and is done again here$/, '«{=0}» en {1} se hizo en otra página, y aquí se rehace'],
   // qué le falta a una aplicación
   [/^flow (\d+) is empty$/, 'el flujo {0} está vacío'],
   [/^it has no flow$/, 'no tiene ningún flujo'],
@@ -36,6 +41,11 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^(\S+) lives in this flow already$/, '{0} ya está en este flujo'],
   [/^(\S+) takes (.+), (\S+) takes (.+)$/, '{0} y {2} no admiten el mismo objetivo'],
   [/^(.+) does not use (\S+)$/, '{0} no usa {1}'],
+  [/^(.+) have one module, (\S+): they cannot live in one flow$/, '{0} usan el mismo módulo, {1}: no pueden estar en un mismo flujo'],
+  [/^(.+) both claim (\S+): they cannot live in one flow$/, '{0} usan el mismo dispositivo, {1}: no pueden estar en un mismo flujo'],
+  [/^(.+) cannot live in one flow: both give (.+)$/, '{0} no pueden estar en un mismo flujo: ambas dan {1}'],
+  [/^expected (\S+) as a vector of length 1, found length (.+)$/, 'se esperaba {0} como vector de longitud 1; tiene {1}'],
+  [/^'(\S+)' and '(\S+)' stand at one place$/, '{0} y {1} están en un mismo sitio'],
   [/^there is no task (\S+)$/, 'no hay ninguna tarea {0}'],
   [/^there is no device (.+); (\S+) has (.+)$/, 'no hay ningún dispositivo {0}; {1} tiene {2}'],
   [/^there is no world for the device (\S+), but (.+)$/, 'no hay ningún mundo para el dispositivo {0}; hay {1}'],
@@ -48,6 +58,8 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^no task gives the constant (.+)$/, 'ninguna tarea da la constante {0}'],
   [/^module (\S+) has no port (.+)$/, 'el módulo {0} no tiene ningún puerto {1}'],
   [/^its task has no port (.+), which module (\S+) declares$/, 'a su tarea le falta el puerto {0}, que declara el módulo {1}'],
+  [/^1 target is re-resolved for (\S+), by the pose that it is for (\S+)$/, '1 objetivo se calcula de nuevo para {0}, por la pose que es para {1}'],
+  [/^(\d+) targets are re-resolved for (\S+), by the poses that they are for (\S+)$/, '{0} objetivos se calculan de nuevo para {1}, por las poses que son para {2}'],
   [/^(.+) is re-resolved for (\S+), by the pose that it is for (\S+)$/, '{0} se calcula de nuevo para {1}, por la pose que es para {2}'],
   [/^(\S+): (\S+) is the hand at the (left|right), and the arm that moves is (.+)$/, '{0}: {1} no es la mano del brazo que se mueve, {3}'],
   [/^(\S+) cannot stand for (\S+): ([^]+)$/, '{0} no puede estar en lugar de {1}: {=2}'],
@@ -85,7 +97,7 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^Start the runtime anew…$/, 'Iniciar de nuevo el entorno de ejecución…'],
   // cómo va
   [/^(.+) runs already, and one application runs at a time$/, '{0} ya se está ejecutando, y solo se ejecuta una aplicación a la vez'],
-  [/^(.+) runs$/, '{0} se ejecuta'],
+  [/^(\S+) runs$/, '{0} se ejecuta'],
   [/^(.+) is done: 1 action in (.+) s$/, '{0} ha terminado: 1 acción en {1} s'],
   [/^(.+) is done: (\d+) actions in (.+) s$/, '{0} ha terminado: {1} acciones en {2} s'],
   [/^(.+) was aborted after 1 action: ([^]+)$/, '{0} se interrumpió tras 1 acción: {=1}'],
@@ -113,6 +125,7 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^the runtime at (.+) is left for the simulator, and (.+) with it: what this environment held there comes to rest$/, 'se deja el entorno de ejecución en {0} por el simulador, y con él {1}: lo que este entorno sostenía allí queda en reposo'],
   [/^a recorded run is being repeated; it can be stopped, or steered when it has come to its instant$/, 'se está repitiendo una ejecución grabada; se puede parar, o dirigir cuando llegue a su instante'],
   [/^the recorded run was ended by hand; here it is not$/, 'la ejecución grabada se terminó a mano; aquí no'],
+  [/^the recording was cut short: it is repeated up to (.+) s, and from there [^]+$/, 'la grabación quedó cortada: se repite hasta {0} s y desde ahí la ejecución sigue por sí misma, sin lo que se le pidió después'],
   [/^approximate: this run was recorded in wall time; [^]+$/, 'aproximada: se grabó en tiempo real; el mismo plan con las mismas entradas se repite en tiempo virtual desde el principio, de modo que se le acerca y no coincide'],
   [/^End it and go on in the simulator$/, 'Terminarlo y seguir en el simulador'],
   [/^(.+) is no longer connected: the simulator has taken the place of its runtime$/, '{0} ya no está conectada: el simulador ocupa el lugar de su entorno de ejecución'],
@@ -128,4 +141,6 @@ export const esHeard: readonly (readonly [RegExp, string])[] = [
   [/^only a run that comes to its end can be kept; this one: ([^]+)$/, 'solo se guarda una ejecución que llega a su fin; esta: {=0}'],
   ...esHeardReview,
   ...esHeardHolding,
+  ...esHeardEdit,
+  ...esHeardDone,
 ]

@@ -28,7 +28,6 @@ export const esRedirect: Record<keyof typeof enRedirect, string> = {
   'redirect.badge': 'Redirigida: {wishes}. Cambiarlo…',
   'redirect.held': 'Mientras esté abierta aquí. El archivo no cambia.',
   'redirect.change': 'Cambiar…',
-  'redirect.back': 'Deshacer todo',
   'redirect.note': 'Otra postura para este robot: {text}',
   'redirect.readNote': 'postura hallada de nuevo',
   'redirect.readFault': 'fallo: {text}',

@@ -118,11 +118,8 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
   'ask.above': '{found} es mayor que {bound}, el máximo permitido.',
   'ask.field': '{name}, {range}',
   'ask.slider': '{name}, control deslizante',
-  'ask.close': 'Cerrar; la pregunta queda',
 
   'job.title': 'Guardar {name} como trabajo',
-  'job.name': 'Nombre',
-  'job.type': 'Tipo',
   'job.edges': 'Los bordes vienen del tipo. El marco negro queda.',
   'job.description': 'Descripción',
   'job.hint': 'Una frase: lo que hace.',
@@ -131,8 +128,6 @@ export const esStrip: Record<keyof typeof enStrip, string> = {
   'job.saved': 'El trabajo {name} está guardado.',
   'job.loading': 'Preguntando qué trabajo resultaría…',
   'job.warnings': 'Conviene saber',
-  'job.picture': 'Imagen de {name}',
-  'job.unchanged': 'La imagen aún está en blanco.',
 
   'paint.pen': 'Lápiz',
   'paint.line': 'Línea',

@@ -35,6 +35,9 @@ const isHead = (step: StepView | undefined): boolean => step !== undefined && (s
 export const topsOf = (app: ApplicationView): string[] =>
   Object.keys(app.flows ?? {}).filter((path) => !path.includes('/')).sort((a, b) => Number(a) - Number(b))
 
+/** Whether nothing stands in it. */
+export const isBlank = (app: ApplicationView): boolean => Object.values(app.flows ?? {}).every(({ steps }) => !steps?.length)
+
 export function actionsOf(app: ApplicationView): Actions {
   const of = new Map<number, Action>()
   const counts = new Map<string, number>()

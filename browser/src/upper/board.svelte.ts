@@ -50,7 +50,7 @@ export interface Area {
 const NOTHING: Opened = { kind: '' }
 const NO_APP: ApplicationView = { name: '', order: 0 }
 /** The seen part counts in steps of this, so that a little scrolling draws nothing new. */
-const STRIDE = 240
+const STRIDE = 120
 export const SIZES = [32, 64, 96] as const
 
 class Board {
@@ -84,7 +84,7 @@ class Board {
   /** The rows that are near what is seen. */
   private readonly first = $derived(Math.floor(this.top / STRIDE) * STRIDE - STRIDE)
   private readonly last = $derived(Math.ceil((this.top + this.height) / STRIDE) * STRIDE + STRIDE)
-  readonly visible: readonly Cell[] = $derived(this.shown.cells.filter((cell) => this.isNear(cell.y)))
+  readonly visible: readonly Cell[] = $derived(within(this.shown.cells, this.first - this.size, this.last))
   readonly caret: Gap | undefined = $derived(gapOf(this.shown.gaps, here.place))
 
   get app(): ApplicationView | undefined {
@@ -137,17 +137,21 @@ class Board {
 
   /** Scroll so that a row is seen. */
   show(y: number): void {
-    const { ground, size } = this
+    const { ground, size, top, height } = this // as they were measured: asking the page would make it lay itself out
     if (!ground) return
-    const [above, below] = [y - 48, y + size + 48]
-    if (above < ground.scrollTop) ground.scrollTop = Math.max(0, above)
-    else if (below > ground.scrollTop + ground.clientHeight) ground.scrollTop = below - ground.clientHeight
+    const [above, below] = [Math.max(0, y - 48), y + size + 48]
+    if (above >= top && below <= top + height) return
+    ground.scrollTop = above < top ? above : below - height
+    this.top = ground.scrollTop
   }
 
   focus(): void {
     this.paper?.focus({ preventScroll: true })
   }
 }
+
+/** Those of many between two heights. */
+const within = (cells: readonly Cell[], first: number, last: number): Cell[] => cells.filter(({ y }) => y > first && y < last)
 
 function contentOf(app: ApplicationView): Content {
   const { flows = {}, steps = {} } = app

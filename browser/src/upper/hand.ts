@@ -25,6 +25,8 @@ export function overOf(target: EventTarget | null): Over {
 export class Hand {
   private gesture: Gesture | undefined
   private pointer = -1
+  /** The press under way has inserted something: the menu that the browser means by it does not come. */
+  private hasInserted = false
 
   get isBusy(): boolean {
     return this.gesture !== undefined
@@ -34,6 +36,8 @@ export class Hand {
     const over = overOf(event.target)
     if (event.button === 0 && pointsAtEnd(over)) return
     board.close()
+    this.hasInserted = event.button === 2 && event.pointerType === 'mouse' && inserts(event)
+    if (this.hasInserted) this.insert(event, over)
     if (this.gesture || event.button > 1) return
     this.pointer = event.pointerId
     this.gesture = event.button === 1 ? this.middle(event, over) : this.left(event, over)
@@ -66,14 +70,19 @@ export class Hand {
   /** The right button inserts what is selected in the dictionary; without that, and by key or finger, it opens a menu. */
   context(event: MouseEvent): void {
     event.preventDefault()
+    if (this.hasInserted) return void (this.hasInserted = false)
     this.cancel()
     const over = overOf(event.target)
-    if (over.kind === 'step') {
-      if (!here.steps.has(over.step)) select(over.step)
-      else placeBehind(over.step)
-    } else placeAt(at(event))
-    if (event.button === 2 && here.onikon && !event.shiftKey) return void insertSelected(at(event))
+    if (event.button === 2 && inserts(event)) return this.insert(event, over)
+    placeBy(event, over)
     board.opened = { kind: 'menu', at: at(event), over }
+  }
+
+  /** When the button goes down, not when the browser would show its menu: that is later, on some systems when it is let go. */
+  private insert(event: MouseEvent, over: Over): void {
+    this.cancel()
+    placeBy(event, over)
+    void insertSelected(at(event))
   }
 
   private left(event: PointerEvent, over: Over): Gesture {
@@ -130,6 +139,16 @@ function placeAt(point: At): boolean {
   const gap = gapAt(board.base.gaps, x, y, board.size)
   if (gap) goTo(gap)
   return gap !== undefined
+}
+
+/** Whether the right button inserts now. */
+const inserts = (event: MouseEvent): boolean => here.onikon !== '' && !event.shiftKey
+
+/** Put the insertion cursor behind the icon that is pointed at, or between icons. */
+function placeBy(event: MouseEvent, over: Over): void {
+  if (over.kind !== 'step') placeAt(at(event))
+  else if (here.steps.has(over.step)) placeBehind(over.step)
+  else select(over.step)
 }
 
 /** A click on the outermost left of an icon means the gap before it. */

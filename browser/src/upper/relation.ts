@@ -1,5 +1,5 @@
 // A condition on a variable in words: `GRIP_MEZ[0] < 0.05` is "GRIP_MEZ[0] is below 0.05".
-import type { RelationKey } from './sentences'
+export type RelationKey = 'say.is' | 'say.isNot' | 'say.below' | 'say.above' | 'say.atMost' | 'say.atLeast'
 
 const FORM = /^\s*(\S+?)\s*(==|!=|<=|>=|<|>)\s*([+-]?[\d.]+(?:[eE][+-]?\d+)?)\s*$/
 const KEYS: Record<string, RelationKey> = {

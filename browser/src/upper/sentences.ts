@@ -2,7 +2,7 @@
 import type { ApplicationView, StepView, TypeView } from '../api.gen'
 import { goesOn, isLong } from './joining'
 import { compose, glue, type Part, plain } from './phrase'
-import { inWords } from './relation'
+import { inWords, type RelationKey } from './relation'
 
 /** The words between descriptions, in one language. */
 export interface Tongue {
@@ -15,7 +15,6 @@ export type SayKey =
   | 'say.together' | 'say.alone' | 'say.pause' | 'say.pauseIf' | 'say.missingTarget' | 'say.missingTargetAn' | 'say.missingAction'
   | 'say.stray' | 'say.loopBottom' | 'say.loopTop' | 'say.loopBroken' | 'say.saysSo' | 'say.if' | 'say.elseIf' | 'say.else' | 'say.way'
   | 'say.nothing' | 'say.nameless' | RelationKey
-export type RelationKey = 'say.is' | 'say.isNot' | 'say.below' | 'say.above' | 'say.atMost' | 'say.atLeast'
 
 export interface Sentence {
   kind: 'action' | 'hole' | 'loop' | 'case' | 'note'

@@ -1,7 +1,7 @@
 // Which icons are shown, and in which groups.
 import { describe, expect, test } from 'vitest'
 import type { DictionaryView, OnikonView, TypeView } from '../../src/api.gen'
-import { choose, inOrder, type Wish } from '../../src/dictionary/choose'
+import { choose, fitOf, inOrder, type Wish } from '../../src/dictionary/choose'
 
 const type = (order: number, role: TypeView['role']): TypeView => ({ order, role, left: '1', right: '1' })
 const types = { 'Complete job': type(2, 'job'), 'Joint object': type(5, 'target'), 'Joint job': type(6, 'job') }
@@ -19,7 +19,7 @@ const onikons: Record<string, OnikonView> = {
   odd: icon('Odd object', '/puma', 3, '1'),
 }
 const entries = inOrder(onikons, types, dictionaries, 'en')
-const all: Wish = { dictionary: '', wanted: '', gap: undefined, fitsOnly: false }
+const all: Wish = { dictionary: '', wanted: '', left: undefined }
 const shown = (wish: Partial<Wish>): [string, string[]][] => choose(entries, { ...all, ...wish }).map(({ type, names }) => [type, names])
 
 describe('the icons shown', () => {
@@ -39,17 +39,17 @@ describe('the icons shown', () => {
   })
 
   test('are only those that fit, where that is wanted', () => { // R-D03
-    const gap = { left: '2', right: '1', wants: [], isHole: false }
-    expect(shown({ gap, fitsOnly: true })).toEqual([['Joint object', ['halfway', 'home', 'above']]])
+    expect(shown({ left: '2' })).toEqual([['Joint object', ['halfway', 'home', 'above']]])
   })
 })
 
 describe('a group', () => {
   test('says that it fits here, or that it is what the hole waits for', () => {
     const gap = { left: '2', right: '1', wants: ['Joint object'], isHole: true }
-    expect(choose(entries, { ...all, gap }).map(({ fit }) => fit)).toEqual(['', 'hole', '', ''])
-    expect(choose(entries, { ...all, gap: { ...gap, wants: [] } }).map(({ fit }) => fit)).toEqual(['', 'here', '', ''])
-    expect(choose(entries, all).map(({ fit }) => fit)).toEqual(['', '', '', ''])
+    const groups = choose(entries, all)
+    expect(groups.map((one) => fitOf(one, gap))).toEqual(['', 'hole', '', ''])
+    expect(groups.map((one) => fitOf(one, { ...gap, wants: [] }))).toEqual(['', 'here', '', ''])
+    expect(groups.map((one) => fitOf(one, undefined))).toEqual(['', '', '', ''])
   })
 })
 

@@ -3,7 +3,7 @@ import { describe, expect, test } from 'vitest'
 import type { Group } from '../../src/dictionary/choose'
 import { beside, CELL, columnsIn, linesOf, shelve } from '../../src/dictionary/shelf'
 
-const group = (type: string, ...names: string[]): Group => ({ type, names, fit: '' })
+const group = (type: string, ...names: string[]): Group => ({ type, names, left: '1' })
 const caption = (name: string): string => name
 
 describe('the shelf', () => {

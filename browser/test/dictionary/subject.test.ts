@@ -3,7 +3,7 @@ import { beforeEach, describe, expect, test } from 'vitest'
 import { desk } from '../../src/desk.svelte'
 import { basesOf } from '../../src/dictionary/bases'
 import { kindsOf } from '../../src/dictionary/kinds'
-import { changing, keyOf, subjectOf } from '../../src/dictionary/subject'
+import { changing, contentOf, keyOf, subjectOf } from '../../src/dictionary/subject'
 import { here } from '../../src/here.svelte'
 
 const target = { type: 'Joint object', role: 'target', left: '2', right: '1', picture: '' } as const
@@ -32,6 +32,12 @@ describe('what the panel is about', () => {
   test('R-D17: a step is changed alone, an icon in its dictionary', () => {
     expect(changing({ step: '3' }, { description: 'up' })).toEqual({ t: 'EditIcon', doc: 'a1', step: 3, description: 'up' })
     expect(changing({ onikon: 'home' }, { picture: '8' })).toEqual({ t: 'EditOnikon', onikon: 'home', picture: '8' })
+  })
+
+  test('R-X10: what another changes of it meanwhile is seen, its place is not', () => {
+    const one = desk.tree.onikons.home!
+    expect(contentOf({ ...one, order: 5 })).toBe(contentOf(one))
+    for (const change of [{ description: 'up' }, { values: [['1']] }, { picture: '8' }]) expect(contentOf({ ...one, ...change })).not.toBe(contentOf(one))
   })
 
   test('what is begun of one is not taken for that of another', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, test } from 'vitest'
 import type { Pt } from '../../src/geom/rect'
 import {
-  culled, fitted, LEAST, MOST, panned, PLAIN, revealed, seen, toScene, toScreen, wheelFactor, wireSeen, zoomed,
+  fitted, LEAST, MOST, panned, PLAIN, revealed, toScene, toScreen, wheelFactor, zoomed,
   zoomedTo,
 } from '../../src/geom/viewport'
 import { chance } from './scenes'
@@ -62,19 +62,5 @@ describe('fitting', () => {
     expect(revealed(PLAIN, { x0: 100, y0: 100, x1: 200, y1: 200 }, screen)).toEqual(PLAIN)
     expect(revealed(PLAIN, { x0: 900, y0: 100, x1: 1000, y1: 200 }, screen)).toEqual({ scale: 1, x: -220, y: 0 })
     expect(revealed(PLAIN, { x0: -50, y0: 0, x1: 5000, y1: 50 }, screen)).toEqual({ scale: 1, x: 70, y: 20 })
-  })
-})
-
-describe('what is seen', () => {
-  test('boxes off the screen are left out, except in a margin', () => {
-    const boxes = [{ x: 10, y: 10, w: 50, h: 50 }, { x: -120, y: 0, w: 50, h: 50 }, { x: 5000, y: 0, w: 50, h: 50 }]
-    expect(culled(boxes, PLAIN, screen)).toEqual(boxes.slice(0, 2))
-    expect(culled(boxes, PLAIN, screen, 0)).toEqual(boxes.slice(0, 1))
-  })
-
-  test('a wire across the screen is seen even if both of its ends are not', () => {
-    const shown = seen(PLAIN, screen)
-    expect(wireSeen([[-100, 300], [900, 300]], shown)).toBe(true)
-    expect(wireSeen([[-100, -50], [900, -50], [900, 300]], shown)).toBe(false)
   })
 })

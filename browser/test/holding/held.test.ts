@@ -1,7 +1,7 @@
 // Who holds what, as the panel lists it.
 import { describe, expect, it } from 'vitest'
 import type { DocumentView, RuntimeView } from '../../src/api.gen'
-import { cannotTake, heldBy, heldIn, left, silence } from '../../src/holding/held'
+import { cannotTake, heldBy, heldIn, left, silence, takenAsks } from '../../src/holding/held'
 
 const sessions: RuntimeView['sessions'] = { 'ann#1': { role: 'owner', is_you: true }, 'bob#2': { role: 'viewer' } }
 const doc = (more: Partial<DocumentView>): DocumentView => ({ name: 'x', order: 0, connection: 'live', ...more })
@@ -38,4 +38,13 @@ it('the time that is left is told in minutes and seconds, and never below nothin
 
 it('a loss says for how long nothing was heard, if that was the reason', () => {
   expect([silence('its holder ann#1 has been silent for 1.2 s'), silence('its holder ann#1 is gone')]).toEqual(['1.2', ''])
+})
+
+it('what a run asks is for here only if it is held here and was begun elsewhere', () => {
+  const ask = { items: [] }
+  const run = { application: 'play', holder: 'ann#1', asks: { servo: ask } }
+  const holds = { flow0: run, flow1: { ...run, asks: {} }, own: { ...run, application: 'mine' }, far: { ...run, holder: 'bob#2' } }
+  const all = heldIn({ sessions, holds }, {}, ['own'])
+  expect(all.map((one) => Object.keys(one.asks))).toEqual([['flow0/servo'], ['own/servo'], ['far/servo']])
+  expect(takenAsks(all)).toEqual({ 'flow0/servo': ask })
 })

@@ -45,6 +45,15 @@ describe('Through the lens', () => {
     expect(seen.documents['c1']!.tasks!['pd']!.state).toBe('')
   })
 
+  it('an application is redirected as it was in that run, and bears no marks of what was found since', () => {
+    const app = { name: 'assemble', order: 0, redirects: [{ old: 'puma', new: 'now' }], steps: { 2: { note: 'found since', name: 'there' } } }
+    const tree = fullTree({ applications: { a1: app, a2: app } })
+    const seen = lensOf(() => ({ instant: undefined, worlds: [], doc: 'a1', redirects: [{ old: 'puma', new: 'scara' }] }))({ ...tree, applications: { a1: app, a2: { ...app } } })
+    expect(seen.applications['a1']!.redirects).toEqual([{ old: 'puma', new: 'scara' }])
+    expect([seen.applications['a1']!.steps!['2']!.note, seen.applications['a1']!.steps!['2']!.name]).toEqual(['', 'there'])
+    expect(seen.applications['a2']!.redirects).toEqual([{ old: 'puma', new: 'now' }])
+  })
+
   it('the runtime itself stays what it is, so that Stop works on the live robot', () => {
     expect(lensOf(() => ({ instant: undefined, worlds: [] }))(live).runtime.state).toBe('linked')
   })

@@ -1,4 +1,5 @@
 // What the environment says, in Spanish where that is known.
+import { readdirSync, readFileSync } from 'node:fs'
 import { expect, test } from 'vitest'
 import { heard } from '../../src/texts/heard'
 
@@ -13,7 +14,30 @@ test('what is a sentence within a sentence is told in Spanish too', () => {
   expect(heard('play was aborted after 1 action: aborted by the user', 'es')).toBe('play se interrumpió tras 1 acción: interrumpida por el usuario')
 })
 
+test('what is taken back is named in Spanish, also where another did it', () => { // R-X10
+  expect(heard('deleting 8 icons', 'es')).toBe('borrar 8 iconos')
+  expect(heard('“pasting waveC” in play was done on another page, and is done again here', 'es')).toBe('«pegar waveC» en play se hizo en otra página, y aquí se rehace')
+})
+
+test('a longer sentence that ends like a known one is not told half in Spanish', () => {
+  const said = 'its data is asked for while it runs'
+  expect(heard(said, 'es')).toBe(said)
+})
+
 test('what is not known stays as it was said, and English always does', () => {
   expect(heard('the sensor is dead', 'es')).toBe('the sensor is dead')
   expect(heard('flow 2 is empty', 'en')).toBe('flow 2 is empty')
+})
+
+/** The sentences of `No("…")` in the Python files of a folder, with something in place of what varies. */
+function refusals(folder: string): string[] {
+  const files = readdirSync(folder).filter((name) => name.endsWith('.py'))
+  const calls = files.flatMap((name) => [...readFileSync(`${folder}/${name}`, 'utf8').matchAll(/\bNo\(\s*((?:f?"(?:[^"\\]|\\.)*"\s*)+)[,)]/g)])
+  return calls.map((found) => [...found[1]!.matchAll(/"((?:[^"\\]|\\.)*)"/g)].map((part) => part[1]).join('').replace(/\{[^}]*\}/g, 'x'))
+}
+
+test.each(['flow', 'dictionary'])('every refusal of editing in upper/%s has its words in Spanish', (part) => { // R-X01
+  const said = refusals(`../src/onika/desk/upper/${part}`)
+  expect(said.length).toBeGreaterThan(12)
+  expect(said.filter((one) => heard(one, 'es') === one)).toEqual([])
 })

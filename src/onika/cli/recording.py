@@ -12,7 +12,7 @@ from onika.record import columns
 from onika.record.difference import first_difference
 from onika.record.reader import UNREADABLE, Reader, complaint
 from onika.record.run import Run
-from onika.record.tolerance import Tolerance
+from onika.record.tolerance import usual
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
@@ -24,12 +24,17 @@ def describe(parser: argparse.ArgumentParser) -> None:
     table.add_argument("file", type=Path, metavar="RUN.mcap")
     table.add_argument("variables", nargs="*", metavar="NAME", help="by name or as subsystem/NAME (all)")
     table.add_argument("--output", type=Path, metavar="FILE.csv", help="where to (the standard output)")
-    compare = acts.add_parser("diff", help="the first difference of two runs; the exit code is 1 where there is one")
+    compare = acts.add_parser(
+        "diff",
+        help="the first difference of two runs; the exit code is 1 where there is one",
+        epilog="In brackets: what is meant where nothing is said, in virtual time; and where a run was in wall time. "
+        "There speeds and forces are not compared unless it is said by how much values may differ.",
+    )
     compare.add_argument("one", type=Path, metavar="A.mcap")
     compare.add_argument("other", type=Path, metavar="B.mcap")
-    compare.add_argument("--tolerance", type=_amount, default=0.0, metavar="X", help="values may differ by this (0)")
-    compare.add_argument("--part", type=_amount, default=0.0, metavar="X", help="and by this part of themselves (0)")
-    compare.add_argument("--time", type=_amount, default=0.0, metavar="S", help="times may differ by seconds (0)")
+    compare.add_argument("--tolerance", type=_amount, metavar="X", help="values may differ by this (0; 0.002)")
+    compare.add_argument("--part", type=_amount, metavar="X", help="and by this part of themselves (0; 0.001)")
+    compare.add_argument("--time", type=_amount, metavar="S", help="times may differ by seconds (0; 0.1)")
 
 
 def carry_out(given: argparse.Namespace) -> int:
@@ -82,6 +87,7 @@ def _table(given: argparse.Namespace) -> int:
         if output is None:
             with _reading(path):
                 columns.write(sys.stdout, series)
+            _tell_cut(review)
             return 0
         if output.exists() and output.samefile(path):
             raise _Spoilt(f"{output}: expected another file than the recording itself; nothing is written")
@@ -92,19 +98,32 @@ def _table(given: argparse.Namespace) -> int:
         with stream, _reading(path):
             rows = columns.write(stream, series)
     print(f"{_counted(rows, 'row')} of {_counted(len(series), 'variable')}: {output}")
+    _tell_cut(review)
     return 0
 
 
+def _tell_cut(review: Review) -> None:
+    """A table ends as any other does, and nobody would see that the run went on."""
+    if not review.is_whole:
+        print(f"{review.path} was cut short: the table ends at {review.span_s[1]:.9g} s", file=sys.stderr)
+
+
 def _compare(given: argparse.Namespace) -> int:
-    readers = []
+    readers, is_virtual = [], True
     for path in (given.one, given.other):
         with _reading(path):
             readers.append(Reader(path))
-            Run.read(readers[-1])
+            is_virtual &= Run.read(readers[-1]).is_virtual
+    tolerance = usual(is_virtual, given.tolerance, given.part, given.time)
     found = None
     with _reading(given.one):  # a part that is spoilt tells its own file
-        found = first_difference(readers[0], readers[1], Tolerance(given.tolerance, given.part, given.time))
+        found = first_difference(readers[0], readers[1], tolerance)
     print(found or "no difference")
+    if tolerance.is_of_places:
+        print(
+            f"in wall time: values within {tolerance.value:g} and {tolerance.part:.1%}, times within "
+            f"{tolerance.seconds:g} s; speeds and forces are not compared"
+        )
     for reader in readers:
         if not reader.is_whole:
             print(f"{reader.path} was cut short: compared up to {reader.span[1] * 1e-9:.9g} s")

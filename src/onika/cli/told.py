@@ -47,9 +47,9 @@ def sentence(one: event.Event, total: int, flows: Sequence[str] = ()) -> str:
             where = f" ({one.path}:{one.line})" if one.line else ""
             return f"{one.at_s:8.2f} s  ERROR {one.subsystem}/{one.task}: {one.text}{where}"
         case event.Drive() if one.state == "TRIPPED":
-            return f"{one.at_ns * 1e-9:8.2f} s  {one.device} has tripped: {one.cause}"
+            return f"{one.at_s:8.2f} s  {one.device} has tripped: {one.cause}"
         case event.Drive() if one.state == "PRESSED":
-            return f"{one.at_ns * 1e-9:8.2f} s  {one.device} holds: {one.cause}"
+            return f"{one.at_s:8.2f} s  {one.device} holds: {one.cause}"
         case _:
             return ""
 

@@ -37,6 +37,8 @@ class RecordedRun:
     """Of the recorded run, where it was virtual and came to its end."""
     is_exact: bool
     """Whether it is the same run, bit for bit; else one of the same plan and inputs in virtual time."""
+    cut_s: float | None = None
+    """Where the recording ends that was cut short, if it is repeated to its end: what came then, nobody knows."""
 
     def begin(self, asked: request.Begin) -> request.Begin:
         """What a runtime is asked, where this is wanted beside: as it was asked then, and what was asked later."""
@@ -58,12 +60,18 @@ class RecordedRun:
     @property
     def notes(self) -> tuple[str, ...]:
         """What the user has to know."""
-        if self.is_exact:
-            return ()
-        return (
-            "approximate: this run was recorded in wall time; the same plan with the same inputs is carried out in"
-            " virtual time from its beginning, so that it comes near the recorded one and not upon it",
-        )
+        notes = []
+        if self.cut_s is not None:
+            notes.append(
+                f"the recording was cut short: it is repeated up to {self.cut_s:.9g} s, and from there the run goes on"
+                " by itself, without what it was told to do later"
+            )
+        if not self.is_exact:
+            notes.append(
+                "approximate: this run was recorded in wall time; the same plan with the same inputs is carried out in"
+                " virtual time from its beginning, so that it comes near the recorded one and not upon it"
+            )
+        return tuple(notes)
 
 
 def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
@@ -95,7 +103,8 @@ def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
     prepared = PreparedRun(prepare.plan.application, None, prepare.plan, prepare.targets, ())
     inputs = tuple(inputs_of(reader, until_ns))
     reader.close()
-    return RecordedRun(prepared, run, inputs, until_ns, end.get("hash", ""), run.is_virtual)
+    cut_s = None if reader.is_whole or source.at_s is not None else last_s
+    return RecordedRun(prepared, run, inputs, until_ns, end.get("hash", ""), run.is_virtual, cut_s)
 
 
 def inputs_of(reader: Reader, until_ns: int = -1) -> list[Recorded]:

@@ -144,6 +144,11 @@ class Review:
         found = self._reader.newest(said.frames(world), round(at_s * 1e9))
         return [] if found is None else foxglove.rows(found[1])
 
+    def first_poses(self, world: str) -> list[list[float]]:
+        """Where the bodies of a world were when they were first seen; empty where they never were."""
+        found = next(self._reader.messages(said.frames(world)), None)
+        return [] if found is None else foxglove.rows(found[1])
+
     def scene(self, world: str, at_s: float) -> dict[str, Any] | None:
         """What a world consisted of, as a scene update of Foxglove."""
         found = self._reader.newest(said.scene(world), round(at_s * 1e9))

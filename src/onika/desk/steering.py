@@ -54,8 +54,6 @@ class Verb:
     usage: str
     text: str
     read: Callable[[list[str], Cast], Act]
-    is_live: bool = True
-    """Whether it makes sense at a terminal, not only in a script."""
 
 
 def act(line: str, cast: Cast) -> Act:
@@ -235,8 +233,7 @@ VERBS: dict[str, Verb] = {
         "wait SECONDS | wait began|done [FLOW] N | wait paused|waiting|stopped|done [FLOW], each [within SECONDS]",
         "go on at that moment, in the run's own time",
         _wait,
-        is_live=False,
     ),
-    "expect": Verb("expect CONDITION", "end the run where a variable is not so now", _expect, is_live=False),
+    "expect": Verb("expect CONDITION", "end the run where a variable is not so now", _expect),
 }
 """All words of steering."""

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 
 from onika.wire import event
+from onika.wire.figures import VariableSteps
 
 
 def sentence(one: event.Stepped) -> str:
@@ -18,7 +19,7 @@ def sentence(one: event.Stepped) -> str:
     return f"{said}, more than {allowed} and too far to blend: refused, the drive holds"
 
 
-def summary(steps: Sequence[event.VariableSteps]) -> Iterator[str]:
+def summary(steps: Sequence[VariableSteps]) -> Iterator[str]:
     """The lines at the end of a run; none for variables that have never stepped too far."""
     for one in steps:
         if not (one.blended or one.refused):

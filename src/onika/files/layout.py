@@ -28,8 +28,10 @@ def words_of(line: str) -> Key:
 def carry(former: str, new: str, key: Callable[[str], Key] = words_of) -> str:
     """The lines of `new` with the comments of `former`; a line of the same `key` stays as it was written there.
 
-    The comments above a line that changed or went stay where they were. `new` itself must hold no comments.
+    The comments above a line that changed or went stay where they were. `new` itself must hold no comments. All its
+    lines end as those of `former` do.
     """
+    new = _ended_as(former, new)
     old_entries, old_tail = _entries(former, key)
     new_entries, new_tail = _entries(new, key)
     parts: list[str] = []
@@ -46,9 +48,14 @@ def carry(former: str, new: str, key: Callable[[str], Key] = words_of) -> str:
 
 
 def carry_comments(former: str, new: str) -> str:
-    """As `carry`, where `former` has comments at all; else `new` as it is."""
+    """As `carry`, where `former` has comments at all; else `new` with the line ends of `former`."""
     has_comments = any(line.lstrip(" \t").startswith("#") for line in former.split("\n"))
-    return carry(former, new) if has_comments else new
+    return carry(former, new) if has_comments else _ended_as(former, new)
+
+
+def _ended_as(former: str, new: str) -> str:
+    """Where the first line of `former` ends as on Windows, `new` does in all; `new` has plain line ends."""
+    return new.replace("\n", "\r\n") if former.partition("\n")[0].endswith("\r") else new
 
 
 def _opcodes(old: list[Key], new: list[Key]) -> Iterator[tuple[str, int, int, int, int]]:

@@ -92,11 +92,6 @@ def of_loss(reason: str, tasks: Iterable[tuple[str, str]]) -> Cause:
     return Cause(Kind.LOST, reason, subsystem, task)
 
 
-def of_user(text: str) -> Cause:
-    """Somebody has stopped or aborted the run."""
-    return Cause(Kind.USER, text)
-
-
 def _of_drive(text: str) -> Kind:
     if "panic button" in text:
         return Kind.PRESSED

@@ -12,6 +12,7 @@ from msgspec import Struct, msgpack
 
 from onika.host.heartbeat import Heartbeat
 from onika.host.outlet import open_outlets
+from onika.host.posing import Posed, Posing
 from onika.host.post import Post
 from onika.host.rtpu import preload
 from onika.host.schedule import become_real_time
@@ -23,7 +24,6 @@ from onika.runtime.bus import Bus
 from onika.runtime.command import DeviceGrant
 
 _LONGEST_SLEEP_S = 0.02
-_POSED_EVERY_NS = 33_000_000
 _MOST_BEHIND_NS = 50_000_000
 """Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
 
@@ -81,7 +81,7 @@ class Show(Struct, frozen=True, tag=True):
 
 
 class Pose(Struct, frozen=True, tag=True):
-    """From now on tell the poses of a world, 30 times a second."""
+    """From now on tell the poses of a world, 30 times a second; to the socket that comes with this datagram, if any."""
 
     world: str
 
@@ -118,6 +118,8 @@ class Driven(Struct, frozen=True, tag=True):
     previous_step_ns: int
     last_command_ns: int
     cause: str
+    behind_ns: int = 0
+    """How far the world's time is behind the runtime's."""
 
 
 class Drawn(Struct, frozen=True, tag=True):
@@ -130,15 +132,6 @@ class Shown(Struct, frozen=True, tag=True):
     """The answer to Show."""
 
     scene: dict[str, Any]
-
-
-class Posed(Struct, frozen=True, tag=True):
-    """Where the bodies of a world are."""
-
-    world: str
-    at_ns: int
-    rows: bytes
-    lit: tuple[str, ...]
 
 
 class Up(Struct, frozen=True, tag=True):
@@ -164,7 +157,7 @@ class DeviceServer:
         self._zero = zero_ns
         self._buses: dict[str, Bus] = {}
         self._behind: dict[str, int] = {}
-        self._posing: dict[str, int] = {}
+        self._posing: dict[str, Posing] = {}
         self._is_stopped = False
         self._segments: list[Segment] = []
 
@@ -176,6 +169,8 @@ class DeviceServer:
             self._take_orders()
             for name, bus in self._buses.items():
                 self._step(name, bus)
+        for one in self._posing.values():
+            one.close()
 
     def _now(self) -> int:
         return monotonic_ns() - self._zero
@@ -199,10 +194,9 @@ class DeviceServer:
         if until >= world.now_ns + world.step_ns:
             bus.step(until)
         for one in world.take_events():
-            self._post.send(encode(_driven(name, one)))
-        if self._posing.get(name, now + 1) <= now:
-            self._posing[name] = now + _POSED_EVERY_NS
-            self._post.send(encode(Posed(name, *bus.poses())))
+            self._post.send(encode(_driven(name, one, self._behind[name])))
+        if name in self._posing and self._posing[name].is_due(now):
+            self._posing[name].tell(now, *bus.poses())
 
     def _take_orders(self) -> None:
         if self._post.is_waiting:
@@ -236,7 +230,8 @@ class DeviceServer:
             case Show():
                 return Shown(self._buses[order.world].scene()) if order.world in self._buses else Denied("not open")
             case Pose():
-                self._posing.setdefault(order.world, 0)
+                post = Post(socket.socket(fileno=descriptors[0])) if descriptors else self._post
+                self._posing.setdefault(order.world, Posing(order.world)).add(post)
             case Draw():
                 return Drawn({name: bus.world.snapshot() for name, bus in self._buses.items()})
         return None
@@ -266,8 +261,9 @@ class DeviceServer:
         return Opened(name)
 
 
-def _driven(world: str, one: DriveEvent) -> Driven:
-    return Driven(world, one.device, int(one.state), one.at_ns, one.previous_step_ns, one.last_command_ns, one.cause)
+def _driven(world: str, one: DriveEvent, behind_ns: int) -> Driven:
+    times = one.at_ns, one.previous_step_ns, one.last_command_ns
+    return Driven(world, one.device, int(one.state), *times, one.cause, behind_ns)
 
 
 def main(words: list[str]) -> None:

@@ -23,6 +23,10 @@ class Listener(Protocol):
         """Whether scaled time goes as fast as it can: what is repeated was looked at when it happened."""
         ...
 
+    def run_began(self, device: str) -> int:
+        """When the run began that uses a device, in ns of the runtime's time; 0 where none does."""
+        ...
+
     def hear(self, rtpu: str, heard: news.News, now: int) -> None:
         """Take in one piece of news."""
         ...

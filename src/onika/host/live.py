@@ -51,6 +51,8 @@ class LiveSubsystem:
         """The tasks that are wanted ON, each with its last argument line."""
         self.reasons: dict[str, str] = {}
         """Why a task waits, asks or has failed."""
+        self.asks: dict[str, event.Asked] = {}
+        """What tasks wait to be told."""
         self.trouble: dict[str, str] = {}
         """What went wrong with a task since the present transaction began."""
         self.done: set[str] = set()
@@ -263,6 +265,7 @@ class LiveSubsystem:
             case news.Asked():
                 self.reasons[task] = f"asks for {', '.join(item.name for item in heard.items)}"
                 self._turn(task, State.ASKING, at)
+                self.asks.update((task, one) for one in words if isinstance(one, event.Asked))
                 self._tell_all(words)
             case news.Refused():
                 self._refused(heard, task, at)
@@ -282,6 +285,7 @@ class LiveSubsystem:
 
     def _turn(self, task: str, state: State, at: float) -> None:
         self.members[task].state = state
+        self.asks.pop(task, None)
         if state in (State.ON, State.OFF, State.KILLED):
             self.reasons[task] = ""
         (self.came if state in (State.ON, State.ASKING) else self.went).add(task)

@@ -175,14 +175,15 @@ class Look:
         members = self._stage.members(name)
         if performance is not None:
             tasks = tuple(_task(one, one.state is State.ON, None, "") for one in members.values())
-            return live.SubsystemStanding(name, performance.session, performance.application, tasks)
+            asks, on_loss = performance.runner.asks(name), performance.on_loss
+            return live.SubsystemStanding(name, performance.session, performance.application, tasks, asks, on_loss)
         if by_hand is None:
             return live.SubsystemStanding(name, "", "", ())
         tasks = tuple(
             _task(one, task in by_hand.wanted, by_hand.rates.get(task), by_hand.reasons.get(task, ""))
             for task, one in members.items()
         )
-        return live.SubsystemStanding(name, by_hand.holder, "", tasks)
+        return live.SubsystemStanding(name, by_hand.holder, "", tasks, tuple(by_hand.asks.values()))
 
 
 def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: str) -> live.TaskStanding:

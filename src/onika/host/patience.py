@@ -3,7 +3,7 @@
 import signal
 from types import FrameType
 
-from onika.runtime.module import ModuleError
+from onika.runtime.error import ModuleError
 
 PATIENCE_S = 5.0
 

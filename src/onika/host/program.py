@@ -1,84 +1,29 @@
 """The runtime program: takes what sessions ask to where it is answered, and lets what runs go on."""
 
-from collections.abc import Callable
 from time import monotonic_ns
-from typing import Protocol, get_args
 
 from msgspec.structs import replace
 
 from onika.host.asking import Loading
+from onika.host.backlog import Answer, Backlog
 from onika.host.company import Company
 from onika.host.description import describe
+from onika.host.driver import Driver
 from onika.host.editor import Editor, refused
 from onika.host.gate import Call, Gate
 from onika.host.helm import Helm
 from onika.host.holders import Holders
 from onika.host.inquiry import Inquiry, NotYet
 from onika.host.leases import Leases
-from onika.host.listener import Listener
-from onika.host.look import Look, Seen
+from onika.host.look import Look
 from onika.host.performance import Performance
 from onika.host.post import Post
 from onika.host.preparation import Preparation, inspect, prepare
-from onika.host.recorder import Recorder, Seen as Recorded
-from onika.host.stage import Stage, Tables, Tell
+from onika.host.recorder import Recorder
+from onika.host.stage import Stage, Tell
 from onika.link.caller import Role
 from onika.runtime.subsystem import Subsystem
 from onika.wire import event, holding, live, request, steer
-
-_AT_ONCE = (
-    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch),
-    *get_args(holding.HoldingRequest),
-)
-"""What never waits behind another request."""
-
-Answer = Callable[[request.Response], None]
-
-
-class Driver(Tables, Seen, Recorded, Protocol):
-    """Where everything happens: in wall or in virtual time."""
-
-    @property
-    def digest(self) -> str:
-        """Of everything that happened since `begin`, where that is the same every time; else empty."""
-        ...
-
-    @property
-    def outside(self) -> tuple[str, ...]:
-        """The tasks that had to do with the outside since `begin`, where without them it were the same every time."""
-        ...
-
-    def listen(self, listener: Listener) -> None:
-        """Tell this one what happens."""
-        ...
-
-    def begin(self) -> None:
-        """A run starts now."""
-        ...
-
-    def advance(self, wall_ns: int) -> bool:
-        """Let everything go on; False if nothing happens until somebody says something."""
-        ...
-
-    def stop(self) -> None:
-        """Every drive in hold, latched."""
-        ...
-
-    def reset(self) -> None:
-        """Motion is allowed again; nothing moves by itself."""
-        ...
-
-    def touch(self, world: str, part: str, value: float) -> None:
-        """Touch a part of a world; raises ValueError with the reason why not."""
-        ...
-
-    def is_at_rest(self) -> bool:
-        """Whether every drive holds."""
-        ...
-
-    def snapshots(self) -> dict[str, bytes]:
-        """The worlds as they stand."""
-        ...
 
 
 class Program:
@@ -91,7 +36,7 @@ class Program:
         self._driver = driver
         self._loading = loading
         self._prepared: dict[str, Preparation] = {}
-        self._kept: list[tuple[Call, Answer]] = []
+        self._backlog = Backlog()
         self.stage = Stage(driver, gate.tell, rtpus)
         driver.listen(self.stage)
         self._editor = Editor(self.stage, loading)
@@ -207,11 +152,8 @@ class Program:
 
         Whether it may be asked is judged when its turn has come: another may have become the holder meanwhile.
         """
-        is_behind = any(
-            kept.session == call.session and not isinstance(kept.asked, live.Describe) for kept, _ in self._kept
-        )
-        if is_behind and not isinstance(call.asked, _AT_ONCE):
-            self._kept.append((call, answer))
+        if self._backlog.is_before(call):
+            self._backlog.keep(call, answer)
             return
         refusal = self.holders.refusal(call.session, call.asked, self.is_stopped)
         refusal = refusal or self.stage.repeat.refusal(call.session, call.asked, self._driver.now)
@@ -222,7 +164,7 @@ class Program:
                 self._carry_out(call, answer)
                 self._recorder.command(call.session, call.asked)
         except NotYet:
-            self._kept.append((call, answer))
+            self._backlog.keep(call, answer)
 
     def _repeat(self) -> None:
         """What is due of a run that is repeated is asked in the name of who began it."""
@@ -260,8 +202,7 @@ class Program:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
         has_come = self._recorder.has_come()
         if (isinstance(self._loading, Inquiry) and self._loading.take()) or has_come:
-            kept, self._kept = self._kept, []
-            for call, answer in kept:
+            for call, answer in self._backlog.take():
                 self._try(call, answer)
 
     def _respond(self, session: str, asked: request.Request) -> request.Response:

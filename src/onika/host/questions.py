@@ -20,6 +20,8 @@ class Questions:
         self._answer = answer
         self._abort = abort
         self._answered: set[str] = set()
+        self.told: dict[tuple[str, str], event.Asked] = {}
+        """What each task of a subsystem has asked last."""
 
     def ask(self, heard: news.Asked, at_s: float) -> None:
         """A task asks."""
@@ -35,7 +37,9 @@ class Questions:
             self._answer(heard.subsystem, heard.task, " ".join(given[name] for name in names))
         elif self._begin.may_ask:
             items = tuple(event.Item(*(getattr(one, name) for name in one.__struct_fields__)) for one in heard.items)
-            self._tell(event.Asked(heard.subsystem, heard.task, heard.reason, items, at_s))
+            told = event.Asked(heard.subsystem, heard.task, heard.reason, items, at_s)
+            self.told[heard.subsystem, heard.task] = told
+            self._tell(told)
         else:
             wanted = ", ".join(f"{heard.task}.{one.name}" for one in heard.items)
             said_wrong = f" ({heard.reason})" if heard.reason else ""

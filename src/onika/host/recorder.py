@@ -14,42 +14,21 @@ from msgspec.structs import replace
 from onika.host.gate import Gate
 from onika.host.inquiry import NotYet
 from onika.host.performance import Performance
+from onika.host.posing import Posed
 from onika.host.post import Post
 from onika.host.preparation import Preparation
-from onika.host.scribe import Finish, Meet, Pose, Show, Start, Tell, Variable
+from onika.host.scribe import Finish, Meet, Show, Start, Tell
 from onika.host.scribes import Beside, InPlace, Pen, complaints
 from onika.host.stage import Stage
+from onika.host.watched import Variable
 from onika.record import said
 from onika.record.run import Run, ending
 from onika.runtime.bus import Poses
-from onika.wire import event, live, request, steer
-
-_STEERING = (
-    steer.Pause,
-    steer.Resume,
-    steer.Step,
-    steer.Skip,
-    steer.Pass,
-    steer.Leave,
-    steer.Mark,
-    steer.Recover,
-    request.Reply,
-    request.Abort,
-    request.Stop,
-    live.Reset,
-    live.Touch,
-    live.Change,
-    live.Set,
-    live.Reinit,
-    live.Swap,
-    live.Clear,
-    live.Close,
-)
-"""What may change the course of a run."""
+from onika.wire import event, request
 
 _POSED_EVERY_NS = 33_000_000
-_LOOKS = 2
-"""Periods of the fastest task between two looks; an entry keeps three values, so that one may be late."""
+_LOOKS = 4
+"""Periods of the fastest task between two looks; an entry keeps fifteen values, so that looks may come late."""
 _FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
 _END_NS = 5_000_000_000
 
@@ -91,6 +70,10 @@ class Seen(Protocol):
 
     def poses(self, world: str) -> Poses | None:
         """The newest poses of an open world."""
+        ...
+
+    def pose_to(self, world: str, inlet: int) -> None:
+        """Have whoever steps an open world say its poses at this socket, where that is another process."""
         ...
 
     def each_instant(self, look: Callable[[], None] | None) -> None:
@@ -179,7 +162,7 @@ class Recorder:
 
     def command(self, session: str, asked: request.Request) -> None:
         """Something was asked and carried out."""
-        if self._began >= 0 and isinstance(asked, _STEERING) and not self._end_at:
+        if self._began >= 0 and isinstance(asked, said.STEERING) and not self._end_at:
             topic = said.ANSWERS if isinstance(asked, request.Reply) else said.COMMANDS
             self._say(topic, said.encode(said.Wanted(self._seen.turn, session, asked)))
 
@@ -273,17 +256,19 @@ class Recorder:
         pen.take(Meet(name, variables), table.segment if is_needed else None)
 
     def _show(self, pen: Pen, world: str, now: int) -> None:
-        if now < self._shown.get(world, -1):
-            return
         if world not in self._shown:
             scene = self._seen.scene(world)
             if scene is None:
                 return
             pen.take(Show(world, _shapes(scene)))
-        self._shown[world] = now + _POSED_EVERY_NS
-        poses = self._seen.poses(world)
-        if poses is not None:
-            pen.take(Pose(world, now, poses[1], poses[2]))
+            self._shown[world] = now
+            if pen.inlet is not None:
+                self._seen.pose_to(world, pen.inlet)
+        if pen.inlet is None and now >= self._shown[world]:
+            self._shown[world] = now + _POSED_EVERY_NS
+            poses = self._seen.poses(world)
+            if poses is not None:
+                pen.take(Posed(world, now, poses[1], poses[2]))
 
 
 def _shapes(scene: Mapping[str, object]) -> tuple[dict[str, object], ...]:

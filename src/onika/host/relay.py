@@ -4,7 +4,6 @@ import asyncio
 import contextlib
 import socket
 import sys
-from collections.abc import Callable
 from time import monotonic_ns
 
 from websockets.http11 import Request, Response
@@ -25,9 +24,6 @@ _TURN = 8 * 1024
 """Bytes from outside that are looked at before it is somebody else's turn: some hundred of the smallest frames."""
 _MIN_RTT = 148
 """Where it stands in the `tcp_info` of Linux, in us."""
-
-HandOver = Callable[[Yes, Hello, str, socket.socket], None]
-"""Gives the program its end of a connection, with who it is and the address he comes from."""
 
 
 class Unwelcome(Exception):

@@ -18,6 +18,7 @@ from onika.host.judge import Judge
 from onika.host.outlook import Outlook
 from onika.host.preparation import Preparation
 from onika.host.questions import Questions
+from onika.host.settling import Settling
 from onika.host.switchboard import Switchboard
 from onika.host.switching import Switching
 from onika.host.tally import Tally
@@ -58,12 +59,10 @@ class Runner:
         tables = {one.name: one.table for one in subsystems.values()}
         self._explainer = Explainer(prepared, tables, self._engine.positions, tell)
         self._asking: set[tuple[int, str]] = set()
-        self._settle_at: int | None = None
-        self._reports_open: set[str] = set()
+        self._settling = Settling(begin.settle_s, subsystems, units)
         self._now = 0
         self.tally = Tally(begin.watch)
         self.is_over = False
-        self._is_aborting = False
         self._stands_still = False
 
     def _make_engine(self, judge: Judge) -> Engine:
@@ -85,8 +84,7 @@ class Runner:
     def abort(self, cause: str, now: int, kind: Kind = Kind.USER) -> None:
         """End the run: tasks killed, devices in hold; harmless when it is over."""
         self._now = now
-        self._is_aborting = True
-        self._settle_at = None
+        self._settling.give_up()
         with self._explainer.watch(Cause(kind, cause), now):
             self._feed(said.Abort(cause))
         self._outlook.free_all()
@@ -94,7 +92,7 @@ class Runner:
     def lost(self, rtpu: str, reason: str, now: int) -> None:
         """A process is gone, and so are the tasks of a unit; the run ends where it needs it."""
         self._now = now
-        self._reports_open.discard(rtpu)
+        self._settling.lost(rtpu)
         here = [
             (flow, name)
             for flow, subsystem in self._subsystems.items()
@@ -129,6 +127,13 @@ class Runner:
         """Where every flow is, and who waits for whom."""
         return self._engine.positions()
 
+    def asks(self, subsystem: str) -> tuple[event.Asked, ...]:
+        """What tasks of a subsystem wait to be told."""
+        told = self._questions.told.items()
+        return tuple(
+            one for (home, task), one in told if home == subsystem and (self._flows[home], task) in self._asking
+        )
+
     # Time
 
     @property
@@ -151,24 +156,23 @@ class Runner:
         """Whether the clock goes on: it stands while a task waits for user input, or every flow for its user."""
         return not (self.is_over or self._asking or self._stands_still)
 
+    def run_began(self, device: str) -> int:
+        """When it began; 0 where it does not use this device."""
+        members = (one for subsystem in self._subsystems.values() for one in subsystem.members.values())
+        return self._herald.began if any(one.wired.device == device for one in members) else 0
+
     def wake_at(self) -> int | None:
         """When `tick` has something to do."""
-        sample = self._explainer.wake_at()
-        if self._settle_at is None or sample is None:
-            return sample if self._settle_at is None else self._settle_at
-        return min(self._settle_at, sample)
+        wishes = (self._settling.wake_at(), self._explainer.wake_at())
+        return min((at for at in wishes if at is not None), default=None)
 
     def tick(self, now: int) -> None:
         """Let time pass: what has settled is read, then the statuses are asked for."""
         self._now = now
         self._explainer.tick(now)
-        if self._settle_at is None or now < self._settle_at:
-            return
-        self._settle_at = None
-        self.tally.read({one.name: one.table for one in self._subsystems.values()})
-        self._reports_open = {member.rtpu for one in self._subsystems.values() for member in one.members.values()}
-        for rtpu in sorted(self._reports_open):
-            self._units.send(rtpu, command.Report())
+        if self._settling.is_due(now):
+            self.tally.read({one.name: one.table for one in self._subsystems.values()})
+            self._settling.ask()
 
     # News of RTPUs
 
@@ -199,9 +203,7 @@ class Runner:
 
     def _report(self, rtpu: str, heard: news.Statuses) -> None:
         self.tally.figures(heard, self._flows)
-        was_open = rtpu in self._reports_open
-        self._reports_open.discard(rtpu)
-        if was_open and not self._reports_open and not self._is_aborting:
+        if self._settling.reported(rtpu):
             self._feed(said.Settled())
 
     def _hear_task(self, flow: int, heard: Any) -> None:
@@ -313,7 +315,7 @@ class Runner:
             case orders.Kill():
                 self._kill(order)
             case orders.Settle():
-                self._settle_at = self._now + round(self._begin.settle_s * 1e9)
+                self._settling.begin(self._now)
             case orders.End():
                 self.is_over = True
                 self.tally.end(order.completed, order.cause, self._now)

@@ -4,28 +4,20 @@ In virtual time it sits beside the clock; in wall time it is a process of its ow
 neither a slow disk nor compression stands between two jobs.
 """
 
-from collections.abc import Callable
+import os
+import stat
 from typing import Any, BinaryIO
 
 from msgspec import Struct, msgpack
 
-from onika.record import foxglove, said, value
+from onika.host.posing import Posed
+from onika.host.watched import Variable, Watched
+from onika.record import foxglove, said
 from onika.record.run import END
 from onika.record.writer import Writer
-from onika.ring.slots import Ring
-from onika.words.shape import Shape
 
 FLUSHED_EVERY_NS = 500_000_000
 """What is not written so long is lost where everything is killed."""
-
-
-class Variable(Struct, frozen=True):
-    """Where a variable lies in the table of its subsystem."""
-
-    name: str
-    shape: str
-    unit: str
-    offset: int
 
 
 class Start(Struct, frozen=True, tag=True):
@@ -56,15 +48,6 @@ class Show(Struct, frozen=True, tag=True):
     shapes: tuple[dict[str, Any], ...]
 
 
-class Pose(Struct, frozen=True, tag=True):
-    """Where the bodies of a world are, and what shines."""
-
-    world: str
-    at_ns: int
-    rows: bytes
-    lit: tuple[str, ...]
-
-
 class Finish(Struct, frozen=True, tag=True):
     """The run is over; how it ended, and what was not told for want of room."""
 
@@ -72,30 +55,36 @@ class Finish(Struct, frozen=True, tag=True):
     untold: int = 0
 
 
-Order = Start | Meet | Tell | Show | Pose | Finish
+Order = Start | Meet | Tell | Show | Posed | Finish
 encode = msgpack.Encoder().encode
 decode = msgpack.Decoder(Order).decode
 
 
 class Scribe:
-    """Raises OSError where the file cannot take it."""
+    """Raises OSError where the file cannot take it, or is not the one any more that was begun."""
 
     def __init__(self, stream: BinaryIO, writer: Writer) -> None:
         self._stream = stream
         self._writer = writer
-        self._lookers: list[Callable[[int], None]] = []
+        self._watched: list[Watched] = []
+        self._counts: list[int] = []
+        self._looked_at = -1
+        self._turn = 0
+        self._written = 0
         self._shapes: dict[str, tuple[dict[str, Any], ...]] = {}
         self._lit: dict[str, tuple[str, ...]] = {}
         self._flush_at = FLUSHED_EVERY_NS
-        self.missed = 0
-        """Values that were written over before anybody looked."""
+        self.untold = 0
+        """Poses that did not come here for want of room."""
         self.is_finished = False
 
     def take(self, order: Order, memory: memoryview | None = None) -> None:
         """Write it down; variables need the memory in which they lie."""
         match order:
             case Meet() if memory is not None:
-                self._lookers += [self._looker(order.subsystem, one, memory) for one in order.variables]
+                some = [Watched(order.subsystem, one, memory, self._writer) for one in order.variables]
+                self._watched += some
+                self._counts += [0] * len(some)
             case Tell():
                 is_event = order.topic == said.EVENTS
                 title = said.HAPPENED if is_event else said.WANTED
@@ -105,32 +94,66 @@ class Scribe:
                 self._shapes[order.world] = order.shapes
                 self._writer.attach(said.shapes(order.world), "application/json", said.encode(order.shapes))
                 self._draw(order.world, 0, ())
-            case Pose():
+            case Posed():
                 self._pose(order)
             case Finish():
                 self._finish(order)
 
     def look(self, now: int) -> None:
         """Write down what has changed in the variables since the last call."""
-        for look in self._lookers:
-            look(now)
+        counts = [one.words[0] for one in self._watched]
+        if counts != self._counts:
+            for one, count, before in zip(self._watched, counts, self._counts, strict=True):
+                if count != before:
+                    one.take(now, self._looked_at)
+            self._counts = counts
+        self._looked_at = now
         if now >= self._flush_at:
             self._flush_at = now + FLUSHED_EVERY_NS
             self.flush()
+        elif self._watched:  # one at each look, so that none takes long
+            self._turn = (self._turn + 1) % len(self._watched)
+            self._watched[self._turn].settle()
+
+    @property
+    def missed(self) -> int:
+        """Values that were written over before anybody looked."""
+        return sum(one.missed for one in self._watched)
 
     def flush(self) -> None:
         """Let everything out."""
+        self._judge()
+        self._settle()
         self._writer.flush()
+        self._out()
+
+    def _settle(self) -> None:
+        for one in self._watched:
+            one.settle()
+
+    def _out(self) -> None:
         self._stream.flush()
+        self._written = self._writer.written
+
+    def _judge(self) -> None:
+        """Whether the file still is what it was: somebody may delete it, write over it, or cut it."""
+        about = os.fstat(self._stream.fileno())
+        if not about.st_nlink:
+            raise OSError("its file was deleted or replaced while it was written")
+        if stat.S_ISREG(about.st_mode) and about.st_size < self._written:
+            raise OSError("its file was cut while it was written")
 
     def _finish(self, order: Finish) -> None:
+        self._judge()
+        self._settle()
         self._writer.flush()
-        self._writer.note(END, {**order.words, "missed": str(self.missed), "untold": str(order.untold)})
+        self._writer.note(END, {**order.words, "missed": str(self.missed), "untold": str(order.untold + self.untold)})
         self._writer.finish()
-        self._stream.flush()
+        self._out()
         self.is_finished = True
 
-    def _pose(self, order: Pose) -> None:
+    def _pose(self, order: Posed) -> None:
+        self.untold += order.left_out
         if self._lit.get(order.world) != order.lit and order.world in self._shapes:
             self._draw(order.world, order.at_ns, order.lit)
         topic = said.frames(order.world)
@@ -142,37 +165,3 @@ class Scribe:
         words = {"world": world, "lit": ""}
         channel = self._writer.channel(said.scene(world), foxglove.SCENE, foxglove.SCENE_SCHEMA, words)
         self._writer.message(channel, at_ns, foxglove.scene(world, at_ns, self._shapes[world], lit))
-
-    def _looker(self, subsystem: str, one: Variable, memory: memoryview) -> Callable[[int], None]:
-        """A function that writes down a variable where it has changed; fast where nothing was written."""
-        shape = Shape.parse(one.shape)
-        ring = Ring(memory, one.offset, shape.size)
-        words, since, encoded = ring.words, ring.since, value.encoder(shape)
-        about = {"subsystem": subsystem, "name": one.name, "type": one.shape, "unit": one.unit}
-        schema = (value.title(shape, one.unit), value.schema(shape, one.unit))
-        channel = self._writer.channel(said.variable(subsystem, one.name), *schema, about)
-        message = self._writer.message
-        seen, last, before = 0, b"", -1
-
-        def look(now: int) -> None:
-            nonlocal seen, last, before
-            if words[0] == seen:
-                before = now
-                return
-            count, values = since(seen)
-            if count - seen != len(values):
-                if count < seen:  # the entry was made anew
-                    count, values = since(0)
-                else:
-                    self.missed += count - seen - len(values)
-            seen = count
-            apart = (now - before) // len(values) if before >= 0 and values else 0
-            at = now - apart * (len(values) - 1)
-            for data in values:
-                if data != last:
-                    last = data
-                    message(channel, at, encoded(data))
-                at += apart
-            before = now
-
-        return look

@@ -12,8 +12,10 @@ import sys
 from time import monotonic_ns
 
 from msgspec import Struct, msgpack
+from msgspec.structs import replace
 
 from onika.host.outlet import open_outlets
+from onika.host.posing import Posed
 from onika.host.post import Post
 from onika.host.schedule import fine_timers, first_in_first_out, still_garbage
 from onika.host.scribe import Finish, Meet, Scribe, Start, decode
@@ -31,10 +33,12 @@ class Up(Struct, frozen=True, tag=True):
 
 
 class Ended(Struct, frozen=True, tag=True):
-    """The file is finished, or why it is not; values that were written over before they were looked at."""
+    """The file is finished, or why it is not; values that were written over before they were looked at, and poses
+    that did not come for want of room."""
 
     missed: int = 0
     reason: str = ""
+    untold: int = 0
 
 
 encode_word = msgpack.Encoder().encode
@@ -49,46 +53,58 @@ def record(post: Post, every_ns: int) -> None:
     received = post.receive()
     if received is None:
         return
-    _, (run_fd, file_fd) = received
-    memory = Segment.attach(run_fd)
-    with os.fdopen(file_fd, "wb", buffering=_BUFFER) as stream:
-        missed = 0
-        try:
+    _, (run_fd, file_fd, inlet_fd) = received
+    memory, inlet = Segment.attach(run_fd), Post(socket.socket(fileno=inlet_fd))
+    scribe, reason = None, ""
+    try:
+        with os.fdopen(file_fd, "wb", buffering=_BUFFER) as stream:
             writer = Writer(stream)
             _decode_run(bytes(memory.view)).write(writer)
             memory.close()
             scribe = Scribe(stream, writer)
             scribe.flush()
             post.send(encode_word(Up()))
-            missed = _follow(post, scribe, every_ns)
-        except OSError as wrong:
-            post.send(encode_word(Ended(missed, str(wrong))))
-            return
-    post.send(encode_word(Ended(missed)))
+            _follow(post, inlet, scribe, every_ns)
+    except OSError as wrong:
+        reason = str(wrong)
+    inlet.close()
+    post.send(encode_word(Ended(scribe.missed, reason, scribe.untold) if scribe else Ended(reason=reason)))
 
 
-def _follow(post: Post, scribe: Scribe, every_ns: int) -> int:
-    segments: dict[str, Segment] = {}
-    due, zero = monotonic_ns(), 0
+def _follow(post: Post, inlet: Post, scribe: Scribe, every_ns: int) -> None:
+    memories: dict[str, memoryview] = {}
+    due, zero = 0, -1
     while not (scribe.is_finished or post.is_closed):
-        ready, _, _ = select.select([post], [], [], max(due - monotonic_ns(), 0) * 1e-9)
-        now = monotonic_ns()
+        wait = max(due - monotonic_ns(), 0) * 1e-9 if zero >= 0 else None
+        ready, _, _ = select.select([post], [], [], wait)
         while ready and not post.is_closed and (received := post.receive()) is not None:
             body, descriptors = received
             order = decode(body)
-            if isinstance(order, Meet) and descriptors:
-                segments[order.subsystem] = Segment.attach(descriptors[0])
             if isinstance(order, Start):
-                zero = order.at_ns
+                due = zero = order.at_ns  # before the run there is no time to write down
             if isinstance(order, Finish):
-                scribe.look(now - zero)
-            scribe.take(order, segments[order.subsystem].view if isinstance(order, Meet) else None)
-        if now >= due and not scribe.is_finished:
-            scribe.look(now - zero)
+                _look(inlet, scribe, zero)
+            if isinstance(order, Meet):
+                if descriptors:
+                    memories[order.subsystem] = Segment.attach(descriptors[0]).view
+                scribe.take(order, memories[order.subsystem])
+            else:
+                scribe.take(order)
+        now = monotonic_ns()
+        if now >= due and zero >= 0 and not scribe.is_finished:
+            _look(inlet, scribe, zero)
             due = max(due + every_ns, now)
     if not scribe.is_finished:
         scribe.flush()  # the runtime is gone: what was seen is all there is
-    return scribe.missed
+
+
+def _look(inlet: Post, scribe: Scribe, zero: int) -> None:
+    """At the variables, and at what has come from the device server."""
+    scribe.look(monotonic_ns() - zero)
+    while not inlet.is_closed and (received := inlet.receive()) is not None:
+        order = decode(received[0])
+        if isinstance(order, Posed):
+            scribe.take(replace(order, at_ns=order.told_ns - zero))
 
 
 def main(words: list[str]) -> None:

@@ -1,6 +1,7 @@
 """Where a recording is written: beside the clock in virtual time, by a process of its own in wall time (law 29)."""
 
 import os
+import socket
 import subprocess
 from collections.abc import Sequence
 from time import monotonic_ns
@@ -9,7 +10,7 @@ from typing import Protocol
 from onika.host import scribe_process
 from onika.host.post import Post
 from onika.host.process import start
-from onika.host.scribe import Order, Pose, Scribe, Tell, encode
+from onika.host.scribe import Order, Scribe, Tell, encode
 from onika.record.run import Run
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
@@ -49,6 +50,11 @@ class Pen(Protocol):
         """Whether the file is finished, or never will be."""
         ...
 
+    @property
+    def inlet(self) -> int | None:
+        """The socket at which it hears poses from whoever steps the worlds; None: they are to be given to it."""
+        ...
+
     def take(self, order: Order, segment: Segment | None = None) -> None:
         """Write this down; never waits for anything in wall time."""
         ...
@@ -84,6 +90,7 @@ class InPlace:
         self.untold = 0
 
     is_up = True
+    inlet = None
 
     @property
     def is_done(self) -> bool:
@@ -144,9 +151,11 @@ class Beside:
         memory.view[:] = body
         descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o666)
         self._post, theirs = Post.pair()
+        self._inlet, far = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         words = ("--every", str(every_ns), *(("--fifo",) if with_fifo else ()))
         self._process = start("onika.host.scribe_process", theirs, words)
-        self._post.send(b"run", (memory.fd, descriptor))
+        self._post.send(b"run", (memory.fd, descriptor, far.fileno()))
+        far.close()
         os.close(descriptor)
         memory.close()
         self._since = monotonic_ns()
@@ -159,6 +168,11 @@ class Beside:
         self.untold = 0
 
     @property
+    def inlet(self) -> int | None:
+        """The socket at which the process hears poses; they do not go by way of the runner, whom each would wake."""
+        return self._inlet.fileno()
+
+    @property
     def is_done(self) -> bool:
         """Whether the file is finished, or never will be."""
         return self._is_done or bool(self.reason)
@@ -167,7 +181,7 @@ class Beside:
         """Send it over, unless too much waits already: then what can be missed is counted and left out."""
         if self.reason:
             return
-        if isinstance(order, Tell | Pose) and self._post.waiting >= _MOST_WAITING:
+        if isinstance(order, Tell) and self._post.waiting >= _MOST_WAITING:
             self.untold += 1
             return
         body = encode(order)
@@ -185,6 +199,7 @@ class Beside:
                 self.is_up = True
             else:
                 self._is_done, self.missed, self.reason = True, word.missed, word.reason
+                self.untold += word.untold
         if not self.is_done:
             self._judge()
 
@@ -201,6 +216,7 @@ class Beside:
     def close(self) -> None:
         """Let go of it: without the post it writes what it has seen and ends."""
         self._post.close()
+        self._inlet.close()
         try:
             self._process.wait(_ENDED_NS / 1e9)
         except subprocess.TimeoutExpired:

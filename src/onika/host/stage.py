@@ -214,6 +214,10 @@ class Stage:
             live.lost(rtpu, reason, now)
         self.roll.lost()
 
+    def run_began(self, device: str) -> int:
+        """When the run began that uses a device; 0 where none does."""
+        return max((one.runner.run_began(device) for one in self.performances), default=0)
+
     def wake_at(self) -> int | None:
         """The next time somebody has something to do."""
         earliest = self._let_to

@@ -1,7 +1,7 @@
 """The strides of a run: how far the inputs of its hardware tasks have stepped where what drives them changed (X04)."""
 
 from onika.runtime import news
-from onika.wire import event
+from onika.wire.figures import VariableSteps
 
 
 class Strides:
@@ -24,7 +24,7 @@ class Strides:
         counts[2] = max(counts[2], heard.cycles)
         counts[3] += is_too_far and not heard.cycles
 
-    def figures(self, began_at: int) -> tuple[event.VariableSteps, ...]:
+    def figures(self, began_at: int) -> tuple[VariableSteps, ...]:
         """All of them, by subsystem and variable; times count from the run's start."""
         return tuple(_figures(self._largest[key], self._counts[key], began_at) for key in sorted(self._largest))
 
@@ -33,9 +33,9 @@ def _share(one: news.Stepped) -> float:
     return one.step / (one.limit or 1.0)
 
 
-def _figures(largest: news.Stepped, counts: list[int], began_at: int) -> event.VariableSteps:
+def _figures(largest: news.Stepped, counts: list[int], began_at: int) -> VariableSteps:
     count, blended, cycles, refused = counts
-    return event.VariableSteps(
+    return VariableSteps(
         subsystem=largest.subsystem,
         task=largest.task,
         variable=largest.variable,

@@ -11,6 +11,7 @@ from onika.host.strides import Strides
 from onika.runtime.news import Statuses, TaskStatus
 from onika.runtime.table import Table
 from onika.wire import event
+from onika.wire.figures import TaskFigures
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +29,7 @@ class Tally:
     def __init__(self, watch: tuple[str, ...]) -> None:
         self._watch = watch
         self._finished_at: dict[int, int] = {}
-        self._figures: dict[tuple[str, str], event.TaskFigures] = {}
+        self._figures: dict[tuple[str, str], TaskFigures] = {}
         self._switches: list[float] = []
         self._skews: list[float] = []
         self._meetings: dict[int, tuple[str, tuple[int, ...], dict[int, int]]] = {}
@@ -108,12 +109,12 @@ class Tally:
         )
 
 
-def _figures(rtpu: str, one: TaskStatus) -> event.TaskFigures:
+def _figures(rtpu: str, one: TaskStatus) -> TaskFigures:
     times = (round(one.mean_us, 1), round(one.most_us, 1))
-    return event.TaskFigures(one.subsystem, one.task, rtpu, round(one.reference_hz, 3), one.cycle, one.miss, *times)
+    return TaskFigures(one.subsystem, one.task, rtpu, round(one.reference_hz, 3), one.cycle, one.miss, *times)
 
 
-def _sum(before: event.TaskFigures | None, more: event.TaskFigures) -> event.TaskFigures:
+def _sum(before: TaskFigures | None, more: TaskFigures) -> TaskFigures:
     if before is None:
         return more
     cycles = before.cycles + more.cycles

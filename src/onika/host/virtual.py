@@ -1,6 +1,5 @@
 """The virtual driver: all RTPUs and worlds of a runtime, stepped in one process by one clock (law 1)."""
 
-import hashlib
 import select
 from collections import deque
 from collections.abc import Callable, Sequence
@@ -8,17 +7,16 @@ from time import monotonic_ns
 
 from msgspec import structs
 
+from onika.host.buses import Buses
+from onika.host.digest import Digest
 from onika.host.listener import Listener
 from onika.host.pace import Pace
-from onika.host.worlds import open_world, refuse_unknown, split
-from onika.ring.device import Drive, DriveEvent
+from onika.host.worlds import open_world
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
+from onika.runtime.bus import Poses, World
 from onika.runtime.executive import Executive
 from onika.wire import event
-
-_HASHED_EVERY_NS = 50_000_000  # what differs once differs ever after: to look at every step would only cost
 
 _AT_ONCE = 1000  # cycles without news that are run before anybody is asked
 
@@ -40,22 +38,15 @@ class VirtualDriver:
     ) -> None:
         self._now = 0
         self._pace = None if scale is None else Pace(scale, 0, monotonic_ns())
-        self._is_stopped = False
-        self._worlds = worlds
-        self._tell = tell
         self._views: dict[str, memoryview] = {}
         self._rtpus = frozenset(rtpus)
         self._executive = Executive("", self._views, watch)
         self._homes: dict[tuple[str, str], str] = {}
         self._statuses: dict[str, news.Statuses] = {}
         self._commands: deque[tuple[str, command.Command]] = deque()
-        self._buses: dict[str, Bus] = {}
-        self._claims: dict[str, int] = {}
-        self._epoch = 0
+        self._buses = Buses(self._views, worlds, self._dated(tell))
         self._listener: Listener | None = None
-        self._hash = hashlib.sha256()
-        self._hash_at = 0
-        self._outside: set[str] = set()
+        self._digest = Digest()
         self.with_fifo = False
         self.options: tuple[str, ...] = ()
         """What the runtime was started with beside, which changes what happens."""
@@ -80,17 +71,11 @@ class VirtualDriver:
 
     def grant(self, rtpu: str, device: str) -> command.DeviceGrant:
         """Claim a device for a task; the world is opened with its first device."""
-        world, name = split(device)
-        bus = self._bus(world)
-        self._epoch += 1
-        grant = bus.grant(name, self._epoch)
-        self._claims[device] = self._epoch
-        return grant
+        return self._buses.grant(device, self._now)
 
     def release(self, device: str) -> None:
         """Give a device back."""
-        world, name = split(device)
-        self._buses[world].release(name, self._claims.pop(device))
+        self._buses.release(device)
 
     # A run
 
@@ -102,21 +87,19 @@ class VirtualDriver:
     @property
     def worlds(self) -> tuple[str, ...]:
         """The worlds that are open."""
-        return tuple(self._buses)
+        return self._buses.names
 
     def scene(self, world: str) -> dict[str, object] | None:
         """What an open world consists of."""
-        return self._buses[world].scene() if world in self._buses else None
+        return self._buses.scene(world)
 
     def poses(self, world: str) -> Poses | None:
         """Where the bodies of an open world are."""
-        return self._buses[world].poses() if world in self._buses else None
+        return self._buses.poses(world)
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
-        refuse_unknown(world, self.worlds)
-        self._buses[world].touch(part, value)
-        self._tell_drives(world, self._buses[world].world.take_events())
+        self._buses.touch(world, part, value)
 
     def unshare(self, name: str) -> None:
         """The table is not used any more."""
@@ -130,11 +113,21 @@ class VirtualDriver:
         """Tell this one what happens."""
         self._listener = listener
 
+    def _dated(self, tell: Callable[[event.Event], None]) -> Callable[[event.Drive], None]:
+        """Drives are told in the time of the run that uses them, as all else of it."""
+
+        def dated(told: event.Drive) -> None:
+            began = self._listener.run_began(told.device) if self._listener is not None else 0
+            tell(structs.replace(told, at_s=round((told.at_ns - began) * 1e-9, 9)))
+
+        return dated
+
     def begin(self) -> None:
         """A run starts now: what happens from here on is its digest."""
-        self._hash = hashlib.sha256()
-        self._hash_at = self._now
-        self._outside.clear()
+        self._digest = Digest(self._now)
+
+    def pose_to(self, world: str, inlet: int) -> None:
+        """Nobody says them: here whoever wants to know them can look."""
 
     def each_instant(self, look: Callable[[], None] | None) -> None:
         """Call this one at the end of every instant; none: nobody."""
@@ -170,18 +163,14 @@ class VirtualDriver:
 
     def stop(self) -> None:
         """Everything off and every drive in hold, latched (law 27)."""
-        self._is_stopped = True
-        for bus in self._buses.values():
-            bus.world.stop()
+        self._buses.stop()
         for name in sorted(self._rtpus):
             self.send(name, command.Stop("stop"))
         self._deliver()
 
     def reset(self) -> None:
         """After a stop: motion is allowed again; nothing moves by itself."""
-        self._is_stopped = False
-        for bus in self._buses.values():
-            bus.world.go_on()
+        self._buses.go_on()
         for name in sorted(self._rtpus):
             self.send(name, command.Reset())
         self._deliver()
@@ -189,23 +178,21 @@ class VirtualDriver:
     @property
     def digest(self) -> str:
         """Of everything that happened in this run: the worlds every 50 ms and every word to the runner."""
-        return self._hash.hexdigest()
+        return self._digest.hexdigest()
 
     @property
     def outside(self) -> tuple[str, ...]:
         """The tasks that had to do with the outside since `begin`: with them no run repeats (law 15)."""
-        return tuple(sorted(self._outside))
+        return tuple(sorted(self._digest.outside))
 
     def is_at_rest(self) -> bool:
         """Steps the worlds once, so that the last commands act; then every drive holds."""
-        for name, bus in self._buses.items():
-            bus.step(bus.world.now_ns + bus.world.step_ns)
-            self._tell_drives(name, bus.world.take_events())
+        self._buses.step_once()
         return True
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
-        return {name: bus.world.snapshot() for name, bus in self._buses.items()}
+        return self._buses.snapshots()
 
     # Inner
 
@@ -241,7 +228,7 @@ class VirtualDriver:
         if now > self._now:
             self._step_worlds(now)
             if release == now:  # at the times of tasks only: it must not matter when somebody looks, or stops the clock
-                self._fingerprint(now)
+                self._digest.look(now, self._buses.worlds)
         if now == wake:
             listener.tick(now)
             self._deliver()
@@ -259,7 +246,7 @@ class VirtualDriver:
         executive = self._executive
         if not executive.speaks:
             return True
-        self._outside.update("/".join(address) for address in executive.speaking)
+        self._digest.outside.update("/".join(address) for address in executive.speaking)
         while owed := executive.owed():
             left = until - monotonic_ns()
             if left <= 0:
@@ -275,24 +262,13 @@ class VirtualDriver:
         events = self._executive.events()
         if events:
             for descriptor in select.select(list(events), [], [], 0)[0]:
-                self._outside.add("/".join(events[descriptor]))
+                self._digest.outside.add("/".join(events[descriptor]))
                 self._hear(self._executive.event(events[descriptor], self._now))
                 self._deliver()
 
-    def _fingerprint(self, now: int) -> None:
-        """The worlds are looked at for the digest, if it is time."""
-        if now >= self._hash_at:
-            self._hash_at = now + _HASHED_EVERY_NS
-            for bus in self._buses.values():
-                self._hash.update(bus.world.fingerprint())
-
     def _step_worlds(self, now: int) -> None:
         self._now, self.turn = now, 0
-        for name, bus in self._buses.items():
-            bus.step(now)
-            events = bus.world.take_events()
-            if events:
-                self._tell_drives(name, events)
+        self._buses.step(now)
 
     def _deliver(self) -> None:
         """Carry out commands until none is left; what they lead to is heard at the same instant."""
@@ -312,7 +288,7 @@ class VirtualDriver:
             else:
                 rtpu = self._homes.get((one.subsystem, getattr(one, "task", "")), "")
                 if not isinstance(one, news.Stepped):  # it tells of what was looked at, and nothing has happened
-                    self._hash.update(news.encode(one))
+                    self._digest.hear(one)
             if self._listener is not None:
                 self._listener.hear(rtpu, one, self._now)
 
@@ -327,27 +303,3 @@ class VirtualDriver:
     def _share(self, statuses: news.Statuses, rtpu: str) -> news.Statuses:
         own = tuple(one for one in statuses.tasks if self._homes.get((one.subsystem, one.task)) == rtpu)
         return news.Statuses(rtpu, statuses.load, own)
-
-    def _bus(self, world: str) -> Bus:
-        if world not in self._buses:
-            segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
-            self._views[f"bus:{world}"] = segment.view
-            bus = Bus(world, self._worlds(world), segment)
-            bus.step(self._now)
-            if self._is_stopped:
-                bus.world.stop()
-            self._buses[world] = bus
-        return self._buses[world]
-
-    def _tell_drives(self, world: str, events: Sequence[DriveEvent]) -> None:
-        for one in events:
-            self._tell(
-                event.Drive(
-                    f"{world}:{one.device}",
-                    Drive(one.state).name,
-                    one.at_ns,
-                    one.previous_step_ns,
-                    one.last_command_ns,
-                    one.cause,
-                )
-            )

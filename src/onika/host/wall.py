@@ -7,6 +7,7 @@ from time import monotonic_ns
 
 from onika.host import device_server, rtpu
 from onika.host.listener import Listener
+from onika.host.posing import Posed
 from onika.host.supervisor import Supervised, Supervisor
 from onika.host.worlds import refuse_unknown, split
 from onika.ring.device import Drive
@@ -115,6 +116,10 @@ class WallDriver:
             self._shown.add(world)
             self._devices.post.send(device_server.encode(device_server.Pose(world)))
         return self._poses.get(world)
+
+    def pose_to(self, world: str, inlet: int) -> None:
+        """From now on the device server says the same at this socket too."""
+        self._devices.post.send(device_server.encode(device_server.Pose(world)), (inlet,))
 
     def touch(self, world: str, part: str, value: float) -> None:
         """Touch a part of an open world; raises ValueError with the reason why not."""
@@ -225,20 +230,19 @@ class WallDriver:
                 self.granted[DEVICES] = word.granted
             case device_server.Driven():
                 self._drives[f"{word.world}:{word.device}"] = word.state
-                self._tell(
-                    event.Drive(
-                        f"{word.world}:{word.device}",
-                        Drive(word.state).name,
-                        word.at_ns,
-                        word.previous_step_ns,
-                        word.last_command_ns,
-                        word.cause,
-                    )
-                )
-            case device_server.Posed():
+                self._tell(self._driven(word))
+            case Posed():
                 self._poses[word.world] = (word.at_ns, word.rows, word.lit)
             case _:
                 self._answers.append(word)
+
+    def _driven(self, word: device_server.Driven) -> event.Drive:
+        """In the world's time, and in that of the run that uses the drive."""
+        device = f"{word.world}:{word.device}"
+        began = self._listener.run_began(device) if self._listener is not None else 0
+        at_s = round((word.at_ns + word.behind_ns - began) * 1e-9, 9)
+        times = word.at_ns, word.previous_step_ns, word.last_command_ns
+        return event.Drive(device, Drive(word.state).name, *times, word.cause, at_s)
 
     def _lost(self, one: Supervised, reason: str) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""

@@ -39,7 +39,7 @@ def pose_of_nine(nine: Numbers, out: Array | None = None) -> Array:
 
     Raises ValueError where a or n is no unit vector, or they are not square to each other, within SQUARE_TOLERANCE.
     """
-    ax, ay, az, nx, ny, nz, px, py, pz = nine if isinstance(nine, list | tuple) else nine.tolist()  # type: ignore[union-attr]
+    ax, ay, az, nx, ny, nz, px, py, pz = nine.tolist() if isinstance(nine, np.ndarray) else nine
     length = _unit_length(ax, ay, az, "approach")
     ax, ay, az = ax / length, ay / length, az / length
     _unit_length(nx, ny, nz, "normal")

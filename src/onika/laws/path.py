@@ -26,7 +26,7 @@ def quintic(t: float, duration: float) -> tuple[float, float]:
 
 def joint_duration(start: Numbers, end: Numbers, speed: Numbers) -> float:
     """Seconds of a fifth-order motion whose joints peak at `speed` (rad/s, m/s) at most; the slowest joint decides."""
-    rows = (row if isinstance(row, list | tuple) else row.tolist() for row in (start, end, speed))  # type: ignore[union-attr]
+    rows = (row.tolist() if isinstance(row, np.ndarray) else row for row in (start, end, speed))
     return PEAK * max([abs(last - first) / limit for first, last, limit in zip(*rows, strict=True)], default=0.0)
 
 

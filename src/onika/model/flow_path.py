@@ -33,6 +33,15 @@ def spots(application: Application) -> dict[int, Spot]:
     }
 
 
+def spot_of(application: Application, number: int) -> Spot | None:
+    """Where the step of this number is; None: there is none. Cheaper than `spots`, whose one it is."""
+    for path, flow in flows_by_path(application):
+        for position, step in enumerate(flow.steps):
+            if step.number == number:
+                return Spot(path, position, step)
+    return None
+
+
 def with_flows(application: Application, changed: dict[str, AppFlow]) -> Application:
     """With other flows at these paths; inner ones first where one lies within another."""
     for path in sorted(changed, key=lambda one: -one.count("/")):

@@ -14,7 +14,7 @@ from onika.record.stray import strays
 from onika.record.tolerance import Tolerance
 
 _TIMES = ("at_s", "at_ns", "previous_step_ns", "last_command_ns")
-_UNLIKE = ("wall_s", "of", "tasks", "switches_us", "skews_us", "skew_us", "hash", "courses", "runtime_s")
+_UNLIKE = ("wall_s", "of", "tasks", "switches_us", "skews_us", "skew_us", "hash", "courses", "runtime_s", "steps")
 """What is another in every run, or is told better by what led to it."""
 
 

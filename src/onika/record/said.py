@@ -5,9 +5,32 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
-from onika.wire import event, request
+from onika.wire import event, live, request, steer
 
 EVENTS, COMMANDS, ANSWERS = "/events", "/commands", "/answers"
+
+STEERING = (
+    steer.Pause,
+    steer.Resume,
+    steer.Step,
+    steer.Skip,
+    steer.Pass,
+    steer.Leave,
+    steer.Mark,
+    steer.Recover,
+    request.Reply,
+    request.Abort,
+    request.Stop,
+    live.Reset,
+    live.Touch,
+    live.Change,
+    live.Set,
+    live.Reinit,
+    live.Swap,
+    live.Clear,
+    live.Close,
+)
+"""What may change the course of a run."""
 
 
 def variable(subsystem: str, name: str) -> str:

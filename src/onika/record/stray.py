@@ -36,6 +36,9 @@ def strays(
 
     What is the same in both files is not looked into.
     """
+    left_out = tolerance.leaves_out(one.unit, one.shape.count)
+    if all(left_out):
+        return None, None
     slack = round(tolerance.seconds * 1e9)
     first, last = begin_ns - slack, end_ns + slack
     ours, theirs = told(one, first, last), told(other, first, last)
@@ -44,7 +47,7 @@ def strays(
     if is_drawn(one) and (one.shape.type.is_real or one.shape.type.size <= _EXACT):
         left, right = joined(one, ours), joined(other, theirs)
         found = (
-            _first(_between(each, begin_ns, end_ns), near, tolerance, slack)
+            _first(_between(each, begin_ns, end_ns), near, tolerance, slack, np.array(left_out))
             for each, near in ((left, right), (right, left))
         )
         mine, its = (each if one.shape.type.is_real or each is None else each.whole() for each in found)
@@ -69,7 +72,9 @@ def _between(some: Samples, begin_ns: int, end_ns: int) -> Samples:
     return Samples(some.at_ns[first:last], some.values[first:last])
 
 
-def _first(ours: Samples, theirs: Samples, tolerance: Tolerance, slack: int) -> Stray | None:
+def _first(
+    ours: Samples, theirs: Samples, tolerance: Tolerance, slack: int, left_out: NDArray[np.bool_]
+) -> Stray | None:
     if not len(ours.at_ns):
         return None
     last = np.searchsorted(theirs.at_ns, ours.at_ns + slack, side="right") - 1
@@ -84,7 +89,7 @@ def _first(ours: Samples, theirs: Samples, tolerance: Tolerance, slack: int) -> 
         fits = _fits(values, low, high, tolerance)
         if np.isnan(values).any():  # what is no number is only like itself
             fits |= np.isnan(values) & (_bounds(np.isnan(theirs.values).astype(np.float64), *runs)[1] > 0)
-        bad[is_there] = ~fits
+        bad[is_there] = ~fits & ~left_out
     rows = bad.any(axis=1)
     if not rows.any():
         return None

@@ -1,7 +1,15 @@
-"""How far two recorded runs may lie apart and still be the same (X05)."""
+"""How far two recorded runs may lie apart and still be the same (X05).
+
+Measured of the same program in wall time, on a busy machine: places repeat to 0.0013 rad or m, references to 0.0001,
+times to 0.05 s. Speeds and torques that are measured do not repeat at all: for an instant each may be anything up to
+its greatest value, because a cycle was late.
+"""
 
 import math
 from dataclasses import dataclass
+
+_RATES = ("/s", "/s^2", "/s²")
+_FORCES = ("N", "N m", "Nm")
 
 
 @dataclass(frozen=True, slots=True)
@@ -11,6 +19,16 @@ class Tolerance:
     value: float = 0.0
     part: float = 0.0
     seconds: float = 0.0
+    is_of_places: bool = False
+    """Whether speeds and forces are left out: they tell of disturbances; what they lead to is compared in any case."""
+
+    def leaves_out(self, unit: str, count: int) -> list[bool]:
+        """For each element of a variable of this unit, or of these, whether it is not compared."""
+        units = [one.strip() for one in unit.split(",")]
+        if not self.is_of_places or len(units) not in (1, count):
+            return [False] * count
+        found = [one.endswith(_RATES) or one in _FORCES for one in units]
+        return found if len(units) == count else found * count
 
     def covers(self, one: float, low: float, high: float) -> bool:
         """Whether a number lies near enough to what another took on from `low` to `high`."""
@@ -20,3 +38,23 @@ class Tolerance:
             return True
         room = self.value + self.part * max(abs(low), abs(high))
         return max(low - one, one - high) <= room
+
+
+EXACT = Tolerance()
+"""Between two runs in virtual time."""
+WALL = Tolerance(0.002, 0.001, 0.1, is_of_places=True)
+"""Between two runs of the same program of which one at least was in wall time."""
+
+
+def usual(is_virtual: bool, value: float | None, part: float | None, seconds: float | None) -> Tolerance:
+    """As asked; else two runs of the simulator may not differ at all, and in wall time no run is like another.
+
+    Whoever says by how much values may differ has all of them compared.
+    """
+    one = EXACT if is_virtual else WALL
+    return Tolerance(
+        one.value if value is None else value,
+        one.part if part is None else part,
+        one.seconds if seconds is None else seconds,
+        one.is_of_places and value is None and part is None,
+    )

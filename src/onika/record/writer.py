@@ -4,7 +4,8 @@ Rare records are written by the MCAP library; messages, of which there are thous
 """
 
 from array import array
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import count
 from struct import Struct
 from typing import BinaryIO
 from zlib import crc32
@@ -33,8 +34,8 @@ from onika import __version__
 
 MAGIC = b"\x89MCAP0\r\n"
 PROFILE = "onika"
-_FULL = 1 << 18
-"""Bytes of messages after which a chunk goes out in any case."""
+_FULL = 1 << 19
+"""Bytes of messages after which a chunk goes out in any case; half a second mostly holds less, so that none overlap."""
 _SAID = int(Opcode.MESSAGE)
 _MESSAGE = Struct("<BQHIQQ")
 _INDEX = Struct("<BQHI")
@@ -63,6 +64,11 @@ class Writer:
         self._put(MAGIC)
         self._write(Header(PROFILE, f"onika {__version__}"))
 
+    @property
+    def written(self) -> int:
+        """Bytes that went to the stream."""
+        return self._at
+
     def channel(self, topic: str, title: str, schema: bytes, metadata: Mapping[str, str] | None = None) -> int:
         """The number of a topic's channel; made at its first mention, with a JSON schema that is called `title`."""
         if topic not in self._channels:
@@ -77,15 +83,18 @@ class Writer:
 
     def message(self, channel: int, at_ns: int, body: bytes) -> None:
         """A message of JSON on a channel."""
-        index = self._index.get(channel)
-        if index is None:
-            index = self._index[channel] = array("Q")
-        index.append(at_ns)
-        index.append(len(self._body))
-        count = self._counts[channel]
-        self._counts[channel] = count + 1
-        self._body += _MESSAGE.pack(_SAID, 22 + len(body), channel, count & 0xFFFF_FFFF, at_ns, at_ns)
-        self._body += body
+        self.messages(channel, (at_ns,), (body,))
+
+    def messages(self, channel: int, times: Sequence[int], bodies: Sequence[bytes]) -> None:
+        """Many on one channel, in the order in which they were said."""
+        index, at = self._index.setdefault(channel, array("Q")), len(self._body)
+        parts: list[bytes] = []
+        for number, at_ns, body in zip(count(self._counts[channel]), times, bodies):
+            index.extend((at_ns, at))
+            parts += (_MESSAGE.pack(_SAID, 22 + len(body), channel, number & 0xFFFF_FFFF, at_ns, at_ns), body)
+            at += _MESSAGE.size + len(body)
+        self._counts[channel] += len(bodies)
+        self._body += b"".join(parts)
         if len(self._body) >= _FULL:
             self.flush()
 

@@ -1,10 +1,10 @@
-"""One entry of shared memory: a ring of four slots that one writer fills and any reader reads without waiting.
+"""One entry of shared memory: a ring of slots that one writer fills and any reader reads without waiting.
 
-The first line of 64 bytes holds a guard, the counters and a seal for each slot; the slots follow, each a multiple of
-64 bytes. The writer fills the slot
-behind the current one and then moves the counter, so a dead writer blocks nobody. A copy is good unless the writer came
-round meanwhile, which a reader sees by the counter. The order of stores is kept by x86-64; other processors would need
-a fence (law 31).
+The first line of 64 bytes holds a guard, the counters and four seals; the slots follow, each a multiple of 64 bytes:
+sixteen, so that a recording may look now and then and misses nothing, and four where a value is long. The writer fills
+the slot behind the current one and then moves the counter, so a dead writer blocks nobody. A copy is good unless the
+writer came round meanwhile, which a reader sees by the counter. The order of stores is kept by x86-64; other processors
+would need a fence (law 31).
 """
 
 from collections.abc import Callable
@@ -12,12 +12,14 @@ from typing import NamedTuple
 from zlib import crc32
 
 LINE = 64
-_SLOTS = 4
+_SLOTS, _LONG_SLOTS = 16, 4
+_SEAL = 3
+"""Of a count, the bits that tell its seal."""
 _WORD = 8
 _GUARD = 0x4B_61_72_61_6B_61_73_21
 """Stands before the counters of an armed entry, mixed with its place: what runs over from below meets it first."""
 _SEALS, _STRANGE = 2, 6
-"""Places among the words: of the slots' seals, and of the number of times that somebody else had published (its lower
+"""Places among the words: of the seals, and of the number of times that somebody else had published (its lower
 half; the upper one holds the count at which the entry was put to rest, doubled, plus 1; 0 while it is in use)."""
 _COUNTED = 0xFFFF_FFFF
 """A seal is a checksum and, above it, these bits of the count it belongs to; one of another count seals nothing."""
@@ -43,7 +45,7 @@ class Ring:
     """
 
     def __init__(self, view: memoryview, offset: int, size: int) -> None:
-        stride = _stride(size)
+        stride, count = _stride(size), _slots(size)
         if offset < 0 or offset + Ring.footprint(size) > len(view):
             raise ValueError(f"expected {Ring.footprint(size)} bytes of room at {offset}, found {len(view)} in all")
         self.size = size
@@ -51,13 +53,14 @@ class Ring:
         self._guard = view[offset : offset + _WORD].cast("Q")
         self.words = view[offset + _WORD : offset + LINE].cast("Q")
         first = offset + LINE
-        self._memory = view[first : first + _SLOTS * stride]
-        self._slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(_SLOTS))
+        self._memory = view[first : first + count * stride]
+        self._slots = tuple(view[first + i * stride : first + i * stride + size] for i in range(count))
+        self._last = count - 1
 
     @staticmethod
     def footprint(size: int) -> int:
         """Bytes that an entry of `size` bytes takes in memory."""
-        return LINE + _SLOTS * _stride(size)
+        return LINE + _slots(size) * _stride(size)
 
     @property
     def count(self) -> int:
@@ -87,8 +90,8 @@ class Ring:
         strange = self.words[_STRANGE] & _COUNTED
         if strange:
             found.append(f"it was published {strange} times by somebody who is not its writer")
-        stride = len(self._memory) // _SLOTS
-        if any(any(self._memory[i * stride + self.size : (i + 1) * stride]) for i in range(_SLOTS)):
+        stride = len(self._memory) // len(self._slots)
+        if any(any(self._memory[at + self.size : at + stride]) for at in range(0, len(self._memory), stride)):
             found.append("the memory between its slots is overwritten")
         if self._is_broken():
             found.append("its value is not what its writer published")
@@ -110,7 +113,7 @@ class Ring:
         """Whether something was sealed later than the counter tells; one that is about to be published is not."""
         for _ in range(ATTEMPTS):
             count = self.words[0]
-            ahead = [((self.words[_SEALS + i] >> 32) - count) & _COUNTED for i in range(_SLOTS)]
+            ahead = [((self.words[_SEALS + i] >> 32) - count) & _COUNTED for i in range(_SEAL + 1)]
             if self.words[0] == count:
                 return any(1 < one < _COUNTED >> 1 for one in ahead)
         return False
@@ -121,7 +124,7 @@ class Ring:
         for _ in range(ATTEMPTS):
             count = words[0]
             last = range(max(1, count - 2), count + 1)
-            slots = [(n, words[_SEALS + (n & 3)], bytes(self._slots[n & 3])) for n in last]
+            slots = [(n, words[_SEALS + (n & _SEAL)], bytes(self._slots[n & self._last])) for n in last]
             if words[0] == count:  # the writer was not in the oldest of them yet
                 return any(seal >> 32 == n & _COUNTED and seal != _seal(data, n) for n, seal, data in slots)
         return False
@@ -131,14 +134,14 @@ class Ring:
         count = self.words[0]
         self._use()
         if count:
-            self.words[_SEALS + (count & 3)] = _seal(self._slots[count & 3], count)
+            self.words[_SEALS + (count & _SEAL)] = _seal(self._slots[count & self._last], count)
 
     def rest(self) -> None:
         """Seal the present value and note the count: nobody writes the entry until a writer looks at it."""
         words = self.words
         count = words[0]
         if count:
-            words[_SEALS + (count & 3)] = _seal(self._slots[count & 3], count)
+            words[_SEALS + (count & _SEAL)] = _seal(self._slots[count & self._last], count)
         words[_STRANGE] = words[_STRANGE] & _COUNTED | _rest(count) << 32
 
     def _use(self) -> None:
@@ -158,22 +161,22 @@ class Ring:
 
     def since(self, seen: int) -> tuple[int, list[bytes]]:
         """The count, and the values published after the count `seen`, oldest first, as far as they still lie here."""
-        words, slots = self.words, self._slots
+        words, slots, last = self.words, self._slots, self._last
         while True:
             count: int = words[0]
-            first = max(seen + 1, count - 2)
-            found = [bytes(slots[n & 3]) for n in range(first, count + 1)]
-            if words[0] - first < 3:
+            first = max(seen + 1, count - last + 1)
+            found = [bytes(slots[n & last]) for n in range(first, count + 1)]
+            if words[0] - first < last:
                 return count, found
 
     def writer(self, source: memoryview) -> Callable[[], None]:
         """A fast function that publishes what lies in `source` (bytes, `size` of them) at the time of the call."""
-        words, slots = self.words, self._slots
+        words, slots, last = self.words, self._slots, self._last
         _check(source, self.size)
 
         def publish() -> None:
             count = words[0] + 1
-            slots[count & 3][:] = source
+            slots[count & last][:] = source
             words[0] = count
 
         return publish
@@ -183,7 +186,7 @@ class Ring:
 
         One in eight short values is sealed; to seal each would cost a task more than the check is worth.
         """
-        words, slots = self.words, self._slots
+        words, slots, last = self.words, self._slots, self._last
         _check(source, self.size)
         expected = words[0] + 1
         is_short = self.size <= LONGEST_SEALED
@@ -193,8 +196,7 @@ class Ring:
             count = words[0] + 1
             if count != expected:
                 words[_STRANGE] += 1
-            slot = count & 3
-            slots[slot][:] = source
+            slots[count & last][:] = source
             if not count & 7 and is_short:
                 words[_SEALS] = (count & _COUNTED) << 32 | crc32(source, count)  # as `_seal`, without a call
             words[0] = count
@@ -209,29 +211,29 @@ class Ring:
 
     def reader(self, target: memoryview) -> Callable[[], int]:
         """A fast function that copies the newest value into `target` and returns the count it belongs to."""
-        words, slots = self.words, self._slots
+        words, slots, last = self.words, self._slots, self._last
         _check(target, self.size)
 
         def fetch() -> int:
             while True:
                 count: int = words[0]
-                target[:] = slots[count & 3]
-                if words[0] - count < 3:
+                target[:] = slots[count & last]
+                if words[0] - count < last:
                     return count
 
         return fetch
 
     def refresher(self, target: memoryview) -> Callable[[], None]:
         """As `reader`, for a buffer that nothing else fills: nothing is copied where nothing new was written."""
-        words, slots = self.words, self._slots
+        words, slots, last = self.words, self._slots, self._last
         _check(target, self.size)
         seen = -1
 
         def refresh() -> None:
             nonlocal seen
             while seen != (count := words[0]):
-                target[:] = slots[count & 3]
-                if words[0] - count < 3:
+                target[:] = slots[count & last]
+                if words[0] - count < last:
                     seen = count
                     return
 
@@ -244,6 +246,10 @@ def _seal(data: memoryview | bytes, count: int) -> int:
 
 def _rest(count: int) -> int:
     return (count << 1 | 1) & _COUNTED
+
+
+def _slots(size: int) -> int:
+    return _SLOTS if size <= LONGEST_SEALED else _LONG_SLOTS
 
 
 def _stride(size: int) -> int:

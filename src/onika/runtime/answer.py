@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from onika.runtime.module import ModuleError
+from onika.runtime.error import ModuleError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray

@@ -7,8 +7,8 @@ from onika.model.signal import Signal
 from onika.runtime import news
 from onika.runtime.code import showable, told, where
 from onika.runtime.containment import Strayed
+from onika.runtime.error import AskAgain, LawBroken
 from onika.runtime.figures import values_of
-from onika.runtime.module import AskAgain, LawBroken
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Unit
 

@@ -4,7 +4,8 @@ from collections.abc import Collection
 
 from onika.runtime.binding import undeclared
 from onika.runtime.declaration import PortDeclaration, slot
-from onika.runtime.module import LawBroken, Module
+from onika.runtime.error import LawBroken
+from onika.runtime.module import Module
 
 _FLAGS = ("trigger", "passive", "hardware", "crit")
 

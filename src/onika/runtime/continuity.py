@@ -99,7 +99,8 @@ class Continuity:
         It is looked at before anybody sees it: what a task that comes on leaves in its outputs.
         """
         most = max(BLENDED_NS // self._period_ns, 1)
-        return next((one.objection(value, most) for one in self.crossings if one.svar == svar), "")
+        task = self._address[1]
+        return next((one.objection(value, most, task) for one in self.crossings if one.svar == svar), "")
 
 
 def crossings(module: Module, binding: Binding) -> tuple[Crossing, ...]:

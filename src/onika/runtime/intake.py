@@ -4,7 +4,8 @@ from onika.runtime.binding import Binding
 from onika.runtime.continuity import Continuity, crossings
 from onika.runtime.crossing import BLENDED_NS
 from onika.runtime.device import SILENCE_NS
-from onika.runtime.module import LawBroken, Module
+from onika.runtime.error import LawBroken
+from onika.runtime.module import Module
 
 
 class Intake:

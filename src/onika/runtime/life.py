@@ -9,8 +9,9 @@ from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
 from onika.runtime.calls import RAISED, Calls
 from onika.runtime.code import load, told
-from onika.runtime.module import AskAgain, ModuleError
+from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.preparations import lines
+from onika.runtime.returned import signal_of
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Address, Unit
 from onika.words.fault import Fault
@@ -136,7 +137,7 @@ class Life:
         if type(returned) is int and not returned:
             return None
         try:
-            signal: Signal = task.sound(returned)
+            signal = signal_of(returned, is_trigger=task.trigger)
         except TypeError as wrong:
             self._calls.fail(task, "cycle", wrong, now)
             return None

@@ -4,26 +4,16 @@ import random
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from onika.model.port import PortKind
 from onika.model.signal import Signal
 from onika.runtime.declaration import Input, Local, PortDeclaration, slot
 from onika.runtime.device import Device
+from onika.runtime.error import ModuleError
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from onika.runtime.partner import Partner
-
-
-class ModuleError(Exception):
-    """What a module raises when it cannot do its work; goes to its `error` entry first (dissertation §C.2)."""
-
-
-class LawBroken(ModuleError):
-    """What the law, not the module, finds wrong in a cycle: no `error` entry may mend it (law 5)."""
-
-
-class AskAgain(Exception):
-    """Raised by `on`: the input cannot be used, for this reason; the user is asked again."""
 
 
 class Module:
@@ -96,6 +86,30 @@ class Module:
             raise AttributeError(f"expected a port ({', '.join(self.declared_ports) or 'there is none'}), found {name}")
         array: NDArray[Any] = getattr(self, slot(name))
         return array
+
+    def check_drive(self) -> None:
+        """After a `read` of the device: raises ModuleError while its drive has tripped or its button is pressed."""
+        if not self.device.is_held:
+            return  # as nearly always: one look is enough
+        if self.device.is_pressed:
+            raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
+        if self.device.is_tripped:
+            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
+
+    def clear_drive(self) -> None:
+        """In `clear`: a tripped drive comes back to hold. Raises ModuleError while its panic button is pressed."""
+        self.device.read()
+        if self.device.is_pressed:
+            raise ModuleError("panic button pressed: let it go, then clear")
+        self.device.clear()
+
+    def state_constants(self) -> dict[str, Any]:
+        """In `init` of a robot module: its OUTCONSTs take what `constants` says of them; all that it says."""
+        known = self.constants(SimpleNamespace(**{name: getattr(self, name) for name in self.declared_locals}))
+        for attribute, declared in self.declared_ports.items():
+            if declared.kind is PortKind.OUTCONST:
+                setattr(self, attribute, known[declared.name or attribute])
+        return known
 
     # Entry points
 

@@ -17,7 +17,7 @@ from typing import Any
 from onika.runtime.alarm import Alarm
 from onika.runtime.answer import Answer
 from onika.runtime.dialogue import Dialogue
-from onika.runtime.module import ModuleError
+from onika.runtime.error import ModuleError
 from onika.runtime.partner_address import PartnerAddress
 from onika.runtime.started import Started
 

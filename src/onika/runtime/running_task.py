@@ -1,36 +1,26 @@
 """A running task: one instance of a module, its state, its cycle and its counters (laws 2 to 5)."""
 
 from collections.abc import Callable, Iterable
-from operator import index
 from time import perf_counter_ns
 from types import SimpleNamespace
 
 from msgspec import structs
 
 from onika.model.lifecycle import State, Step, after
-from onika.model.signal import Signal, SignalKind, off
+from onika.model.signal import Signal, off
 from onika.runtime.agenda import Slot
 from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.containment import Containment
 from onika.runtime.counters import Counters
 from onika.runtime.device import Device
+from onika.runtime.error import ModuleError
 from onika.runtime.intake import Intake
-from onika.runtime.module import Module, ModuleError
+from onika.runtime.module import Module
 from onika.runtime.partner import Partner
+from onika.runtime.period import SLOWEST_GRID_NS, period_of
 from onika.runtime.sheet import sheet_of
 from onika.runtime.user_input import UserInput
-
-SLOWEST_GRID_NS = 1_000_000_000
-"""The grid of deadlines of a task without a rate."""
-
-
-def period_of(frequency: float) -> int:
-    """The period of a rate in hertz, in whole nanoseconds (law 13); raises ValueError where there is none."""
-    if not 0.0 < frequency <= 1e9:
-        raise ValueError(f"expected a rate above 0 Hz and up to 1e9 Hz, found {frequency:g}")
-    return round(1e9 / frequency)
-
 
 CHECKED_EVERY = 1023
 """Once in 1024 cycles, so that it costs nothing, a task is looked at: whether its module is still what was bound."""
@@ -270,17 +260,6 @@ class RunningTask:
             write()
         self.counters.add(perf_counter_ns() - began)
         return signal
-
-    def sound(self, returned: object) -> Signal:
-        """What a cycle returned, as a signal of plain values; raises TypeError where it is none or not this task's."""
-        if not isinstance(returned, Signal):
-            raise TypeError(f"expected a signal or None from cycle, found {returned!r}")
-        if returned.kind is SignalKind.FINISH and not self.trigger:
-            raise TypeError("only a trigger finishes a job (dissertation §C.1)")
-        if type(returned.flow) is int and type(returned.loop) is bool and not returned.text and not returned.number:
-            return returned
-        flow, number = index(returned.flow), index(returned.number)
-        return Signal(returned.kind, flow, bool(returned.loop), number, str(returned.text))
 
     def off(self) -> None:
         """`off`; a device is put in hold; outputs are not published."""

@@ -160,6 +160,10 @@ class FrailDriver(VirtualDriver):
         """Pass it on."""
         self._program.stage.lost(rtpu, reason, now)
 
+    def run_began(self, device: str) -> int:
+        """As the stage says."""
+        return self._program.stage.run_began(device)
+
     def wake_at(self) -> int | None:
         """As the stage says."""
         return self._program.stage.wake_at()

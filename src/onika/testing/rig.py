@@ -123,6 +123,10 @@ class Rig:
         """The news of one kind."""
         return [one for _, one in self.news if isinstance(one, kind)]
 
+    def last(self, kind: type[_Kind]) -> _Kind:
+        """The last news of one kind."""
+        return self.heard(kind)[-1]
+
     # Inner
 
     def _instant(self, until: int) -> None:
@@ -168,6 +172,11 @@ class Rig:
             entry = self.table.entry(svar, port.shape.resolve(constants))
             ports.append(command.BoundPort(port.name, svar, str(entry.shape), entry.offset))
         return tuple(ports)
+
+
+def rig_of(source: str, **given: Any) -> Rig:
+    """A rig whose one task, called `one`, is of this source."""
+    return Rig().spawn("one", source, **given)
 
 
 class _Watched:

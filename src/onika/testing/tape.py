@@ -48,7 +48,7 @@ class Tape:
         channel = self._writer.channel(said.variable(home, name), *schema, about)
         for at_s, one in course:
             data = one if isinstance(one, bytes) else np.array(one, dtype=shape.type.code).tobytes()
-            self._writer.message(channel, _ns(at_s), value.encoder(shape)(data))
+            self._writer.message(channel, _ns(at_s), value.encoder(shape)([data])[0])
 
     def tell(self, at_s: float, one: event.Event, subsystem: str = "flow0") -> None:
         """An event."""

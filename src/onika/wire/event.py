@@ -8,6 +8,7 @@ from typing import Any
 import msgspec
 from msgspec import Struct
 
+from onika.wire.figures import TaskFigures, VariableSteps
 from onika.wire.holding import SessionStanding
 
 
@@ -95,6 +96,8 @@ class Drive(Struct, frozen=True, tag=True):
     previous_step_ns: int
     last_command_ns: int
     cause: str
+    at_s: float = 0.0
+    """As all else: of the run that uses the device, or of the runtime where none does."""
 
 
 class Edited(Struct, frozen=True, tag=True):
@@ -243,42 +246,6 @@ class Explained(Struct, frozen=True, tag=True):
     """What sort of cause it is: a word of `host.cause.Kind`."""
     suspect: str = ""
     """The task upstream from which the trouble likely comes; empty: from nobody else."""
-
-
-class TaskFigures(Struct, frozen=True):
-    """A task's figures over the run."""
-
-    subsystem: str
-    task: str
-    rtpu: str
-    hz: float
-    cycles: int
-    missed: int
-    mean_us: float
-    most_us: float
-
-
-class VariableSteps(Struct, frozen=True):
-    """The steps of an input of a hardware task at the reconfigurations of a run (X04)."""
-
-    subsystem: str
-    task: str
-    variable: str
-    unit: str
-    count: int
-    """At how many of them it was measured."""
-    index: int
-    """The element with the largest step, and when that was."""
-    step: float
-    given: float
-    limit: float
-    at_s: float
-    blended: int = 0
-    """How often it was blended."""
-    cycles: int = 0
-    """Over how many cycles at most."""
-    refused: int = 0
-    """How often it was too large for that, and the device has held."""
 
 
 class Result(Struct, frozen=True, tag=True):

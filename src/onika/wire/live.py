@@ -4,6 +4,7 @@ from typing import Any
 
 from msgspec import Struct
 
+from onika.wire.event import Asked
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.sheet import ModuleSheet
 
@@ -227,6 +228,10 @@ class SubsystemStanding(Struct, frozen=True):
     application: str
     """What runs in it; empty: its tasks are held by hand."""
     tasks: tuple[TaskStanding, ...]
+    asks: tuple[Asked, ...] = ()
+    """What its tasks wait to be told, for whoever comes later or takes it over."""
+    on_loss: str = ""
+    """Of an application: what becomes of it where its holder is lost, as it was begun (`stop`, `finish`, `run`)."""
 
 
 class RtpuStanding(Struct, frozen=True):

@@ -6,8 +6,10 @@ from collections.abc import Iterable, Mapping
 SVAR_NAME = re.compile(r"[A-Z][A-Z0-9_^]*\Z")
 """A state variable: `^` means time derivative and is part of the name, never an operator."""
 
-TASK_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]*\Z")
-"""A task, job, target, application, module or processing unit: also a file name without its ending."""
+TASK_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,199}\Z")
+"""A task, job, target, application, module or processing unit: also a file name without its ending.
+
+So long at most: names of files end at 255, and an ending, or what a file is called while it is saved, has to fit in."""
 
 
 def resolve(names: Iterable[str], aliases: Mapping[str, str]) -> tuple[str, ...]:

@@ -2,6 +2,7 @@ import pytest
 from msgspec.structs import replace
 
 from onika.wire import event, request
+from onika.wire.figures import TaskFigures
 
 
 def test_an_application_is_begun_and_its_end_told(sit):  # R-A16
@@ -93,7 +94,7 @@ def asking_once(runtime):
 def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
     one = sit()
     one.console.carry_out("run go_home")
-    figures = event.TaskFigures("other", "puma", "rt0", 500.0, 1, 0, 1.0, 1.0)
+    figures = TaskFigures("other", "puma", "rt0", 500.0, 1, 0, 1.0, 1.0)
     one.runtime.running = ""  # it goes on and on
     one.runtime.tell(event.Result(True, "", 9, 9, 1.0, 1.0, {}, (figures,), ""))
     one.session.hear()

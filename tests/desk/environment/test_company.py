@@ -56,3 +56,10 @@ def test_what_is_offered_to_others_is_shown_and_not_said(duet):  # R-X12
     duet.tell(event.Held("Untitled-1", "bob#3"))
     assert duet.environment.tree.documents[doc].offered_to == ""
     assert len(duet.says) == before
+
+
+def test_who_offered_it_is_told_that_it_was_declined_and_is_offered_no_longer(duet):  # R-X12
+    duet.connected("a")
+    duet.tell(event.Offered("Untitled-1", "you", "bob#3"))
+    duet.tell(event.Offered("Untitled-1", "you", "bob#3", "bob#3 declines"))
+    assert duet.says[-1].text == "Untitled-1 is no longer offered to bob#3: bob#3 declines"

@@ -57,6 +57,13 @@ def test_the_facts_are_taken_over_and_a_question_is_kept_as_long_as_it_is_asked(
     assert later.tasks["a"].asked is None
 
 
+def test_a_question_that_was_asked_before_is_known_to_whoever_connects():  # R-X12, R-C13
+    asked = event.Asked("main", "a", "too far", (), 0.0)
+    home = live.SubsystemStanding("main", "me", "", (task("a", "ASKING", "asks for x"),), (asked,))
+    now = with_standing(Live("main", "live"), live.Standing((home,), (), (), True, False, 0.0))
+    assert (now.tasks["a"].asked, now.tasks["a"].note) == (asked, "")
+
+
 def test_who_is_about_to_be_born_is_so_until_that_is_done():
     pending = Pending(Content(Configuration("c")), Content(Configuration("c")), History(), History())
     known = Live("main", "live", {"a": TaskFacts("SPAWNING")}, pending={1: pending})

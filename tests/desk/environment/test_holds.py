@@ -50,3 +50,28 @@ def test_the_flows_of_a_run_are_found_by_one_of_them():  # R-X12
     run = {"a": HoldView("", "play"), "b": HoldView("", "play"), "c": HoldView("x#1", "play"), "d": HoldView()}
     assert holds.flows_with(run, "a") == ("a", "b")
     assert holds.flows_with(run, "d") == ("d",)
+
+
+ASKED = event.Asked("flow0", "servo", "", (), 0.5)
+
+
+def test_what_a_task_of_an_application_asks_is_known_until_it_asks_no_more():  # R-X12, R-C13
+    runtime = RuntimeView(holds={"flow0": HoldView("ann#1", "play"), "main": HoldView("ann#1")})
+    asks = holds.asked(runtime, ASKED)
+    assert list(asks.holds["flow0"].asks) == ["servo"]
+    assert holds.turned(asks, event.TaskState("flow0", "servo", "ASKING", 1.0)) is asks
+    lost = holds.changed(asks, event.Held("flow0", "", "gone"), "", 9.0)
+    assert list(lost.holds["flow0"].asks) == ["servo"]
+    assert holds.turned(lost, event.TaskState("flow0", "servo", "ON", 1.0)).holds["flow0"].asks == {}
+    by_hand = event.Asked("main", "servo", "", (), 0.5)
+    assert holds.asked(runtime, by_hand) is runtime
+
+
+def test_whoever_comes_later_is_told_what_is_asked_and_what_a_loss_means():  # R-X12
+    home = live.SubsystemStanding("flow0", "ann#1", "play", (), (ASKED,), "finish")
+    there = live.Standing((home,), (), (), False, False, 0.0)
+    found = holds.surveyed({}, there)
+    assert (list(found["flow0"].asks), found["flow0"].on_loss) == (["servo"], "finish")
+    again = holds.surveyed(found, there)
+    assert again["flow0"].asks["servo"] is found["flow0"].asks["servo"]  # what is put aside stays aside
+    assert holds.surveyed(again, standing(("flow0", "ann#1", "")))["flow0"].asks == {}

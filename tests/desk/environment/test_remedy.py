@@ -1,8 +1,8 @@
-from onika.desk.environment.remedy import overwriting, plain, reasons
+from onika.desk.environment.remedy import overwriting, plain, reasons, unreadable
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.wire import act
-from onika.words.fault import Refusal
+from onika.words.fault import Fault, Place, Refusal
 
 CUBIC = Task("cubic", "cubic", outvar=("Q_REF",))
 TRAPEZ = Task("trapez", "trapez", outvar=("Y",), aliases=(("Y", "Q_REF"),))
@@ -34,3 +34,11 @@ def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
     (there,) = overwriting(Refusal("it is there", ("save it elsewhere", "overwrite it")), again)
     assert (removed.label, there.label) == ("Save it all the same", "Overwrite it")
     assert removed.act == there.act == again
+
+
+def test_a_file_with_a_thousand_faults_is_refused_in_a_few_sentences():  # R-X01
+    faults = [Fault(Place("many.appl", line), "a keyword", "none", "it is left out") for line in range(1, 1001)]
+    said = unreadable("many.appl", faults)
+    assert "many.appl:4: expected a keyword" in said
+    assert said.endswith("; and 996 more, see onika check")
+    assert "more" not in unreadable("many.appl", faults[:4])

@@ -117,3 +117,20 @@ def test_of_what_is_gone_nothing_is_taken(duet):
     assert duet.no(act.Take(subsystem="far")).reason == "there is no subsystem far any more"
     assert not taken.is_held_here(duet.environment.model, "far")
     assert taken.holder(duet.environment.model, "far") == HoldView().holder
+
+
+def test_what_a_run_asks_is_answered_by_who_has_taken_it(duet):  # R-X12, R-C13
+    told(duet)
+    answer = act.Answer("", "flow0/servo", "1.5")
+    duet.rebuffs = {request.Reply: request.Done()}
+    duet.tell(event.Asked("flow0", "servo", "", (), 1.0))
+    no = duet.no(answer)
+    assert "nobody" in no.reason and no.remedies[0].act == act.Take(subsystem="flow0")
+    told(duet, "bob#3")
+    assert "only its holder answers it" in duet.no(answer).reason
+    told(duet, "you")
+    duet.do(answer)
+    assert request.Reply("flow0", "servo", "1.5") in duet.carried_out
+    duet.tell(event.TaskState("flow0", "servo", "ON", 1.0))
+    assert duet.no(answer).reason == "servo asks for nothing any more"
+    assert duet.no(act.Answer("", "far/servo", "1")).reason == "no application runs in far any more"

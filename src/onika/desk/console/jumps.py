@@ -4,6 +4,7 @@ from onika.desk.console import table
 from onika.desk.console.face import Tone
 from onika.desk.console.session import Faults, Session
 from onika.wire import event
+from onika.wire.figures import VariableSteps
 
 Words = tuple[str, ...]
 
@@ -18,14 +19,14 @@ def jumps(session: Session, words: Words) -> Faults:
     return ()
 
 
-def _row(one: event.Stepped | event.VariableSteps) -> tuple[str, ...]:
+def _row(one: event.Stepped | VariableSteps) -> tuple[str, ...]:
     share = f"{one.step / one.limit * 100:.0f}" if one.limit else "-"
     limit = f"{one.limit:.4g}" if one.limit else "-"
     name = f"{one.subsystem}/{one.variable}[{one.index}]"
     return name, f"{one.step:.4g}", limit, share, one.unit, f"{one.at_s:.2f}", _became(one)
 
 
-def _became(one: event.Stepped | event.VariableSteps) -> str:
+def _became(one: event.Stepped | VariableSteps) -> str:
     if isinstance(one, event.Stepped):
         if not one.is_too_far:
             return "passed on"

@@ -9,6 +9,7 @@ from onika.desk.console.face import Face, Tone
 from onika.desk.preparation import fault_of
 from onika.store.site import Site
 from onika.wire import event, live, request
+from onika.wire.figures import VariableSteps
 from onika.words.fault import Fault, Place
 
 Faults = tuple[Fault, ...]
@@ -74,7 +75,7 @@ class Session:
         self.is_stopped = False
         self.result: event.Result | None = None
         """How the last run ended."""
-        self.steps: dict[tuple[str, str], event.Stepped | event.VariableSteps] = {}
+        self.steps: dict[tuple[str, str], event.Stepped | VariableSteps] = {}
         """What was told last of steps in the inputs of hardware, by subsystem and variable."""
         self.ticks: list[Callable[[], None]] = []
         """What is looked at whenever the runtime is listened to: variables watched, files followed."""

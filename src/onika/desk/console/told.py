@@ -114,7 +114,7 @@ def _asked(one: event.Asked) -> Iterator[Line]:
 
 
 def _drive(one: event.Drive) -> Iterator[Line]:
-    text = f"{_at(one.at_ns * 1e-9)}  drive {one.device} {one.state}" + (f": {one.cause}" if one.cause else "")
+    text = f"{_at(one.at_s)}  drive {one.device} {one.state}" + (f": {one.cause}" if one.cause else "")
     yield text, Tone.FAULT if one.state in ("TRIPPED", "PRESSED") else Tone.DIM
 
 

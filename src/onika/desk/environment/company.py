@@ -103,5 +103,6 @@ def _words(told: event.Offered, me: str) -> str:
         return f"{told.holder} offers {told.subsystem} no more: {told.outcome}" if told.outcome else text
     if is_accepted:
         return f"{told.to} has taken {told.subsystem}"
-    text = f"{told.subsystem} is offered to {told.to}"
-    return f"{text}: {told.outcome}" if told.outcome else text
+    if told.outcome:
+        return f"{told.subsystem} is no longer offered to {told.to}: {told.outcome}"
+    return f"{told.subsystem} is offered to {told.to}"

@@ -12,7 +12,7 @@ from onika.desk.environment.environment import Answer
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done
 from onika.desk.environment.surroundings import Surroundings
-from onika.desk.upper.flow.recorded import names_in
+from onika.desk.upper.flow.recorded import Names
 from onika.wire import act, page
 
 
@@ -40,7 +40,7 @@ class Diary:
         self._model = model
         self._say = say
         self._clock = clock
-        self._names: dict[str, str] = {}
+        self._names = Names()
         self._lines: SimpleQueue[str | None] = SimpleQueue()
         self._wrong = ""
         self._is_told = False
@@ -55,10 +55,10 @@ class Diary:
             self._is_told = True
             self._say(page.Say("warning", f"the diary cannot be written: {self._wrong}"))
         model = self._model()
-        self._names |= {one.id: one.name for one in model.documents.values()}
+        self._names.known |= {one.id: one.name for one in model.documents.values()}
         opened = answer.value if isinstance(answer.value, str) else ""
-        self._names |= names_in(model, (getattr(asked, "doc", ""), opened))
-        found = entry(asked, answer, self._names)
+        self._names.look(model, (getattr(asked, "doc", ""), opened))
+        found = entry(asked, answer, self._names.known)
         if found is not None:
             self._put(found)
 

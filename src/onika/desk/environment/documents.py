@@ -9,7 +9,7 @@ from onika.desk.environment.document import Document
 from onika.desk.environment.model import Model
 from onika.desk.environment.on_document import closed, on_document
 from onika.desk.environment.outcome import Done, No, Order
-from onika.desk.environment.remedy import overwriting, plain
+from onika.desk.environment.remedy import overwriting, plain, unreadable
 from onika.desk.environment.surroundings import Surroundings
 from onika.files import text
 from onika.model.configuration import Configuration
@@ -144,7 +144,7 @@ def read(path_or_name: str, outside: Surroundings) -> tuple[BaseDirectory, Opene
         base = bases[0]
     opened, faults = base.open_configuration(name)
     if opened is None:
-        return No(f"{path_or_name} cannot be opened: " + "; ".join(plain(str(one)) for one in faults))
+        return No(unreadable(path_or_name, faults))
     return base, opened
 
 

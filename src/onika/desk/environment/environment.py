@@ -8,6 +8,7 @@ from onika.desk.environment import following, undoing
 from onika.desk.environment.difference import difference
 from onika.desk.environment.history import File, Step
 from onika.desk.environment.model import Model
+from onika.desk.environment.others import others
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.surroundings import Surroundings
 from onika.desk.environment.tree import Projector
@@ -151,7 +152,7 @@ class Environment:
             done,
             model=followed.model,
             orders=orders,
-            says=(*done.says, *followed.says),
+            says=(*others(before, asked, by), *done.says, *followed.says),
             replies=followed.replies,
             is_answered_later=is_answered_later,
         )

@@ -6,7 +6,7 @@ from dataclasses import replace
 from onika.desk.environment.content import Content
 from onika.desk.environment.document import Document
 from onika.desk.environment.live import Base, Live, TaskFacts
-from onika.wire import live
+from onika.wire import event, live
 
 
 def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStanding]:
@@ -18,12 +18,13 @@ def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStan
 def with_standing(known: Live, standing: live.Standing) -> Live:
     """With the facts of a subsystem; what is about to be born is still so."""
     there = alive(standing, known.subsystem)
-    tasks = {name: _facts(one, known.tasks.get(name)) for name, one in there.items()}
+    home = next((one for one in standing.subsystems if one.name == known.subsystem), None)
+    asks = {one.task: one for one in home.asks} if home else {}
+    tasks = {name: _facts(one, known.tasks.get(name), asks.get(name)) for name, one in there.items()}
     if known.pending:
         tasks = {name: one for name, one in known.tasks.items() if one.state == "SPAWNING"} | {
             name: one for name, one in tasks.items() if known.state_of(name) != "SPAWNING"
         }
-    home = next((one for one in standing.subsystems if one.name == known.subsystem), None)
     return replace(known, tasks=tasks, holder=home.holder if home else "")
 
 
@@ -45,15 +46,16 @@ def true_to_facts(content: Content, known: Live, sent: Content) -> Content:
     return content if wanted == content.wanted else replace(content, wanted=wanted)
 
 
-def _facts(one: live.TaskStanding, former: TaskFacts | None) -> TaskFacts:
+def _facts(one: live.TaskStanding, former: TaskFacts | None, asked: event.Asked | None) -> TaskFacts:
     known = former or TaskFacts("")
+    asked = asked or known.asked
     is_asking = one.state == "ASKING"
     return TaskFacts(
         state=one.state,
-        note="" if known.asked and is_asking else one.reason,
+        note="" if asked and is_asking else one.reason,
         rtpu=one.rtpu,
         hz=one.frequency,
-        asked=known.asked if is_asking else None,
+        asked=asked if is_asking else None,
         present=known.present if is_asking else {},
         failed=known.failed if one.state == "ERROR" else None,
         warnings=known.warnings,

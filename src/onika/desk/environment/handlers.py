@@ -46,7 +46,7 @@ from onika.desk.upper.flow import (
     past,
 )
 from onika.desk.upper.flow.on_application import is_application
-from onika.desk.upper.review import comparing, courses, glancing, listing as recordings, opening as reviewing
+from onika.desk.upper.review import comparing, courses, glancing, listing as recordings, opening as reviewing, relinking
 from onika.desk.upper.run import anew, beginning, continuing, keeping, preflight, redirecting, steering as steering_run
 from onika.wire import act
 
@@ -73,11 +73,11 @@ def _opening(model: Model, asked: act.Open, outside: Surroundings) -> Done | No:
 
 HANDLERS: Mapping[type, Handler] = {
     act.New: documents.new,
-    act.Open: _opening,
+    act.Open: relinking.relinked(_opening),
     act.Peek: peeking.peek,
     act.Save: _by_kind(documents.save, filing.save),
     act.Close: _by_kind(documents.close, filing.close),
-    act.Reload: _by_kind(documents.reload, filing.reload),
+    act.Reload: relinking.relinked(_by_kind(documents.reload, filing.reload)),
     act.Keep: _by_kind(documents.keep, filing.keep),
     act.Undo: _by_kind(undoing.undo, past.undo),
     act.Redo: _by_kind(undoing.redo, past.redo),

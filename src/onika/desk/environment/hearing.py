@@ -19,6 +19,7 @@ from onika.wire import event, page, view
 
 def heard(model: Model, told: event.Event, at_s: float = 0.0) -> Done:
     """The model after a piece of news, and what is worth a line; `at_s` is seconds since 1970."""
+    model = _questioned(model, told)
     match told:
         case event.TaskState() | event.Failed() | event.Asked() | event.Warned() | event.Signalled():
             return _of_task(model, told)
@@ -45,6 +46,17 @@ def heard(model: Model, told: event.Event, at_s: float = 0.0) -> Done:
             why = f": {told.cause}" if told.cause else ""
             return Done(model, says=(page.Say("error", f"drive {told.device} is {told.state}{why}"),))
     return Done(model)
+
+
+def _questioned(model: Model, told: event.Event) -> Model:
+    """What tasks of applications ask, whoever began these."""
+    match told:
+        case event.Asked():
+            return replace(model, runtime=holds.asked(model.runtime, told))
+        case event.TaskState():
+            runtime = holds.turned(model.runtime, told)
+            return model if runtime is model.runtime else replace(model, runtime=runtime)
+    return model
 
 
 _OfTask = event.TaskState | event.Failed | event.Asked | event.Warned | event.Signalled

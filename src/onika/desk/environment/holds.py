@@ -1,11 +1,12 @@
 """Who holds which subsystem, as it is known here: what is told becomes what is shown (requirement X12)."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 from msgspec import structs
 
+from onika.desk.environment.question import ask_view
 from onika.wire import event, live, steer
-from onika.wire.view import HoldView, RuntimeView
+from onika.wire.view import AskView, HoldView, RuntimeView
 
 OFFER_S = 60.0
 """How long a runtime lets an offer stand."""
@@ -17,9 +18,28 @@ def surveyed(former: Mapping[str, HoldView], standing: live.Standing) -> dict[st
     for one in standing.subsystems:
         known = former.get(one.name, HoldView())
         if known.holder != one.holder:
-            known = HoldView(one.holder, state=known.state)
-        found[one.name] = structs.replace(known, application=one.application)
+            known = HoldView(one.holder, state=known.state, asks=known.asks)
+        asks = _asks(known, one.asks) if one.application else {}
+        found[one.name] = structs.replace(known, application=one.application, asks=asks, on_loss=one.on_loss)
     return found
+
+
+def asked(runtime: RuntimeView, told: event.Asked) -> RuntimeView:
+    """A task of an application asks; of one that is held by hand its document shows it."""
+    known = runtime.holds.get(told.subsystem)
+    if known is None or not known.application:
+        return runtime
+    asks = {**known.asks, told.task: ask_view(told)}
+    return _with(runtime, told.subsystem, structs.replace(known, asks=asks))
+
+
+def turned(runtime: RuntimeView, told: event.TaskState) -> RuntimeView:
+    """A task has come into another state: if that is not ASKING, it asks for nothing any more."""
+    known = runtime.holds.get(told.subsystem)
+    if known is None or told.state == "ASKING" or told.task not in known.asks:
+        return runtime
+    asks = {name: one for name, one in known.asks.items() if name != told.task}
+    return _with(runtime, told.subsystem, structs.replace(known, asks=asks))
 
 
 def changed(runtime: RuntimeView, told: event.Held, me: str, at_s: float) -> RuntimeView:
@@ -37,6 +57,8 @@ def changed(runtime: RuntimeView, told: event.Held, me: str, at_s: float) -> Run
             cause=told.cause,
             former=known.holder if is_loss else "",
             was_here=is_loss and bool(me) and known.holder == me,
+            asks=known.asks,
+            on_loss=known.on_loss,
         ),
     )
 
@@ -74,6 +96,13 @@ def flows_with(holds: Mapping[str, HoldView], subsystem: str) -> tuple[str, ...]
         return (subsystem,)
     same = (known.application, known.holder)
     return tuple(name for name, one in holds.items() if (one.application, one.holder) == same)
+
+
+def _asks(known: HoldView, told: Iterable[event.Asked]) -> dict[str, AskView]:
+    """What is asked now; a question that is shown already stays the one that it is."""
+    found = {one.task: ask_view(one) for one in told}
+    shown = {name: structs.replace(one, present={}) for name, one in known.asks.items()}
+    return {name: known.asks[name] if shown.get(name) == one else one for name, one in found.items()}
 
 
 def _with(runtime: RuntimeView, subsystem: str, hold: HoldView) -> RuntimeView:

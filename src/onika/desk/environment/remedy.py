@@ -1,14 +1,16 @@
 """The words of a rule's remedies as buttons that do what they say (requirement X01)."""
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Reason, Remedy
-from onika.words.fault import Refusal
+from onika.words.fault import Fault, Refusal
 
 _NAMED = re.compile(r"(replace|show|alias) `?([^`]+)`?\Z")
+_TOLD = 4
+"""Faults of a file that are told in a refusal; `onika check` lists all."""
 _OTHER = re.compile(r"give ([^ ]+) another alias\Z")
 
 
@@ -20,6 +22,13 @@ def reasons(refused: Iterable[Refusal], doc: str, task: Task) -> tuple[Reason, .
 def plain(text: str) -> str:
     """A sentence without the marks that terminals show names with."""
     return text.replace("`", "")
+
+
+def unreadable(file: str, faults: Sequence[Fault]) -> str:
+    """Why nothing of a file can be opened, in a few sentences even where every line of it is wrong."""
+    told = "; ".join(plain(str(one)) for one in faults[:_TOLD])
+    more = f"; and {len(faults) - _TOLD} more, see onika check" if len(faults) > _TOLD else ""
+    return f"{file} cannot be opened: {told}{more}"
 
 
 def overwriting(refused: Refusal, again: act.AnyAct, label: str = "Overwrite it") -> tuple[Remedy, ...]:

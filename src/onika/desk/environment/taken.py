@@ -104,18 +104,38 @@ def refused(model: Model, subsystem: str, asked: act.Take) -> No | None:
 
 def steer_taken(model: Model, asked: act.SteerTaken, _outside: Surroundings) -> Done | No:
     """Steer a run that was taken over; what moves, or ends it, is asked back first."""
-    hold = model.runtime.holds.get(asked.subsystem, HoldView())
-    if not hold.application:
-        return No(f"no application runs in {asked.subsystem} any more")
-    if not is_held_here(model, asked.subsystem):
-        by = hold.holder or "nobody"
-        take_it = () if hold.holder else (Remedy("Take it over", act.Take(subsystem=asked.subsystem)),)
-        return No(f"{hold.application} is held by {by}; only its holder steers it, everybody can stop", take_it)
+    hold = _held(model, asked.subsystem, "steers it")
+    if isinstance(hold, No):
+        return hold
     meant = _back(asked, hold.application)
     if meant is not None and not asked.confirmed:
         return meant
     order = Order(_wish(asked), _steered)
     return Done(model, orders=(order,), is_answered_later=True)
+
+
+def answer(model: Model, asked: act.Answer, _outside: Surroundings) -> Done | No:
+    """Answer what a task of a run that was taken over asks, named as `SUBSYSTEM/TASK`; it goes on with the answer."""
+    subsystem, _, task = asked.task.rpartition("/")
+    hold = _held(model, subsystem, "answers it")
+    if isinstance(hold, No):
+        return hold
+    if task not in hold.asks:
+        return No(f"{task} asks for nothing any more")
+    order = Order(request.Reply(subsystem, task, asked.line), _answered)
+    return Done(model, orders=(order,), is_answered_later=True)
+
+
+def _held(model: Model, subsystem: str, does: str) -> HoldView | No:
+    """A run in a subsystem that is held here; else why it is not for this environment."""
+    hold = model.runtime.holds.get(subsystem, HoldView())
+    if not hold.application:
+        return No(f"no application runs in {subsystem} any more")
+    if is_held_here(model, subsystem):
+        return hold
+    by = hold.holder or "nobody"
+    take_it = () if hold.holder else (Remedy("Take it over", act.Take(subsystem=subsystem)),)
+    return No(f"{hold.application} is held by {by}; only its holder {does}, everybody can stop", take_it)
 
 
 def _back(asked: act.SteerTaken, application: str) -> No | None:
@@ -142,6 +162,10 @@ def _wish(asked: act.SteerTaken) -> request.Request:
         case "clear":
             return steer.Recover()
     return request.Abort(_BY_THE_USER, asked.subsystem)
+
+
+def _answered(model: Model, response: request.Response) -> Done | No:
+    return Done(model) if isinstance(response, request.Done) else No(refusal(response))
 
 
 def _steered(model: Model, response: request.Response) -> Done | No:

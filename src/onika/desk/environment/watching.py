@@ -27,8 +27,9 @@ class Watching:
         of_run = [home for doc, _, name in keys if (home := _home_in_run(model, doc, name))]
         readings = tuple(dict.fromkeys((*of_documents, *of_run)))
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
-        # others' runs tell the same words
-        heard = (*sorted(homes.values()), holding.COMPANY) if is_going(model) else ("*",)
+        # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
+        own = model.run.homes if model.run is not None else ()
+        heard = (*sorted({*homes.values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
         return live.Attend(heard, readings, tuple(sorted(self.worlds)), hz)
 
 

@@ -7,10 +7,11 @@ from typing import Literal, TypeVar, cast
 
 from onika.desk.environment.document import Document
 from onika.desk.environment.live import TaskFacts
+from onika.desk.environment.question import ask_view
 from onika.desk.environment.shelf import Shelf
 from onika.desk.environment.trouble import error_view
 from onika.model.configuration import Locus, Placed
-from onika.wire.view import AskItem, AskView, DocumentView, GroupView, LocusView, PlacedView, State
+from onika.wire.view import AskView, DocumentView, GroupView, LocusView, PlacedView, State
 
 _T = TypeVar("_T")
 
@@ -171,8 +172,4 @@ def _placed(one: Placed, facts: TaskFacts | None, is_missing: bool, document: Do
 def _ask(facts: TaskFacts) -> AskView | None:
     if facts.asked is None or facts.state != "ASKING":
         return None
-    items = tuple(
-        AskItem(one.name, one.type, one.count, one.unit, one.meaning, one.default, one.low, one.high)
-        for one in facts.asked.items
-    )
-    return AskView(items, facts.asked.reason, dict(facts.present))
+    return ask_view(facts.asked, facts.present)

@@ -105,7 +105,9 @@ class Waits:
         here = self.programs[number][stop.at]
         if isinstance(here, Join):
             return [child for child in here.flows if state[child] != IDLE]
-        return [other for other in self.parties[here.tag] if not self._is_at(state, other, here.tag)]  # type: ignore[union-attr]
+        if isinstance(here, Meet):
+            return [other for other in self.parties[here.tag] if not self._is_at(state, other, here.tag)]
+        raise TypeError(f"expected a stop at Join or Meet, found {here}")
 
     def has_ended(self, state: State, number: int) -> bool:
         """Whether a flow has come to its last end."""

@@ -1,5 +1,7 @@
 """What a user does to run an application; a question of it is answered by `Answer`, its task as `SUBSYSTEM/TASK`."""
 
+from typing import Literal
+
 from onika.wire.act.act import Act
 
 
@@ -19,6 +21,8 @@ class Run(Act, frozen=True):
     """Whether configurations that it uses and that were changed here are saved first."""
     is_recorded: bool = False
     """Whether the run is recorded, in a file of its own (X05)."""
+    on_loss: Literal["stop", "finish", "run"] = "stop"
+    """What becomes of it where this environment is lost: it ends, finishes its actions and pauses, goes on (X12)."""
 
 
 class Preflight(Act, frozen=True):

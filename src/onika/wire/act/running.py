@@ -65,7 +65,9 @@ class Answer(Act, frozen=True):
     """Answer what a task asks, in the words of an argument line (C13)."""
 
     doc: str
+    """The configuration, or the application that runs; empty: a run that another began and that is held here."""
     task: str
+    """By its name; a task of a run as `SUBSYSTEM/TASK`."""
     line: str
 
 

@@ -4,6 +4,7 @@ from typing import Any, Literal
 
 from msgspec import field
 
+from onika.wire.view.application import RedirectView
 from onika.wire.view.run import RunView
 from onika.wire.view.view import View
 
@@ -72,6 +73,8 @@ class RecordingView(View, frozen=True):
     """The open application whose run it was; empty: it is not open."""
     began_at_s: float = 0.0
     """When it began, in seconds since 1970; 0: it was not said."""
+    redirects: tuple[RedirectView, ...] = ()
+    """Who stood for whom in that run."""
 
 
 class DifferenceView(View, frozen=True):
@@ -86,6 +89,8 @@ class DifferenceView(View, frozen=True):
     """And by which part of themselves."""
     time_s: float = 0.0
     """How far times were."""
+    is_of_places: bool = False
+    """Whether speeds and forces were left out, as in wall time they never repeat."""
 
 
 class ReviewView(View, frozen=True):

@@ -4,6 +4,7 @@ from typing import Literal
 
 from msgspec import field
 
+from onika.wire.view.asking import AskView
 from onika.wire.view.view import View
 
 
@@ -47,6 +48,10 @@ class HoldView(View, frozen=True):
     """The session that may take it or decline."""
     offered_until_s: float = 0.0
     """Seconds since 1970 when the offer ends; 0: that is not known."""
+    asks: dict[str, AskView] = field(default_factory=dict)
+    """What tasks of an application wait to be told, by name; its holder tells them."""
+    on_loss: str = ""
+    """Of an application: what becomes of it where its holder is lost; `stop`, `finish` or `run`."""
 
 
 class RuntimeView(View, frozen=True):

@@ -61,6 +61,11 @@ def test_a_hole_for_an_action_is_refused_with_the_way_to_it(tmp_path, lab):  # R
     assert cabinet.no(act.MakeJob(doc, WHITE)).reason == no.reason
 
 
+def test_what_is_wrong_is_told_as_in_the_list_beside_the_application(tmp_path, lab):  # R-D09, R-X01
+    cabinet, doc = opened(tmp_path, lab, [job("opengripC"), HOLE], [], parallel=True)
+    assert cabinet.no(act.Draft(doc)).reason.startswith("flow 1 is empty; a hole, ")
+
+
 def test_it_is_made_of_what_its_file_says(tmp_path, lab):  # R-D09
     cabinet, doc = opened(tmp_path, lab, [job("opengripC")])
     cabinet.do(act.InsertIcon(doc, "closegripC"))

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.desk.environment.entry import entry
-from onika.desk.upper.flow.recorded import names_in, things
+from onika.desk.upper.flow.recorded import Names, things
 from onika.testing.gallery import Gallery
 from onika.wire import act
 
@@ -14,10 +14,11 @@ def gallery(tmp_path):
 def said(gallery, asked):
     """The line of an act, after it was carried out; names as they were known then."""
     doc = getattr(asked, "doc", "")
-    known = names_in(gallery.environment.model, (doc,))
+    names = Names()
+    names.look(gallery.environment.model, (doc,))
     answer = gallery.answer(asked)
-    names = known | names_in(gallery.environment.model, (doc, str(answer.value)))
-    return entry(asked, answer, names).line(1.0).split("\t")[1:]
+    names.look(gallery.environment.model, (doc, str(answer.value)))
+    return entry(asked, answer, names.known).line(1.0).split("\t")[1:]
 
 
 def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H01, §E.2
@@ -53,3 +54,16 @@ def test_documents_of_both_kinds_are_told_apart(gallery):  # R-H01
 def test_an_act_on_an_application_alone_is_about_that():
     assert things(act.AddFlow("a1"), "1", {}) is None
     assert things(act.Stop(), None, {}) is None
+
+
+def test_of_what_is_gone_the_name_is_still_known_and_a_flow_is_read_once(gallery):  # R-H01, G07
+    doc = gallery.begun("grip", "open")
+    names, model = Names(), gallery.environment.model
+    names.look(model, (doc,))
+    one = gallery.number(doc, "grip")
+    gallery.do(act.RemoveIcons(doc, (one,)))
+    names.look(gallery.environment.model, (doc,))
+    assert names.known[f"{doc}/{one}"] == "grip"
+    names.known[f"{doc}/{gallery.number(doc, 'open')}"] = "as it was read"
+    names.look(gallery.environment.model, (doc,))
+    assert "as it was read" in names.known.values()

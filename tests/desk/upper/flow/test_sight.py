@@ -1,8 +1,12 @@
+from dataclasses import replace
+
 import pytest
 
+from onika.desk.upper.flow.open_application import Judgement
 from onika.desk.upper.flow.sight import ApplicationSight
 from onika.testing.gallery import Gallery
 from onika.wire import act
+from onika.wire.view import FaultView
 
 
 @pytest.fixture
@@ -62,3 +66,18 @@ def test_an_insertion_is_sent_as_few_changes_however_many_icons_there_are(galler
     places = {"/".join(path[2:3] or path) for path, _ in sent[0].changes}
     assert places <= {"flows", "steps", "undo", "redo", "is_dirty", "pictures"}
     assert len(sent[0].changes) <= 5
+
+
+def test_one_fault_more_is_sent_as_one_whatever_stands_before_the_others(gallery):  # R-G07
+    doc = gallery.begun("grip", "open")
+    model = gallery.environment.model
+    opened = model.applications[doc]
+
+    def shown(*faults):
+        judged = replace(opened, judgement=Judgement(opened.application, faults))
+        return ApplicationSight().view(judged, 0, model, is_running=False).faults
+
+    near, twice, nowhere = FaultView("near", step=1), FaultView("near too", step=1), FaultView("nowhere")
+    before, after = shown(near, twice, nowhere), shown(FaultView("new", step=2), near, twice, nowhere)
+    assert len(before) == 3 and len(after) == 4
+    assert before.items() <= after.items()

@@ -25,7 +25,7 @@ def compared(cinema, path, **tolerance):
 def test_the_first_difference_of_two_runs_is_found(watched):  # R-X05: side by side
     found = compared(watched, watched.film(watched.doc, "other", step=2.0))
     assert (found.at_s, found.variable) == (0.1, "flow0/A")
-    assert found.text == "flow0/A: 0.1, in the other 0.2"
+    assert found.text == "flow0/A: 0.1 s, in the other 0.2 s"
     assert watched.environment.tree.review.other.name == "play"
     assert watched.glance(1.5, of_other=True).values["flow0/A"] == 3.0
     assert watched.later(act.Course("flow0/A", 0.0, 2.0, of_other=True)).value[0].most[-1] == 3.8
@@ -39,7 +39,7 @@ def test_what_lies_within_the_tolerance_is_no_difference(watched):  # R-X05
 
 
 def test_runs_in_wall_time_may_differ_as_such_runs_do_unless_it_is_said(watched):  # R-X05
-    other = watched.film(watched.doc, "other", step=1.004)
+    other = watched.film(watched.doc, "other", step=1.002)
     found = compared(watched, other)
     assert (found.text != "", found.tolerance, found.part, found.time_s) == (True, 0.0, 0.0, 0.0)
     watched.do(act.CompareWith(""))
@@ -48,8 +48,10 @@ def test_runs_in_wall_time_may_differ_as_such_runs_do_unless_it_is_said(watched)
     subject = replace(looking.subject, view=view)
     watched.environment.model = replace(watched.environment.model, looking=replace(looking, subject=subject))
     found = compared(watched, other)
-    assert (found.text, found.tolerance, found.part, found.time_s) == ("", 0.005, 0.01, 0.05)
-    assert compared(watched, other, tolerance=0.0, part=0.0).text
+    assert (found.text, found.tolerance, found.part, found.time_s) == ("", 0.002, 0.001, 0.1)
+    assert found.is_of_places
+    exactly = compared(watched, other, tolerance=0.0, part=0.0)
+    assert (exactly.text != "", exactly.is_of_places) == (True, False)
 
 
 def test_an_action_that_is_another_is_told_in_the_words_of_its_icon(watched):  # R-X05
@@ -95,3 +97,27 @@ def test_why_two_cannot_be_compared_is_told_in_place_of_a_difference(watched):
     watched.environment.model.looking.subject.path.write_bytes(b"")
     found = compared(watched, watched.film(watched.doc, "other"))
     assert "cannot be compared" in found.text
+
+
+def test_numbers_have_as_many_digits_as_tell_them_apart(cinema):  # R-X05
+    doc = cinema.open([job("aC")])
+    for name, value in (("one", 0.000190467072), ("same", 0.0001904670721), ("two", 0.0002047521024)):
+        tape = cinema.tape(doc, name)
+        tape.variable("Q^_REF", "double", (0.0, value), unit="rad/s")
+        tape.end()
+    cinema.look(cinema.base.path / "one.mcap")
+    far = compared(cinema, cinema.base.path / "two.mcap").text
+    assert far == "flow0/Q^_REF: 0.0001905 rad/s, in the other 0.0002048 rad/s"
+    near = compared(cinema, cinema.base.path / "same.mcap").text
+    assert near == "flow0/Q^_REF: 0.000190467072 rad/s, in the other 0.0001904670721 rad/s"
+
+
+def test_arrays_of_other_sizes_are_told_by_how_many_values_there_are(cinema):  # R-X05: another robot
+    doc = cinema.open([job("aC")])
+    for name, size, values in (("four", "double[4,4]", [0.0] * 16), ("six", "double[6,4]", [0.0] * 24)):
+        tape = cinema.tape(doc, name)
+        tape.variable("DH", size, (0.0, values))
+        tape.end()
+    cinema.look(cinema.base.path / "four.mcap")
+    found = compared(cinema, cinema.base.path / "six.mcap")
+    assert found.text == "flow0/DH: 4 × 4 values, in the other 6 × 4 values"

@@ -1,8 +1,10 @@
 import pytest
+from msgspec import structs
 
 from onika.testing.cinema import LAMP
 from onika.testing.laboratory import job
-from onika.wire import act
+from onika.testing.tape import Tape, run
+from onika.wire import act, event
 
 
 @pytest.fixture
@@ -28,10 +30,30 @@ def test_an_instant_is_what_was_shown_then(watched):  # R-X05: canvas, flows, pl
 
 def test_before_the_beginning_and_after_the_end_it_is_as_it_was_there(watched):
     early, late = watched.glance(-5.0), watched.glance(99.0)
-    assert (early.run.steps, early.values, early.tasks, early.poses) == ({}, {}, {}, {})
+    assert (early.run.steps, early.values, early.tasks) == ({}, {}, {})
     assert (late.run.state, late.run.is_completed, late.run.took_s) == ("over", True, 3.0)
     assert watched.glance(0.5).poses["yard"]["lit"] == []
     assert watched.glance(1e308).run == late.run
+
+
+def test_a_world_is_not_empty_before_it_was_first_seen(watched):  # R-X05: 3-D from the first instant on
+    assert watched.glance(-5.0).poses["yard"]["rows"] == watched.glance(0.0).poses["yard"]["rows"] != []
+
+
+def test_a_task_for_which_another_one_stood_is_shown_in_the_state_of_that_one(cinema, tmp_path):  # R-X05, R-E09
+    recorded = run()
+    (flow,) = recorded.prepare.plan.flows
+    old = structs.replace(flow.tasks[0], name="puma")
+    swapped = structs.replace(flow, replaced=((flow.tasks[0].name, old),))
+    prepare = structs.replace(recorded.prepare, plan=structs.replace(recorded.prepare.plan, flows=(swapped,)))
+    tape = Tape(tmp_path / "swapped.mcap", structs.replace(recorded, prepare=prepare))
+    tape.tell(0.0, event.TaskState("flow0", flow.tasks[0].name, "ON", 0.0))
+    tape.end()
+    view, name = cinema.look(tape.path), flow.tasks[0].name
+    assert cinema.glance(1.0).tasks == {f"flow0/{name}": "ON", "flow0/puma": "ON"}
+    assert [(one.old, one.new, one.flow, one.homes) for one in view.redirects] == [
+        ("puma", flow.tasks[0].name, "", ("flow0",))
+    ]
 
 
 def test_time_runs_backwards_as_well(watched):  # R-X05: scrubbed

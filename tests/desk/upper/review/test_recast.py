@@ -66,4 +66,5 @@ def test_without_an_application_there_are_no_steps():
 def test_a_redirection_of_that_run_is_told():  # R-E09, R-X05
     servo = run().prepare.plan.flows[0].tasks[0]
     flow = structs.replace(plan("a").flows[0], replaced=(("other", servo),))
-    assert recast(Plan("p", (flow,), ()), None).notes == ("other stood for mass in flow0",)
+    assert recast(Plan("p", (flow,), ()), None).notes == ("other stood for mass",)
+    assert recast(Plan("p", (plan("b").flows[0], flow), ()), None).notes == ("other stood for mass in flow 1",)

@@ -21,6 +21,11 @@ def test_a_run_is_prepared_and_begun_with_the_steps_as_lines(play):  # R-E07
     assert play.environment.tree.applications[doc].is_running
 
 
+def test_what_becomes_of_it_where_this_environment_is_lost_is_chosen_before(play):  # R-X12
+    play.do(act.Run(play.open([job("aC")]), on_loss="run"))
+    assert play.carried(request.Begin)[-1].on_loss == "run"
+
+
 def test_what_is_here_runs_and_not_what_the_file_says(play):  # R-E12
     doc = play.open([job("aC"), job("bC"), job("cC")])
     play.do(act.RemoveIcons(doc, (2,)))

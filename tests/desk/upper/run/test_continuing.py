@@ -120,6 +120,13 @@ def test_what_cannot_be_gone_on_from_says_why(play, tmp_path):  # R-X05
     assert "other things had happened" in play.no(act.Continue(0.0)).reason
 
 
+def test_a_recording_that_is_gone_since_it_was_opened_is_told(play, tape):  # R-X05, R-X10
+    looked_at(play, tape)
+    tape.path.unlink()
+    assert "it cannot be continued: expected" in continued(play, 1.0).no.reason
+    assert "found no such file" in continued(play, 1.0).no.reason
+
+
 def test_an_instant_that_is_none_is_refused(play, tape):
     looked_at(play, tape)
     assert "from 0 to 2 s, found 9" in play.no(act.Continue(9.0)).reason

@@ -2,8 +2,9 @@ from onika.desk.upper.run.jump import jump_view
 from onika.testing.laboratory import job
 from onika.testing.rehearsal import Rehearsal
 from onika.wire import event, view
+from onika.wire.figures import VariableSteps
 
-STEPS = event.VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 40.0, 9.0, 9.76, 21.2, 2, 6, 1)
+STEPS = VariableSteps("flow0", "puma", "TAU_REF", "N m", 19, 1, 40.0, 9.0, 9.76, 21.2, 2, 6, 1)
 
 
 def test_a_variable_is_shown_with_its_element_and_what_became_of_it():  # R-X04

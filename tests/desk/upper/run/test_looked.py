@@ -2,6 +2,7 @@ import pytest
 
 from onika.desk.upper.flow.open_application import Looked
 from onika.desk.upper.run.judging import Case, Judge, judged
+from onika.desk.upper.run.looked import worth_noting
 from onika.testing.laboratory import job, target
 from onika.testing.rehearsal import Rehearsal
 from onika.wire import act, request
@@ -49,3 +50,17 @@ def test_a_target_is_named_by_its_icon_and_marked_there(play, tmp_path):  # R-X0
     fault = next(one for one in play.environment.tree.applications[doc].faults.values() if one.is_of_runtime)
     assert (fault.step, fault.text) == (2, "“a target” cannot be reached: joint 3 at 9.00 rad is beyond 3.93")
     assert fault.remedies[0].show == "values:2"
+
+
+def test_a_run_counts_the_targets_that_are_re_resolved_and_names_no_joint_values(play):  # R-E09
+    def resolved(name, task="scara", at=0):
+        return request.Resolved(0, at, name, task, "puma", (0.1, 0.2), (0.3,))
+
+    notes = ("play.appl:4: near is re-resolved for scara, 2 times, by the pose that it is for puma: 0.3", "other")
+    twice = request.Prepared((), notes, resolved=(resolved("near"), resolved("near", at=1), resolved("far")))
+    assert list(worth_noting(twice)) == [
+        "other",
+        "2 targets are re-resolved for scara, by the poses that they are for puma",
+    ]
+    once = request.Prepared((), (), resolved=(resolved("near"),))
+    assert list(worth_noting(once)) == ["1 target is re-resolved for scara, by the pose that it is for puma"]

@@ -22,6 +22,7 @@ FLOW = "flow 1, step 3, branch 0"
         ),
         ("edges that fit", "Application end behind `a` (Joint job), at step 1 of flow 0", "nothing may end behind a"),
         ("a Joint object behind it", "none behind `a`, step 3 of flow 0", "a wants a Joint target behind it"),
+        ("module led once in a flow", "also in task lamp", "its module led is used already, by lamp"),
         ("the configuration aC", "none for `aC`, step 3 of flow 0", "there is no configuration aC"),
         ("the task pd", "none for `aC`, step 0 of flow 1 of `inner`", "there is no task pd"),
         ("an action in flow 2", "none", "flow 2 is empty"),

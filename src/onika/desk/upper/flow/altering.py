@@ -8,7 +8,7 @@ from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No
 from onika.desk.upper.flow.open_application import OpenApplication
 from onika.model.application import AppFlow, Application
-from onika.model.flow_path import Spot, flows_by_path, numbered, spots, with_flows
+from onika.model.flow_path import Spot, flows_by_path, numbered, spot_of, spots, with_flows
 from onika.wire import act
 
 
@@ -35,7 +35,7 @@ def place_behind(application: Application, path: str, after: int) -> tuple[str, 
     """The flow and position of the step `after`, wherever it is now; of 0 the beginning of the flow `path`."""
     if not after:
         return (path, -1) if flow_at(application, path) is not None else No("this flow is no longer there")
-    spot = spots(application).get(after)
+    spot = spot_of(application, after)
     return (spot.path, spot.position) if spot else No("the icon it should stand behind is no longer there")
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No
-from onika.desk.environment.remedy import overwriting, plain
+from onika.desk.environment.remedy import overwriting, plain, unreadable
 from onika.desk.environment.surroundings import Surroundings
 from onika.desk.upper.flow.branching import MOST_FLOWS
 from onika.desk.upper.flow.on_application import is_running, on_application, on_resting_application, running
@@ -153,7 +153,7 @@ def read(path_or_name: str, syntax: Syntax, outside: Surroundings) -> Found | No
     found = as_far_as_it_goes(base, name, syntax)
     if isinstance(found, Found):
         return found
-    return No(f"{path_or_name} cannot be opened: " + "; ".join(plain(str(one)) for one in found))
+    return No(unreadable(path_or_name, found))
 
 
 def as_far_as_it_goes(base: BaseDirectory, name: str, syntax: Syntax) -> Found | Faults:

@@ -1,6 +1,6 @@
 """The icon that an application would make for others (requirement D09, decisions 31 and 34, §5.6.4)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 from onika.desk.environment.draft import Draft, former_of, namesakes, of_type
 from onika.desk.environment.model import Model
@@ -8,8 +8,9 @@ from onika.desk.environment.outcome import No
 from onika.desk.environment.remedy import plain
 from onika.desk.upper.flow.open_application import OpenApplication
 from onika.desk.upper.naming import a_kind, in_words, kind_named
+from onika.desk.upper.run.wording import said
 from onika.model.application import Icon, every_flow
-from onika.model.rules import hole
+from onika.model.rules import hole, shape
 from onika.model.rules.iconify import ActionType, application_type
 from onika.model.rules.outline import Outline
 from onika.model.syntax import Syntax
@@ -17,6 +18,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import Remedy
+from onika.words.fault import Refusal
 
 _MOST = 4
 """Buttons beside a refusal."""
@@ -34,8 +36,7 @@ def drafted(model: Model, opened: OpenApplication, site: Site) -> Draft | No:
         return No(reason, (Remedy("Save it", act.Save(opened.id)), _elsewhere()))
     kind = application_type(opened.application, syntax)
     if not isinstance(kind, ActionType):
-        reason = "; ".join(dict.fromkeys(in_words(plain(one.reason)) for one in kind))
-        return No(reason, tuple(_remedies(opened, syntax))[:_MOST])
+        return No("; ".join(_reasons(opened, syntax, kind)), tuple(_remedies(opened, syntax))[:_MOST])
     home = BaseDirectory(opened.base)
     former, taken = former_of(opened.name, home, syntax, "application")
     acting = syntax.acting(kind.type)
@@ -60,6 +61,12 @@ def drafted(model: Model, opened: OpenApplication, site: Site) -> Draft | No:
 
 def _elsewhere() -> Remedy:
     return Remedy("Save as…", show="save-as")
+
+
+def _reasons(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Iterable[str]:
+    """What is wrong with its steps, which comes first, in the words of the list beside it; then what its holes want."""
+    wrong = [said(one) for one in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
+    return dict.fromkeys((*wrong, *(in_words(plain(one.reason)) for one in refused[len(wrong) :])))
 
 
 def _remedies(opened: OpenApplication, syntax: Syntax) -> Iterator[Remedy]:

@@ -3,25 +3,38 @@
 from collections.abc import Iterable, Mapping
 
 from onika.desk.environment.model import Model
-from onika.model.application import Branch, Icon
-from onika.model.flow_path import spots
+from onika.model.application import AppFlow, Branch, Icon, Step
+from onika.model.flow_path import flows_by_path
 from onika.wire import act
 
 Things = tuple[str, str, str, str]
 """Object, its id, associated object, its id."""
 
 
-def names_in(model: Model, docs: Iterable[str]) -> dict[str, str]:
-    """What applications are called, and by their ids, `a1/17`, the steps of those among `docs`."""
-    found = {one.id: one.name for one in model.applications.values()}
-    for doc in docs:
-        if opened := model.applications.get(doc):
-            found[f"{doc}/0"] = "Start"
-            for number, spot in spots(opened.application).items():
-                step = spot.step
-                kind = "branch" if isinstance(step, Branch) else "hole"
-                found[f"{doc}/{number}"] = step.onikon.name if isinstance(step, Icon) else kind
-    return found
+class Names:
+    """What applications are called, and their steps by their ids, `a1/17`; who is gone keeps its name."""
+
+    def __init__(self) -> None:
+        self.known: dict[str, str] = {}
+        self._read: dict[tuple[str, str], AppFlow] = {}
+        """The flows as they were looked at last: thousands of names are not read again with every act."""
+
+    def look(self, model: Model, docs: Iterable[str]) -> None:
+        """Take in what there is, of steps those of the applications among `docs`."""
+        self.known |= {one.id: one.name for one in model.applications.values()}
+        for doc in docs:
+            if opened := model.applications.get(doc):
+                self.known[f"{doc}/0"] = "Start"
+                for path, flow in flows_by_path(opened.application):
+                    if self._read.get((doc, path)) is not flow:
+                        self.known |= {f"{doc}/{step.number}": _name_of(step) for step in flow.steps}
+                        self._read[doc, path] = flow
+
+
+def _name_of(step: Step) -> str:
+    if isinstance(step, Icon):
+        return step.onikon.name
+    return "branch" if isinstance(step, Branch) else "hole"
 
 
 def things(asked: act.AnyAct, value: object, names: Mapping[str, str]) -> Things | None:

@@ -3,7 +3,8 @@
 What has not changed is the same object again, so that a change of one icon is sent as that.
 """
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from msgspec import structs
@@ -75,14 +76,14 @@ class ApplicationSight:
         """Make anew what changed; all of it where the types or the dictionaries are others."""
         of = (model.syntax, model.dictionaries)
         is_same = all(one is other for one, other in zip(of, self._of, strict=True))
-        former, self._flows, self._of = self._flows, {}, of
-        known = {number: one for flow in former.values() for number, one in flow.known.items()} if is_same else {}
-        for path, flow in flows_by_path(opened.application):
-            before = former.get(path)
-            if before is not None and before.flow is flow and is_same:
-                self._flows[path] = before
-            else:
-                self._flows[path] = _seen(path, flow, model, before if is_same else None, known)
+        former, self._of = self._flows if is_same else {}, of
+        flows = dict(flows_by_path(opened.application))
+        stays = {path for path, before in former.items() if before.flow is flows.get(path)}
+        known = {number: one for path in former.keys() - stays for number, one in former[path].known.items()}
+        self._flows = {
+            path: former[path] if path in stays else _seen(path, flow, model, former.get(path), known)
+            for path, flow in flows.items()
+        }
 
     def _told(self, opened: OpenApplication, looked: Looked | None) -> dict[str, FaultView]:
         """What is wrong with its file, then with what is here, as it was looked at last."""
@@ -92,13 +93,19 @@ class ApplicationSight:
         judged = opened.judgement.faults if opened.judgement else ()
         known = {(one.step, one.text) for one in judged}
         more = [one for one in looked.faults if (one.step, one.text) not in known] if looked else []
-        found = {
-            **{f"file {number}": one for number, one in enumerate(opened.told)},
-            **{str(number): one for number, one in enumerate(judged)},
-            **{f"runtime {number}": one for number, one in enumerate(more)},
-        }
+        found = _keyed("file", opened.told) | _keyed("here", judged) | _keyed("runtime", more)
         self._faults = (opened.told, opened.judgement, looked, found)
         return found
+
+
+def _keyed(where: str, faults: Iterable[FaultView]) -> dict[str, FaultView]:
+    """By where they were found, their steps, and a count of those: one more at one step gives no other a new key."""
+    counts: Counter[int] = Counter()
+    found = {}
+    for one in faults:
+        counts[one.step] += 1
+        found[f"{where} {one.step} {counts[one.step]}"] = one
+    return found
 
 
 def _wish(opened: OpenApplication, one: Redirect) -> RedirectView:

@@ -1,5 +1,6 @@
 """Another recorded run beside the one that is looked at, and where the two begin to differ (requirement X05)."""
 
+import re
 from dataclasses import replace
 
 from msgspec import structs
@@ -13,13 +14,11 @@ from onika.desk.upper.review.opening import NOT_HERE, put_one_away, read
 from onika.desk.upper.review.subject import Subject
 from onika.record.difference import Difference, first_difference
 from onika.record.reader import UNREADABLE, Reader
-from onika.record.tolerance import Tolerance
+from onika.record.tolerance import Tolerance, usual
 from onika.wire import act
 from onika.wire.view import DifferenceView
 
-EXACT = Tolerance()
-WALL = Tolerance(0.005, 0.01, 0.05)
-"""Between two runs of the same program in wall time."""
+_SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
 
 
 def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) -> Done | No:
@@ -41,7 +40,8 @@ def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) ->
             return No("the recording was put away meanwhile")
         put_one_away(model.looking.other, reading)
         one = model.looking.subject
-        tolerance = _tolerance(asked, one, found)
+        is_virtual = one.view.is_virtual and found.view.is_virtual
+        tolerance = usual(is_virtual, asked.tolerance, asked.part, asked.time_s)
         order = comparing.order(lambda: _compared(one, found, tolerance))
         return Done(replace(model, looking=Looking(one, found)), value=found.view.path, orders=(order,))
 
@@ -50,16 +50,6 @@ def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) ->
 
 def _negative(asked: act.CompareWith) -> dict[str, str]:
     return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(asked, name) or 0) < 0}
-
-
-def _tolerance(asked: act.CompareWith, one: Subject, other: Subject) -> Tolerance:
-    """As asked; else two runs of the simulator may not differ at all, and in wall time no run is like another."""
-    usual = EXACT if one.view.is_virtual and other.view.is_virtual else WALL
-    return Tolerance(
-        usual.value if asked.tolerance is None else asked.tolerance,
-        usual.part if asked.part is None else asked.part,
-        usual.seconds if asked.time_s is None else asked.time_s,
-    )
 
 
 def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Outcome:
@@ -76,19 +66,43 @@ def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Outcome:
 
     def told(model: Model) -> Done:
         looking = model.looking
-        if looking is None or looking.subject is not one or looking.other is not other:
+        if looking is None or not looking.subject.is_of(one) or looking.other is None or not looking.other.is_of(other):
             return Done(model)
         difference = DifferenceView(wrong) if wrong else _view(found, one)
         difference = structs.replace(
-            difference, tolerance=tolerance.value, part=tolerance.part, time_s=tolerance.seconds
+            difference,
+            tolerance=tolerance.value,
+            part=tolerance.part,
+            time_s=tolerance.seconds,
+            is_of_places=tolerance.is_of_places,
         )
         return Done(replace(model, looking=replace(looking, difference=difference)))
 
     return told
 
 
+def _numbers(found: Difference, unit: str) -> tuple[str, str] | None:
+    """Two numbers with their unit, and as many digits as tell them apart; None: they are something else."""
+    try:
+        first, second = float(found.first), float(found.second)
+    except ValueError:
+        return None
+    pairs = ((f"{first:.{digits}g}", f"{second:.{digits}g}") for digits in range(4, 17))
+    told = next((pair for pair in pairs if pair[0] != pair[1]), (found.first, found.second))
+    behind = f" {unit}" if unit not in ("", "-") else ""
+    return f"{told[0]}{behind}", f"{told[1]}{behind}"
+
+
+def _plain(side: str) -> str:
+    """One side of a difference; the type of an array by how many values there are."""
+    shape = _SHAPE.fullmatch(side)
+    return f"{' × '.join(shape[1].split(','))} values" if shape else side
+
+
 def _view(found: Difference | None, one: Subject) -> DifferenceView:
     if found is None:
         return DifferenceView()
-    text = one.said(f"{found.what}: {found.first}, in the other {found.second}")
+    series = one.review.series.get(found.variable)
+    first, second = _numbers(found, series.unit if series else "") or (_plain(found.first), _plain(found.second))
+    text = one.said(f"{found.what}: {first}, in the other {second}")
     return DifferenceView(text, found.at_ns * 1e-9, found.variable)

@@ -1,5 +1,7 @@
 """What a recorded run was like at an instant, and what its worlds consisted of (requirement X05)."""
 
+from collections.abc import Mapping
+
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No
 from onika.desk.environment.surroundings import Surroundings
@@ -58,8 +60,19 @@ def spoilt(found: Subject, wrong: Exception) -> No:
 def _instant(found: Subject, model: Model, at_s: float) -> InstantView:
     instant = found.review.at(at_s, with_pictures=False)
     run = found.replay.at(at_s)
-    poses = {world: {"rows": rows, "lit": found.review.lit(world, at_s)} for world, rows in instant.poses.items()}
-    return InstantView(at_s, run, instant.tasks, instant.variables, poses, _homes(found, model))
+    seen = {world: instant.poses.get(world) or found.review.first_poses(world) for world in found.review.worlds}
+    poses = {world: {"rows": rows, "lit": found.review.lit(world, at_s)} for world, rows in seen.items() if rows}
+    tasks = {**instant.tasks, **_replaced(found, instant.tasks)}
+    return InstantView(at_s, run, tasks, instant.variables, poses, _homes(found, model))
+
+
+def _replaced(found: Subject, states: Mapping[str, str]) -> dict[str, str]:
+    """What a configuration names is shown in the state of what stood for it: it wrote the same variables."""
+    flows = found.review.run.prepare.plan.flows
+    stood = {
+        f"{flow.subsystem}/{old.name}": f"{flow.subsystem}/{name}" for flow in flows for name, old in flow.replaced
+    }
+    return {old: states[name] for old, name in stood.items() if name in states}
 
 
 def _homes(found: Subject, model: Model) -> dict[str, str]:

@@ -100,7 +100,7 @@ def _with_application(
 
     def work() -> Outcome:
         try:
-            found = _subject(review, opened, note, outside.site, syntax)
+            found = subject_of(review, opened, note, outside.site, syntax)
         except UNREADABLE as wrong:
             review.close()
             return _refusing(review.path, wrong)
@@ -113,16 +113,23 @@ def _opened(
     model: Model, plan: Plan, outside: Surroundings, *, opens: bool
 ) -> tuple[Model, OpenApplication | None, str]:
     """The open application whose run it was, opened where it is not; or why there is none."""
+    one = open_one(model, plan)
+    if one is not None or not opens:
+        return model, one, ""
     place = _place(plan)
-    for one in model.applications.values():
-        if place_of(one).file == place:
-            return model, one, ""
-    if not opens:
-        return model, None, ""
     done = filing.open_file(model, act.Open(place if Path(place).is_file() else plan.application), outside)
     if isinstance(done, No):
         return model, None, f"{plan.application} is not open: {done.reason}. Its actions are shown without icons"
     return done.model, done.model.applications[str(done.value)], ""
+
+
+def open_one(model: Model, plan: Plan) -> OpenApplication | None:
+    """The open application that was recorded; None: it is not open."""
+    place = _place(plan)
+    same = [one for one in model.applications.values() if place_of(one).file in (place, str(Path(place).absolute()))]
+    if not same and not Path(place).is_file():  # recorded in another folder, or on another machine
+        same = [one for one in model.applications.values() if one.opened and one.name == plan.application]
+    return same[0] if same else None
 
 
 def _place(plan: Plan) -> str:
@@ -131,7 +138,8 @@ def _place(plan: Plan) -> str:
     return next(own, plan.application)
 
 
-def _subject(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> Subject:
+def subject_of(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> Subject:
+    """A recording shown at the icons of an application as it is now."""
     present = None if opened is None else _present(opened, site, syntax)
     found = recast(review.run.prepare.plan, present)
     found = replace(found, notes=(*((note,) if note else ()), *found.notes))

@@ -152,5 +152,7 @@ def _changed(recorded: Plan, present: Present, partners: _Partners) -> Iterator[
 
 def _redirected(recorded: Plan) -> tuple[str, ...]:
     return tuple(
-        f"{name} stood for {old.name} in {flow.subsystem}" for flow in recorded.flows for name, old in flow.replaced
+        f"{name} stood for {old.name}" + (f" in flow {number}" if len(recorded.flows) > 1 else "")
+        for number, flow in enumerate(recorded.flows)
+        for name, old in flow.replaced
     )

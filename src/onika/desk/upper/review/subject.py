@@ -1,6 +1,6 @@
 """A recorded run that is looked at: its file, what was shown of it at any instant, what a page has to know of it."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
@@ -15,7 +15,7 @@ from onika.desk.upper.review.samples import Kept
 from onika.desk.upper.run.performance import Run, begun
 from onika.desk.upper.run.speech import Speech
 from onika.record.series import Series
-from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView
+from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,6 +36,10 @@ class Subject:
     def path(self) -> Path:
         """Its file."""
         return Path(self.view.path)
+
+    def is_of(self, other: "Subject") -> bool:
+        """Whether both were made when the same recording was opened: it may be shown at other icons since."""
+        return self.review is other.review
 
     def said(self, text: str) -> str:
         """A text in the words of the icons, where it names actions as files do."""
@@ -74,7 +78,17 @@ def _view(review: Review, run: Run, recast: Recast) -> RecordingView:
         cannot_continue=_cannot_continue(review.path),
         doc=recast.doc,
         began_at_s=_began(review.run.began),
+        redirects=tuple(_redirects(review)),
     )
+
+
+def _redirects(review: Review) -> Iterator[RedirectView]:
+    """Flows are meant by their order: what runs may be called otherwise than a flow of the application."""
+    plan = review.run.prepare.plan
+    for order, flow in enumerate(plan.flows):
+        for name, old in flow.replaced:
+            home = f"flow{order}"
+            yield RedirectView(old.name, name, home if len(plan.flows) > 1 else "", (home,))
 
 
 def _passages(flow: Flow, run: Run, number: int) -> tuple[PassageView, ...]:
@@ -105,7 +119,7 @@ def _losses(review: Review) -> list[str]:
     if untold:
         found.append(f"{untold} events could not be recorded for want of room")
     if not review.run.is_virtual:
-        found.append("it was recorded in wall time: what goes on from an instant of it comes near it, not upon it")
+        found.append("it was recorded in wall time: continued from an instant, it goes on nearly as then, not exactly")
     return found
 
 

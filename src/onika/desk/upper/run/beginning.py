@@ -28,7 +28,7 @@ from onika.desk.upper.flow.open_application import OpenApplication
 from onika.desk.upper.flow.unread import not_run
 from onika.desk.upper.run import hearing, homes, recording, unsaved
 from onika.desk.upper.run.complaint import refused, refused_by_runtime
-from onika.desk.upper.run.looked import looked
+from onika.desk.upper.run.looked import looked, worth_noting
 from onika.desk.upper.run.obstacles import Obstacle, left, obstacles
 from onika.desk.upper.run.performance import Run, Wait, begun
 from onika.desk.upper.run.speech import Speech
@@ -41,7 +41,6 @@ from onika.wire.plan import Plan
 from onika.wire.request import TargetValues
 from onika.wire.view import Remedy
 
-_ON_LOSS = "stop"
 _END_THEM = "End them and run"
 _NO_RECORDING = "no recording can be made"
 _ABORT = Remedy("Abort it", act.Steer("abort"))
@@ -233,9 +232,9 @@ def _prepared(model: Model, response: request.Response, start: _Start) -> Done |
         return _off(model, start, _given_up(start))
     model = looked(model, start.troubles, start.plan, response)
     if model.run is not None:
-        for note in response.notes:
+        for note in worth_noting(response):
             model = replace(model, run=model.run.noted(note))
-    asked = request.Begin(may_ask=True, on_error="wait", on_loss=_ON_LOSS, record=start.record)
+    asked = request.Begin(may_ask=True, on_error="wait", on_loss=start.asked.on_loss, record=start.record)
     then = partial(_running, start=start)
     return Done(model, orders=(Order(asked, then, start.asked.doc),), is_answered_later=True)
 

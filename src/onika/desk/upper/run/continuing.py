@@ -57,7 +57,8 @@ def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Do
     def work() -> Outcome:
         recorded = recorded_run(Source(subject.path, asked.at_s))
         if not isinstance(recorded, RecordedRun):
-            no = No("it cannot be gone on from: " + "; ".join(f"expected {one.expected}" for one in recorded))
+            why = (f"it cannot be continued: expected {one.expected}, found {one.found}" for one in recorded)
+            no = No("; ".join(why))
             return lambda _: no
         return partial(_replacing, asked=asked, subject=subject, recorded=recorded, outside=outside)
 
@@ -71,7 +72,7 @@ def _refused(model: Model, asked: act.Continue, outside: Surroundings) -> No | N
         return No("no recording is looked at")
     recording = model.looking.subject.view
     if recording.cannot_continue:
-        return No(f"{recording.name} cannot be gone on with from an instant: {recording.cannot_continue}")
+        return No(f"{recording.name} cannot be continued: {recording.cannot_continue}")
     if not recording.begin_s <= asked.at_s <= recording.end_s:
         return No(f"expected an instant from {recording.begin_s:g} to {recording.end_s:g} s, found {asked.at_s:g}")
     if model.run is not None and not model.run.is_over:
@@ -108,7 +109,7 @@ def _replacing(
 ) -> Done | No:
     """The simulator takes the place of the runtime, if nothing has come between."""
     wrong = _refused(model, asked, outside)
-    if wrong is None and model.looking is not None and model.looking.subject is not subject:
+    if wrong is None and model.looking is not None and not model.looking.subject.is_of(subject):
         wrong = No("another recording is looked at now")
     if wrong is not None:
         return wrong

@@ -1,6 +1,7 @@
 """What a runtime has found when it looked at an application, kept beside it until it changes (X02)."""
 
 import re
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -29,6 +30,17 @@ def looked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> 
     found = (*troubles.told(map(fault_of, prepared.faults), is_of_runtime=True), *_noted(troubles, prepared))
     one = Looked(troubles.application, troubles.redirects, model.runtime.address, found)
     return marked(model.with_application(replace(opened, looked=one)), troubles, plan, prepared)
+
+
+def worth_noting(prepared: Prepared) -> Iterator[str]:
+    """The notes of a run: targets that are re-resolved are counted, for each of them has a mark at its icon."""
+    yield from (note for note in prepared.notes if _RESOLVED not in note)
+    targets = {(one.target, one.were, one.task, one.instead_of) for one in prepared.resolved}
+    for (task, old), count in sorted(Counter(one[2:] for one in targets).items()):
+        if count == 1:
+            yield f"1 target is re-resolved for {task}, by the pose that it is for {old}"
+        else:
+            yield f"{count} targets are re-resolved for {task}, by the poses that they are for {old}"
 
 
 def _noted(troubles: Troubles, prepared: Prepared) -> Iterator[FaultView]:

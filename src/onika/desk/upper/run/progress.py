@@ -6,9 +6,10 @@ from dataclasses import replace
 from msgspec import structs
 
 from onika.desk import stepping
+from onika.desk.environment.question import ask_view
 from onika.desk.upper.run.jump import jump_view
 from onika.desk.upper.run.performance import Run
-from onika.desk.upper.run.sight import ask_view, is_question, left_for, stop_view, tag
+from onika.desk.upper.run.sight import is_question, left_for, stop_view, tag
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
 

@@ -5,21 +5,12 @@ import re
 from onika.desk.upper.naming import listed
 from onika.desk.upper.run.performance import Run
 from onika.wire import act, event
-from onika.wire.view import AskItem, AskView, CourseView, Remedy, StopView
+from onika.wire.view import CourseView, Remedy, StopView
 
 _DESERTED = "deserted"
 _ASKS = re.compile(r": \S+ asks(: .*)?$")
 _MOST_SAMPLES = 120
 """Of a variable's last seconds: more than that are not told apart on a screen."""
-
-
-def ask_view(told: event.Asked) -> AskView:
-    """What a task wants to be told."""
-    items = tuple(
-        AskItem(one.name, one.type, one.count, one.unit, one.meaning, one.default, one.low, one.high)
-        for one in told.items
-    )
-    return AskView(items, told.reason)
 
 
 def stop_view(run: Run, told: event.Explained) -> StopView:

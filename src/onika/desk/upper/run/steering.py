@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 
 from onika.desk import steering
-from onika.desk.environment import living
+from onika.desk.environment import living, taken
 from onika.desk.environment.model import Model
 from onika.desk.environment.outcome import Done, No, Order
 from onika.desk.environment.refusing import refusal
@@ -56,7 +56,9 @@ def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> Done | N
 
 
 def answer(model: Model, asked: act.Answer, outside: Surroundings) -> Done | No:
-    """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration."""
+    """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration, or of a taken run."""
+    if not asked.doc:
+        return taken.answer(model, asked, outside)
     run = model.run
     if run is None or asked.doc != run.doc:
         return living.answer(model, asked, outside)

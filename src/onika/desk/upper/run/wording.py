@@ -52,6 +52,7 @@ _SAYINGS: tuple[tuple[str, str], ...] = (
     (r"at least one flow\|.*", "it has no flow"),
     (r"an? (?:address|condition).*, as in.*\|(.+) at (.+)", "the condition {0} at {1} is none: compare a variable"),
     (r"a condition on a variable .*\|(.+) at (.+)", "the condition {0} asks for a variable that no task has there"),
+    (r"module (\S+) once in a flow\|also in task (\S+)", "its module {0} is used already, by {1}"),
     (r"every module once in a flow\|(.+) in (.+)", "{1} have one module, {0}: they cannot live in one flow"),
     (r"every device claimed once in a flow\|(.+) by (.+)", "{1} both claim {0}: they cannot live in one flow"),
     (r"(\d+) conditions of a branch, or none\|(\d+).*", "this branch needs {0} conditions or none, and has {1}"),

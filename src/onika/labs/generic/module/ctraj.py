@@ -37,7 +37,7 @@ class Ctraj(Module):
 
     SPEED = Local("double", "m/s", "peak speed of the tool", default=0.3, low=1e-3)
     TURN = Local("double", "rad/s", "peak speed of its turning", default=1.5, low=1e-3)
-    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
 
     pose = Input("double[9]", "-", "approach, normal, position (m) in the world")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)

@@ -23,7 +23,7 @@ class Display(Module):
 
     PARTNER = Local("line", "-", "where the display listens: unix:PATH or tcp:HOST:PORT", default="")
     STARTS = Local("line", "-", "what starts the display, if the task is to do that", default="")
-    PATIENCE = Local("double", "s", "how long the display may take to answer", default=1.0)
+    PATIENCE = Local("double", "s", "how long the display may take to answer", default=1.0, low=0.001, high=3600.0)
 
     def init(self):
         self.partner = Partner(self.PARTNER, self.STARTS, self.PATIENCE)

@@ -46,7 +46,7 @@ class Invkin(Module):
     Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
 
     BLEND = Local("double", "s", "how long the difference at the start is blended in", default=0.25)
-    STEP = Local("double", "rad", "how large it may be", default=0.1)
+    STEP = Local("double", "rad", "how large it may be", default=0.1, low=1e-6)
 
     def init(self):
         self._inverse = inverse_for(self.DH, self.BASE, self.TOOL, self.QMIN, self.QMAX)

@@ -44,7 +44,7 @@ class Jtraj(Module):
     Qd_REF = OutVar("double[NDOF]", "rad/s", "reference speed", name="Q^_REF")
 
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
-    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
 
     endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)

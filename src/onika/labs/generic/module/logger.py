@@ -26,7 +26,7 @@ class Logger(Module):
 
     PARTNER = Local("line", "-", "where the logger listens: unix:PATH or tcp:HOST:PORT", default="")
     STARTS = Local("line", "-", "what starts the logger, if the task is to do that", default="")
-    PATIENCE = Local("double", "s", "how long the logger may take to answer", default=1.0)
+    PATIENCE = Local("double", "s", "how long the logger may take to answer", default=1.0, low=0.001, high=3600.0)
 
     def init(self):
         self.partner = Partner(self.PARTNER, self.STARTS, self.PATIENCE)

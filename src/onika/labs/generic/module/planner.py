@@ -52,9 +52,9 @@ class Planner(Module):
 
     PARTNER = Local("line", "-", "where the planner listens: unix:PATH or tcp:HOST:PORT", default="")
     STARTS = Local("line", "-", "what starts the planner, if the task is to do that", default="")
-    PATIENCE = Local("double", "s", "how long the planner may take to answer", default=2.0)
+    PATIENCE = Local("double", "s", "how long the planner may take to answer", default=2.0, low=0.001, high=3600.0)
     SPEED = Local("double", "-", "share of Q^_MAX that a motion may peak at", default=0.6, low=0.01, high=1.0)
-    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5)
+    SETTLE = Local("double", "s", "how long the arm may take to come to rest", default=0.5, low=0.0)
 
     endpoint = Input("double[NDOF]", "rad", "where to go", low="QMIN", high="QMAX")
     duration = Input("double", "s", "how long it takes", low=0.1, high=600.0)

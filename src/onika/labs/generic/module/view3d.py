@@ -33,7 +33,7 @@ class View3d(Module):
 
     PARTNER = Local("line", "-", "where the view listens: unix:PATH or tcp:HOST:PORT", default="")
     STARTS = Local("line", "-", "what starts the view, if the task is to do that", default="")
-    PATIENCE = Local("double", "s", "how long the view may take to answer", default=1.0)
+    PATIENCE = Local("double", "s", "how long the view may take to answer", default=1.0, low=0.001, high=3600.0)
 
     def init(self):
         self.partner = Partner(self.PARTNER, self.STARTS, self.PATIENCE)

@@ -2,7 +2,7 @@
 
 import math
 
-from onika.module import InVar, Module, ModuleError, OutVar
+from onika.module import InVar, Module, OutVar
 
 
 class Gripper(Module):
@@ -41,9 +41,8 @@ class Gripper(Module):
         self.device.hold()
 
     def clear(self):
-        self.device.clear()
+        self.clear_drive()
 
     def _read(self):
         self.GRIP_MEZ = self.device.read()
-        if self.device.is_tripped:
-            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
+        self.check_drive()

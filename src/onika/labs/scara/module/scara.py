@@ -1,7 +1,5 @@
 """The SCARA behind its drive."""
 
-from types import SimpleNamespace
-
 import numpy as np
 
 from onika.laws import adept_one, reach
@@ -58,7 +56,7 @@ class Scara(Module):
     Q_MEZ = OutVar("double[NDOF]", "rad", "measured position")
 
     BASE = Local("double[4]", "m, deg", "x, y, z and turn about z of frame 0 in the world")
-    STEP = Local("double", "1/s", "share of TAUMAX that a switch may change it by in a second", default=50.0)
+    STEP = Local("double", "1/s", "share of TAUMAX that a switch may change it by in a second", default=50.0, low=0.1)
 
     @classmethod
     def constants(cls, local):
@@ -86,11 +84,7 @@ class Scara(Module):
         return unlike(adept_one.ROBOT, constants, said)
 
     def init(self):
-        known = self.constants(SimpleNamespace(BASE=self.BASE))
-        for attribute, declared in self.declared_ports.items():
-            if isinstance(declared, OutConst):
-                setattr(self, attribute, known[declared.name or attribute])
-        if reason := self.fits(known, self.device.identity):
+        if reason := self.fits(self.state_constants(), self.device.identity):
             raise ModuleError(reason)
         self._arm = Arm(self.DH, self.DYN, self.LOAD, self.BASE_POSE)
         self._torque, self._highest, self._lowest = np.zeros(self.NDOF), self.TAUMAX.copy(), -self.TAUMAX
@@ -98,17 +92,17 @@ class Scara(Module):
 
     def on(self, inputs):
         self.Q_MEZ = self.device.read()
-        self._see_drive()
+        self.check_drive()
 
     def cycle(self):
         self.Q_MEZ = self.device.read()
-        self._see_drive()
+        self.check_drive()
         torque = np.minimum(self.TAU_REF, self._highest, out=self._torque)
         self.device.write(np.maximum(torque, self._lowest, out=torque))
 
     def hold(self):
         self.Q_MEZ = self.device.read()
-        self._see_drive()
+        self.check_drive()
         self.device.hold()
 
     def held(self, name):
@@ -118,15 +112,4 @@ class Scara(Module):
         self.device.hold()
 
     def clear(self):
-        self.device.read()
-        if self.device.is_pressed:
-            raise ModuleError("panic button pressed: let it go, then clear")
-        self.device.clear()
-
-    def _see_drive(self):
-        if not self.device.is_held:
-            return  # as nearly always: one look is enough
-        if self.device.is_pressed:
-            raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
-        if self.device.is_tripped:
-            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
+        self.clear_drive()

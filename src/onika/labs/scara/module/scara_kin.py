@@ -1,7 +1,5 @@
 """The SCARA without forces."""
 
-from types import SimpleNamespace
-
 from onika.laws import adept_one, reach
 from onika.laws.robot import published, unlike
 from onika.module import InVar, Local, Module, ModuleError, OutConst, OutVar
@@ -87,25 +85,21 @@ class ScaraKin(Module):
         return unlike(f"{adept_one.ROBOT}_kin", constants, said)
 
     def init(self):
-        known = self.constants(SimpleNamespace(BASE=self.BASE))
-        for attribute, declared in self.declared_ports.items():
-            if isinstance(declared, OutConst):
-                setattr(self, attribute, known[declared.name or attribute])
-        if reason := self.fits(known, self.device.identity):
+        if reason := self.fits(self.state_constants(), self.device.identity):
             raise ModuleError(reason)
 
     def on(self, inputs):
         self.Q_MEZ = self.device.read()
-        self._see_drive()
+        self.check_drive()
 
     def cycle(self):
         self.Q_MEZ = self.device.read()
-        self._see_drive()
+        self.check_drive()
         self.device.write(self.Q_REF)
 
     def hold(self):
         self.Q_MEZ = self.device.read()
-        self._see_drive()
+        self.check_drive()
         self.device.hold()
 
     def held(self, name):
@@ -115,15 +109,4 @@ class ScaraKin(Module):
         self.device.hold()
 
     def clear(self):
-        self.device.read()
-        if self.device.is_pressed:
-            raise ModuleError("panic button pressed: let it go, then clear")
-        self.device.clear()
-
-    def _see_drive(self):
-        if not self.device.is_held:
-            return  # as nearly always: one look is enough
-        if self.device.is_pressed:
-            raise ModuleError("panic button pressed; the drive holds until it is let go and cleared")
-        if self.device.is_tripped:
-            raise ModuleError("the drive has tripped: it heard nothing for too long; clear brings it back to hold")
+        self.clear_drive()

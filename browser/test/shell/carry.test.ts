@@ -1,6 +1,6 @@
-// A task on its way from the library.
+// Something on its way from a library to where it is used.
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest'
-import { carry, type Ground } from '../../src/lower/carry.svelte'
+import { Carry, type Ground } from '../../src/shell/carry.svelte'
 
 const heard = new EventTarget()
 const event = (name: string, more: object): Event => Object.assign(new Event(name, { cancelable: true }), more)
@@ -9,7 +9,8 @@ const down = (x: number, y: number): PointerEvent => event('pointerdown', { clie
 const move = (x: number, y: number): void => say('pointermove', { clientX: x, clientY: y, pointerId: 1 })
 const up = (): void => say('pointerup', { pointerId: 1 })
 
-describe('carrying a task', () => { // R-G04
+describe('carrying', () => { // R-G04
+  const carry = new Carry()
   const ground = { holds: (x: number) => x > 100, drop: vi.fn() } satisfies Ground
   beforeEach(() => {
     vi.stubGlobal('window', heard)
@@ -22,7 +23,7 @@ describe('carrying a task', () => { // R-G04
   })
 
   test('a click carries nothing', () => {
-    carry.start('pd', down(10, 10))
+    carry.begin('pd', down(10, 10))
     move(12, 10)
     expect(carry.isUnderWay).toBe(false)
     up()
@@ -30,23 +31,23 @@ describe('carrying a task', () => { // R-G04
   })
 
   test('over the canvas it is dropped where the pointer is', () => {
-    carry.start('pd', down(10, 10))
+    carry.begin('pd', down(10, 10))
     move(200, 50)
-    expect([carry.task, carry.isOverGround]).toEqual(['pd', true])
+    expect([carry.name, carry.isOverGround]).toEqual(['pd', true])
     up()
     expect(ground.drop).toHaveBeenCalledWith('pd', 200, 50)
     expect(carry.isUnderWay).toBe(false)
   })
 
   test('elsewhere it goes back', () => {
-    carry.start('pd', down(10, 10))
+    carry.begin('pd', down(10, 10))
     move(90, 50)
     up()
     expect(ground.drop).not.toHaveBeenCalled()
   })
 
   test('Esc puts it back, and nothing is heard afterwards', () => {
-    carry.start('pd', down(10, 10))
+    carry.begin('pd', down(10, 10))
     move(200, 50)
     say('keydown', { key: 'Escape' })
     expect(carry.isUnderWay).toBe(false)
@@ -56,8 +57,19 @@ describe('carrying a task', () => { // R-G04
   })
 
   test('only the main button carries', () => {
-    carry.start('pd', Object.assign(down(10, 10), { button: 1 }) as PointerEvent)
+    carry.begin('pd', Object.assign(down(10, 10), { button: 1 }) as PointerEvent)
     move(200, 50)
     expect(carry.isUnderWay).toBe(false)
+  })
+  test('where the ground wants to know, it is told of every move, and once of the end', () => {
+    const told: string[] = []
+    carry.ground = { ...ground, hover: (name, x) => void told.push(`${name} at ${x}`), leave: () => void told.push('left') }
+    carry.begin('home', down(10, 10))
+    move(200, 50)
+    move(210, 50)
+    move(50, 50)
+    move(120, 50)
+    say('keydown', { key: 'Escape' })
+    expect(told).toEqual(['home at 200', 'home at 210', 'left', 'home at 120', 'left'])
   })
 })

@@ -1,20 +1,20 @@
-// An icon on its way from a dictionary into a flow. It follows the pointer once that has moved; Esc puts it back.
+// Something on its way from a library to where it is used. It follows the pointer once that has moved; Esc puts it back.
 
 const MOVED_PX = 5
 
-/** Whoever takes what is dropped; the workspace. */
+/** Whoever takes what is dropped: a canvas, a workspace. */
 export interface Ground {
   holds(x: number, y: number): boolean
-  /** It hovers there now; the place where it would go opens. */
-  hover(onikon: string, x: number, y: number): void
+  /** It hovers there now. */
+  hover?(name: string, x: number, y: number): void
   /** It is not there any more. */
-  leave(): void
-  drop(onikon: string, x: number, y: number): void
+  leave?(): void
+  drop(name: string, x: number, y: number): void
 }
 
-class Carry {
-  /** The icon under way, by its name in the dictionaries; empty: none. */
-  onikon = $state('')
+export class Carry {
+  /** What is under way, by its name; empty: nothing. */
+  name = $state('')
   /** Where the pointer is, in pixels of the window. */
   x = $state(0)
   y = $state(0)
@@ -23,11 +23,11 @@ class Carry {
   private letGo: (() => void) | undefined
 
   get isUnderWay(): boolean {
-    return this.onikon !== ''
+    return this.name !== ''
   }
 
-  /** Call it at `pointerdown` on an icon of a dictionary. A click that does not move carries nothing. */
-  begin(onikon: string, event: PointerEvent): void {
+  /** Call it at `pointerdown` on what may be carried. A click that does not move carries nothing. */
+  begin(name: string, event: PointerEvent): void {
     if (event.button !== 0 || !event.isPrimary) return
     this.stop()
     const { clientX, clientY, pointerId } = event
@@ -35,8 +35,8 @@ class Carry {
     const { signal } = ending
     window.addEventListener('pointermove', (e) => {
       if (e.pointerId !== pointerId) return
-      if (!this.onikon && Math.hypot(e.clientX - clientX, e.clientY - clientY) < MOVED_PX) return
-      this.onikon = onikon
+      if (!this.name && Math.hypot(e.clientX - clientX, e.clientY - clientY) < MOVED_PX) return
+      this.name = name
       this.follow(e)
     }, { signal })
     window.addEventListener('pointerup', (e) => {
@@ -44,7 +44,7 @@ class Carry {
     }, { signal })
     window.addEventListener('pointercancel', () => this.stop(), { signal })
     window.addEventListener('keydown', (e) => {
-      if (e.key !== 'Escape' || !this.onikon) return
+      if (e.key !== 'Escape' || !this.name) return
       e.preventDefault()
       e.stopPropagation()
       this.stop()
@@ -56,8 +56,8 @@ class Carry {
   stop(): void {
     this.letGo?.()
     this.letGo = undefined
-    if (this.isOverGround) this.ground?.leave()
-    this.onikon = ''
+    if (this.isOverGround) this.ground?.leave?.()
+    this.name = ''
     this.isOverGround = false
   }
 
@@ -66,18 +66,18 @@ class Carry {
     this.y = event.clientY
     const wasOver = this.isOverGround
     this.isOverGround = this.ground?.holds(this.x, this.y) ?? false
-    if (this.isOverGround) this.ground?.hover(this.onikon, this.x, this.y)
-    else if (wasOver) this.ground?.leave()
+    if (this.isOverGround) this.ground?.hover?.(this.name, this.x, this.y)
+    else if (wasOver) this.ground?.leave?.()
   }
 
   private drop(): void {
-    const { onikon, x, y, isOverGround } = this
+    const { name, x, y, isOverGround } = this
     this.stop()
-    if (onikon && isOverGround) this.ground?.drop(onikon, x, y)
+    if (name && isOverGround) this.ground?.drop(name, x, y)
   }
 }
 
-export const carry = new Carry()
-
-/** Begin to carry an icon, at `pointerdown` on it. */
-export const begin = (onikon: string, event: PointerEvent): void => carry.begin(onikon, event)
+/** A task, from the library to the canvas. */
+export const carriedTask = new Carry()
+/** An icon, from a dictionary into a flow. */
+export const carriedIcon = new Carry()

@@ -1,0 +1,11 @@
+"""The period of a task in whole nanoseconds (law 13)."""
+
+SLOWEST_GRID_NS = 1_000_000_000
+"""The grid of deadlines of a task without a rate."""
+
+
+def period_of(frequency: float) -> int:
+    """The period of a rate in hertz; raises ValueError where there is none."""
+    if not 0.0 < frequency <= 1e9:
+        raise ValueError(f"expected a rate above 0 Hz and up to 1e9 Hz, found {frequency:g}")
+    return round(1e9 / frequency)

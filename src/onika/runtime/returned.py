@@ -1,0 +1,17 @@
+"""What a cycle has returned, taken as a signal: nobody's module is trusted to have made a sound one."""
+
+from operator import index
+
+from onika.model.signal import Signal, SignalKind
+
+
+def signal_of(returned: object, *, is_trigger: bool) -> Signal:
+    """It as a signal of plain values; raises TypeError where it is none, or none of a task like this."""
+    if not isinstance(returned, Signal):
+        raise TypeError(f"expected a signal or None from cycle, found {returned!r}")
+    if returned.kind is SignalKind.FINISH and not is_trigger:
+        raise TypeError("only a trigger finishes a job (dissertation §C.1)")
+    if type(returned.flow) is int and type(returned.loop) is bool and not returned.text and not returned.number:
+        return returned
+    flow, number = index(returned.flow), index(returned.number)
+    return Signal(returned.kind, flow, bool(returned.loop), number, str(returned.text))
