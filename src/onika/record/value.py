@@ -56,7 +56,8 @@ def encoder(shape: Shape) -> Callable[[Sequence[bytes]], list[bytes]]:
     first, last = (b'{"value":[', b"]}") if shape.dims else (b'{"value":', b"}")
 
     def encode(values: Sequence[bytes]) -> list[bytes]:
-        rows = memoryview(b"".join(values)).cast(code, (len(values), width)).tolist()  # type: ignore[call-overload]
+        flat = memoryview(b"".join(values))
+        rows = flat.cast(code, (len(values), width)).tolist()  # type: ignore[call-overload]  # any code, not a literal
         text = _encode(rows)[2:-2]
         texts = text.split(b"],[")
         if is_real and b"null" in text:  # what is no number, or without end

@@ -184,5 +184,5 @@ class Writer:
 
 
 def _taken(builder: RecordBuilder) -> bytes:
-    data: bytes = builder.end()  # type: ignore[no-untyped-call]
+    data: bytes = builder.end()  # type: ignore[no-untyped-call]  # the library says no types here
     return data

@@ -74,7 +74,8 @@ class Binding:
     def _bind(self, attribute: str, svar: str, kind: str, shape: Shape, ring: Ring) -> None:
         flat = self.values[-1][2]
         data = flat.data.cast("B")
-        shown = flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims)  # type: ignore[arg-type]
+        is_flat = shape.type.is_text or not shape.dims
+        shown = flat if is_flat else flat.reshape(shape.dims)  # type: ignore[arg-type]  # is_flat says they are there
         if kind.startswith("IN"):
             fetch = ring.refresher(data)
             shown = shown.view()
