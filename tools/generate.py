@@ -1,4 +1,4 @@
-"""Writes what is drawn from the code: engine, lifecycles, laboratory, messages, the messages of the page.
+"""Writes what is drawn from the code: engine, lifecycles, laboratory, messages, and what the page knows of them.
 
 Usage: python tools/generate.py [--check] [--root ROOT]. Writes each file anew; with --check it writes nothing, names
 the files that differ from the code and ends with 1 if any does.
@@ -121,12 +121,18 @@ def typescript() -> str:
     return str(runpy.run_path(str(Path(__file__).with_name("typescript.py")))["source"]())
 
 
+def spanish() -> str:
+    """The sentences in Spanish, for the browser."""
+    return str(runpy.run_path(str(Path(__file__).with_name("catalogues.py")))["source"]("es"))
+
+
 PAGES: Mapping[str, Callable[[], str]] = {
     "docs/engine.md": engine,
     "docs/lifecycles.md": lifecycles,
     "docs/laboratory.md": laboratory,
     "docs/messages.md": messages,
     "browser/src/api.gen.ts": typescript,
+    "browser/src/texts/catalogue.es.gen.ts": spanish,
 }
 """Every generated file by its path in the repository."""
 

@@ -55,6 +55,7 @@ def test_missing_pages_are_written_once(tool, tmp_path, capsys):
         LABORATORY,
         "docs/messages.md",
         "browser/src/api.gen.ts",
+        "browser/src/texts/catalogue.es.gen.ts",
     ]
     assert tool["main"](["--check", "--root", str(tmp_path)]) == 0
 

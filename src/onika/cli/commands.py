@@ -5,7 +5,10 @@ import sys
 
 from onika import __version__
 from onika.cli import audit, check, console, doctor, icon, new, page, recording, run, runtime, test, text
+from onika.cli.language import say, speaking
 from onika.link.lost import LinkLost
+from onika.words.reason import Reason
+from onika.words.sentence import LANGUAGES
 
 _COMMANDS = {
     "page": page,
@@ -25,19 +28,40 @@ _COMMANDS = {
 
 def carry_out(words: list[str] | None) -> int:
     """Carry out a command line; the exit code."""
+    wanted, rest = _language_first(sys.argv[1:] if words is None else words)
+    with speaking(wanted):
+        given = _parser().parse_args(_whole(rest))
+        try:
+            code: int = _COMMANDS[given.command].carry_out(given)
+            return code
+        except (LinkLost, TimeoutError) as lost:
+            print(lost, file=sys.stderr)
+            return 1
+
+
+def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="onika", description="Programs for robots from tasks, jobs and targets.")
     parser.add_argument("--version", action="version", version=f"onika {__version__}")
+    _add_language(parser)
     commands = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
     for name, command in _COMMANDS.items():
         purpose = (command.__doc__ or "").partition(": ")[2].partition("\n")[0].rstrip(".")
         command.describe(commands.add_parser(name, help=purpose, description=purpose.capitalize() + "."))
-    given = parser.parse_args(_whole(sys.argv[1:] if words is None else words))
-    try:
-        code: int = _COMMANDS[given.command].carry_out(given)
-        return code
-    except (LinkLost, TimeoutError) as lost:
-        print(lost, file=sys.stderr)
-        return 1
+    return parser
+
+
+def _add_language(parser: argparse.ArgumentParser) -> None:
+    purpose = Reason.of("cli.language_option", languages=LANGUAGES, default=LANGUAGES[0])
+    parser.add_argument("--lang", choices=LANGUAGES, help=say(purpose))
+
+
+def _language_first(words: list[str]) -> tuple[str | None, list[str]]:
+    """The language that the first words name, as every parser speaks it, and the words behind them."""
+    parser = argparse.ArgumentParser(prog="onika", add_help=False, allow_abbrev=False)
+    _add_language(parser)
+    count = 2 if words[:1] == ["--lang"] else int(words[:1] != [] and words[0].startswith("--lang="))
+    wanted: str | None = parser.parse_args(words[:count]).lang
+    return wanted, words[count:]
 
 
 def _whole(words: list[str]) -> list[str]:

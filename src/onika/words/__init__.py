@@ -1,1 +1,1 @@
-"""Ground floor: values and their types, shapes, names, faults. Knows nothing of tasks or robots."""
+"""Ground floor: values, types, shapes, names, faults, reasons and their sentences. Knows nothing of tasks or robots."""

@@ -1,0 +1,93 @@
+// A sentence with gaps, and how values fill them: the rules are those of src/onika/words/sentence.py.
+
+export type Scalar = string | number | boolean
+export type Value<T> = Scalar | T | readonly (Scalar | T)[]
+
+const CONNECTIVES: Record<string, Record<string, string>> = { en: { and: 'and', or: 'or' }, es: { and: 'y', or: 'o' } }
+const GAP = /\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}/g
+const NUMBER_FORMAT = /^(\+?)(?:\.(\d+))?([gf])$/
+
+/** The sentence with its gaps filled; `show` writes a value that is no text, number or list. Throws where one is missing. */
+export function fill<T>(sentence: string, values: Readonly<Record<string, Value<T>>>, language: string, show: (value: T) => string = String): string {
+  return sentence.replace(GAP, (gap: string, name?: string, rule: string = '') => {
+    if (name === undefined) return gap[0]!
+    const value = values[name]
+    if (value === undefined) throw new RangeError(`expected a value of ${name}, found none`)
+    return filled(value, rule, language, show)
+  })
+}
+
+function filled<T>(value: Value<T>, rule: string, language: string, show: (value: T) => string): string {
+  const [kind = '', forms = ''] = parted(rule, ':')
+  if (kind === 'plural') {
+    const [singular, plural] = parted(forms, '|')
+    const count = isList(value) ? value.length : value
+    return (count === 1 ? singular : plural) ?? ''
+  }
+  if (isList(value)) {
+    const connective = CONNECTIVES[language]?.[kind] ?? ''
+    return listed(value.map((item) => filled(item, connective ? '' : rule, language, show)), connective)
+  }
+  if (kind === '' || kind === 'and' || kind === 'or') return written(value, show)
+  if (kind === 'quoted') return quoted(written(value, show))
+  const format = NUMBER_FORMAT.exec(kind)
+  if (!format || typeof value !== 'number') throw new RangeError(`expected a rule of a gap that suits its value, found ${rule}`)
+  const [, sign, digits, letter] = format
+  const text = letter === 'f' ? value.toFixed(Number(digits ?? 6)) : general(value, Number(digits ?? 6))
+  return sign && value >= 0 ? `+${text}` : text
+}
+
+function isList<T>(value: Value<T>): value is readonly (Scalar | T)[] {
+  return Array.isArray(value)
+}
+
+function parted(text: string, sign: string): [string, string] {
+  const at = text.indexOf(sign)
+  return at < 0 ? [text, ''] : [text.slice(0, at), text.slice(at + 1)]
+}
+
+function listed(items: readonly string[], connective: string): string {
+  if (!connective || items.length < 2) return items.join(', ')
+  return `${items.slice(0, -1).join(', ')} ${connective} ${items.at(-1)}`
+}
+
+function written<T>(value: Scalar | T, show: (value: T) => string): string {
+  if (typeof value === 'string') return value
+  if (typeof value === 'boolean') return value ? 'True' : 'False'
+  if (typeof value === 'number') return shortest(value)
+  return show(value)
+}
+
+/** The fewest digits that mean this number, as Python's `repr` writes them. */
+function shortest(value: number): string {
+  const size = Math.abs(value)
+  if (value === 0 || (size >= 1e-4 && size < 1e16)) return String(value)
+  return twoDigits(value.toExponential())
+}
+
+/** Python's format `g` with so many digits. */
+function general(value: number, digits: number): string {
+  const precision = Math.max(1, digits)
+  const [mantissa, exponent] = value.toExponential(precision - 1).split('e') as [string, string]
+  const power = Number(exponent)
+  if (power < -4 || power >= precision) return twoDigits(`${bare(mantissa)}e${exponent}`)
+  return bare(value.toFixed(precision - 1 - power))
+}
+
+function bare(number: string): string {
+  return number.includes('.') ? number.replace(/\.?0+$/, '') : number
+}
+
+function twoDigits(number: string): string {
+  return number.replace(/e([+-])(\d)$/, 'e$10$2')
+}
+
+const ESCAPES: Record<string, string> = { '\\': '\\\\', '\n': '\\n', '\r': '\\r', '\t': '\\t' }
+
+/** The text in quotes, as Python's `repr` writes it. */
+function quoted(text: string): string {
+  const quote = text.includes("'") && !text.includes('"') ? '"' : "'"
+  // eslint-disable-next-line no-control-regex -- these are what is escaped
+  const inner = text.replace(/[\\\u0000-\u001f\u007f-\u00a0\u00ad]/g, (sign) => ESCAPES[sign] ?? `\\x${sign.charCodeAt(0).toString(16).padStart(2, '0')}`)
+  return quote + (quote === "'" ? inner.replaceAll("'", "\\'") : inner) + quote
+}

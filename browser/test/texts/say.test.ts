@@ -1,0 +1,21 @@
+import { expect, test } from 'vitest'
+import { say, type Reason } from '../../src/texts/say'
+
+const option: Reason = { key: 'cli.language_option', text: 'in English', args: { languages: ['en', 'es'], default: 'en' } }
+const spanish = 'el idioma de los mensajes, en o es; en si ni esto ni ONIKA_LANG indican otro'
+
+test('a reason is said in the language of the page', () => {
+  expect(say(option, 'es')).toBe(spanish)
+  expect(say(option, 'en')).toBe('in English')
+})
+
+test('a reason within a reason is said in the same language', () => {
+  expect(say({ ...option, args: { languages: [option, 'x'], default: option } }, 'es')).toContain(`, ${spanish} o x; ${spanish}`)
+})
+
+test('what is in no catalogue is shown as it came', () => {
+  expect(say('a text', 'es')).toBe('a text')
+  expect(say({ key: 'plain', text: 'no such file' }, 'es')).toBe('no such file')
+  expect(say({ key: 'cli.of_a_newer_version', text: 'it is so' }, 'es')).toBe('it is so')
+  expect(say({ key: option.key, text: 'it is so', args: {} }, 'es')).toBe('it is so')
+})

@@ -1,0 +1,72 @@
+"""A reason: why something is so, as a key and its arguments. The sentence is made where people read it.
+
+`Reason.of("rules.edge_unfit", left="a", right="b")` names a sentence of the catalogues and gives what stands in its
+gaps; `str()` of a reason is its English. Programs look at `key` and `args`, never at the sentence (decision 34).
+"""
+
+from typing import Self
+
+from msgspec import Struct
+
+from onika.words.catalogue import sentence
+from onika.words.sentence import fill
+
+PLAIN = "plain"
+"""The key of a text that is in no catalogue."""
+
+
+class Reason(Struct, frozen=True, omit_defaults=True):
+    """A key of the catalogues, what fills the gaps of its sentence, and that sentence in English."""
+
+    key: str
+    text: str
+    """The sentence in English, made when the reason is made: whoever does not know the key shows it."""
+    args: "dict[str, str | int | float | bool | Reason | tuple[str | int | float | bool | Reason, ...]]" = {}
+
+    @classmethod
+    def of(cls, key: str, **args: "Argument") -> Self:
+        """The reason of a key; raises KeyError where no sentence has it or an argument of the sentence is missing."""
+        return cls(key, fill(sentence("en", key), args, "en"), args)
+
+    @classmethod
+    def plain(cls, text: str) -> Self:
+        """A text that is in no catalogue: of a module, of the operating system, of a foreign program."""
+        return cls(PLAIN if text else "", text)
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __bool__(self) -> bool:
+        return bool(self.text)
+
+    def __hash__(self) -> int:
+        return hash((self.key, self.text))
+
+    def __lt__(self, other: "Reason") -> bool:
+        return (self.text, self.key) < (other.text, other.key)
+
+
+Argument = str | int | float | bool | Reason | tuple[str | int | float | bool | Reason, ...]
+"""What fills a gap of a sentence: one thing, or several; a reason within a reason is said in the same language."""
+
+Text = Reason | str
+"""What is said to people."""
+
+NOTHING = Reason("", "")
+"""The reason that says nothing."""
+
+
+def in_language(reason: Text, language: str) -> str:
+    """The sentence of a reason in a language, or its English where that language does not have it whole."""
+    if isinstance(reason, str):
+        return reason
+    if language == "en":
+        return reason.text
+    try:
+        return fill(sentence(language, reason.key), reason.args, language, lambda value: _shown(value, language))
+    except (KeyError, ValueError):
+        return reason.text
+
+
+def _shown(value: object, language: str) -> str:
+    return in_language(value, language) if isinstance(value, Reason) else str(value)
