@@ -14,9 +14,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
 
-from onika.desk.compile import UNKNOWN, planned_task
+from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.engine import flow
-from onika.host.worlds import open_world, split
+from onika.host.units.world_registry import open_world, split
 from onika.link import state
 from onika.model import lifecycle
 from onika.model.application import Application, actions

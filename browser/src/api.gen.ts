@@ -694,7 +694,7 @@ export interface StartAnew {
   confirmed?: boolean;
 }
 
-/** A line of steering, in the words of `desk.steering`: `pause 0`, `skip 1 3`, `abort`. */
+/** A line of steering, in the words of `desk.run.steering`: `pause 0`, `skip 1 3`, `abort`. */
 export interface Steer {
   t: 'Steer';
   line: string;

@@ -6,7 +6,7 @@ from onika.runtime.device import Device
 from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.function import module
 from onika.runtime.module import Module
-from onika.runtime.partner import Partner
+from onika.runtime.partner.partner import Partner
 
 __all__ = [
     "AskAgain",

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli import main
-from onika.host.audit import Audit
+from onika.host.sessions.audit_trail import Audit
 
 
 @pytest.fixture

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli import doctor as room, main
-from onika.desk.machine import Offer
+from onika.desk.run.machine import Offer
 
 GOOD = Offer("python", True, "3.11.7", "Onika needs it")
 BAD = Offer("graphics", False, "none [bold]", "no pictures")

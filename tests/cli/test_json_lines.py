@@ -1,8 +1,8 @@
 import json
 
 from onika.cli.json_lines import JsonLines
-from onika.desk.outcome import Outcome
-from onika.desk.preparation import prepare_run
+from onika.desk.plan.preparation import prepare_run
+from onika.desk.run.outcome import Outcome
 from onika.store.site import open_site
 from onika.wire import event
 from onika.wire.figures import TaskFigures

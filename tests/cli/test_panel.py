@@ -3,9 +3,9 @@ import io
 import pytest
 from rich.console import Console
 
+from onika.cli.key_bindings import KEYS
 from onika.cli.panel import FLOWS, MARKS, Panel
-from onika.cli.wheel import KEYS
-from onika.desk.cast import Cast, Part
+from onika.desk.plan.flow_index import Cast, Part
 from onika.engine.flow import FlowState
 from onika.model.lifecycle import State
 from onika.wire import event

@@ -3,7 +3,7 @@ import os
 import pytest
 
 from onika.cli.plain_console import PlainConsole
-from onika.desk.console.face import Tone
+from onika.desk.console.display import Tone
 
 
 @pytest.fixture

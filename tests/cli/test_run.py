@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli import main, run as room
-from onika.desk.outcome import Outcome
+from onika.desk.run.outcome import Outcome
 from onika.wire import event
 
 RESULT = event.Result(True, "", 1, 1, 2.0, 0.1, {}, (), "")

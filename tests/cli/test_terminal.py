@@ -10,7 +10,7 @@ import pytest
 
 from onika.cli import terminal as room
 from onika.cli.terminal import Terminal
-from onika.desk.console.face import Tone
+from onika.desk.console.display import Tone
 
 
 @pytest.fixture

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from onika.desk.environment.losing import lost
-from onika.desk.upper.run.judging import Judge, judged
-from onika.desk.upper.run.wording import said
+from onika.desk.environment.reconcile.runtime_loss import lost
+from onika.desk.environment.runs.fault_text import said
+from onika.desk.environment.runs.readiness import Judge, judged
 from onika.testing.laboratory import HOLE, job
 from onika.testing.rehearsal import Rehearsal
 from onika.wire import act

@@ -1,9 +1,9 @@
 import pytest
 
-from onika.desk.outcome import Outcome
-from onika.desk.preparation import prepare_run
-from onika.desk.running import Running
-from onika.desk.settings import RunSettings
+from onika.desk.plan.preparation import prepare_run
+from onika.desk.run.outcome import Outcome
+from onika.desk.run.running_application import Running
+from onika.desk.run.settings import RunSettings
 from onika.link.lost import closed
 from onika.store.site import open_site
 from onika.wire import event, live, request, steer

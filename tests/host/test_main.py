@@ -4,8 +4,8 @@ import pytest
 
 from onika.link.connection import Connection
 from onika.link.launcher import launch
+from onika.link.link_terms import CHILD
 from onika.link.lost import LinkLost
-from onika.link.terms import CHILD
 from onika.wire import request
 
 pytestmark = pytest.mark.site

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.host.inquiry import NotYet
+from onika.host.loading.loader_client import NotYet
 from onika.testing.asker import Asker
 from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import action

@@ -6,17 +6,17 @@ runtime's time is virtual.
 
 import pytest
 
-from onika.desk.compile import rtpus_of
-from onika.desk.preparation import prepare_run
-from onika.host.gate import Gate
-from onika.host.loading import DirectLoading
+from onika.desk.plan.compile import rtpus_of
+from onika.desk.plan.preparation import prepare_run
+from onika.host.loading.module_facts import DirectLoading
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.sessions.request_server import Gate
+from onika.host.units.virtual import VirtualDriver
 from onika.link.carrier import memory_pair
 from onika.link.connection import Connection
-from onika.link.guests import Guests
-from onika.link.happening import Signalled
-from onika.link.terms import Terms
+from onika.link.link_events import Signalled
+from onika.link.link_terms import Terms
+from onika.link.sessions import Guests
 from onika.store.site import open_site
 from onika.testing.laboratory import Laboratory, job, joints
 from onika.wire import event, request

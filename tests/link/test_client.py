@@ -2,10 +2,10 @@ import pytest
 
 from onika.link import lost
 from onika.link.client import ClientEnd
-from onika.link.happening import EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
+from onika.link.link_events import EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
+from onika.link.link_terms import Terms
 from onika.link.lost import Cause
 from onika.link.state import LinkState
-from onika.link.terms import Terms
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
 
 ROOM = 1_000_000

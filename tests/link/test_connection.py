@@ -2,12 +2,12 @@ import pytest
 
 from onika.link.carrier import memory_pair, socket_pair
 from onika.link.connection import Connection
-from onika.link.happening import Asked, EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
-from onika.link.journal import Journal
+from onika.link.link_events import Asked, EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
+from onika.link.link_terms import Terms
 from onika.link.lost import Cause, LinkLost
-from onika.link.port import ServerPort
+from onika.link.runtime_port import ServerPort
+from onika.link.signal_journal import Journal
 from onika.link.state import LinkState
-from onika.link.terms import Terms
 
 TERMS = Terms(beat_ns=100_000_000, suspect_ns=500_000_000, lost_ns=2_000_000_000, greeting_ns=3_000_000_000)
 

@@ -11,16 +11,16 @@ from onika.link import launcher
 from onika.link.carrier import wait_for
 from onika.link.connection import Connection
 from onika.link.launcher import launch
+from onika.link.link_terms import CHILD
 from onika.link.lost import Cause, LinkLost
-from onika.link.terms import CHILD
 
 RUNTIME = """
 import select, sys, time
-from onika.link.happening import Asked
-from onika.link.journal import Journal
+from onika.link.link_events import Asked
+from onika.link.signal_journal import Journal
 from onika.link.launcher import die_with_parent, inherit
-from onika.link.port import ServerPort
-from onika.link.terms import CHILD
+from onika.link.runtime_port import ServerPort
+from onika.link.link_terms import CHILD
 
 words = dict(zip(sys.argv[1::2], sys.argv[2::2]))
 die_with_parent(int(words["--parent"]))

@@ -2,14 +2,14 @@ import pytest
 
 from onika.link.carrier import memory_pair, socket_pair
 from onika.link.client import ClientEnd
-from onika.link.happening import Asked, Read, Signalled, Turned
-from onika.link.journal import Journal
+from onika.link.link_events import Asked, Read, Signalled, Turned
+from onika.link.link_terms import NO_BEATS
 from onika.link.lost import Cause
 from onika.link.pump import Pump
-from onika.link.replies import ReplyBook
+from onika.link.reply_log import ReplyBook
 from onika.link.server import ServerEnd
+from onika.link.signal_journal import Journal
 from onika.link.state import LinkState
-from onika.link.terms import NO_BEATS
 
 
 @pytest.fixture(params=[memory_pair, socket_pair])

@@ -1,13 +1,13 @@
 import pytest
 
 from onika.link import lost
-from onika.link.happening import Asked, Greeted, Turned
-from onika.link.journal import Journal
+from onika.link.link_events import Asked, Greeted, Turned
+from onika.link.link_terms import Terms
 from onika.link.lost import Cause
-from onika.link.replies import ReplyBook
+from onika.link.reply_log import ReplyBook
 from onika.link.server import ServerEnd
+from onika.link.signal_journal import Journal
 from onika.link.state import LinkState
-from onika.link.terms import Terms
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
 
 ROOM = 1_000_000

@@ -2,13 +2,13 @@ from onika.link.caller import PARENT
 from onika.link.carrier import memory_pair
 from onika.link.channel import THREE, Channel
 from onika.link.client import ClientEnd
-from onika.link.happening import Asked, Read, Replied, Signalled
-from onika.link.journal import Journal
+from onika.link.link_events import Asked, Read, Replied, Signalled
+from onika.link.link_quality import Rhythm
+from onika.link.link_terms import LOCAL
 from onika.link.pump import Pump
-from onika.link.rhythm import Rhythm
 from onika.link.session import Session
+from onika.link.signal_journal import Journal
 from onika.link.state import LinkState
-from onika.link.terms import LOCAL
 from onika.wire.packet import Beat, encode
 
 SECOND = 1_000_000_000

@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from onika.desk.compile import planned_task
+from onika.desk.plan.compile import planned_task
 from onika.model.planned import task_of
 from onika.model.task import LocalLine, Task, TaskType
 

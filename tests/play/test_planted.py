@@ -10,13 +10,13 @@ from hypothesis import HealthCheck, Phase, settings
 from hypothesis.stateful import run_state_machine_as_test
 
 from onika.engine import progress, walk
-from onika.engine.crew import Crew
 from onika.engine.engine import Engine
-from onika.engine.itinerary import Itinerary
+from onika.engine.flow_control import Helm
+from onika.engine.flow_router import Itinerary
+from onika.engine.flow_tasks import Crew
 from onika.engine.meeting import Meetings
 from onika.engine.progress import Progress
 from onika.engine.recovery import Recovery
-from onika.engine.steering import Helm
 
 MISTAKES = {
     "any task ends an action": (Progress, "finished", "and task in step.triggers", ""),

@@ -12,9 +12,9 @@ from time import monotonic
 
 import pytest
 
-from onika.desk.runtime import connect
-from onika.link import opening
-from onika.link.beats import EVERY_NS, Beater
+from onika.desk.run.runtime import connect
+from onika.link import websocket_opening
+from onika.link.heartbeat import EVERY_NS, Beater
 from onika.wire import event, holding, live, request
 
 pytestmark = pytest.mark.site
@@ -75,7 +75,7 @@ def test_where_datagrams_get_through_silence_counts_after_a_quarter_of_a_second(
 
 
 def test_where_none_gets_through_it_counts_after_a_second(there, monkeypatch):  # R-X12
-    monkeypatch.setattr(opening, "_beater", lambda *_: None)
+    monkeypatch.setattr(websocket_opening, "_beater", lambda *_: None)
     with session(there) as watcher, session(there) as holder:
         assert holder.ask(live.Take("slow")) == request.Done()
         end = monotonic() + 1.5
@@ -95,7 +95,7 @@ class Eavesdropper(Beater):
 
 
 def test_beats_that_were_overheard_or_forged_keep_nobody_alive(there, monkeypatch):  # R-X12
-    monkeypatch.setattr(opening, "Beater", Eavesdropper)
+    monkeypatch.setattr(websocket_opening, "Beater", Eavesdropper)
     with session(there) as watcher, session(there) as holder:
         thief = Eavesdropper.last
         assert holder.ask(live.Take("robbed")) == request.Done()

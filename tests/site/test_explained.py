@@ -158,7 +158,9 @@ def ends_its_process(tmp_path):
 
 def loses_a_processing_unit(tmp_path):
     path = ticking(tmp_path, "self.warn('it begins')").application("tick", [job("tickC")])
-    return Planted(str(path), "lost", "", text="was killed by signal 9", words=("--no-fifo",), kills="onika.host.rtpu")
+    return Planted(
+        str(path), "lost", "", text="was killed by signal 9", words=("--no-fifo",), kills="onika.host.units.rtpu"
+    )
 
 
 @pytest.mark.parametrize(

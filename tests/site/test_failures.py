@@ -94,7 +94,7 @@ def test_control_c_stops_the_run(tmp_path):  # R-E07, law 27
 def test_a_killed_processing_unit_ends_the_run(tmp_path):  # R-A16, R-E10, law 17
     with Console("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
-        os.kill(console.process("onika.host.rtpu"), signal.SIGKILL)
+        os.kill(console.process("onika.host.units.rtpu"), signal.SIGKILL)
         assert aborted(console)["cause"].startswith("processing unit rt0 was killed by signal 9")
     assert_held_in_time(console)
 
@@ -102,7 +102,7 @@ def test_a_killed_processing_unit_ends_the_run(tmp_path):  # R-A16, R-E10, law 1
 def test_a_stopped_processing_unit_ends_the_run(tmp_path):  # R-A16, law 17
     with Console("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
-        os.kill(console.process("onika.host.rtpu"), signal.SIGSTOP)
+        os.kill(console.process("onika.host.units.rtpu"), signal.SIGSTOP)
         cause = aborted(console)["cause"]
         assert cause.startswith("processing unit rt0 has not answered for ")
         assert cause.endswith(" s: stopped")

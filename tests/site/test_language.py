@@ -5,12 +5,12 @@ import json
 import pytest
 
 from onika.cli import main
-from onika.desk.preparation import prepare_run
-from onika.host.gate import Call
-from onika.host.loading import DirectLoading
-from onika.host.preparation import prepare
+from onika.desk.plan.preparation import prepare_run
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.sessions.request_server import Call
+from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.store.site import open_site, shipped
 from onika.testing.asker import OpenGate

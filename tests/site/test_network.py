@@ -15,11 +15,11 @@ import pytest
 from websockets.client import ClientProtocol
 from websockets.uri import parse_uri
 
-from onika.desk.runtime import Runtime, connect
+from onika.desk.run.runtime import Runtime, connect
 from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import Cause, LinkLost
-from onika.link.opening import Opening
+from onika.link.websocket_opening import Opening
 from onika.testing.workshop import Workshop, action
 from onika.wire import event, live, request, steer
 from onika.wire.packet import Hello, Request, encode
@@ -260,7 +260,7 @@ def porter_of(pid):
     for path in Path("/proc").glob("[0-9]*/cmdline"):
         with contextlib.suppress(OSError):
             words = path.read_bytes().split(b"\0")
-            if b"onika.host.porter_process" in words and str(pid).encode() in words:
+            if b"onika.host.sessions.listener_main" in words and str(pid).encode() in words:
                 return int(path.parent.name)
     raise AssertionError("there is no porter")
 
@@ -279,8 +279,8 @@ def test_over_tls_a_user_is_known_by_his_token_and_has_his_role(reachable, tmp_p
     subprocess.run(["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes",
                     "-days", "2", "-subj", "/CN=onika", "-addext", "subjectAltName=IP:127.0.0.1",
                     "-keyout", str(key), "-out", str(cert)], check=True, capture_output=True)  # fmt: skip
-    token = subprocess.run([*PYTHON, "onika.host.users", "ann", "viewer", str(users)], check=True, capture_output=True,
-                           text=True).stdout.strip()  # fmt: skip
+    command = [*PYTHON, "onika.host.sessions.users", "ann", "viewer", str(users)]
+    token = subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
     there = reachable("--virtual", "--cert", str(cert), "--key", str(key), "--users", str(users), listen="0.0.0.0:0")
     assert there.url.startswith("wss://0.0.0.0:"), there.said
     url = f"wss://127.0.0.1:{there.port}"

@@ -5,9 +5,9 @@ import re
 
 import pytest
 
-from onika.desk.preparation import prepare_run
-from onika.host.loading import DirectLoading
-from onika.host.preparation import prepare
+from onika.desk.plan.preparation import prepare_run
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
 from onika.model.redirect import Redirect
 from onika.store.site import open_site, shipped
 from onika.testing.laboratory import Laboratory, job, joints, target

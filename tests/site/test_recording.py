@@ -9,11 +9,11 @@ from time import monotonic, sleep
 import pytest
 
 from onika.cli import main
-from onika.desk.environment.opening import opened
-from onika.desk.recorded import Source, inputs_of
-from onika.desk.review import Review
-from onika.desk.run import start
-from onika.desk.settings import RunSettings
+from onika.desk.environment.initial_model import opened
+from onika.desk.run.recorded_run import Source, inputs_of
+from onika.desk.run.run import start
+from onika.desk.run.run_review import Review
+from onika.desk.run.settings import RunSettings
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import Tolerance

@@ -10,11 +10,11 @@ import pytest
 
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.launching import Launching
-from onika.desk.environment.model import Model
-from onika.desk.environment.shelf import Shelf
-from onika.desk.environment.station import Station
-from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile.runtime_launch import Launching
+from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
 from onika.store.library import open_libraries
 from onika.store.site import open_site
 from onika.testing.laboratory import Laboratory, job, joints, target

@@ -4,11 +4,11 @@ import pytest
 from msgspec.structs import replace
 
 from onika.cli import main
-from onika.desk.preparation import prepare_run
-from onika.host.loading import DirectLoading
-from onika.host.preparation import prepare
+from onika.desk.plan.preparation import prepare_run
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.units.virtual import VirtualDriver
 from onika.laws import adept_one, reach
 from onika.store.site import open_site
 from onika.testing.asker import OpenGate

@@ -11,9 +11,9 @@ from time import monotonic
 
 import pytest
 
-from onika.desk.run import start
-from onika.desk.running import Running
-from onika.desk.settings import RunSettings
+from onika.desk.run.run import start
+from onika.desk.run.running_application import Running
+from onika.desk.run.settings import RunSettings
 from onika.store.site import open_site
 from onika.testing.console import ONIKA, Console
 from onika.wire import event

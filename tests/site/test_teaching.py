@@ -7,10 +7,10 @@ import pytest
 
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.launching import Launching
-from onika.desk.environment.opening import opened
-from onika.desk.environment.station import Station
-from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.initial_model import opened
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile.runtime_launch import Launching
+from onika.desk.environment.runtime_thread import Station
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
 from onika.store.site import open_site

@@ -5,11 +5,11 @@ import json
 import pytest
 
 from onika.cli import main
-from onika.desk.preparation import prepare_run
-from onika.host.loading import DirectLoading
-from onika.host.preparation import prepare
+from onika.desk.plan.preparation import prepare_run
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
 from onika.testing.asker import OpenGate
 from onika.wire import event, request

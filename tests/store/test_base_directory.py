@@ -12,7 +12,7 @@ from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task, TaskType
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened import Opened
+from onika.store.opened_text import Opened
 from onika.words.fault import Refusal
 
 SYNTAX = Syntax((IconType("Complete job", 0, 0),), ())

@@ -34,7 +34,12 @@ def test_silence_beyond_the_patience_is_an_error():
 def test_the_processes_of_a_run_are_found_and_seen_to_end():
     with Console("run", "go_home", "--json") as console:
         console.until(event="drive", state="DRIVEN")
-        for name in ("onika.host --link-fd", "onika.host.rtpu", "onika.host.device_server", "onika.host.loader"):
+        for name in (
+            "onika.host --link-fd",
+            "onika.host.units.rtpu",
+            "onika.host.units.device_server",
+            "onika.host.loading.loader",
+        ):
             assert console.process(name) in console.processes()
         console.interrupt()
         assert console.result()["state"] == "aborted"
@@ -45,7 +50,7 @@ def test_a_process_that_outlives_the_command_is_told():
     with Console("run", "go_home", "--json") as console:
         console.until(event="drive", state="DRIVEN")
         left = console.left_over(0.1)  # asked too early: everything lives
-        assert any("onika.host.rtpu" in words for words in left)
+        assert any("onika.host.units.rtpu" in words for words in left)
         console._process.send_signal(signal.SIGKILL)
 
 

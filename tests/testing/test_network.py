@@ -5,16 +5,16 @@ from dataclasses import replace
 
 import pytest
 
-from onika.link.bundle import Bundle
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
-from onika.link.guests import Guests, Introduction
-from onika.link.happening import EpochChanged, Fate, Replied, Resumed, Signalled
+from onika.link.link_events import EpochChanged, Fate, Replied, Resumed, Signalled
 from onika.link.lost import LinkLost
-from onika.link.port import ServerPort
-from onika.link.replies import Account, ReplyBook
+from onika.link.reply_log import Account, ReplyBook
+from onika.link.runtime_port import ServerPort
 from onika.link.server import ServerEnd
 from onika.link.session import Session
+from onika.link.session_channels import Bundle
+from onika.link.sessions import Guests, Introduction
 from onika.link.state import LinkEvent, LinkState
 from onika.testing.network import History
 from onika.testing.programs import HONEST, Programs

@@ -2,7 +2,7 @@
 
 import pytest
 
-from onika.runtime.partner import Partner
+from onika.runtime.partner.partner import Partner
 from onika.testing.outsider import Outsider, wait
 
 

@@ -1,6 +1,6 @@
-from onika.link.bundle import Bundle
 from onika.link.client import ClientEnd
-from onika.link.guests import Guests
+from onika.link.session_channels import Bundle
+from onika.link.sessions import Guests
 from onika.testing.programs import HONEST, Environment, House, Programs, name_epoch
 
 

@@ -1,4 +1,4 @@
-from onika.host.preparation import prepare
+from onika.host.loading.plan_preparation import prepare
 from onika.testing.rail import YardLoading, rail
 from onika.testing.workshop import action
 from onika.wire.request import TargetValues

@@ -2,7 +2,7 @@ import pytest
 
 from onika.link import lost
 from onika.link.channel import Channel
-from onika.link.happening import Asked, EpochChanged, Failed, Fate, Greeted, Read, Replied, Signalled, Turned
+from onika.link.link_events import Asked, EpochChanged, Failed, Fate, Greeted, Read, Replied, Signalled, Turned
 from onika.link.state import LinkState
 from onika.testing.cable import Cable
 from onika.testing.witness import Wanted, Who, Witness

@@ -7,8 +7,8 @@ import pytest
 from onika.model.task import Task
 from onika.testing.sitting import Sitting
 from onika.web.app import application
-from onika.web.door import Door
-from onika.web.hall import Hall
+from onika.web.hub import Hall
+from onika.web.login import Door
 from onika.web.server import addresses, bound, serve
 
 

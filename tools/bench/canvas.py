@@ -9,15 +9,15 @@ import time
 from pathlib import Path
 from statistics import median
 
-from onika.desk.environment.disk import Disk
-from onika.desk.environment.documents import opened_beside
 from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.file.configurations import opened_beside
+from onika.desk.environment.file.disk_watch import Disk
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Order
-from onika.desk.environment.refreshing import refreshed
-from onika.desk.environment.shelf import Shelf
-from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.outcome.outcome import Order
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.refresh import refreshed
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.configuration import Configuration, Placed

@@ -11,8 +11,8 @@ import tempfile
 from pathlib import Path
 from time import perf_counter
 
-from onika.desk.preparation import prepare_run
-from onika.desk.runtime import Runtime
+from onika.desk.plan.preparation import prepare_run
+from onika.desk.run.runtime import Runtime
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
 from onika.testing.laboratory import Laboratory, job, joints, target

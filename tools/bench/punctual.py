@@ -15,8 +15,8 @@ import sys
 from collections.abc import Iterable
 from time import monotonic_ns
 
-from onika.host import rtpu
-from onika.host.supervisor import Supervisor
+from onika.host.units import rtpu
+from onika.host.units.supervisor import Supervisor
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.table import SIZE
@@ -39,7 +39,7 @@ class Late(Module):
 
 BARE = """
 import json, sys, time
-from onika.host.schedule import become_real_time
+from onika.host.units.realtime_scheduling import become_real_time
 become_real_time(sys.argv[1] == "fifo")
 period, late = 2_000_000, []
 until = time.monotonic_ns() + round(float(sys.argv[2]) * 1e9)
@@ -63,7 +63,7 @@ def bare(with_fifo: bool, seconds: float) -> list[int]:
 def tasks(with_fifo: bool, seconds: float) -> tuple[dict[float, list[int]], dict[float, int]]:
     """Lateness and missed cycles of each task, by its rate."""
     supervisor = Supervisor(monotonic_ns(), with_fifo)
-    unit = supervisor.launch("rt0", "onika.host.rtpu", ("--name", "rt0"))
+    unit = supervisor.launch("rt0", "onika.host.units.rtpu", ("--name", "rt0"))
     table = Segment.create("table", SIZE)
     try:
         hear(unit, rtpu.Ready)

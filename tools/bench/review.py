@@ -18,10 +18,10 @@ import msgspec
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
 
-from onika.desk.environment.opening import opened
+from onika.desk.environment.initial_model import opened
 from onika.record.reader import Reader
 from onika.record.run import Run
-from onika.record.said import EVENTS
+from onika.record.topics import EVENTS
 from onika.record.writer import Writer
 from onika.store.site import open_site
 from onika.testing.sitting import Sitting

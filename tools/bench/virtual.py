@@ -18,12 +18,12 @@ from time import process_time
 import mujoco
 import numpy as np
 
-from onika.desk.preparation import prepare_run
-from onika.host.loading import DirectLoading
-from onika.host.preparation import Preparation, prepare
+from onika.desk.plan.preparation import prepare_run
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import Preparation, prepare
 from onika.host.program import Program
-from onika.host.schedule import still_garbage
-from onika.host.virtual import VirtualDriver
+from onika.host.units.realtime_scheduling import still_garbage
+from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
 from onika.wire import event, request
 from onika.workcell import boxes

@@ -5,7 +5,7 @@ import os
 import sys
 from pathlib import Path
 
-from onika.desk.audited import lines, verdict
+from onika.desk.run.audit_text import lines, verdict
 from onika.files import trail
 
 

@@ -3,8 +3,8 @@
 import argparse
 from pathlib import Path
 
-from onika.cli.place import directory, site_here
-from onika.desk.survey import survey
+from onika.cli.search_path import directory, site_here
+from onika.desk.plan.survey import survey
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

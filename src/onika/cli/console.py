@@ -3,10 +3,10 @@
 import argparse
 from pathlib import Path
 
-from onika.cli.place import site_here
+from onika.cli.console_session import sit_down
 from onika.cli.runtime import add_base, script_file
-from onika.cli.sitting import sit_down
-from onika.desk.runtime import connect
+from onika.cli.search_path import site_here
+from onika.desk.run.runtime import connect
 from onika.link.token import read_token
 
 

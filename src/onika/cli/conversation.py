@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Protocol
 
 from onika.desk.console.console import Console
-from onika.desk.console.face import Face, Tone
+from onika.desk.console.display import Face, Tone
 from onika.desk.console.session import Faults, Session
-from onika.desk.interruption import Interruption
+from onika.desk.run.interruption import Interruption
 from onika.words.fault import Place
 
 _LOOK_S = 0.05

@@ -5,7 +5,7 @@ import argparse
 from rich.console import Console
 from rich.text import Text
 
-from onika.desk.machine import offers
+from onika.desk.run.machine import offers
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

@@ -4,8 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from onika.cli.place import directory, site_here
-from onika.desk.iconify import Made, iconify
+from onika.cli.search_path import directory, site_here
+from onika.desk.plan.iconify import Made, iconify
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

@@ -7,8 +7,8 @@ from typing import Any
 
 import msgspec
 
-from onika.desk.outcome import Outcome
-from onika.desk.preparation import PreparedRun
+from onika.desk.plan.preparation import PreparedRun
+from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault

@@ -4,7 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from onika.desk.template import create_module
+from onika.desk.plan.module_template import create_module
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

@@ -7,8 +7,8 @@ import sys
 import webbrowser
 from pathlib import Path
 
-from onika.cli.place import site_here
 from onika.cli.runtime import add_base, unit
+from onika.cli.search_path import site_here
 from onika.link.token import read_token
 from onika.web.program import Program, Wishes
 from onika.web.server import bound

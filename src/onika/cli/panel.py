@@ -9,10 +9,10 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from onika.cli.wheel import KEYS, Wheel
-from onika.desk.cast import Cast
-from onika.desk.positions import waits
-from onika.desk.whereabouts import Spot, Whereabouts
+from onika.cli.key_bindings import KEYS, Wheel
+from onika.desk.plan.flow_index import Cast
+from onika.desk.run.flow_tracker import Spot, Whereabouts
+from onika.desk.run.positions import waits
 from onika.wire import event
 from onika.wire.steer import Position
 

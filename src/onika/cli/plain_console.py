@@ -5,8 +5,8 @@ import select
 import sys
 from types import TracebackType
 
-from onika.cli.safe import safe
-from onika.desk.console.face import Tone
+from onika.cli.safe_text import safe
+from onika.desk.console.display import Tone
 
 
 class PlainConsole:

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from onika.desk.digest import told
-from onika.desk.review import Review
+from onika.desk.run.recording_digest import told
+from onika.desk.run.run_review import Review
 from onika.record import columns
 from onika.record.difference import first_difference
 from onika.record.reader import UNREADABLE, Reader, complaint

@@ -7,18 +7,18 @@ import sys
 from pathlib import Path
 from typing import TextIO
 
-from onika.cli.in_order import in_order
 from onika.cli.json_lines import JsonLines
-from onika.cli.live import Live
-from onika.cli.place import directory, site_here
-from onika.cli.plain import Plain
+from onika.cli.live_display import Live
+from onika.cli.orderly_exit import in_order
+from onika.cli.plain_display import Plain
 from onika.cli.runtime import script_file
-from onika.cli.scale import scale
-from onika.desk import picture
-from onika.desk.outcome import Outcome
-from onika.desk.recorded import Source
-from onika.desk.run import run
-from onika.desk.settings import Elsewhere, RunSettings
+from onika.cli.search_path import directory, site_here
+from onika.cli.time_scale import scale
+from onika.desk.run import world_picture
+from onika.desk.run.outcome import Outcome
+from onika.desk.run.recorded_run import Source
+from onika.desk.run.run import run
+from onika.desk.run.settings import Elsewhere, RunSettings
 from onika.desk.trial.keeping import keep_in, unkeepable
 from onika.link.address import Address
 from onika.link.token import read_token
@@ -153,7 +153,7 @@ def _draw(outcome: Outcome, path: Path) -> str:
     if outcome.result is None:
         return ""
     for snapshot in outcome.snapshots.values():
-        return picture.draw(snapshot, path) or f"picture: {path}"
+        return world_picture.draw(snapshot, path) or f"picture: {path}"
     return "no picture: there is no world to draw"
 
 

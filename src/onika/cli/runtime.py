@@ -6,10 +6,10 @@ import sys
 from contextlib import ExitStack
 from pathlib import Path
 
-from onika.cli.place import directory, site_here
-from onika.cli.scale import scale
-from onika.cli.sitting import sit_down
-from onika.desk.runtime import Runtime
+from onika.cli.console_session import sit_down
+from onika.cli.search_path import directory, site_here
+from onika.cli.time_scale import scale
+from onika.desk.run.runtime import Runtime
 from onika.link.lost import LinkLost
 from onika.words.name import TASK_NAME
 

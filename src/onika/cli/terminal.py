@@ -14,8 +14,8 @@ from rich.cells import cell_len
 
 from onika.cli.editor import Editor
 from onika.cli.keys import Keys
-from onika.cli.safe import safe
-from onika.desk.console.face import Tone
+from onika.cli.safe_text import safe
+from onika.desk.console.display import Tone
 
 _COLOURS = {
     Tone.HEAD: "1",

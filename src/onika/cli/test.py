@@ -5,8 +5,8 @@ import os
 import sys
 from pathlib import Path
 
-from onika.cli.in_order import in_order
-from onika.cli.place import directory, site_here
+from onika.cli.orderly_exit import in_order
+from onika.cli.search_path import directory, site_here
 from onika.desk.trial import junit
 from onika.desk.trial.home import FOLDER
 from onika.desk.trial.trial import Trial, find, try_all

@@ -4,8 +4,8 @@ import argparse
 import sys
 from pathlib import Path
 
-from onika.cli.place import directory, site_here
-from onika.desk.text import convert, is_text, keep, unfit
+from onika.cli.search_path import directory, site_here
+from onika.desk.plan.application_text import convert, is_text, keep, unfit
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

@@ -9,7 +9,8 @@ Whoever carries the orders out counts the activations of each task and keeps fro
 from collections.abc import Callable, Mapping, Set
 
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.itinerary import Itinerary
+from onika.engine.flow_control import Helm
+from onika.engine.flow_router import Itinerary
 from onika.engine.news import (
     Abort,
     Asked,
@@ -32,7 +33,6 @@ from onika.engine.orders import Case, End, Note, Order
 from onika.engine.program import Program
 from onika.engine.progress import Progress
 from onika.engine.recovery import Recovery
-from onika.engine.steering import Helm
 from onika.engine.step import steps
 from onika.engine.walk import Value
 from onika.wire.plan import Plan

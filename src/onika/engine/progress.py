@@ -2,9 +2,9 @@
 
 from collections.abc import Callable, Mapping
 
-from onika.engine.crew import Crew
 from onika.engine.flow import FlowEvent, FlowState, after
-from onika.engine.foresight import ways
+from onika.engine.flow_tasks import Crew
+from onika.engine.lookahead import ways
 from onika.engine.orders import Began, Case, Done, Moved, Note, Order
 from onika.engine.program import Program
 from onika.engine.step import Step

@@ -1,7 +1,7 @@
 """Errors in a flow: it stops, its failed tasks are cleared, the step is repeated (requirement E08, §5.9.2)."""
 
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.itinerary import Itinerary
+from onika.engine.flow_router import Itinerary
 from onika.engine.orders import Clear, Order
 from onika.engine.progress import Progress
 

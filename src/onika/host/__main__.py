@@ -8,25 +8,25 @@ import sys
 from functools import partial
 from time import monotonic_ns
 
-from onika.host.audit import OFF, Audit, open_for
-from onika.host.ending import Ending
-from onika.host.gate import Gate
-from onika.host.inquiry import Inquiry
-from onika.host.listening import Wanted, judge
-from onika.host.loader import Loader
-from onika.host.memory import bound
-from onika.host.outlet import open_outlets
-from onika.host.patience import Patience
-from onika.host.porter import Porter
+from onika.host.loading.loader import Loader
+from onika.host.loading.loader_client import Inquiry
+from onika.host.loading.memory_limit import bound
 from onika.host.program import Program
-from onika.host.rtpu import preload
-from onika.host.schedule import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
-from onika.host.virtual import VirtualDriver
-from onika.host.wall import WallDriver
-from onika.host.witness import Witness
-from onika.host.worlds import open_world
-from onika.link.guests import Guests
+from onika.host.sessions.audit_log import Witness
+from onika.host.sessions.audit_trail import OFF, Audit, open_for
+from onika.host.sessions.listen_options import Wanted, judge
+from onika.host.sessions.listener_process import Porter
+from onika.host.sessions.request_server import Gate
+from onika.host.shutdown import Ending
+from onika.host.units.call_watchdog import Patience
+from onika.host.units.output_pipe import open_outlets
+from onika.host.units.realtime_scheduling import RUNNER_PRIORITY, fine_timers, first_in_first_out, still_garbage
+from onika.host.units.rtpu import preload
+from onika.host.units.virtual import VirtualDriver
+from onika.host.units.wall import WallDriver
+from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent, inherit
+from onika.link.sessions import Guests
 from onika.wire import event
 
 _SLICE_NS = 20_000_000

@@ -4,23 +4,23 @@ from time import monotonic_ns
 
 from msgspec.structs import replace
 
-from onika.host.asking import Loading
-from onika.host.backlog import Answer, Backlog
-from onika.host.company import Company
-from onika.host.description import describe
-from onika.host.driver import Driver
-from onika.host.editor import Editor, refused
-from onika.host.gate import Call, Gate
-from onika.host.helm import Helm
-from onika.host.holders import Holders
-from onika.host.inquiry import Inquiry, NotYet
-from onika.host.leases import Leases
-from onika.host.look import Look
-from onika.host.performance import Performance
-from onika.host.post import Post
-from onika.host.preparation import Preparation, inspect, prepare
-from onika.host.recorder import Recorder
-from onika.host.stage import Stage, Tell
+from onika.host.edit.editor import Editor, refused
+from onika.host.inspection import Look
+from onika.host.loading.loader_client import Inquiry, NotYet
+from onika.host.loading.module_description import describe
+from onika.host.loading.module_questions import Loading
+from onika.host.loading.plan_preparation import Preparation, inspect, prepare
+from onika.host.loading.request_backlog import Answer, Backlog
+from onika.host.recording.recorder import Recorder
+from onika.host.run.run import Performance
+from onika.host.run.run_commands import Helm
+from onika.host.sessions.control_authority import Holders
+from onika.host.sessions.leases import Leases
+from onika.host.sessions.presence import Company
+from onika.host.sessions.request_server import Call, Gate
+from onika.host.subsystems import Stage, Tell
+from onika.host.units.driver import Driver
+from onika.host.units.process_socket import Post
 from onika.link.caller import Role
 from onika.runtime.subsystem import Subsystem
 from onika.wire import event, holding, live, request, steer

@@ -3,14 +3,14 @@
 from dataclasses import dataclass
 
 from onika.link import lost
+from onika.link.body_parts import Gathering, split
 from onika.link.channel import Channel
-from onika.link.happening import EpochChanged, Failed, Fate, Happening, Read, Replied, Resumed, Signalled
-from onika.link.lanes import Lanes
-from onika.link.parts import Gathering, split
-from onika.link.pulse import Pulse
+from onika.link.link_events import EpochChanged, Failed, Fate, Happening, Read, Replied, Resumed, Signalled
+from onika.link.link_terms import LOCAL, Terms
+from onika.link.liveness import Pulse
 from onika.link.readings import Readings
+from onika.link.send_queues import Lanes
 from onika.link.state import LinkEvent, LinkState
-from onika.link.terms import LOCAL, Terms
 from onika.wire.packet import (
     VERSION,
     Ack,

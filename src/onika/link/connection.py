@@ -5,13 +5,13 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from onika.link.bundle import Bundle
 from onika.link.carrier import Beating, Carrier, Source, wait_for
 from onika.link.channel import THREE, Channel
-from onika.link.happening import Failed, Fate, Happening, Read, Replied, Turned
+from onika.link.link_events import Failed, Fate, Happening, Read, Replied, Turned
+from onika.link.link_terms import LOCAL, Terms
 from onika.link.lost import LinkLost, closed, here
+from onika.link.session_channels import Bundle
 from onika.link.state import LinkState
-from onika.link.terms import LOCAL, Terms
 
 Clock = Callable[[], int]
 """A clock that never goes back, in ns (`time.monotonic_ns`)."""

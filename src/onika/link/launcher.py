@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from types import TracebackType
 
 from onika.link.carrier import SocketCarrier
-from onika.link.tail import Tail
+from onika.link.output_tail import Tail
 from onika.wire.frame import FRAME_LIMIT
 
 RUNTIME = (sys.executable, "-m", "onika.host")

@@ -3,17 +3,17 @@
 from dataclasses import dataclass
 
 from onika.link import lost
+from onika.link.body_parts import Gathering, split
 from onika.link.channel import Channel
-from onika.link.happening import Asked, Greeted, Happening
-from onika.link.journal import Journal
-from onika.link.lanes import Lanes
-from onika.link.parts import Gathering, split
-from onika.link.pulse import Pulse
+from onika.link.link_events import Asked, Greeted, Happening
+from onika.link.link_quality import Rhythm
+from onika.link.link_terms import LOCAL, Terms
+from onika.link.liveness import Pulse
 from onika.link.readings import Readings
-from onika.link.replies import Account, Answer, ReplyBook
-from onika.link.rhythm import Rhythm
+from onika.link.reply_log import Account, Answer, ReplyBook
+from onika.link.send_queues import Lanes
+from onika.link.signal_journal import Journal
 from onika.link.state import LinkEvent, LinkState
-from onika.link.terms import LOCAL, Terms
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Packet, Part, Reply, Request, Signal, Welcome
 
 

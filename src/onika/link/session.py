@@ -3,14 +3,14 @@
 from onika.link.caller import Caller
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.happening import Asked, Greeted, Happening
-from onika.link.journal import Journal
-from onika.link.port import MakeServer, ServerPort
-from onika.link.replies import ReplyBook
-from onika.link.rhythm import Rhythm
+from onika.link.link_events import Asked, Greeted, Happening
+from onika.link.link_quality import Rhythm
+from onika.link.link_terms import Terms
+from onika.link.reply_log import ReplyBook
+from onika.link.runtime_port import MakeServer, ServerPort
 from onika.link.server import ServerEnd
+from onika.link.signal_journal import Journal
 from onika.link.state import LinkState
-from onika.link.terms import Terms
 
 _LINKED = (LinkState.LINKED, LinkState.SUSPECT)
 

@@ -9,9 +9,9 @@ from websockets.client import ClientProtocol
 from websockets.protocol import State
 
 from onika.link import lost
-from onika.link.beats import Beater
 from onika.link.carrier import BUFFER_LIMIT
-from onika.link.messages import Messages
+from onika.link.heartbeat import Beater
+from onika.link.websocket_messages import Messages
 
 _CHUNK = 64 * 1024
 _TURN = 1024 * 1024

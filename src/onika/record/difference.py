@@ -7,10 +7,10 @@ from typing import Any
 
 import msgspec
 
-from onika.record import said
+from onika.record import topics
+from onika.record.mismatch import strays
 from onika.record.reader import Reader
 from onika.record.series import Series
-from onika.record.stray import strays
 from onika.record.tolerance import Tolerance
 
 _TIMES = ("at_s", "at_ns", "previous_step_ns", "last_command_ns")
@@ -93,7 +93,7 @@ def _events(one: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Differ
 
 def _told(reader: Reader) -> dict[str, list[tuple[int, dict[str, Any]]]]:
     found: dict[str, list[tuple[int, dict[str, Any]]]] = {}
-    for at, body in reader.messages(said.EVENTS):
+    for at, body in reader.messages(topics.EVENTS):
         message = msgspec.json.decode(body)
         told = message["event"]
         bare = {key: value for key, value in told.items() if key not in _TIMES and key not in _UNLIKE}

@@ -8,15 +8,15 @@ from collections.abc import Callable, Sequence
 
 from onika.model.signal import Signal
 from onika.runtime import command, news
-from onika.runtime.alterations import Alterations
 from onika.runtime.binding import Views
-from onika.runtime.calls import RAISED, Calls
-from onika.runtime.containment import Strayed
-from onika.runtime.exchange import Exchange
-from onika.runtime.figures import load_of, status_of
-from onika.runtime.life import Life
-from onika.runtime.postponed import Postponed
+from onika.runtime.binding_guard import Strayed
+from onika.runtime.deferred import Postponed
+from onika.runtime.entry_points import RAISED, Calls
+from onika.runtime.module_exchange import Exchange
 from onika.runtime.running_task import RunningTask
+from onika.runtime.statistics import load_of, status_of
+from onika.runtime.task_commands import Alterations
+from onika.runtime.task_lifecycle import Life
 from onika.runtime.unit import Address, Unit
 
 _NOTHING: Sequence[news.News] = ()

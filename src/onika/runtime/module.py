@@ -13,7 +13,7 @@ from onika.runtime.error import ModuleError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from onika.runtime.partner import Partner
+    from onika.runtime.partner.partner import Partner
 
 
 class Module:

@@ -8,18 +8,18 @@ from msgspec import structs
 
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, off
-from onika.runtime.agenda import Slot
 from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of
+from onika.runtime.binding_guard import Containment
 from onika.runtime.command import BoundPort, Spawn
-from onika.runtime.containment import Containment
 from onika.runtime.counters import Counters
 from onika.runtime.device import Device
 from onika.runtime.error import ModuleError
-from onika.runtime.intake import Intake
 from onika.runtime.module import Module
-from onika.runtime.partner import Partner
+from onika.runtime.partner.partner import Partner
 from onika.runtime.period import SLOWEST_GRID_NS, period_of
+from onika.runtime.scheduler import Slot
 from onika.runtime.sheet import sheet_of
+from onika.runtime.transfer.input_guard import Intake
 from onika.runtime.user_input import UserInput
 
 CHECKED_EVERY = 1023

@@ -5,11 +5,11 @@ from collections.abc import MutableMapping
 
 from onika.ring.slots import Ring
 from onika.runtime import news
-from onika.runtime.agenda import Agenda, Slot
 from onika.runtime.binding import Views
-from onika.runtime.continuity import WATCHED_NS
-from onika.runtime.preparations import Preparations
+from onika.runtime.prepared_switches import Preparations
 from onika.runtime.running_task import RunningTask
+from onika.runtime.scheduler import Agenda, Slot
+from onika.runtime.transfer.bumpless_transfer import WATCHED_NS
 
 Address = tuple[str, str]
 """Subsystem and task."""

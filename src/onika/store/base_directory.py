@@ -13,7 +13,7 @@ from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.store.opened import Faults, Opened, Read, open_file, put, save
+from onika.store.opened_text import Faults, Opened, Read, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 

@@ -7,7 +7,7 @@ from pathlib import Path
 from onika.files import text
 from onika.files.rmod import RmodText
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened import Faults
+from onika.store.opened_text import Faults
 from onika.words.fault import Fault, Place
 
 Found = tuple[RmodText | None, Faults]

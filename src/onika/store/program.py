@@ -9,7 +9,7 @@ from onika.model.application import Application, actions, every_flow
 from onika.model.configuration import Configuration
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.store.opened import Faults
+from onika.store.opened_text import Faults
 from onika.store.site import Site
 from onika.words.fault import Fault
 

@@ -17,7 +17,7 @@ from onika.model.preferences import Preferences
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened import Faults, Opened, open_file, put, save
+from onika.store.opened_text import Faults, Opened, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 

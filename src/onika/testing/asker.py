@@ -3,10 +3,10 @@
 from collections import deque
 from collections.abc import Callable
 
-from onika.host.gate import Call
-from onika.host.leases import Heard, Leases
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.sessions.leases import Heard, Leases
+from onika.host.sessions.request_server import Call
+from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.testing.rail import YardLoading
 from onika.testing.worlds import MassWorld

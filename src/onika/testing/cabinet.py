@@ -7,9 +7,9 @@ cabinet.icon("there").values
 
 from pathlib import Path
 
-from onika.desk.environment.disk import Disk
-from onika.desk.environment.opening import opened
-from onika.desk.environment.refreshing import refreshed
+from onika.desk.environment.file.disk_watch import Disk
+from onika.desk.environment.initial_model import opened
+from onika.desk.environment.refresh import refreshed
 from onika.files import syntax
 from onika.model.onikon import Onikon
 from onika.model.picture import blank

@@ -15,8 +15,8 @@ from pathlib import Path
 
 import numpy as np
 
-from onika.desk.upper.run.beginning import ready
-from onika.record import foxglove, said
+from onika.desk.environment.runs.begin import ready
+from onika.record import foxglove, topics
 from onika.record.run import Run
 from onika.testing.rehearsal import Rehearsal
 from onika.testing.tape import Tape
@@ -82,13 +82,13 @@ class Cinema(Rehearsal):
             tape.tell(index + 1.0, event.Done(flow, index, index + 1.0), home)
 
     def _draw(self, tape: Tape, seconds: int) -> None:
-        tape.attach(said.shapes("yard"), said.encode([LAMP]))
+        tape.attach(topics.shapes("yard"), topics.encode([LAMP]))
         for at_s, lit in ((0.0, ()), (1.0, ("lamp",))):
             body = foxglove.scene("yard", 0, [LAMP], lit)
-            tape.show(at_s, said.scene("yard"), foxglove.SCENE, foxglove.SCENE_SCHEMA, body)
+            tape.show(at_s, topics.scene("yard"), foxglove.SCENE, foxglove.SCENE_SCHEMA, body)
         for k in range(seconds):
             body = foxglove.frames("yard", 0, _rows([(0, 0, 0, 1, 0, 0, 0), (k, 0, 0, 1, 0, 0, 0)]))
-            tape.show(float(k), said.frames("yard"), foxglove.FRAMES, foxglove.FRAMES_SCHEMA, body)
+            tape.show(float(k), topics.frames("yard"), foxglove.FRAMES, foxglove.FRAMES_SCHEMA, body)
 
 
 def _rows(rows: Sequence[Sequence[float]]) -> bytes:

@@ -2,7 +2,7 @@
 
     with Console("run", "go_home", "--json") as console:
         console.until(event="drive", state="DRIVEN")
-        os.kill(console.process("onika.host.rtpu"), signal.SIGKILL)
+        os.kill(console.process("onika.host.units.rtpu"), signal.SIGKILL)
         assert console.result()["state"] == "aborted"
 
 It waits for what is said, never for time; the patience only keeps a test from hanging.

@@ -11,10 +11,10 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.document import Document
 from onika.desk.environment.environment import Answer
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done, Order
+from onika.desk.environment.outcome.outcome import Done, Order
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
 from onika.model.task import Task
 from onika.testing.live_runtime import LiveRuntime
 from onika.testing.sitting import Sitting

@@ -6,8 +6,8 @@ A flow is said by the names of its icons, `_` for a hole, `<>` for a branch: `mo
 from collections.abc import Iterable
 from pathlib import Path
 
-from onika.desk.environment.opening import opened
-from onika.desk.upper.flow.altering import flow_at
+from onika.desk.environment.icons.alteration import flow_at
+from onika.desk.environment.initial_model import opened
 from onika.model.application import Application, Branch, Hole, Icon
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon

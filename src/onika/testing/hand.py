@@ -3,7 +3,7 @@
 from collections import deque
 
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.units.virtual import VirtualDriver
 from onika.runtime import command, news
 from onika.runtime.running_task import RunningTask
 from onika.testing.asker import Asker, OpenGate

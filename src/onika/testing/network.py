@@ -10,13 +10,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from onika.link.bundle import Bundle
 from onika.link.caller import Caller, Role
 from onika.link.channel import THREE, Channel
-from onika.link.guests import Introduction
-from onika.link.happening import Asked
+from onika.link.link_events import Asked
+from onika.link.link_terms import Terms
 from onika.link.session import Session
-from onika.link.terms import Terms
+from onika.link.session_channels import Bundle
+from onika.link.sessions import Introduction
 from onika.testing.cable import Cable, Plug
 from onika.testing.clockwork import Clockwork
 from onika.testing.programs import HONEST, Environment, House, Party, Programs

@@ -14,7 +14,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any, Self
 
-from onika.runtime.partner import Partner
+from onika.runtime.partner.partner import Partner
 
 _PATIENCE_S = 5.0
 

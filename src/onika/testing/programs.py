@@ -3,13 +3,13 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from onika.link.bundle import Bundle, MakeClient
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
-from onika.link.guests import Guests
-from onika.link.port import MakeServer
+from onika.link.runtime_port import MakeServer
 from onika.link.server import ServerEnd
 from onika.link.session import Session
+from onika.link.session_channels import Bundle, MakeClient
+from onika.link.sessions import Guests
 from onika.testing.cable import Plug
 
 MakeEpoch = Callable[[int], str]

@@ -1,6 +1,6 @@
 """The rail: a mass of the small world and a servo that drives it, as modules in text, for tests of what runs them."""
 
-from onika.host.loading import DirectLoading
+from onika.host.loading.module_facts import DirectLoading
 from onika.testing.workshop import Workshop
 from onika.words.fault import Fault
 

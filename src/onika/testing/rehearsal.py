@@ -15,9 +15,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment import losing
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.reconcile import runtime_loss
+from onika.desk.environment.state.model import Model
 from onika.testing.duet import Duet
 from onika.testing.laboratory import Laboratory
 from onika.wire import act, event, request
@@ -83,7 +83,7 @@ class Rehearsal(Duet):
 
     def lose(self, reason: str) -> None:
         """Let the runtime be gone."""
-        self.environment.become(lambda model: losing.lost(model, reason))
+        self.environment.become(lambda model: runtime_loss.lost(model, reason))
 
     def carried(self, kind: type) -> list[request.Request]:
         """What the runtime was asked of a kind, in order."""

@@ -9,14 +9,14 @@ from typing import Any
 
 import msgspec
 
-from onika.desk.environment.aside import Aside
-from onika.desk.environment.commands import Commands
 from onika.desk.environment.environment import Answer, Environment
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done, No, Order
-from onika.desk.environment.shelf import Shelf
-from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.outcome.button_commands import Commands
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.worker import Aside
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from onika.record import said, value
+from onika.record import topics, value
 from onika.record.reader import Reader
 from onika.record.run import END, Run
 from onika.record.writer import Writer
@@ -45,21 +45,23 @@ class Tape:
         shape = Shape.parse(type_)
         about = {"subsystem": home, "name": name, "type": type_, "unit": unit}
         schema = (value.title(shape, unit), value.schema(shape, unit))
-        channel = self._writer.channel(said.variable(home, name), *schema, about)
+        channel = self._writer.channel(topics.variable(home, name), *schema, about)
         for at_s, one in course:
             data = one if isinstance(one, bytes) else np.array(one, dtype=shape.type.code).tobytes()
             self._writer.message(channel, _ns(at_s), value.encoder(shape)([data])[0])
 
     def tell(self, at_s: float, one: event.Event, subsystem: str = "flow0") -> None:
         """An event."""
-        body = said.encode(said.Happened(subsystem, one))
-        self._writer.message(self._writer.channel(said.EVENTS, said.HAPPENED, said.HAPPENED_SCHEMA), _ns(at_s), body)
+        body = topics.encode(topics.Happened(subsystem, one))
+        self._writer.message(
+            self._writer.channel(topics.EVENTS, topics.HAPPENED, topics.HAPPENED_SCHEMA), _ns(at_s), body
+        )
 
     def ask(self, at_s: float, asked: request.Request, turn: int = 1) -> None:
         """Something that was asked."""
-        topic = said.ANSWERS if isinstance(asked, request.Reply) else said.COMMANDS
-        channel = self._writer.channel(topic, said.WANTED, said.WANTED_SCHEMA)
-        self._writer.message(channel, _ns(at_s), said.encode(said.Wanted(turn, "me", asked)))
+        topic = topics.ANSWERS if isinstance(asked, request.Reply) else topics.COMMANDS
+        channel = self._writer.channel(topic, topics.WANTED, topics.WANTED_SCHEMA)
+        self._writer.message(channel, _ns(at_s), topics.encode(topics.Wanted(turn, "me", asked)))
 
     def show(self, at_s: float, topic: str, title: str, schema: bytes, body: bytes) -> None:
         """Any other message."""

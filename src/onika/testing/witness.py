@@ -4,7 +4,18 @@ from dataclasses import dataclass, field
 from enum import Enum
 
 from onika.link.channel import Channel
-from onika.link.happening import Asked, EpochChanged, Failed, Fate, Greeted, Happening, Read, Replied, Signalled, Turned
+from onika.link.link_events import (
+    Asked,
+    EpochChanged,
+    Failed,
+    Fate,
+    Greeted,
+    Happening,
+    Read,
+    Replied,
+    Signalled,
+    Turned,
+)
 from onika.link.lost import Cause
 from onika.link.state import LinkState
 from onika.testing.cable import Cable

@@ -11,9 +11,9 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from onika.web.door import COOKIE, Door
-from onika.web.hall import Hall
 from onika.web.headers import StrictHeaders
+from onika.web.hub import Hall
+from onika.web.login import COOKIE, Door
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""

@@ -9,26 +9,26 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
-from onika.desk.environment import opening, preferring, refreshing
-from onika.desk.environment.aside import Aside
-from onika.desk.environment.autosave import Autosave
-from onika.desk.environment.commands import Commands
+from onika.desk.environment import initial_model, preferences as preferring, refresh
 from onika.desk.environment.diary import Diary
-from onika.desk.environment.disk import Disk
 from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.file.autosave import Autosave
+from onika.desk.environment.file.disk_watch import Disk
+from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.handlers import HANDLERS
-from onika.desk.environment.launching import Launching
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done
-from onika.desk.environment.recovery import Recovery, reopened
-from onika.desk.environment.station import Station
-from onika.desk.environment.surroundings import Surroundings
-from onika.desk.upper.run import judging
-from onika.desk.upper.run.judging import Judge
+from onika.desk.environment.outcome.button_commands import Commands
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.worker import Aside
+from onika.desk.environment.reconcile.runtime_launch import Launching
+from onika.desk.environment.runs import readiness
+from onika.desk.environment.runs.readiness import Judge
+from onika.desk.environment.runtime_thread import Station
+from onika.desk.environment.state.model import Model
 from onika.store.site import Site
 from onika.web.app import application
-from onika.web.door import Door
-from onika.web.hall import Hall
+from onika.web.hub import Hall
+from onika.web.login import Door
 from onika.web.server import addresses, serve
 from onika.wire import act, page
 
@@ -91,7 +91,7 @@ class Program:
         launching = Launching(self._wishes.rtpus, with_fifo=self._wishes.with_fifo)
         station = Station(launching, post)
         disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
-        model, says = opening.opened(self._site, self._state, self._settings())
+        model, says = initial_model.opened(self._site, self._state, self._settings())
         environment = Environment(model, HANDLERS, surroundings, station)
         hall = Hall(environment, station)
         hall.remember(says)
@@ -179,7 +179,7 @@ class Program:
             await asyncio.sleep(_LOOK_S)
             changed = await asyncio.to_thread(disk.changed, environment.model)
             if changed:
-                environment.become(partial(refreshing.refreshed, changed=changed, site=self._site))
+                environment.become(partial(refresh.refreshed, changed=changed, site=self._site))
 
     async def _judge(self, environment: Environment) -> None:
         """Whether what is open could be run, soon after it was changed."""
@@ -192,7 +192,7 @@ class Program:
                 cases = await asyncio.to_thread(judge.stale, environment.model)
             for case in cases:
                 judgement = await asyncio.to_thread(judge.judge, case)
-                environment.become(partial(judging.judged, doc=case.opened.id, judgement=judgement))
+                environment.become(partial(readiness.judged, doc=case.opened.id, judgement=judgement))
 
     async def _keep(self, environment: Environment, kept: Recovery | None, autosave: Autosave) -> None:
         """What is not saved, soon after it was changed."""

@@ -243,7 +243,7 @@ class Explained(Struct, frozen=True, tag=True):
     """What can be done safely: the command, and what it does."""
     at_s: float
     kind: str = ""
-    """What sort of cause it is: a word of `host.cause.Kind`."""
+    """What sort of cause it is: a word of `host.diagnosis.stop_cause.Kind`."""
     suspect: str = ""
     """The task upstream from which the trouble likely comes; empty: from nobody else."""
 

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.desk.console.console import Console
-from onika.desk.console.face import Tone
+from onika.desk.console.display import Tone
 from onika.desk.console.session import Session
 from onika.store.site import open_site
 from onika.testing.live_runtime import LiveRuntime

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.console.face import Tone
+from onika.desk.console.display import Tone
 from onika.wire import live, request
 from onika.words.fault import Place
 

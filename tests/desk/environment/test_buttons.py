@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.commands import Commands
+from onika.desk.environment.outcome.button_commands import Commands
 from onika.files import buttons as file
 from onika.model.button import Button
 from onika.testing.sitting import Sitting

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.settings import RunSettings
+from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import Account, Part, Passed
 from onika.desk.trial.keeping import kept_of
 from onika.desk.trial.variables import Variable

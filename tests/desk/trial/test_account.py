@@ -1,8 +1,8 @@
 import pytest
 from msgspec.structs import replace
 
-from onika.desk.preparation import prepare_run
-from onika.desk.settings import RunSettings
+from onika.desk.plan.preparation import prepare_run
+from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import digest_of, give_account, told
 from onika.store.site import open_site
 from onika.testing.laboratory import Laboratory, job, target

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.settings import Elsewhere, RunSettings
+from onika.desk.run.settings import Elsewhere, RunSettings
 from onika.desk.trial import keeping
 from onika.desk.trial.account import Account
 from onika.desk.trial.keeping import keep, keep_in

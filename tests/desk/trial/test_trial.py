@@ -2,7 +2,7 @@ from pathlib import Path
 
 import pytest
 
-from onika.desk.settings import RunSettings
+from onika.desk.run.settings import RunSettings
 from onika.desk.trial import trial
 from onika.desk.trial.judging import Verdict
 from onika.desk.trial.trial import Trial, find, limit_of, read, settings_of, try_all, try_out

@@ -1,5 +1,5 @@
 from onika.files.al.block import Block, LoopMark, marked
-from onika.files.al.sentence import sentences
+from onika.files.al.logical_line import sentences
 from onika.files.line import Reading
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon

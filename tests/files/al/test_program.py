@@ -1,9 +1,9 @@
 import pytest
 from tests.files.models import TYPES
 
-from onika.files.al.glossary import Glossary
+from onika.files.al.logical_line import sentences
 from onika.files.al.program import Program
-from onika.files.al.sentence import sentences
+from onika.files.al.where_section import Glossary
 from onika.files.line import Reading
 from onika.model.application import AppFlow, Branch, Hole, Step
 from onika.model.onikon import Onikon

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from time import monotonic_ns
 from typing import TypeVar
 
-from onika.host import rtpu
-from onika.host.supervisor import Supervised, Supervisor
+from onika.host.units import rtpu
+from onika.host.units.supervisor import Supervised, Supervisor
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.code import load
@@ -51,7 +51,7 @@ class Unit:
     """A processing unit as the runtime starts it, and its post. Raises RuntimeError where it refuses or is gone."""
 
     def __init__(self, supervisor: Supervisor, name: str, house: Household) -> None:
-        self._unit: Supervised = supervisor.launch(name, "onika.host.rtpu", ("--name", name))
+        self._unit: Supervised = supervisor.launch(name, "onika.host.units.rtpu", ("--name", name))
         self.granted = self.hear(rtpu.Ready).granted
         self._unit.post.send(rtpu.encode(rtpu.Share(f"table:{HOME}")), (house.segment.fd,))
 

@@ -4,9 +4,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from onika.desk.console.command import Command, find
-from onika.desk.console.library import Library
 from onika.desk.console.session import Session
-from onika.desk.console.steering import where
+from onika.desk.console.site_library import Library
+from onika.desk.console.steering_lines import where
 from onika.model.lifecycle import State
 from onika.wire import live
 

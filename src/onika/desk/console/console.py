@@ -3,14 +3,15 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from onika.desk.console import commands, script
+from onika.desk.console import commands
 from onika.desk.console.command import Command, find
 from onika.desk.console.completion import Completion
-from onika.desk.console.face import Tone
-from onika.desk.console.follow import Follow
-from onika.desk.console.passing import ended
+from onika.desk.console.display import Tone
+from onika.desk.console.file_follower import Follow
 from onika.desk.console.session import TYPED, Faults, Session
-from onika.desk.console.watch import Watch
+from onika.desk.console.time_lines import ended
+from onika.desk.console.variable_watch import Watch
+from onika.desk.run import script_lines
 from onika.wire import request
 from onika.words.fault import Place
 
@@ -37,7 +38,7 @@ class Console:
         session, former = self.session, self.session.place
         session.place = place
         try:
-            return self._carry_out(script.bare(line))
+            return self._carry_out(script_lines.bare(line))
         except TimeoutError as late:
             return session.no("an answer of the runtime", str(late), "it may have been done all the same")
         finally:
@@ -53,7 +54,7 @@ class Console:
 
     def run_script(self, path: Path) -> Faults:
         """Carry out a file to its end, or to its first line that fails."""
-        lines, faults = script.load(path)
+        lines, faults = script_lines.load(path)
         if lines is None:
             return faults
         if self._depth == _DEEPEST:

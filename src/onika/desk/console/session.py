@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterator
 from typing import Protocol
 
-from onika.desk.cast import Cast
-from onika.desk.console import told
-from onika.desk.console.face import Face, Tone
-from onika.desk.preparation import fault_of
+from onika.desk.console import event_lines
+from onika.desk.console.display import Face, Tone
+from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.preparation import fault_of
 from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
@@ -165,7 +165,7 @@ class Session:
             is_chatter = self._is_chatter(one)
             self._note(one)
             if not is_chatter:
-                for line, tone in told.lines(one):
+                for line, tone in event_lines.lines(one):
                     self.say(line, tone)
         self._tick()
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 
-from onika.desk.console import table
+from onika.desk.run import text_table
 from onika.model.preferences import STATUS_COLUMNS
 from onika.wire.live import TaskFigure
 
@@ -19,7 +19,7 @@ def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> list[str]:
     names = ("subsystem",) * several + ("task", *columns)
     heads = [f"{name}/{UNITS[name]}" if name in UNITS else name for name in names]
     rows = [[one.subsystem] * several + [one.task, *(cell(one, name) for name in columns)] for one in figures]
-    return table.lines(heads, rows)
+    return text_table.lines(heads, rows)
 
 
 def whole(figure: TaskFigure) -> list[str]:

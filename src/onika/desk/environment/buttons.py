@@ -2,13 +2,13 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done, No
-from onika.desk.environment.remedy import plain
-from onika.desk.environment.surroundings import Surroundings
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.model import Model
 from onika.files import buttons as file
 from onika.model.button import Button
-from onika.store.opened import Opened
+from onika.store.opened_text import Opened
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal

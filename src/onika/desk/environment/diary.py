@@ -7,12 +7,12 @@ from collections.abc import Callable
 from pathlib import Path
 from queue import SimpleQueue
 
-from onika.desk.environment.entry import HEADER, Entry, entry
+from onika.desk.environment.application_entry import Names
+from onika.desk.environment.diary_entry import HEADER, Entry, entry
 from onika.desk.environment.environment import Answer
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done
-from onika.desk.environment.surroundings import Surroundings
-from onika.desk.upper.flow.recorded import Names
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.model import Model
 from onika.wire import act, page
 
 

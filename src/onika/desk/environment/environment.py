@@ -4,15 +4,15 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
-from onika.desk.environment import following, undoing
-from onika.desk.environment.difference import difference
-from onika.desk.environment.history import File, Step
-from onika.desk.environment.model import Model
-from onika.desk.environment.others import others
-from onika.desk.environment.outcome import Done, No, Order
-from onika.desk.environment.surroundings import Surroundings
-from onika.desk.environment.tree import Projector
-from onika.desk.upper.flow import past
+from onika.desk.environment import following
+from onika.desk.environment.file import application_undo, undo
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.show.tree import Projector
+from onika.desk.environment.show.tree_difference import difference
+from onika.desk.environment.state.history import File, Step
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
 from onika.wire.view import Tree
 
@@ -160,14 +160,14 @@ class Environment:
     def _stepped(self, before: Model, done: Done, by: str, asked: act.AnyAct) -> Model:
         """With one more step in the history of the document that was changed."""
         if done.doc in before.applications and done.doc in done.model.applications:
-            return done.model if isinstance(asked, act.Undo | act.Redo) else past.stepped(before, done, by)
+            return done.model if isinstance(asked, act.Undo | act.Redo) else application_undo.stepped(before, done, by)
         if not done.doc or done.doc not in done.model.documents or done.doc not in before.documents:
             return done.model
         old, new = before.documents[done.doc], done.model.documents[done.doc]
-        edited = undoing.edits_between(before.shelf, done.model.shelf)
+        edited = undo.edits_between(before.shelf, done.model.shelf)
         model = done.model
         if done.label and (old.content != new.content or edited) and not isinstance(asked, act.Undo | act.Redo):
-            backwards = undoing.edits_between(done.model.shelf, before.shelf)
+            backwards = undo.edits_between(done.model.shelf, before.shelf)
             step = Step(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
             if isinstance(asked, act.OpenInPlace):
                 files = File(old.opened, old.base), File(new.opened, new.base)

@@ -2,15 +2,15 @@
 
 from dataclasses import replace
 
-from onika.desk.environment import hearing
-from onika.desk.environment.describing import describe
-from onika.desk.environment.document import Document
-from onika.desk.environment.model import Model
-from onika.desk.environment.outcome import Done, No, Order
-from onika.desk.environment.pursuit import noted, pursue_all
-from onika.desk.environment.surroundings import Surroundings
-from onika.desk.upper.dictionary import limits
-from onika.desk.upper.run import hearing as hearing_run, steering as steering_run
+from onika.desk.environment.icons import joint_limits
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile import event_reducer
+from onika.desk.environment.reconcile.descriptions import describe
+from onika.desk.environment.reconcile.reconciliation import noted, pursue_all
+from onika.desk.environment.runs import run_reducer as hearing_run, steering as steering_run
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
 from onika.wire import event, live, request
 
 
@@ -32,10 +32,10 @@ def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
 
 def heard(model: Model, told: event.Event, outside: Surroundings) -> Done:
     """What a runtime has told."""
-    done = hearing.heard(model, told, outside.calendar())
+    done = event_reducer.heard(model, told, outside.calendar())
     run = hearing_run.heard(done.model, told)
     says, replies = (*done.says, *run.says), (*done.replies, *run.replies)
-    orders = (*done.orders, *run.orders, *limits.heard(run.model, told))
+    orders = (*done.orders, *run.orders, *joint_limits.heard(run.model, told))
     return replace(run, orders=orders, says=says, replies=replies)
 
 

@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from onika.desk.environment.model import Model
-from onika.desk.environment.tally import Tally
-from onika.desk.environment.watching import homes_of, keys_of
+from onika.desk.environment.reconcile.task_figures import Tally
+from onika.desk.environment.reconcile.watches import homes_of, keys_of
+from onika.desk.environment.state.model import Model
 from onika.wire import live, page, reading
 
 _WORLD = "world:"

@@ -8,9 +8,9 @@ from typing import Any
 import msgspec
 from msgspec.structs import replace
 
-from onika.desk.run import NotRun, start
-from onika.desk.running import Running
-from onika.desk.settings import RunSettings
+from onika.desk.run.run import NotRun, start
+from onika.desk.run.running_application import Running
+from onika.desk.run.settings import RunSettings
 from onika.desk.trial.variables import Variable, kept_after, robots
 from onika.link.lost import LinkLost
 from onika.model.kept import Meeting

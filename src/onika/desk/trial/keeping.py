@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from onika.desk.settings import RunSettings
+from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import Account, Elements, Part, Passed, give_account
 from onika.desk.trial.home import home_of
 from onika.desk.trial.tolerance import LASTS_S, demand, readable, tolerance

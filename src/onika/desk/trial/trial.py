@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import monotonic
 
-from onika.desk.settings import RunSettings
+from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import give_account
 from onika.desk.trial.home import home_of
 from onika.desk.trial.judging import Verdict, judge

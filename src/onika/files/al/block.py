@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from onika.files.al.sentence import Sentence
+from onika.files.al.logical_line import Sentence
 from onika.model.application import AppFlow, Branch, Hole, Icon, Step
 
 ENDS = {

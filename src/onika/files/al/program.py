@@ -3,11 +3,11 @@
 from collections import Counter
 from collections.abc import Callable
 
-from onika.files.al import statement
+from onika.files.al import action_statement
 from onika.files.al.block import ENDS, Block, LoopMark, marked
-from onika.files.al.glossary import Glossary
-from onika.files.al.phrase import Phrase, halves
-from onika.files.al.sentence import Sentence, Token
+from onika.files.al.logical_line import Sentence, Token
+from onika.files.al.token_stream import Phrase, halves
+from onika.files.al.where_section import Glossary
 from onika.files.flow import DEEPEST
 from onika.files.line import Reading
 from onika.model.application import AppFlow, Icon, Step
@@ -69,12 +69,12 @@ class Program:
         elif form in _MARKS:
             _MARKS[form](block, sentence)
         else:
-            known = (*statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
+            known = (*action_statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
             raise ValueError(f"expected a word of the language ({' '.join(known)}), found {sentence}")
 
     def _statement(self, block: Block, sentence: Sentence) -> None:
         try:
-            steps = statement.read(sentence, self._glossary, self._syntax)
+            steps = action_statement.read(sentence, self._glossary, self._syntax)
         except ValueError:
             block.lose()
             raise
@@ -234,7 +234,7 @@ def _form(tokens: tuple[Token, ...]) -> str:
     second = tokens[1].value if len(tokens) > 1 and tokens[1].kind == "word" else ""
     if f"{first} {second}" in _TWO:
         return f"{first} {second}"
-    if first in statement.HEADS and not (first == "DO" and (second == "IF" or len(tokens) == 1)):
+    if first in action_statement.HEADS and not (first == "DO" and (second == "IF" or len(tokens) == 1)):
         return _STATEMENT
     return first
 

@@ -52,7 +52,7 @@ class Seats(Act, frozen=True):
 
 
 class Steer(Act, frozen=True):
-    """A line of steering, in the words of `desk.steering`: `pause 0`, `skip 1 3`, `abort`."""
+    """A line of steering, in the words of `desk.run.steering`: `pause 0`, `skip 1 3`, `abort`."""
 
     line: str
 

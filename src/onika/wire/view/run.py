@@ -71,7 +71,7 @@ class StopView(View, frozen=True):
 
     text: str
     kind: str
-    """A word of `host.cause.Kind`."""
+    """A word of `host.diagnosis.stop_cause.Kind`."""
     at_s: float
     subsystem: str = ""
     task: str = ""

@@ -3,7 +3,7 @@
 import onika
 from beside.contestant import Figures, serve
 from beside.sequence.onika_sweep import Sweep
-from onika.host.patience import Patience
+from onika.host.units.call_watchdog import Patience
 
 CYCLES = 40_000
 

@@ -7,7 +7,7 @@ from beside.contestant import Figures, serve
 from beside.punctuality.lateness import is_fifo_granted
 from beside.sequence.onika_sweep import MODULE
 from beside.unit import Household, Unit
-from onika.host.supervisor import Supervisor
+from onika.host.units.supervisor import Supervisor
 
 TASKS = 16
 RATE_HZ = 1000.0

@@ -13,7 +13,7 @@ import onika
 from beside.contestant import Figures, serve
 from beside.loop.blocks import BLOCKS
 from beside.unit import Household
-from onika.host.patience import Patience
+from onika.host.units.call_watchdog import Patience
 from onika.runtime.executive import Executive
 
 MODULES = {

@@ -9,7 +9,7 @@ import onika
 from beside.contestant import Figures, serve
 from beside.punctuality.lateness import RATE_HZ, figures, is_fifo_granted
 from beside.unit import HOME, Household, Unit
-from onika.host.supervisor import Supervisor
+from onika.host.units.supervisor import Supervisor
 from onika.runtime import command, news
 
 _TASK = "late"

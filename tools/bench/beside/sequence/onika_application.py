@@ -10,11 +10,11 @@ from time import perf_counter_ns
 
 import onika
 from beside.contestant import Figures, serve
-from onika.host.loading import DirectLoading
-from onika.host.patience import Patience
-from onika.host.preparation import prepare
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
-from onika.host.virtual import VirtualDriver
+from onika.host.units.call_watchdog import Patience
+from onika.host.units.virtual import VirtualDriver
 from onika.testing.workshop import Workshop, action
 from onika.wire import event, request
 

@@ -9,7 +9,7 @@ from time import perf_counter_ns
 import onika
 from beside.contestant import serve
 from beside.unit import Household
-from onika.host.patience import Patience
+from onika.host.units.call_watchdog import Patience
 from onika.runtime.executive import Executive
 
 ACTIONS = 24

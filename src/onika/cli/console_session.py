@@ -1,0 +1,70 @@
+"""Sitting down at a runtime: a console of the kind that this terminal can show, over a runtime that is there."""
+
+import os
+import sys
+import time
+from pathlib import Path
+
+from onika.cli.conversation import Desk, converse, run_batch, serve
+from onika.cli.orderly_exit import in_order
+from onika.cli.plain_console import PlainConsole
+from onika.cli.terminal import Terminal
+from onika.desk.console.console import Console
+from onika.desk.console.display import Face, Tone
+from onika.desk.console.session import Runtime, Session
+from onika.store.site import Site
+
+
+class _Wire:
+    """A face that is chosen once the console, which completes what is typed, is there."""
+
+    def __init__(self) -> None:
+        self.face: Face | None = None
+
+    def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
+        """Pass it on."""
+        if self.face is not None:
+            self.face.say(line, tone)
+
+
+def sit_down(
+    runtime: Runtime, site: Site, script: Path | None, *, has_console: bool = True, addresses: tuple[str, ...] = ()
+) -> int:
+    """Hold the conversation, or carry out the script alone, or only serve; the exit code."""
+    wire = _Wire()
+    session = Session(runtime, site, wire, time.monotonic, addresses=addresses)
+    console = Console(session)
+    with in_order(), _desk(console) if has_console else PlainConsole() as desk:
+        wire.face = desk
+        faults = session.begin()
+        for fault in faults:
+            desk.say(str(fault), Tone.FAULT)
+        if faults:
+            return 1
+        _welcome(session, desk)
+        if has_console:
+            return converse(console, desk, script)
+        return serve(console) if script is None else run_batch(console, desk, script)
+
+
+def _welcome(session: Session, desk: Desk) -> None:
+    standing = session.standing()
+    units = ", ".join(one.name for one in standing.rtpus)
+    time_kind = "virtual" if standing.is_virtual else "wall"
+    desk.say(f"runtime with {units} in {time_kind} time; `help` names the commands", Tone.DIM)
+    for address in session.addresses:
+        desk.say(f"others reach it at {address}", Tone.DIM)
+
+
+def _desk(console: Console) -> Terminal | PlainConsole:
+    is_terminal = sys.stdin is not None and sys.stdin.isatty() and sys.stdout.isatty()
+    if is_terminal and os.environ.get("TERM", "dumb") != "dumb":
+        return Terminal(console.completion.candidates, _history())
+    return PlainConsole()
+
+
+def _history() -> Path:
+    """Where lines are kept for the next console: in the state directory of the XDG."""
+    state = os.environ.get("XDG_STATE_HOME", "")
+    home = Path(state) if state.startswith("/") else Path.home() / ".local" / "state"
+    return home / "onika" / "console_history"

@@ -1,0 +1,71 @@
+"""The keys that steer a run: each becomes a line of steering for the flow that is chosen (requirement E07)."""
+
+from dataclasses import dataclass, field
+
+KEYS = {
+    "p": ("pause", "pause"),
+    "c": ("continue", "continue"),
+    "s": ("step", "step"),
+    "n": ("next", "next action"),
+    "r": ("pass", "release who waits"),
+    "l": ("leave", "leave the loop"),
+    "e": ("clear", "clear and continue"),
+    "a": ("abort", "abort"),
+    "w": ("who", "who waits"),
+}
+"""Key, word of steering, what it says on the panel."""
+
+_TYPED = {"b": "break ", ":": ""}
+"""Keys after which the rest of the line is typed."""
+
+
+@dataclass(slots=True)
+class Wheel:
+    """Which flow is chosen (all, where none is), and what is being typed."""
+
+    flows: tuple[str, ...] = ()
+    chosen: int | None = None
+    has_help: bool = False
+    typed: str | None = None
+    """The line that is typed; None: none is."""
+    lines: list[str] = field(default_factory=list)
+    """What is wanted and was not taken yet."""
+
+    def press(self, key: str) -> None:
+        """Take in a key."""
+        if self.typed is not None:
+            self._type(key)
+        elif key in KEYS:
+            self._want(KEYS[key][0])
+        elif key in _TYPED:
+            self.typed = f"{_TYPED[key]}{self._flow}{' ' * bool(self._flow and _TYPED[key])}" if key == "b" else ""
+        elif key == "?":
+            self.has_help = not self.has_help
+        elif key.isdigit() and int(key) < len(self.flows) and len(self.flows) > 1:
+            self.chosen = None if self.chosen == int(key) else int(key)
+
+    def take(self) -> list[str]:
+        """The lines that are wanted now."""
+        taken, self.lines = self.lines, []
+        return taken
+
+    @property
+    def _flow(self) -> str:
+        return "" if self.chosen is None else self.flows[self.chosen]
+
+    def _want(self, word: str) -> None:
+        takes_flow = word not in ("abort", "who")
+        self.lines.append(f"{word} {self._flow}".strip() if takes_flow else word)
+
+    def _type(self, key: str) -> None:
+        text = self.typed or ""
+        match key:
+            case "enter":
+                self.lines += [text.strip()] if text.strip() else []
+                self.typed = None
+            case "backspace":
+                self.typed = text[:-1] if text else None
+            case "cut to start":
+                self.typed = ""
+            case _ if len(key) == 1:
+                self.typed = text + key

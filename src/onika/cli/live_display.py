@@ -1,0 +1,133 @@
+"""A run on a terminal: what is done above, what goes on below, redrawn as it happens; keys steer it (E07, E11)."""
+
+from time import monotonic
+from types import TracebackType
+
+from rich.console import Console
+from rich.live import Live as Screen
+from rich.text import Text
+
+from onika.cli.event_text import asked_item, lines, summary
+from onika.cli.keyboard import Keyboard
+from onika.cli.panel import Panel
+from onika.cli.typed import typed_line
+from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.preparation import PreparedRun
+from onika.desk.run import positions as places
+from onika.desk.run.outcome import Outcome
+from onika.desk.run.running_application import LINE
+from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault
+
+_LOOK_S = 0.2
+"""How often the runtime is asked at most where its flows are."""
+_STYLES = {event.Failed: "red", event.Explained: "red", event.Warned: "yellow", event.Moved: "bright_black"}
+
+
+class Live:
+    """Actions scroll by; the panel at the bottom shows every flow, the time, every task's state and the keys.
+
+    can_steer   whether somebody is at the keyboard
+    """
+
+    def __init__(self) -> None:
+        self._console = Console(highlight=False)
+        self._panel = Panel()
+        self._keyboard = Keyboard()
+        self._total = 0
+        self._has_moved = False
+        self._looked = 0.0
+        # last, because it draws at once
+        self._screen = Screen(
+            console=self._console, refresh_per_second=12, get_renderable=self._panel.draw, transient=True
+        )
+
+    def __enter__(self) -> "Live":
+        self._keyboard.__enter__()
+        self._screen.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        try:
+            self._screen.stop()
+        finally:
+            self._keyboard.__exit__(kind, fault, trace)
+
+    @property
+    def can_steer(self) -> bool:
+        """Whether somebody is at the keyboard."""
+        return self._keyboard.is_there
+
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
+        """What there is to do."""
+        del runtime_pid
+        if prepared.plan is not None:
+            self._total = max((len(flow.actions) for flow in prepared.plan.flows), default=0)
+            self._panel.begins(prepared.name, Cast.of(prepared.plan))
+            self._panel.has_keys = self.can_steer
+
+    def happens(self, one: event.Event) -> None:
+        """Remember it for the panel; say it above where it is worth a line."""
+        self._panel.happens(one)
+        self._has_moved = self._has_moved or isinstance(one, event.Began | event.Moved)
+        for line in lines(one, self._total, self._panel.cast.subsystems, self._console.width):
+            self._console.print(Text(line, style=_STYLES.get(type(one), "")))
+
+    def answer(self, asked: event.Asked) -> str | None:
+        """Ask for it in the terminal, value by value; None at the end of the input."""
+        self._screen.stop()
+        with self._keyboard.lent():
+            line = self._answers(asked)
+        if line is not None:
+            self._screen.start()
+        return line
+
+    def wishes(self) -> list[str]:
+        """What the keys want."""
+        for key in self._keyboard.pressed():
+            self._panel.wheel.press(key)
+        return self._panel.wheel.take()
+
+    def looks(self) -> bool:
+        """Now and then, where flows have moved or were steered."""
+        if not self._has_moved or monotonic() - self._looked < _LOOK_S:
+            return False
+        self._has_moved, self._looked = False, monotonic()
+        return True
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """For the panel."""
+        self._panel.place(positions)
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """What came of a line: where the flows are, or why it was not carried out."""
+        self._has_moved = True
+        self._console.print(Text(f"> {line}", style="bright_black"))
+        for text in places.lines(positions, self._panel.cast) if positions else ():
+            self._console.print(Text(text))
+        for fault in faults:
+            text = str(fault)
+            self._console.print(Text(text.partition(": ")[2] if fault.place == LINE else text, style="red"))
+
+    def ended(self, outcome: Outcome, drawn: str) -> None:
+        """The summary."""
+        good = outcome.exit_code == 0
+        for line in summary(outcome, drawn):
+            is_verdict = line.startswith(f"{outcome.name}: ")
+            style = ("bold green" if good else "bold red") if is_verdict else "red" if ": NO" in line else ""
+            self._console.print(Text(line, style=style))
+
+    def _answers(self, asked: event.Asked) -> str | None:
+        if asked.reason:
+            self._console.print(Text(asked.reason, style="magenta"))
+        words: list[str] = []
+        for one in asked.items:
+            self._console.print(Text(f"{asked.task} asks for {asked_item(one)}: "), end="")
+            line = typed_line()
+            if line is None:
+                return None
+            words.append(line)
+        return " ".join(words)

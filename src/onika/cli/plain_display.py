@@ -1,0 +1,79 @@
+"""A run as plain lines, where there is no terminal."""
+
+from types import TracebackType
+
+from onika.cli.event_text import asked_item, lines, summary
+from onika.cli.typed import typed_line
+from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.preparation import PreparedRun
+from onika.desk.run import positions as places
+from onika.desk.run.outcome import Outcome
+from onika.wire import event
+from onika.wire.steer import Position
+from onika.words.fault import Fault
+
+
+class Plain:
+    """Writes to standard output."""
+
+    def __init__(self) -> None:
+        self._total = 0
+        self._cast = Cast(())
+
+    def __enter__(self) -> "Plain":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        pass
+
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
+        """The name and how much there is to do."""
+        del runtime_pid
+        if prepared.plan is not None:
+            self._cast = Cast.of(prepared.plan)
+            self._total = max(len(flow.actions) for flow in prepared.plan.flows)
+            self._write(f"{prepared.name}: {sum(len(flow.actions) for flow in prepared.plan.flows)} actions")
+
+    def happens(self, one: event.Event) -> None:
+        """Its lines, if there are any."""
+        for line in lines(one, self._total, self._cast.subsystems):
+            self._write(line)
+
+    @property
+    def can_steer(self) -> bool:
+        """Nobody is there."""
+        return False
+
+    def wishes(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def looks(self) -> bool:
+        """Nobody does."""
+        return False
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """Nobody looks."""
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """The line of a script, and what came of it."""
+        self._write(f"> {line}")
+        for each in (*faults, *(places.lines(positions, self._cast) if positions else ())):
+            self._write(str(each))
+
+    def answer(self, asked: event.Asked) -> str | None:
+        """Ask on the terminal that input comes from; None at the end of the input."""
+        wanted = "; ".join(asked_item(one) for one in asked.items)
+        reason = f" ({asked.reason})" if asked.reason else ""
+        self._write(f"{asked.task} asks for {wanted}{reason}:")
+        return typed_line()
+
+    def ended(self, outcome: Outcome, drawn: str) -> None:
+        """The summary."""
+        for line in summary(outcome, drawn):
+            self._write(line)
+
+    def _write(self, line: str) -> None:
+        print(line, flush=True)

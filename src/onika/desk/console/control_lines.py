@@ -1,0 +1,91 @@
+"""Lines about who may move the robots: stop, reset, take, release, hand, decline, watch only, open (law 27, §E.1)."""
+
+from onika.desk.console.display import Tone
+from onika.desk.console.session import Faults, Session
+from onika.wire import holding, live, request
+
+Words = tuple[str, ...]
+
+
+def stop(session: Session, words: Words) -> Faults:
+    """Every drive holds, at once, until `reset`."""
+    faults = session.order(request.Stop(" ".join(words) or "stopped at the console"))
+    session.hear()
+    return faults
+
+
+def reset(session: Session, words: Words) -> Faults:
+    """After a stop: allow motion again; nothing moves by itself."""
+    del words
+    faults = session.order(live.Reset())
+    session.hear()
+    return faults
+
+
+def take(session: Session, words: Words) -> Faults:
+    """Become the one who may change a subsystem."""
+    return _hand(session, live.Take(words[0] if words else session.subsystem))
+
+
+def release(session: Session, words: Words) -> Faults:
+    """Let another change a subsystem."""
+    return _hand(session, live.Release(words[0] if words else session.subsystem))
+
+
+def hand(session: Session, words: Words) -> Faults:
+    """Offer a subsystem to another session; without its name what was offered is withdrawn."""
+    to, subsystem = (*words, "", "")[:2]
+    return _hand(session, holding.Hand(subsystem or session.subsystem, to))
+
+
+def decline(session: Session, words: Words) -> Faults:
+    """Say no to what is offered."""
+    return _hand(session, holding.Decline(words[0] if words else session.subsystem))
+
+
+def only_watch(session: Session) -> Faults:
+    """This console changes nothing any more."""
+    faults = _hand(session, holding.OnlyWatch())
+    if not faults:
+        session.say("this console only watches from now on; everybody can stop", Tone.NOTE)
+    return faults
+
+
+def sessions(session: Session, words: Words) -> Faults:
+    """Who is there, and what each of them holds."""
+    del words
+    answer = session.ask(holding.Sessions())
+    if not isinstance(answer, holding.Company):
+        return session.no("who is there", str(getattr(answer, "reason", answer)))
+    held: dict[str, list[str]] = {}
+    for subsystem in session.look_again().subsystems:
+        held.setdefault(subsystem.holder, []).append(subsystem.name)
+    for one in answer.sessions:
+        marks = ["this console"] if one.name == answer.you else []
+        marks += [] if one.is_here else ["away"]
+        marks += ["only watches"] if one.only_watches else []
+        marks += [f"silent for {one.lease_s:g} s at most"] if one.lease_s and one.name in held else []
+        marks += [f"holds {', '.join(held[one.name])}"] if one.name in held else []
+        session.say(f"{one.name:<16} {one.role:<11} {', '.join(marks)}".rstrip())
+    return ()
+
+
+def open_channel(session: Session, words: Words) -> Faults:
+    """Say where others reach this runtime; it listens from its start or never."""
+    if session.addresses and (not words or words[0] in session.addresses):
+        for address in session.addresses:
+            session.say(f"others reach this runtime at {address}", Tone.GOOD)
+        return ()
+    wanted = words[0] if words else "127.0.0.1:7994"
+    found = f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
+    return session.no(
+        "a runtime that was started to listen there",
+        found,
+        f"nothing is opened; end it and start `onika runtime --listen {wanted}`",
+    )
+
+
+def _hand(session: Session, asked: request.Request) -> Faults:
+    faults = session.order(asked)
+    session.hear()
+    return faults

@@ -1,0 +1,111 @@
+"""Tasks whose files are followed: when a file changes, the task's code is exchanged (requirements A14, X15)."""
+
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+
+from onika.desk.console.display import Tone
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.task_lines import missing
+from onika.desk.console.tuning_lines import code_file, exchange
+from onika.words.fault import Place
+
+Words = tuple[str, ...]
+_PERIOD_S = 1.0
+_TRIES = 5
+
+
+@dataclass(slots=True)
+class _File:
+    """What a file was like when it was last looked at."""
+
+    path: Path
+    time_ns: int
+    digest: str
+    tries: int = 0
+    """How often this content was refused by the runtime, without anything being wrong with it."""
+
+
+class Follow:
+    """What is followed; files are looked at once a second: first at their times, then at their content."""
+
+    def __init__(self) -> None:
+        self._files: dict[tuple[str, str], _File] = {}
+        self._due_s = 0.0
+
+    def command(self, session: Session, words: Words) -> Faults:
+        """`follow TASK [FILE]`; `follow off [TASK]` ends it; without words it says what is followed."""
+        if not words:
+            for (subsystem, name), file in self._files.items():
+                session.say(f"{subsystem}/{name} follows {file.path}")
+            if not self._files:
+                session.say("nothing is followed", Tone.DIM)
+            return ()
+        if words[0] == "off":
+            gone = {session.address(word) for word in words[1:]} or set(self._files)
+            self._files = {address: file for address, file in self._files.items() if address not in gone}
+            return ()
+        subsystem, name = session.address(words[0])
+        faults = missing(session, subsystem, (name,))
+        if faults:
+            return faults
+        path = Path(words[1]) if len(words) > 1 else code_file(session, subsystem, name)
+        found = None if path is None else _look(path)
+        if path is None or found is None:
+            return session.no("the file of its code", f"none of {words[0]!r}" if path is None else f"nothing at {path}")
+        self._files[subsystem, name] = found
+        session.say(f"{subsystem}/{name} follows {path}", Tone.DIM)
+        return ()
+
+    def tick(self, session: Session) -> None:
+        """Exchange what has changed, when it is time to look."""
+        if not self._files or session.clock() < self._due_s:
+            return
+        self._due_s = session.clock() + _PERIOD_S
+        for (subsystem, name), file in list(self._files.items()):
+            if name not in session.tasks(subsystem):
+                del self._files[subsystem, name]
+                session.say(f"{subsystem}/{name} lives no more and is not followed any more", Tone.NOTE)
+            elif _has_changed(file) or 0 < file.tries < _TRIES:
+                self._exchange(session, subsystem, name, file)
+
+    def _exchange(self, session: Session, subsystem: str, name: str, file: _File) -> None:
+        former, session.place = session.place, Place(str(file.path))
+        try:
+            faults = exchange(session, subsystem, name, file.path)
+        finally:
+            session.place = former
+        is_refused = bool(faults) and all(fault.place == Place(str(file.path)) for fault in faults)
+        file.tries = file.tries + 1 if is_refused else 0
+        for fault in faults:
+            session.say(str(fault), Tone.FAULT)
+        if is_refused and file.tries < _TRIES:
+            session.say(f"{subsystem}/{name} goes on with its old code; it is tried again in a second", Tone.NOTE)
+        elif faults:
+            session.say(f"{subsystem}/{name} goes on with its old code", Tone.NOTE)
+        else:
+            session.say(f"{subsystem}/{name} runs the new code of {file.path}", Tone.GOOD)
+
+
+def _look(path: Path) -> _File | None:
+    try:
+        return _File(path, path.stat().st_mtime_ns, sha256(path.read_bytes()).hexdigest())
+    except OSError:
+        return None
+
+
+def _has_changed(file: _File) -> bool:
+    """Whether there is new content; a file that is just being exchanged for another is looked at next time."""
+    try:
+        if file.path.stat().st_mtime_ns == file.time_ns:
+            return False
+    except OSError:
+        return False
+    new = _look(file.path)
+    if new is None:
+        return False
+    changed = new.digest != file.digest
+    file.time_ns, file.digest = new.time_ns, new.digest
+    if changed:
+        file.tries = 0
+    return changed

@@ -1,0 +1,188 @@
+"""Lines that look and change nothing: status, tasks, library, rtpus, subsystems, vars, read, check (A06, A11, A12)."""
+
+import re
+from fnmatch import fnmatchcase
+from typing import Any
+
+from onika.desk.console import status as columns
+from onika.desk.console.display import Tone
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.site_library import Library
+from onika.desk.console.task_lines import missing
+from onika.desk.console.value import shown, type_of
+from onika.desk.run import text_table
+from onika.wire import live, request
+from onika.words.name import TASK_NAME
+
+Words = tuple[str, ...]
+_ELEMENT = re.compile(r"([^\[\]]+)\[(\d+(?:,\d+)*)\]\Z")
+
+
+def status(session: Session, words: Words) -> Faults:
+    """Figures of all tasks in the columns that the user prefers, or every figure of the tasks named."""
+    figures = session.ask(live.Status())
+    if not isinstance(figures, live.Figures):
+        return refused(session, "figures", figures)
+    if not words:
+        preferences, _ = session.site.preferences()
+        session.show(columns.overview(list(figures.tasks), preferences.status_columns))
+    for word in words:
+        subsystem, name = session.address(word)
+        found = [one for one in figures.tasks if (one.subsystem, one.task) == (subsystem, name)]
+        if not found:
+            return missing(session, subsystem, (name,)) or session.no("figures of a task", f"none of {word!r}")
+        session.show(columns.whole(found[0]))
+    if figures.loads:
+        session.say("load: " + "  ".join(f"{name} {load:.1%}" for name, load in sorted(figures.loads.items())))
+    for sentence in figures.overloads:
+        session.say(sentence, Tone.FAULT)
+    return ()
+
+
+def tasks(session: Session, words: Words) -> Faults:
+    """The living tasks of every subsystem, or of one."""
+    rows = [
+        (f"{subsystem.name}/{one.task.name}", one.state, one.rtpu, _hz(one.frequency), one.reason)
+        for subsystem in session.look_again().subsystems
+        for one in subsystem.tasks
+        if (not words or subsystem.name == words[0]) and one.state != "KILLED"
+    ]
+    if rows:
+        session.show(text_table.lines(("task", "state", "rtpu", "Hz", ""), rows))
+    else:
+        session.say("no task lives here: `spawn TASK`, or `config NAME`; `library` says what there is", Tone.DIM)
+    return ()
+
+
+def library(session: Session, words: Words) -> Faults:
+    """What the search path offers: tasks with what they do, configurations, applications."""
+    offered = Library(session.site, session.place)
+    pattern = words[0] if words else "*"
+    rows = []
+    for name in offered.tasks:
+        if fnmatchcase(name, pattern):
+            task, _ = offered.task(name)
+            rows.append((name, "task", task.description if task is not None else "its file has faults"))
+    rows += [(name, "configuration", "") for name in offered.configurations if fnmatchcase(name, pattern)]
+    rows += [(name, "application", "") for name in offered.applications if fnmatchcase(name, pattern)]
+    session.show(text_table.lines(("name", "", ""), rows) if rows else ["nothing is called so"])
+    return ()
+
+
+def rtpus(session: Session, words: Words) -> Faults:
+    """The processing units, whether they live, and their loads."""
+    del words
+    units = session.look_again().rtpus
+    rows = [(one.name, "LOST" if one.is_lost else "alive", f"{one.load:.1%}") for one in units]
+    session.show(text_table.lines(("rtpu", "", "load"), rows))
+    return ()
+
+
+def subsystems(session: Session, words: Words) -> Faults:
+    """The subsystems, who holds them and what they run."""
+    del words
+    found = session.look_again().subsystems
+    rows = [
+        ("*" if one.name == session.subsystem else "", one.name, str(len(one.tasks)), one.holder or "nobody",
+         one.application or "by hand")
+        for one in found
+    ]  # fmt: skip
+    if session.subsystem not in {one.name for one in found}:
+        rows.append(("*", session.subsystem, "0", "nobody", "comes into being with its first task"))
+    session.show(text_table.lines(("", "subsystem", "tasks", "holder", "moved"), rows))
+    return ()
+
+
+def choose(session: Session, words: Words) -> Faults:
+    """Choose the subsystem that names without one mean from now on; it need not be there yet."""
+    if not words:
+        session.say(session.subsystem)
+        return ()
+    if not TASK_NAME.match(words[0]):
+        return session.no("a name of letters, digits and _ . - that begins with a letter", repr(words[0]))
+    session.subsystem = words[0]
+    return ()
+
+
+def variables(session: Session, words: Words) -> Faults:
+    """The variables of the subsystem with their types and values, all or those of a pattern."""
+    subsystem, pattern = session.address(words[0] if words else "*")
+    answer = session.ask(live.Read(subsystem))
+    if not isinstance(answer, live.Values):
+        return refused(session, f"variables of {subsystem}", answer)
+    types = types_of(answer)
+    names = [name for name in sorted(answer.values) if fnmatchcase(name, pattern)]
+    rows = [(name, types[name], " ".join(_one_line(name, answer.values[name]))) for name in names]
+    session.show(
+        text_table.lines(("variable", "type", "value"), rows) if rows else [f"{subsystem} has no such variable"]
+    )
+    return ()
+
+
+def read(session: Session, words: Words) -> Faults:
+    """The values of variables now."""
+    for word in words:
+        subsystem, name = session.address(word)
+        found, faults = value(session, subsystem, name)
+        if faults:
+            return faults
+        for line in shown(word, found):
+            session.say(line)
+    return ()
+
+
+def value(session: Session, subsystem: str, name: str) -> tuple[Any, Faults]:
+    """The value of a variable now, or of an element as in `Q_MEZ[2]`; a fault where there is none."""
+    found = _ELEMENT.match(name)
+    if found:
+        whole, faults = value(session, subsystem, found[1])
+        return (None, faults) if faults else _element(session, name, whole, found[2])
+    answer = session.ask(live.Read(subsystem, (name,)))
+    if not isinstance(answer, live.Values):
+        return None, refused(session, f"the variable {name} of {subsystem}", answer)
+    if name not in answer.values:
+        return None, session.no(f"a variable of {subsystem}", repr(name))
+    return answer.values[name], ()
+
+
+def check(session: Session, words: Words) -> Faults:
+    """Check the memory of variables; each finding is a fault (requirement A12)."""
+    names = words or tuple(one.name for one in session.look_again().subsystems)
+    faults: Faults = ()
+    for name in names:
+        answer = session.ask(live.Check(name))
+        if not isinstance(answer, live.Findings):
+            faults += refused(session, f"a check of {name}", answer)
+            continue
+        for finding in answer.findings:
+            faults += session.no(f"sound memory of variables in {name}", finding, "the tasks go on")
+        if not answer.findings:
+            session.say(f"{name}: the memory of variables is sound", Tone.GOOD)
+    return faults
+
+
+def refused(session: Session, expected: str, answer: request.Response) -> Faults:
+    """The fault of an answer that is not what was asked for."""
+    return session.no(expected, answer.reason if isinstance(answer, request.Refused) else str(answer))
+
+
+def types_of(values: live.Values) -> dict[str, str]:
+    """The type of each variable: as the runtime says, else as its value looks."""
+    return {name: values.types.get(name) or type_of(found) for name, found in values.values.items()}
+
+
+def _element(session: Session, name: str, found: Any, index: str) -> tuple[Any, Faults]:
+    for place in map(int, index.split(",")):
+        if not isinstance(found, list) or place >= len(found):
+            return None, session.no("an element, counted from 0", repr(name))
+        found = found[place]
+    return found, ()
+
+
+def _one_line(name: str, found: Any) -> list[str]:
+    lines = [line.partition(" = ")[2] for line in shown(name, found)]
+    return lines[:1] + ["…"] * (len(lines) > 1)
+
+
+def _hz(frequency: float | None) -> str:
+    return "-" if frequency is None else f"{frequency:g}"

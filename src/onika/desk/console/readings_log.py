@@ -1,0 +1,45 @@
+"""A log of the readings as they stand: one file, written whole or not at all (requirement A12).
+
+A line for each variable: time in s, subsystem, name, type, then all values row by row, parted by blanks; texts in
+double quotes as in an argument line. Lines that begin with `#` say when and what.
+"""
+
+from datetime import datetime
+from pathlib import Path
+
+from onika.desk.console.inspection import refused, types_of
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.value import words as exact
+from onika.files import whole
+from onika.wire import live
+from onika.words.fault import Refusal
+
+Words = tuple[str, ...]
+
+
+def log(session: Session, words: Words) -> Faults:
+    """Write the present readings of all subsystems, or of those named, to a file; an old one is replaced."""
+    path = Path(words[0]).expanduser()
+    subsystems = words[1:] or tuple(one.name for one in session.look_again().subsystems)
+    lines: list[str] = []
+    for subsystem in subsystems:
+        answer = session.ask(live.Read(subsystem))
+        if not isinstance(answer, live.Values):
+            return refused(session, f"variables of {subsystem}", answer)
+        lines += rows(subsystem, answer)
+    moment = datetime.now().astimezone().isoformat(timespec="seconds")
+    head = f"# readings at {moment}\n# TIME SUBSYSTEM NAME TYPE VALUES\n"
+    written = whole.write(path, head + "".join(line + "\n" for line in lines), whole.ANYTHING)
+    if isinstance(written, Refusal):
+        return session.no("a file that can be written", str(written), "nothing is written")
+    session.say(f"{path}: {len(lines)} variable{'s' if len(lines) != 1 else ''}")
+    return ()
+
+
+def rows(subsystem: str, values: live.Values) -> list[str]:
+    """One line for each variable, by name."""
+    types = types_of(values)
+    return [
+        f"{values.now_s:.6f} {subsystem} {name} {types[name]} {exact(values.values[name])}"
+        for name in sorted(values.values)
+    ]

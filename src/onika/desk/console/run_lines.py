@@ -1,0 +1,79 @@
+"""Lines that run applications: run, abort, home, calibrate (requirement A16, §E.1)."""
+
+from onika.desk.console.display import Tone
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.site_library import Library
+from onika.desk.console.time_lines import ended, until_asked
+from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.preparation import prepare_run
+from onika.desk.run.steering_fault import objection
+from onika.model.redirect import Redirect
+from onika.wire import request
+from onika.words.fault import Place
+
+Words = tuple[str, ...]
+HOME = "go_home"
+CALIBRATE = "calibrate"
+
+
+def run(session: Session, words: Words) -> Faults:
+    """Begin an application; in a script, go on to its end, or to a question, which the next line may answer."""
+    faults = begin(session, words)
+    if faults or not session.in_script:
+        return faults
+    faults = until_asked(session)
+    return faults if faults or session.running else ended(session)
+
+
+def begin(session: Session, words: Words) -> Faults:
+    """Begin an application, and go on with the next line at once, in a script too."""
+    if session.running:
+        return session.no("no application that runs", session.running)
+    try:
+        redirects = tuple(map(Redirect.parse, words[1:]))
+    except ValueError as wrong:
+        return (objection(Place("line"), str(wrong), "nothing is run"),)
+    prepared = prepare_run(words[0], session.site, redirects)
+    for note in prepared.notes:
+        session.say(f"note: {note}", Tone.NOTE)
+    if prepared.faults or prepared.plan is None:
+        return prepared.faults
+    faults = session.order(request.Prepare(prepared.plan, prepared.targets))
+    on_error = "abort" if session.in_script else "wait"
+    faults = faults or session.order(request.Begin(may_ask=True, on_error=on_error))
+    if faults:
+        return faults
+    session.running, session.result = prepared.name, None
+    session.cast = Cast.of(prepared.plan)
+    session.running_in = frozenset(flow.subsystem for flow in prepared.plan.flows)
+    total = sum(len(flow.actions) for flow in prepared.plan.flows)
+    session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
+    return ()
+
+
+def abort(session: Session, words: Words) -> Faults:
+    """End the run: tasks off, drives in hold."""
+    is_there = session.running or any(one.application for one in session.look_again().subsystems)
+    if not is_there:
+        return session.no("an application that runs", "none")
+    cause = " ".join(words) or "aborted by the user"
+    faults = session.order(request.Abort(cause))
+    if not session.running:  # one that somebody left alone
+        session.hear()
+        return faults
+    return faults or session.until(lambda: not session.running, "the end of the run")
+
+
+def home(session: Session, words: Words) -> Faults:
+    """Run the application `go_home`."""
+    del words
+    return run(session, (HOME,))
+
+
+def calibrate(session: Session, words: Words) -> Faults:
+    """Run the application `calibrate_ROBOT`, or `calibrate`, of the laboratory."""
+    name = f"{CALIBRATE}_{words[0]}" if words else CALIBRATE
+    if name in Library(session.site, session.place).applications:
+        return run(session, (name,))
+    expected = f"an application {name} on the search path, which knows how this robot is calibrated"
+    return session.no(expected, "none", "nothing moves; the shipped arms measure absolute angles and need none")

@@ -1,0 +1,108 @@
+"""Tasks, code and targets as a console takes them from the search path: by name, or with the reason."""
+
+from collections.abc import Iterable
+from difflib import get_close_matches
+from hashlib import sha256
+from pathlib import Path
+
+import msgspec
+
+from onika.desk.plan.compile import UNKNOWN, planned_task
+from onika.model.configuration import Configuration
+from onika.model.task import Task
+from onika.store.site import Site
+from onika.wire.plan import Code, PlannedTask
+from onika.words.fault import Fault, Place
+
+Faults = tuple[Fault, ...]
+_INSTEAD = "nothing is changed"
+
+
+class Library:
+    """What a site offers; reads anew each time, so that an edited file counts at once. Faults stand at `place`."""
+
+    def __init__(self, site: Site, place: Place) -> None:
+        self._site = site
+        self._place = place
+
+    @property
+    def tasks(self) -> tuple[str, ...]:
+        """The names of all tasks, in order."""
+        return _names(base.tasks for base in self._site.directories)
+
+    @property
+    def configurations(self) -> tuple[str, ...]:
+        """The names of all configurations, in order."""
+        return _names(base.configurations for base in self._site.directories)
+
+    @property
+    def applications(self) -> tuple[str, ...]:
+        """The names of all applications, in order."""
+        return _names(base.applications for base in self._site.directories)
+
+    def task(self, name: str) -> tuple[Task | None, Faults]:
+        """A task by its name."""
+        record, faults = self._site.task(name)
+        if record is None:
+            return None, faults or self._none("a task", name, self.tasks)
+        return record.task, faults
+
+    def configuration(self, name: str) -> tuple[Configuration | None, Faults]:
+        """A configuration by its name."""
+        found, faults = self._site.configuration(name)
+        if found is None:
+            return None, faults or self._none("a configuration", name, self.configurations)
+        return found, faults
+
+    def planned(self, name: str, rtpu: str = UNKNOWN) -> tuple[PlannedTask | None, Code | None, Faults]:
+        """A task as a runtime takes it, and its code; None with the faults where one of them is missing."""
+        task, faults = self.task(name)
+        home = self._site.home_of_task(name)
+        if task is None or home is None or faults:
+            return None, None, faults
+        file = str(home.task_file(name))
+        path = self._site.code_file(task)
+        if path is None:
+            expected = f"{task.module}.py on the search path, as MODULE says"
+            return None, None, (Fault(Place(file), expected, "none", _INSTEAD),)
+        code, faults = self.code(task.module, path)
+        if code is None:
+            return None, None, faults
+        return planned_task(task, rtpu, code.digest, file), code, ()
+
+    def code(self, module: str, path: Path) -> tuple[Code | None, Faults]:
+        """The code of a module as it stands in a file now."""
+        try:
+            source = path.read_text(encoding="utf-8")
+        except (OSError, UnicodeDecodeError) as wrong:
+            return None, (Fault(Place(str(path)), f"the source of module {module}", str(wrong), _INSTEAD),)
+        return Code(sha256(source.encode()).hexdigest(), module, str(path), source), ()
+
+    def arguments(self, text: str) -> tuple[str, Faults]:
+        """An argument line: as it is, or the values of a target where it says `@TARGET`."""
+        if not text.startswith("@"):
+            return text, ()
+        types, faults = self._site.syntax()
+        if types is None:
+            return "", faults
+        onikon, faults = self._site.onikon(text[1:], types)
+        if onikon is None:
+            known = _names(base.onikons for base in self._site.directories)
+            return "", faults or self._none("a target", text[1:], known)
+        if not onikon.values:
+            return "", (Fault(self._place, f"a target with values, as in {text}", "none in it", _INSTEAD),)
+        return onikon.argument_line(types), faults
+
+    def _none(self, what: str, name: str, known: tuple[str, ...]) -> Faults:
+        near = get_close_matches(name, known, 3)
+        hint = f" (near it: {', '.join(near)})" if near else f" (there are {len(known)})"
+        return (Fault(self._place, f"{what} on the search path{hint}", repr(name), _INSTEAD),)
+
+
+def altered(task: PlannedTask, name: str, frequency: float | None) -> PlannedTask:
+    """A planned task under another name or at another rate, where they are given."""
+    return msgspec.structs.replace(task, name=name or task.name, frequency=frequency or task.frequency)
+
+
+def _names(several: Iterable[tuple[str, ...]]) -> tuple[str, ...]:
+    return tuple(sorted({name for names in several for name in names}))

@@ -1,0 +1,206 @@
+"""Lines that bring tasks to life and to their end: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.site_library import Library, altered
+from onika.desk.plan.compile import UNKNOWN
+from onika.model.configuration import Configuration
+from onika.wire import live
+from onika.wire.plan import Code, PlannedTask
+
+Words = tuple[str, ...]
+ALL = "all"
+
+
+@dataclass(frozen=True, slots=True)
+class _Wish:
+    """What `spawn` was told: names, and what follows them."""
+
+    names: Words
+    rtpu: str = UNKNOWN
+    name: str = ""
+    frequency: float | None = None
+
+
+def spawn(session: Session, words: Words) -> Faults:
+    """Bring tasks to life, OFF."""
+    if words[:2] == (ALL, "of"):
+        return _spawn_all(session, words[2:])
+    wish = _wish(session, words)
+    if not isinstance(wish, _Wish):
+        return wish
+    if wish.name and len(wish.names) != 1:
+        return session.no("one task before `as`", str(len(wish.names)))
+    subsystem, _ = session.address(wish.names[0])
+    planned: list[PlannedTask] = []
+    code: dict[str, Code] = {}
+    faults: Faults = _unit_there(session, wish.rtpu)
+    for address in wish.names:
+        home, name = session.address(address)
+        if home != subsystem:
+            faults += session.no(f"tasks of one subsystem, as {subsystem}", home)
+        task, source, wrong = Library(session.site, session.place).planned(name, wish.rtpu)
+        faults += wrong
+        if task is not None and source is not None:
+            planned.append(altered(task, wish.name, wish.frequency))
+            code[source.digest] = source
+    return faults or session.order(live.Change(subsystem, spawn=tuple(planned), code=tuple(code.values())))
+
+
+def on(session: Session, words: Words) -> Faults:
+    """Turn a task ON, with its argument line; `all` turns all ON that are OFF."""
+    if words == (ALL,):
+        resting = [name for name, one in session.tasks().items() if one.state == "OFF"]
+        return session.order(live.Change(session.subsystem, on=tuple(live.Turn(name) for name in resting)))
+    subsystem, name = session.address(words[0])
+    line, faults = Library(session.site, session.place).arguments(words[1] if len(words) > 1 else "")
+    faults = faults or missing(session, subsystem, (name,))
+    return faults or session.order(live.Change(subsystem, on=(live.Turn(name, line),)))
+
+
+def off(session: Session, words: Words) -> Faults:
+    """Turn tasks OFF; all of them where none is named."""
+    if words in ((), (ALL,)):
+        moving = tuple(name for name, one in session.tasks().items() if one.state in ("ON", "ASKING"))
+        return session.order(live.Change(session.subsystem, off=moving)) if moving else ()
+    return _several(session, words, lambda subsystem, names: live.Change(subsystem, off=names))
+
+
+def kill(session: Session, words: Words) -> Faults:
+    """End tasks, or all of the subsystem, which then is no more."""
+    if words == (ALL,):
+        return session.order(live.Close(session.subsystem)) if session.tasks() else ()
+    return _several(session, words, lambda subsystem, names: live.Change(subsystem, kill=names))
+
+
+def clear(session: Session, words: Words) -> Faults:
+    """Bring a task out of ERROR, or, without a name, every task of the subsystem that is in it."""
+    if not words:
+        broken = [name for name, one in session.tasks().items() if one.state == "ERROR"]
+        return tuple(fault for name in broken for fault in session.order(live.Clear(session.subsystem, name)))
+    subsystem, name = session.address(words[0])
+    return missing(session, subsystem, (name,)) or session.order(live.Clear(subsystem, name))
+
+
+def configure(session: Session, words: Words) -> Faults:
+    """Have exactly the tasks of a configuration, ON: what is in both keeps cycling untouched (requirement A13)."""
+    library = Library(session.site, session.place)
+    configuration, faults = library.configuration(words[0])
+    line, wrong = library.arguments(words[1] if len(words) > 1 else "")
+    if configuration is None or faults or wrong:
+        return faults + wrong
+    living = session.tasks()
+    names = tuple(one.task for one in configuration.placed)
+    planned, code, faults = _placed(session, configuration, set(living))
+    starts = []
+    for name in names:
+        task, wrong = library.task(name)
+        faults += wrong
+        if task is not None and (name not in living or living[name].state != "ON"):
+            starts.append(live.Turn(name, line if task.object_type else ""))
+    change = live.Change(
+        session.subsystem,
+        kill=tuple(name for name in living if name not in names),
+        spawn=planned,
+        code=code,
+        on=tuple(starts),
+        rates=tuple(
+            (one.task, one.frequency)
+            for one in configuration.placed
+            if one.frequency and one.task in living and living[one.task].frequency is not None
+        ),
+    )
+    return tuple(dict.fromkeys(faults)) or session.order(change)
+
+
+def missing(session: Session, subsystem: str, names: Words) -> Faults:
+    """A fault for each task that does not live."""
+    living = session.tasks(subsystem)
+    there = f" ({', '.join(living)})" if living else " (there is none)"
+    return tuple(
+        fault
+        for name in names
+        if name not in living
+        for fault in session.no(f"a living task of {subsystem}{there}", repr(name))
+    )
+
+
+def _several(session: Session, words: Words, change: Callable[[str, Words], live.Change]) -> Faults:
+    """One change for each subsystem that is named."""
+    groups: dict[str, list[str]] = {}
+    for word in words:
+        subsystem, name = session.address(word)
+        groups.setdefault(subsystem, []).append(name)
+    faults: Faults = ()
+    for subsystem, names in groups.items():
+        faults += missing(session, subsystem, tuple(names))
+    if faults:
+        return faults
+    for subsystem, names in groups.items():
+        faults += session.order(change(subsystem, tuple(names)))
+    return faults
+
+
+def _spawn_all(session: Session, words: Words) -> Faults:
+    if len(words) != 1:
+        return session.no("`spawn all of CONFIGURATION`", f"`{' '.join(('spawn all of', *words))}`")
+    configuration, faults = Library(session.site, session.place).configuration(words[0])
+    if configuration is None or faults:
+        return faults
+    planned, code, faults = _placed(session, configuration, set(session.tasks()))
+    if faults or not planned:
+        return faults
+    return session.order(live.Change(session.subsystem, spawn=planned, code=code))
+
+
+def _placed(
+    session: Session, configuration: Configuration, living: set[str]
+) -> tuple[tuple[PlannedTask, ...], tuple[Code, ...], Faults]:
+    """The tasks of a configuration that do not live yet, on their units and at their rates."""
+    planned: list[PlannedTask] = []
+    code: dict[str, Code] = {}
+    faults: Faults = ()
+    known = {one.name for one in session.standing().rtpus}
+    for one in configuration.placed:
+        if one.task in living:
+            continue
+        rtpu = one.rtpu if one.rtpu in known else UNKNOWN  # as in a run: an unknown unit is the first one
+        task, source, wrong = Library(session.site, session.place).planned(one.task, rtpu)
+        faults += wrong
+        if task is not None and source is not None:
+            planned.append(altered(task, "", one.frequency if task.frequency is not None else None))
+            code[source.digest] = source
+    return tuple(planned), tuple(code.values()), faults
+
+
+def _wish(session: Session, words: Words) -> _Wish | Faults:
+    """`TASK… [on RTPU] [as NAME] [at HZ]`."""
+    start = next((place for place, word in enumerate(words) if word in ("on", "as", "at")), len(words))
+    names, rest = words[:start], words[start:]
+    found = dict(zip(rest[::2], rest[1::2], strict=False))
+    if not names or len(rest) % 2 or len(found) * 2 != len(rest) or set(found) - {"on", "as", "at"}:
+        return session.no("`spawn TASK… [on RTPU] [as NAME] [at HZ]`", f"`spawn {' '.join(words)}`")
+    frequency = None
+    if "at" in found:
+        frequency = positive(found["at"])
+        if frequency is None:
+            return session.no("a rate in hertz after `at`", repr(found["at"]))
+    return _Wish(names, found.get("on", UNKNOWN), found.get("as", ""), frequency)
+
+
+def positive(text: str) -> float | None:
+    """A number above 0 and finite; None for anything else."""
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if 0.0 < number < float("inf") else None
+
+
+def _unit_there(session: Session, rtpu: str) -> Faults:
+    known = [one.name for one in session.standing().rtpus]
+    if rtpu == UNKNOWN or rtpu in known:
+        return ()
+    return session.no(f"one of the units {', '.join(known)}", repr(rtpu))

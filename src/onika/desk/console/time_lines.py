@@ -1,0 +1,167 @@
+"""Letting time pass: `advance`, and `wait` for seconds, a state, a variable, the end of a run (A16, law 15)."""
+
+import re
+from collections.abc import Callable
+
+from onika.desk.console.inspection import value
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.steering_lines import where
+from onika.desk.console.task_lines import missing, positive
+from onika.model.lifecycle import State
+from onika.wire import live, request
+from onika.words.condition import Condition
+
+Words = tuple[str, ...]
+_WITHIN = re.compile(r"(.*?)\s+within\s+(\S+)\s*\Z")
+_USUAL_S = 60.0
+_SLICE_S = 0.25
+"""Of virtual time: between two slices events are told and Ctrl-C is heard."""
+_FLOW_STATES = ("paused", "waiting", "stopped", "running", "done")
+_STEP_S = 0.02
+"""How often a condition is looked at."""
+
+
+def advance(session: Session, words: Words) -> Faults:
+    """In virtual time: let so many seconds pass."""
+    seconds = positive(words[0])
+    if seconds is None:
+        return session.no("seconds above 0", repr(words[0]))
+    if not session.standing().is_virtual:
+        return session.no("a runtime in virtual time", "one in wall time, where time passes by itself")
+    return _advance(session, seconds)
+
+
+def wait(session: Session, words: Words) -> Faults:
+    """Wait for seconds of the runtime's time, or until a condition holds."""
+    text = words[0]
+    seconds = positive(text)
+    if seconds is not None:
+        return _advance(session, seconds) if session.standing().is_virtual else _sleep(session, seconds)
+    found = _WITHIN.match(text)
+    condition, limit = (found[1], positive(found[2])) if found else (text, _USUAL_S)
+    if limit is None:
+        return session.no("seconds after `within`", repr(text))
+    if condition == "run":
+        return ended(session, None if found is None else limit)
+    parts = condition.split()
+    if len(parts) == 2 and parts[1] in _FLOW_STATES:
+        return _flow(session, parts[0], parts[1], limit)
+    if len(parts) == 2 and parts[1].upper() in State.__members__:
+        return _state(session, parts[0], parts[1].upper(), limit)
+    try:
+        expectation = Condition.parse(condition)
+    except ValueError:
+        expected = "seconds, `run`, `TASK STATE`, `FLOW STATE` or a comparison such as `LAMP == 1`, or so `within S`"
+        return session.no(expected, repr(text))
+    return _variable(session, expectation, limit)
+
+
+def ended(session: Session, within_s: float | None = None) -> Faults:
+    """Wait for the end of the run; a fault where it is not completed."""
+    if not session.running and session.result is None:
+        return session.no("a run to wait for", "none")
+    faults = until_asked(session, within_s)
+    if faults or session.running:
+        return faults or _asked(session)
+    result = session.result
+    if result is None or result.completed:
+        return ()
+    return session.no("the run completed", f"it was aborted: {result.cause}", "the robot holds")
+
+
+def until_asked(session: Session, within_s: float | None = None) -> Faults:
+    """Wait until the run is over or one of the tasks asks; a fault where neither is so within the seconds."""
+    limit = float("inf") if within_s is None else within_s
+    name = session.running
+    return session.until(lambda: not session.running or bool(session.questions), f"the end of {name}", limit)
+
+
+def _state(session: Session, address: str, state: str, limit: float) -> Faults:
+    subsystem, name = session.address(address)
+    if state != State.KILLED.value:
+        faults = missing(session, subsystem, (name,))
+        if faults:
+            return faults
+
+    def now() -> str:
+        task = session.tasks(subsystem).get(name)
+        return State.KILLED.value if task is None else task.state
+
+    return _until(session, lambda: now() == state, limit, f"{address} {state}", now)
+
+
+def _flow(session: Session, name: str, state: str, limit: float) -> Faults:
+    def now() -> str:
+        return next((one.state for one in where(session) if one.subsystem == name), "gone")
+
+    if now() == "gone":
+        return session.no("a flow of an application that runs", repr(name))
+    return _until(session, lambda: now() == state, limit, f"{name} {state}", now)
+
+
+def _variable(session: Session, expectation: Condition, limit: float) -> Faults:
+    subsystem, name = session.address(expectation.address)
+    _, faults = value(session, subsystem, name)
+    if faults:
+        return faults
+    seen: dict[str, object] = {}
+
+    def holds() -> bool:
+        seen[expectation.address] = value(session, subsystem, name)[0]
+        return expectation.holds(seen)
+
+    return _until(session, holds, limit, expectation.text, lambda: str(expectation.found(seen)))
+
+
+def _until(
+    session: Session, reached: Callable[[], bool], limit: float, expected: str, found: Callable[[], str]
+) -> Faults:
+    """Let time pass, the runtime's own, until something is so."""
+    virtual = session.standing().is_virtual
+    until_s = _now(session, virtual) + limit
+    while not reached():
+        if session.is_interrupted():
+            return session.interrupt()
+        if _now(session, virtual) >= until_s - 1e-9:
+            return session.no(f"{expected} within {limit:g} s", found(), "the line is given up")
+        if not virtual:
+            session.hear(_STEP_S)
+            continue
+        faults = _advance(session, _STEP_S)
+        if faults:
+            return faults
+    return ()
+
+
+def _now(session: Session, virtual: bool) -> float:
+    """The time that counts, in s: the runtime's own where it can be stopped and hurried."""
+    return session.look_again().now_s if virtual else session.clock()
+
+
+def _sleep(session: Session, seconds: float) -> Faults:
+    until_s = session.clock() + seconds
+    while (rest := until_s - session.clock()) > 0:
+        if session.is_interrupted():
+            return session.interrupt()
+        session.hear(min(rest, 0.05))
+    return ()
+
+
+def _advance(session: Session, seconds: float) -> Faults:
+    """In slices on a grid of their own, so that the sum is the number that was asked for."""
+    count = max(1, round(seconds / _SLICE_S))
+    for _ in range(count):
+        if session.is_interrupted():
+            return session.interrupt()
+        if session.questions:
+            return _asked(session)
+        answer = session.ask(live.Advance(seconds / count))
+        session.hear()
+        if isinstance(answer, request.Refused):
+            return session.no("the clock to go on", answer.reason)
+    return ()
+
+
+def _asked(session: Session) -> Faults:
+    asking = ", ".join("/".join(one) for one in session.questions)
+    return session.no("no task that asks, for nothing goes on until it is answered", asking)

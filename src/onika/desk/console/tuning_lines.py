@@ -1,0 +1,113 @@
+"""Lines that alter a living task: rate, reinit, swap, get, set, answer (requirements A04, A10, A13, X15)."""
+
+from pathlib import Path
+
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.site_library import Library
+from onika.desk.console.task_lines import missing, positive
+from onika.wire import live, request
+from onika.words.argument import join
+
+Words = tuple[str, ...]
+
+
+def rate(session: Session, words: Words) -> Faults:
+    """Another rate, while the task runs."""
+    subsystem, name = session.address(words[0])
+    hz = positive(words[1])
+    if hz is None:
+        return session.no("a rate in hertz", repr(words[1]))
+    return missing(session, subsystem, (name,)) or session.order(live.Change(subsystem, rates=((name, hz),)))
+
+
+def reinit(session: Session, words: Words) -> Faults:
+    """Initialise a task anew, with another LOCAL line where one is given."""
+    subsystem, name = session.address(words[0])
+    faults = missing(session, subsystem, (name,))
+    if faults or len(words) == 1:
+        return faults or session.order(live.Reinit(subsystem, name))
+    key, values = words[1], words[2:]
+    if not values:
+        return session.no(f"the words of the LOCAL line {key}", "none")
+    local = dict(session.tasks(subsystem)[name].task.local) | {key: values}
+    return session.order(live.Reinit(subsystem, name, tuple(local.items())))
+
+
+def swap(session: Session, words: Words) -> Faults:
+    """Exchange the code of a living task: for what its file holds now, or for another file."""
+    subsystem, name = session.address(words[0])
+    faults = missing(session, subsystem, (name,))
+    if faults:
+        return faults
+    path = Path(words[1]) if len(words) > 1 else code_file(session, subsystem, name)
+    if path is None:
+        module = session.tasks(subsystem)[name].task.module
+        return session.no(f"{module}.py on the search path", "none")
+    return exchange(session, subsystem, name, path)
+
+
+def exchange(session: Session, subsystem: str, name: str, path: Path) -> Faults:
+    """Exchange the code of a living task for what a file holds now."""
+    module = session.tasks(subsystem)[name].task.module
+    code, faults = Library(session.site, session.place).code(module, path)
+    if code is None:
+        return faults
+    return session.order(live.Swap(subsystem, name, code))
+
+
+def code_file(session: Session, subsystem: str, name: str) -> Path | None:
+    """The file that a living task's code comes from, as far as there is one on the search path."""
+    record, _ = session.site.task(name)
+    if record is not None:
+        return session.site.code_file(record.task)
+    module = session.tasks(subsystem)[name].task.module
+    return next((path for base in session.site.directories if (path := base.code_file(module)).is_file()), None)
+
+
+def get(session: Session, words: Words) -> Faults:
+    """Ask a module for something by name."""
+    subsystem, name = session.address(words[0])
+    return missing(session, subsystem, (name,)) or _value(session, words[1], live.Get(subsystem, name, words[1]))
+
+
+def put(session: Session, words: Words) -> Faults:
+    """Tell a module a new value of something by name."""
+    subsystem, name = session.address(words[0])
+    asked = live.Set(subsystem, name, words[1], words[2])
+    return missing(session, subsystem, (name,)) or _value(session, words[1], asked)
+
+
+def answer(session: Session, words: Words) -> Faults:
+    """The argument line that a task asks for."""
+    subsystem, name = session.address(words[0])
+    if (subsystem, name) not in session.questions:
+        asking = ", ".join("/".join(one) for one in session.questions)
+        return session.no("a task that asks" + (f" ({asking})" if asking else ""), repr(words[0]))
+    text = words[1] if len(words) > 1 else defaults(session, subsystem, name)
+    line, faults = Library(session.site, session.place).arguments(text)
+    if faults:
+        return faults
+    asked = session.questions.pop((subsystem, name))
+    faults = session.order(request.Reply(subsystem, name, line))
+    if faults:
+        session.questions.setdefault((subsystem, name), asked)
+        return faults
+    session.hear()
+    return ()
+
+
+def defaults(session: Session, subsystem: str, name: str) -> str:
+    """The line of all defaults of what is asked for; empty where one has none."""
+    items = session.questions[subsystem, name].items
+    if any(item.default is None for item in items):
+        return ""
+    return join(str(value) for item in items for value in item.default or ())
+
+
+def _value(session: Session, name: str, asked: request.Request) -> Faults:
+    reply = session.ask(asked)
+    if isinstance(reply, request.Refused):
+        return session.no("the module to do it", reply.reason)
+    if isinstance(reply, live.Value) and reply.value is not None:
+        session.say(f"{name} = {reply.value}")
+    return ()

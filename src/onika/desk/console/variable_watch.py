@@ -1,0 +1,66 @@
+"""Variables that are watched: read again and again, shown when they change (requirement A16)."""
+
+from typing import Any
+
+from onika.desk.console import control_lines
+from onika.desk.console.display import Tone
+from onika.desk.console.inspection import value
+from onika.desk.console.session import Faults, Session
+from onika.desk.console.task_lines import positive
+from onika.desk.console.value import shown
+
+Words = tuple[str, ...]
+_USUAL_HZ = 2.0
+_MOST_HZ = 20.0
+
+
+class Watch:
+    """What is watched, how often, and what was shown last."""
+
+    def __init__(self) -> None:
+        self._names: Words = ()
+        self._period_s = 1.0 / _USUAL_HZ
+        self._due_s = 0.0
+        self._shown: dict[tuple[str, str], Any] = {}
+
+    def command(self, session: Session, words: Words) -> Faults:
+        """`watch NAME… [HZ]`; `watch off` ends it; without words it says what is watched; `watch only`: no changes."""
+        if words == ("only",):
+            return control_lines.only_watch(session)
+        if words == ("off",):
+            self._names = ()
+            return ()
+        if not words:
+            session.say(f"watched: {' '.join(self._names) or 'nothing'}", Tone.DIM)
+            return ()
+        hz = positive(words[-1])
+        names = words if hz is None else words[:-1]
+        if (hz is not None and hz > _MOST_HZ) or not names:
+            return session.no(f"variables, and a rate of at most {_MOST_HZ:g} Hz", " ".join(words))
+        for name in names:
+            _, faults = value(session, *session.address(name))
+            if faults:
+                return faults
+        self._names = tuple("/".join(session.address(name)) for name in names)
+        self._period_s = 1.0 / (hz or _USUAL_HZ)
+        self._shown = {}
+        self._due_s = 0.0
+        self.tick(session)
+        return ()
+
+    def tick(self, session: Session) -> None:
+        """Show what has changed, when it is time to look."""
+        if not self._names or session.clock() < self._due_s:
+            return
+        self._due_s = session.clock() + self._period_s
+        for name in self._names:
+            address = session.address(name)
+            found, faults = value(session, *address)
+            if faults:
+                self._names = ()
+                session.say(f"{name} is not watched any more: {faults[0].found}", Tone.NOTE)
+                return
+            if address not in self._shown or self._shown[address] != found:
+                self._shown[address] = found
+                for line in shown(name, found):
+                    session.say(line, Tone.DIM)

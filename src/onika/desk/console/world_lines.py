@@ -1,0 +1,32 @@
+"""The line that touches a world as a hand would: its panic buttons and whatever else it offers (§4.5.2)."""
+
+from onika.desk.console.session import Faults, Session
+from onika.desk.run import text_table
+from onika.wire import live, request
+
+Words = tuple[str, ...]
+
+
+def touch(session: Session, words: Words) -> Faults:
+    """Touch a part of a world; without part and value, say what there is to touch."""
+    if len(words) == 1:
+        return _list(session, words[0])
+    if len(words) != 3:
+        return session.no("`touch WORLD PART VALUE`, or `touch WORLD` to see its parts", f"`touch {' '.join(words)}`")
+    world, part, value = words
+    try:
+        number = float(value)
+    except ValueError:
+        return session.no("a number", repr(value))
+    faults = session.order(live.Touch(world, part, number))
+    session.hear()
+    return faults
+
+
+def _list(session: Session, world: str) -> Faults:
+    answer = session.ask(live.Scene(world))
+    if isinstance(answer, request.Refused):
+        return session.no(f"an open world {world}", answer.reason)
+    parts = answer.scene.get("parts", {}) if isinstance(answer, live.Scenery) else {}
+    session.show(text_table.lines(("part", "values"), sorted(parts.items())) if parts else ["it has no parts to touch"])
+    return ()

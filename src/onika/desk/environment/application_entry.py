@@ -1,0 +1,76 @@
+"""Acts on applications as the diary knows them: which icon, and the icon it was put behind (requirement H01, §E.2)."""
+
+from collections.abc import Iterable, Mapping
+
+from onika.desk.environment.state.model import Model
+from onika.model.application import AppFlow, Branch, Icon, Step
+from onika.model.flow_path import flows_by_path
+from onika.wire import act
+
+Things = tuple[str, str, str, str]
+"""Object, its id, associated object, its id."""
+
+
+class Names:
+    """What applications are called, and their steps by their ids, `a1/17`; who is gone keeps its name."""
+
+    def __init__(self) -> None:
+        self.known: dict[str, str] = {}
+        self._read: dict[tuple[str, str], AppFlow] = {}
+        """The flows as they were looked at last: thousands of names are not read again with every act."""
+
+    def look(self, model: Model, docs: Iterable[str]) -> None:
+        """Take in what there is, of steps those of the applications among `docs`."""
+        self.known |= {one.id: one.name for one in model.applications.values()}
+        for doc in docs:
+            if opened := model.applications.get(doc):
+                self.known[f"{doc}/0"] = "Start"
+                for path, flow in flows_by_path(opened.application):
+                    if self._read.get((doc, path)) is not flow:
+                        self.known |= {f"{doc}/{step.number}": _name_of(step) for step in flow.steps}
+                        self._read[doc, path] = flow
+
+
+def _name_of(step: Step) -> str:
+    if isinstance(step, Icon):
+        return step.onikon.name
+    return "branch" if isinstance(step, Branch) else "hole"
+
+
+def things(asked: act.AnyAct, value: object, names: Mapping[str, str]) -> Things | None:
+    """What an act on an application was about; None: its document alone, or it is none."""
+    match asked:
+        case act.NewApplication():
+            doc = str(value or "")
+            return names.get(doc, ""), doc, "", ""
+        case act.InsertIcon() | act.InsertBranch():
+            name = asked.onikon if isinstance(asked, act.InsertIcon) else "branch"
+            return name, _id(asked.doc, value) if value else name, *_of(asked.doc, asked.after, names)
+        case act.ExchangeIcon():
+            return asked.onikon, _id(asked.doc, asked.step), names.get(asked.doc, ""), asked.doc
+        case act.MoveIcons():
+            return *_each(asked.doc, asked.steps, names), *_of(asked.doc, asked.after, names)
+        case act.PasteIcons() if isinstance(value, tuple):
+            return *_each(asked.doc, value, names), *_of(asked.doc, asked.after, names)
+        case act.SetLoop():
+            return *_of(asked.doc, asked.test, names), *_of(asked.doc, asked.anchor, names)
+        case act.RemoveIcons() | act.CopyIcons() | act.CutIcons() | act.SetBreakpoint():
+            return *_each(asked.doc, asked.steps, names), names.get(asked.doc, ""), asked.doc
+        case act.EditIcon() | act.SetSynchTag() | act.RemoveLoop() | act.SetConditions():
+            return *_of(asked.doc, asked.step, names), names.get(asked.doc, ""), asked.doc
+        case act.SkipTo():
+            return "", str(asked.step), "", ""
+    return None
+
+
+def _id(doc: str, number: object) -> str:
+    return f"{doc}/{number}"
+
+
+def _of(doc: str, number: int, names: Mapping[str, str]) -> tuple[str, str]:
+    return names.get(_id(doc, number), ""), _id(doc, number)
+
+
+def _each(doc: str, numbers: Iterable[int], names: Mapping[str, str]) -> tuple[str, str]:
+    ids = [_id(doc, number) for number in numbers]
+    return ",".join(names.get(one, "") for one in ids), ",".join(ids)

@@ -1,0 +1,1 @@
+"""Acts on configurations, their tasks and their libraries."""

@@ -1,0 +1,135 @@
+"""Copy, cut and paste: what is placed comes all or not at all (requirements C10, C22)."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+
+from onika.desk.environment.canvas.placement import absent, changed, inside, remove, several
+from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import reasons
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.clipboard import Copied, copied, read, write
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.configuration import Group, Placed
+from onika.model.rules import conflict, loci
+from onika.model.task import Task
+from onika.wire import act
+from onika.wire.view import Reason, Remedy
+from onika.words.fault import Refusal
+
+
+@on_document
+def copy(model: Model, document: Document, asked: act.Copy, _outside: Surroundings) -> Done | No:
+    """Take tasks into the buffer; the value is their text."""
+    refused = _nothing(asked.tasks) or absent(document, asked.tasks)
+    if refused:
+        return refused
+    boxes = model.shelf.boxes(asked.tasks).values()
+    svars = (pin.svar for box in boxes for pin in box.pins)
+    taken = copied(document.content.configuration, asked.tasks, svars)
+    return Done(replace(model, buffer=taken), value=write(taken))
+
+
+def cut(model: Model, asked: act.Cut, outside: Surroundings) -> Done | No:
+    """Take tasks into the buffer and remove them, as one step."""
+    taken = copy(model, act.Copy(asked.doc, asked.tasks), outside)
+    if isinstance(taken, No):
+        return taken
+    done = remove(taken.model, act.Remove(asked.doc, asked.tasks), outside)
+    return done if isinstance(done, No) else replace(done, label=f"cutting {several(asked.tasks)}", value=taken.value)
+
+
+@on_document
+def paste(model: Model, document: Document, asked: act.Paste, _outside: Surroundings) -> Done | No:
+    """Place what is in the buffer or in a text, as one step; the value is the names of the tasks."""
+    taken = read(asked.text) if asked.text else model.buffer
+    if isinstance(taken, str):
+        return No(taken)
+    if not taken.placed:
+        return No("nothing was copied yet")
+    against = objections(model.shelf, document, taken)
+    if against:
+        return refusal("nothing is pasted", against)
+    names = tuple(one.task for one in taken.placed)
+    return placed(model, document, taken.at(*inside(asked.x, asked.y)), f"pasting {several(names)}")
+
+
+def placed(model: Model, document: Document, taken: Copied, label: str) -> Done:
+    """The tasks on the canvas, and with them their supermodules and the loci that were not there before."""
+    names = tuple(one.task for one in taken.placed)
+    configuration = document.content.configuration
+    known = {one.svar for one in configuration.loci}
+    new = tuple(_inside(one) for one in taken.placed)
+    groups = (*configuration.groups, *_renamed(taken.groups, configuration.groups))
+    both = replace(configuration, placed=(*configuration.placed, *new), groups=groups)
+    done = changed(model, document, both, label)
+    after = done.model.documents[document.id]
+    spots = {one.svar: one for one in taken.loci if one.svar not in known}
+    boxes = model.shelf.boxes(after.content.names)
+    kept = replace(after.content, configuration=loci.wished(after.content.configuration, spots, boxes))
+    return replace(done, model=done.model.with_document(after.having(kept)), value=names)
+
+
+def _inside(one: Placed) -> Placed:
+    x, y = inside(one.x, one.y)
+    return replace(one, x=x, y=y)
+
+
+def _nothing(names: Iterable[str]) -> No | None:
+    return None if tuple(names) else No("nothing is selected")
+
+
+def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Group]:
+    """Supermodules under names that nobody has yet."""
+    names = {one.name for one in standing}
+    for one in groups:
+        free = (one.name, *(f"{one.name}-{number}" for number in range(2, len(names) + 3)))
+        name = next(name for name in free if name not in names)
+        names.add(name)
+        yield replace(one, name=name)
+
+
+def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Reason]:
+    """Every reason why what was copied may not be placed, task by task."""
+    known = shelf.tasks
+    standing = [known[name] for name in document.content.names if name in known]
+    against = _against(standing, [known[one.task] for one in taken.placed if one.task in known])
+    missing = set(document.content.names) - set(known)
+    said: list[Reason] = []
+    for one in taken.placed:
+        task = known.get(one.task)
+        if one.task in missing:
+            said.append(Reason(f"{one.task} is placed already", (Remedy(f"Show {one.task}", show=f"task:{one.task}"),)))
+        elif task is None:
+            open_one = Remedy("Open a library…", show="library:")
+            said.append(Reason(f"{one.task}: no open library has it", (open_one,)))
+        else:
+            for reason in reasons(against.get(task.name, ()), document.id, task):
+                remedies = tuple(remedy for remedy in reason.remedies if _helps(remedy, taken))
+                said.append(Reason(_sentence(task.name, reason.text), remedies))
+    return said
+
+
+def refusal(what: str, against: Sequence[Reason]) -> No:
+    """A no with everything that speaks against it."""
+    remedies = tuple(dict.fromkeys(remedy for reason in against for remedy in reason.remedies))
+    return No(f"{what}: {'; '.join(reason.text for reason in against)}", remedies)
+
+
+def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tuple[Refusal, ...]]:
+    """What speaks against the tasks that are pasted, by their names; they may contradict each other, too."""
+    found: dict[str, tuple[Refusal, ...]] = {}
+    for later, _, refused in conflict.conflicts((*standing, *pasted), len(standing)):
+        found[later.name] = (*found.get(later.name, ()), *refused)
+    return found
+
+
+def _sentence(name: str, text: str) -> str:
+    return text if text.startswith(f"{name} ") else f"{name}: {text}"
+
+
+def _helps(remedy: Remedy, taken: Copied) -> bool:
+    """Whether a remedy of one task is one of all: an exchange is not, as it places that task alone."""
+    return len(taken.placed) == 1 or not isinstance(remedy.act, act.Exchange)

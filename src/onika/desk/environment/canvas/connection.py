@@ -1,0 +1,195 @@
+"""Acts that connect a document with a runtime, and leave it again (requirements C12, C18)."""
+
+from dataclasses import replace
+from functools import partial
+
+import msgspec
+
+from onika.desk.environment import following
+from onika.desk.environment.control.presence import ask_company
+from onika.desk.environment.icons import joint_limits
+from onika.desk.environment.outcome.on_document import closed, on_document
+from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile.descriptions import describe
+from onika.desk.environment.reconcile.live_facts import settled
+from onika.desk.environment.reconcile.merge import Merged, merged, runtime_view
+from onika.desk.environment.reconcile.reconciliation import living_units
+from onika.desk.environment.reconcile.task_plan import birth
+from onika.desk.environment.reconcile.watches import is_going
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.history import Step
+from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.model import Model
+from onika.wire import act, live, page, request, view
+from onika.wire.view import Remedy
+from onika.words.name import TASK_NAME
+
+_MAIN = "main"
+
+
+@on_document
+def connect(model: Model, document: Document, asked: act.Connect, outside: Surroundings) -> Done | No:
+    """Merge a document with what runs in a subsystem, which comes into being with its first task."""
+    if asked.subsystem and not TASK_NAME.match(asked.subsystem):
+        text = "expected a name of letters, digits and _ . - that begins with a letter"
+        return No(f"{asked.subsystem!r} is no name for a subsystem", fields={"subsystem": text})
+    known = document.live
+    if known is not None and known.state != "lost":
+        again = Remedy("Disconnect it", act.Disconnect(document.id))
+        return No(f"{document.name} is connected already, with {known.subsystem or 'its runtime'}", (again,))
+    elsewhere = _elsewhere(model, asked)
+    if elsewhere:
+        return elsewhere
+    wish = asked.subsystem or (known.subsystem if known else "")
+    then = partial(_surveyed, doc=asked.doc, wish=wish, former=known, outside=outside)
+    runtime = model.runtime
+    url = asked.url or (runtime.address if known is not None else "")  # one that was lost is looked for where it was
+    order = Order(live.Survey(), then, asked.doc, Reach(url, asked.token))
+    if runtime.state != "linked" or url not in ("", runtime.address):
+        runtime = view.RuntimeView("starting", url)
+    begun = replace(model, runtime=runtime).with_document(replace(document, live=Live(wish)))
+    return Done(begun, orders=(order,), is_answered_later=True)
+
+
+@on_document
+def disconnect(model: Model, document: Document, asked: act.Disconnect, _outside: Surroundings) -> Done | No:
+    """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
+    if document.live is None:
+        return No(f"{document.name} is not connected")
+    content = replace(document.content, wanted={})
+    return Done(model.with_document(replace(document, content=content, live=None)))
+
+
+def connected(model: Model, doc: str, standing: live.Standing, outside: Surroundings, me: str = "") -> Done:
+    """A document that is to be connected, merged with what there is; what is placed and does not run is spawned.
+
+    me      the name by which the runtime knows this environment; empty: it may not change the subsystem
+    """
+    document = model.documents[doc]
+    known = document.live or Live(_MAIN)
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
+    found = merged(model, document, replace(known, me=me), standing)
+    model = model.with_document(_stepped(document, found))
+    done = _spawned(model, found, outside)
+    described = describe(done.model)
+    bounds = joint_limits.connected(described.model, described.model.documents[doc])
+    orders, says = (*done.orders, *described.orders, *bounds), (*found.says, *done.says)
+    return Done(described.model, value=f"connected with {known.subsystem}", orders=orders, says=says)
+
+
+def _elsewhere(model: Model, asked: act.Connect) -> No | None:
+    """Why another runtime cannot be reached now: there is one at a time."""
+    if not asked.url or asked.url == model.runtime.address or model.runtime.state != "linked":
+        return None
+    users = [one for one in model.documents.values() if one.live is not None and one.live.state == "live"]
+    here = model.runtime.address or "the runtime that was started here"
+    if is_going(model):
+        return No("an application runs on the runtime that would be left", (Remedy("Abort it", act.Steer("abort")),))
+    if users:
+        remedies = tuple(Remedy(f"Disconnect {one.name}", act.Disconnect(one.id)) for one in users)
+        return No(f"{users[0].name} is connected with {here}, and there is one runtime at a time", remedies)
+    left = ", ".join(model.runtime.subsystems)
+    if not left or asked.confirmed:
+        return None
+    meant = msgspec.structs.replace(asked, confirmed=True)
+    what = "which ends with it" if not model.runtime.address else "which comes to rest where this environment held it"
+    return No(f"{here} is left, and with it {left}, {what}", (Remedy("Go on", meant),))
+
+
+def _surveyed(
+    model: Model, response: request.Response, doc: str, wish: str, former: Live | None, outside: Surroundings
+) -> Done | No:
+    document = model.documents.get(doc)
+    if document is None:
+        return closed()
+    if not isinstance(response, live.Standing):
+        return _not_connected(model, document, former, refusal(response))
+    model = replace(model, runtime=runtime_view(model.runtime, response))
+    name = wish or _subsystem(model, document, response)
+    reason = _occupied(model, name, document, response)
+    if reason:
+        return _not_connected(model, document, former, reason)
+    document = replace(document, live=Live(name))
+    then = partial(_taken, doc=doc, former=former, outside=outside)
+    return Done(model.with_document(document), orders=(Order(live.Take(name), then, doc),), is_answered_later=True)
+
+
+def _taken(model: Model, response: request.Response, doc: str, former: Live | None, outside: Surroundings) -> Done | No:
+    then = partial(_standing, doc=doc, former=former, outside=outside, is_taken=isinstance(response, request.Done))
+    return Done(model, orders=(Order(live.Survey(), then, doc),), is_answered_later=True)
+
+
+def _standing(
+    model: Model, response: request.Response, doc: str, former: Live | None, outside: Surroundings, is_taken: bool
+) -> Done | No:
+    document = model.documents.get(doc)
+    if document is None or document.live is None:
+        return closed()
+    if not isinstance(response, live.Standing):
+        return _not_connected(model, document, former, refusal(response))
+    name = document.live.subsystem
+    holders = [one.holder for one in response.subsystems if one.name == name]
+    done = connected(model, doc, response, outside, holders[0] if is_taken and holders else "")
+    return replace(done, orders=(*done.orders, ask_company()))
+
+
+def _not_connected(model: Model, document: Document, former: Live | None, reason: str) -> No:
+    """As it was before: connecting is refused."""
+    model = model.with_document(replace(document, live=former))
+    if model.runtime.state == "starting":
+        model = replace(model, runtime=msgspec.structs.replace(model.runtime, state="lost", text=reason))
+    again = Remedy("Connect…", show="connect")
+    return No(f"{document.name} is not connected: {reason}", (again,), instead=Done(model))
+
+
+def _subsystem(model: Model, document: Document, standing: live.Standing) -> str:
+    """Of its own name, else the only one whose tasks are held by hand, else a new one."""
+    used = {one.live.subsystem for one in model.documents.values() if one.live and one.id != document.id}
+    free = [one for one in standing.subsystems if one.name not in used and not one.application]
+    if any(one.name == document.name for one in free):
+        return document.name
+    if len(free) == 1 and free[0].tasks:
+        return free[0].name
+    taken = used | {one.name for one in standing.subsystems}
+    return document.name if TASK_NAME.match(document.name) and document.name not in taken else _MAIN
+
+
+def _occupied(model: Model, name: str, document: Document, standing: live.Standing) -> str:
+    """Why this subsystem is not for this document."""
+    for other in model.documents.values():
+        if other.live is not None and other.live.subsystem == name and other.id != document.id:
+            return f"{other.name} is connected with subsystem {name}; name another one"
+    running = [one.application for one in standing.subsystems if one.name == name and one.application]
+    return f"application {running[0]} runs in subsystem {name}; let it end, or name another one" if running else ""
+
+
+def _stepped(document: Document, found: Merged) -> Document:
+    """With a step, where connecting has changed what stands on the canvas."""
+    old, new = document.content, found.document.content
+    if old.configuration is new.configuration:
+        return settled(found.document)
+    wanted = {name: new.wanted.get(name, False) for name in old.names}
+    step = Step("connecting", "", Content(old.configuration, wanted), new)
+    return settled(replace(found.document, history=document.history.done(step)))
+
+
+def _spawned(model: Model, found: Merged, outside: Surroundings) -> Done:
+    """With what is placed and does not run brought to life; what cannot be is left out, and said."""
+    document = model.documents[found.document.id]
+    units = living_units(model)
+    wanted, says = {}, []
+    for name in found.spawn:
+        placed = document.content.placed(name)
+        born = birth(placed, model.shelf, units) if placed else f"there is no {name}"
+        if isinstance(born, str):
+            says.append(page.Say("warning", f"{born}; it is left out", document.id, f"task:{name}"))
+        else:
+            wanted[name] = False
+    content = replace(document.content, wanted={**document.content.wanted, **wanted})
+    done = following.follow(model, model.with_document(document.having(content)), outside)
+    if isinstance(done, No):
+        return Done(model, says=(*says, page.Say("warning", f"nothing is spawned: {done.reason}", document.id)))
+    return replace(done, says=(*says, *done.says))

@@ -1,0 +1,138 @@
+"""The job that a configuration would make, with everything worth knowing before it is made (C16, C29, D15)."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.trouble import said
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.icon_names import a_kind, in_words, kind_named
+from onika.desk.environment.state.icon_types import role_of
+from onika.files import conf
+from onika.model.onikon import Onikon
+from onika.model.rules import conflict, warning
+from onika.model.rules.iconify import ActionType, job_type
+from onika.model.syntax import Syntax
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened_text import Opened
+from onika.store.site import Site
+from onika.words.fault import Place
+
+
+@dataclass(frozen=True, slots=True)
+class Draft:
+    """A job that could be made.
+
+    edges     the numbers of its left and right edge in the syntax
+    warnings  what will not work, and what is lost
+    notes     what is odd and never forbidden (C08)
+    former    the icon that it has already
+    source    the file that it is made of
+    taken     why another icon would be lost where this one is saved; empty: none would
+    """
+
+    name: str
+    home: BaseDirectory
+    kind: ActionType
+    edges: tuple[int, int]
+    warnings: tuple[str, ...]
+    notes: tuple[str, ...]
+    source: Path
+    former: Opened[Onikon] | None = None
+    taken: str = ""
+
+    @property
+    def says(self) -> str:
+        """What it is then, in words."""
+        return "a job" if self.source.suffix == conf.ENDING else "an icon for other applications"
+
+    @property
+    def path(self) -> Path:
+        """Where its icon stands or would stand."""
+        return self.home.onikon_file(self.name)
+
+
+def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
+    """The job of a document that has a file; else all reasons why it makes none. Tasks count as their files say."""
+    if document.base is None:
+        raise ValueError(f"expected a document with a file, found {document.id}")
+    syntax, faults = site.syntax()
+    if syntax is None:
+        return tuple(map(str, faults))
+    home = BaseDirectory(document.base)
+    tasks = _tasks(document, site.at(home.path))
+    kind = job_type(document.content.configuration, tasks, syntax)
+    if not isinstance(kind, ActionType):
+        return tuple(in_words(plain(one.reason)) for one in kind)
+    former, taken = former_of(document.name, home, syntax, "job")
+    acting = syntax.acting(kind.type)
+    standing = [tasks[name] for name in document.content.names]
+    warnings = (
+        *((taken,) if taken else ()),
+        *(
+            f"{later.name} and {earlier.name} may not stand together"
+            for later, earlier, _ in conflict.conflicts(standing)
+        ),
+        *of_type(kind, syntax, former),
+        *namesakes(document.name, home, site),
+    )
+    return Draft(
+        name=document.name,
+        home=home,
+        kind=kind,
+        edges=(acting.left_edge, acting.right_edge) if acting else (0, 0),
+        warnings=warnings,
+        notes=_notes(document, standing),
+        source=home.configuration_file(document.name),
+        former=former,
+        taken=taken,
+    )
+
+
+def _tasks(document: Document, site: Site) -> dict[str, Task]:
+    records = {name: site.task(name)[0] for name in document.content.names}
+    return {name: record.task for name, record in records.items() if record}
+
+
+def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[Opened[Onikon] | None, str]:
+    """The icon that a job or application has; and why what stands in its place is none of its own (decision 34)."""
+    path = home.onikon_file(name)
+    if not path.exists():
+        return None, ""
+    former, faults = home.open_onikon(name, syntax)
+    if former is None:
+        return None, f"{path} cannot be read and would be lost: {'; '.join(map(str, faults))}"
+    if role_of(syntax.acting(former.value.type)) != role:
+        return None, f"{path} is the icon of something else, {a_kind(former.value.type)}, which would be lost"
+    return former, ""
+
+
+def of_type(kind: ActionType, syntax: Syntax, former: Opened[Onikon] | None) -> Iterator[str]:
+    """A type that is not defined (D16), and an icon that says another one (decision 36)."""
+    if syntax.find(kind.type) is None:
+        yield f"the syntax does not define {kind_named(kind.type)}: its icon acts as a complete {_role(kind, syntax)}"
+    if former and (former.value.type, former.value.more_targets) != (kind.type, kind.more_targets):
+        yield f"its icon says {kind_named(former.value.type)}, as it was before"
+
+
+def namesakes(name: str, home: BaseDirectory, site: Site) -> Iterator[str]:
+    """Other icons of that name: of two the first on the search path counts (D15)."""
+    paths = [base.path.resolve() for base in site.directories]
+    own = paths.index(home.path.resolve()) if home.path.resolve() in paths else None
+    if own is None:
+        yield f"{home.path} is not on the search path: no dictionary shows this icon"
+    for place, base in enumerate(site.directories):
+        if place != own and base.onikon_file(name).exists():
+            counts = "this one" if own is not None and own < place else "that one"
+            yield f"{base.path} has an icon {name} too: {counts} counts, as it comes first"
+
+
+def _role(kind: ActionType, syntax: Syntax) -> str:
+    return role_of(syntax.acting(kind.type))
+
+
+def _notes(document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
+    place = Place(document.name)
+    return tuple(said(one) for one in (*warning.hanging(tasks, place), *warning.further_triggers(tasks, place)))

@@ -1,0 +1,81 @@
+"""Opening a configuration in place of another: what both have keeps cycling untouched (§5.3.4, requirement C15)."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from onika.desk.environment.file.configurations import read
+from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile.merge import with_loci
+from onika.desk.environment.reconcile.reconciliation import living_units
+from onika.desk.environment.reconcile.reconfiguration_diff import Alteration, alteration
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.model import Model
+from onika.model.configuration import Configuration
+from onika.model.rules.order import Ports
+from onika.model.rules.reconfiguration import Placed as Standing, exchange
+from onika.wire import act
+from onika.wire.view import Remedy
+
+
+@on_document
+def open_in_place(model: Model, document: Document, asked: act.OpenInPlace, outside: Surroundings) -> Done | No:
+    """Take over a configuration's tasks as one step; where tasks live, what becomes of them is said first."""
+    found = read(asked.path, outside)
+    if isinstance(found, No):
+        return found
+    base, opened = found
+    content = _content(document, opened.value)
+    if document.live is not None and document.live.state == "live" and not asked.confirmed:
+        told = _told(model, document, document.live, content)
+        if told:
+            meant = Remedy("Go on", act.OpenInPlace(asked.doc, asked.path, confirmed=True))
+            return No(f"opening {opened.value.name} in place of {document.name}: {told}", (meant,))
+    new = replace(document, content=content, opened=opened, base=base.path, has_changed_on_disk=False)
+    label = f"opening {opened.value.name} in place of {document.name}"
+    return Done(with_loci(model, new), label, document.id, value=document.id)
+
+
+def _content(document: Document, configuration: Configuration) -> Content:
+    """What both have is wanted as before; newcomers stay OFF by hand (reading 14)."""
+    if document.live is None:
+        return Content(configuration)
+    wanted = document.content.wanted
+    return Content(configuration, {one.task: wanted.get(one.task, False) for one in configuration.placed})
+
+
+def _told(model: Model, document: Document, known: Live, content: Content) -> str:
+    """What becomes of each task, in words; empty: nothing happens to any."""
+    what = alteration(document.content, content, known, model.shelf, (), living_units(model))
+    if what.is_nothing and not what.faults:
+        return ""
+    both = [one.task.name for one in what.spawn if one.task.name in what.kill]
+    new = [one.task.name for one in what.spawn if one.task.name not in what.kill]
+    gone = [name for name in what.kill if name not in both]
+    touched = {*what.kill, *new}
+    again = [name for name in _again(model, known, what) if name not in touched]
+    kept = [name for name in content.wanted if name in known.tasks and name not in touched and name not in again]
+    parts = (
+        _part("goes on untouched", "go on untouched", kept),
+        _part("is exchanged", "are exchanged", both),
+        _part("is initialised anew", "are initialised anew", again),
+        _part("is killed", "are killed", gone),
+        _part("is spawned, OFF", "are spawned, OFF", new),
+        *what.faults,
+    )
+    return "; ".join(part for part in parts if part)
+
+
+def _again(model: Model, known: Live, what: Alteration) -> tuple[str, ...]:
+    """Whose constants come from another task afterwards."""
+    tasks = model.shelf.tasks
+    living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in known.tasks if name in tasks]
+    new = [Standing(Ports.of(tasks[one.task.name]), tasks[one.task.name].module) for one in what.spawn]
+    return exchange(living, what.kill, new).reinit
+
+
+def _part(one: str, several: str, names: Sequence[str]) -> str:
+    return f"{', '.join(names)} {one if len(names) == 1 else several}" if names else ""

@@ -1,0 +1,127 @@
+"""Libraries come, go, and are read again; what was changed of their tasks stays changed (requirements C01, C04)."""
+
+from collections.abc import Iterable, Set
+from dataclasses import replace
+from pathlib import Path
+
+from onika.desk.environment.file import file_index
+from onika.desk.environment.outcome import pin_changes
+from onika.desk.environment.outcome.clash import clashes
+from onika.desk.environment.outcome.file_faults import told
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile.descriptions import forgotten
+from onika.desk.environment.state import task_edit
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.rules import placement
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory
+from onika.store.library import Library, reopen_libraries
+from onika.wire import act, page
+from onika.wire.view import Remedy
+
+_FOLDERS = ("module", "conf", "dict", "appl")
+
+
+def open_library(model: Model, asked: act.OpenLibrary, _outside: Surroundings) -> Done | No:
+    """Open a base directory behind the others; one that is open already is shown."""
+    try:
+        path = Path(asked.path).expanduser().absolute()
+        whole = path.resolve()
+        refused = _no_base(path)
+    except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
+        return No(f"{asked.path!r} cannot be opened: {error}", fields={"path": str(error)})
+    if refused:
+        return refused
+    known = next((one for one in model.shelf.libraries if one.base.path.resolve() == whole), None)
+    if known is not None:
+        return Done(model, value=str(known.base.path))
+    base = BaseDirectory(path)
+    done = rearranged(model, (*(one.base for one in model.shelf.libraries), base), frozenset())
+    found = file_index.listed([base], model.syntax)
+    return replace(done, model=found.beside(done.model), value=str(path), says=(*done.says, *told(found.faults)))
+
+
+def close_library(model: Model, asked: act.CloseLibrary, _outside: Surroundings) -> Done | No:
+    """Close a library; what is placed of it stays, and what was changed of its tasks comes back with it."""
+    bases = [one.base for one in model.shelf.libraries]
+    left = [base for base in bases if str(base.path) != asked.library]
+    if len(left) == len(bases):
+        return No(f"the library {asked.library} is not open")
+    done = rearranged(model, left, frozenset())
+    return replace(done, model=file_index.without(done.model, file_index.of_base(model, asked.library)))
+
+
+def reread(model: Model, changed: Set[Path]) -> Done:
+    """With files of the open libraries read again."""
+    done = rearranged(model, (one.base for one in model.shelf.libraries), changed)
+    known = done.model
+    for module in sorted({path.stem for path in changed if path.suffix == ".py"}):
+        known = forgotten(known, module)
+    return replace(done, model=known)  # what its class declares now is asked by whoever follows
+
+
+def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path]) -> Done:
+    """With the libraries of these base directories, files among `changed` read again; the same model if all is as was.
+
+    What was changed here of a task goes onto its new file, and the open documents follow.
+    """
+    former = model.shelf
+    libraries = reopen_libraries(bases, former.libraries, changed)
+    if libraries == former.libraries:
+        return Done(model)
+    shelf, dropped = _rebased(replace(former, libraries=libraries), former, _living(model))
+    says = [*_news(former.libraries, libraries), *dropped]
+    names = {name for name in shelf.tasks if shelf.tasks[name] != former.tasks.get(name)}
+    against = clashes(model, shelf, names & former.tasks.keys())
+    says += [page.Say("warning", one.text) for one in against]
+    return Done(pin_changes.resettled(replace(model, shelf=shelf), former), says=tuple(says))
+
+
+def _no_base(path: Path) -> No | None:
+    """Why a path is none of a base directory, if so."""
+    if not path.is_dir():
+        reason = f"{path} is no directory" if path.exists() else f"there is no {path}"
+        return No(reason, fields={"path": reason})
+    if any((path / folder).is_dir() for folder in _FOLDERS):
+        return None
+    reason = f"{path} is no base directory: expected a folder module, conf, dict or appl in it, found none"
+    parent = path.parent
+    is_part = path.name in _FOLDERS
+    remedies = (Remedy(f"Open {parent}", act.OpenLibrary(str(parent))),) if is_part else ()
+    return No(reason, remedies, {"path": reason})
+
+
+def _living(model: Model) -> frozenset[str]:
+    """Tasks that are wanted in the running system: a file that somebody else writes changes nothing there."""
+    return frozenset(name for document in model.documents.values() if document.live for name in document.content.wanted)
+
+
+def _rebased(shelf: Shelf, former: Shelf, living: frozenset[str]) -> tuple[Shelf, list[page.Say]]:
+    """With every change put on its file as that is now; one that does not fit is told and gone."""
+    edits: dict[str, Task] = {}
+    says = []
+    for name, changed in former.edits.items():
+        old, new = former.filed(name), shelf.filed(name)
+        if new is None or old is new or name in living:
+            edits[name] = changed
+            continue
+        edits[name] = task_edit.carried(changed, new) if old is None else task_edit.rebased(changed, old, new)
+        is_other = new.module != changed.module or _is_elsewhere(name, former, shelf)
+        if is_other or placement.alias_refusals(edits[name], ()):
+            edits[name] = new
+            says.append(page.Say("warning", f"{name} is as its file says again: what was changed here does not fit it"))
+    return replace(shelf, edits={name: task for name, task in edits.items() if task != shelf.filed(name)}), says
+
+
+def _is_elsewhere(name: str, former: Shelf, shelf: Shelf) -> bool:
+    """Whether another library has the task now."""
+    old, new = former.homes.get(name), shelf.homes.get(name)
+    return old is not None and new is not None and old.base != new.base
+
+
+def _news(former: Iterable[Library], libraries: Iterable[Library]) -> list[page.Say]:
+    """Faults that were not told yet."""
+    known = {fault for library in former for fault in library.faults}
+    return list(told(fault for one in libraries for fault in one.faults if fault not in known))

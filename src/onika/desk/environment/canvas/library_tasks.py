@@ -1,0 +1,134 @@
+"""Acts on tasks of the libraries: aliases, rates, parameters; kept for the session or saved (requirements C04, C23)."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+from onika.desk.environment.canvas import libraries
+from onika.desk.environment.outcome import pin_changes
+from onika.desk.environment.outcome.clash import clashes, refused
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state import task_edit
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.files import rmod
+from onika.files.rmod import RmodText
+from onika.model.task import LocalLine, Task, TaskType
+from onika.wire import act
+from onika.wire.view import Remedy
+from onika.words.fault import Refusal
+from onika.words.name import SVAR_NAME
+
+
+def alias(model: Model, asked: act.Alias, _outside: Surroundings) -> Done | No:
+    """Give the variable behind a pin, everywhere: every open configuration must bear it."""
+    task, filed = model.shelf.tasks.get(asked.task), model.shelf.filed(asked.task)
+    if task is None or filed is None:
+        return unknown(asked.task)
+    if asked.pin not in task.kinds():
+        return No(f"{asked.task} has no pin {asked.pin}")
+    svar = asked.svar.strip()
+    if svar and not SVAR_NAME.match(svar):
+        expected = "expected capital letters, digits, _ and ^, a letter first"
+        return No(f"{svar!r} is no name of a variable: {expected}", fields={"svar": expected})
+    changed = task_edit.aliased(task, asked.pin, svar, filed)
+    shelf = model.shelf.edited({asked.task: changed})
+    against = clashes(model, shelf, (asked.task,))
+    name = svar or asked.pin
+    if against:
+        return refused(f"{asked.pin} of {asked.task} cannot be {name}", against, "svar")
+    return Done(_taken_over(model, shelf), f"aliasing {asked.pin} of {asked.task} to {name}", asked.doc)
+
+
+def library_rate(model: Model, asked: act.LibraryRate, _outside: Surroundings) -> Done | No:
+    """A rate for later placements of this session (decision 10)."""
+    task = model.shelf.tasks.get(asked.task)
+    if task is None:
+        return unknown(asked.task)
+    if task.type is not TaskType.PERIODIC:
+        reason = f"{asked.task} is {task.type.value}: only periodic tasks have a rate to set"
+        return No(reason, fields={"hz": reason})
+    if not (math.isfinite(asked.hz) and asked.hz > 0):
+        reason = f"expected a number above 0 (Hz), found {asked.hz}"
+        return No(f"the rate of {asked.task}: {reason}", fields={"hz": reason})
+    rate = None if asked.hz == task.frequency else asked.hz
+    return Done(replace(model, shelf=model.shelf.rated({asked.task: rate})))
+
+
+def local(model: Model, asked: act.Local, _outside: Surroundings) -> Done | No:
+    """Other parameters of a module; the file's own reader says what may stand there."""
+    task = model.shelf.tasks.get(asked.task)
+    if task is None:
+        return unknown(asked.task)
+    lines = tuple(LocalLine(key, words) for key, words in asked.lines)
+    wrong = {f"line {number}": text for number, line in enumerate(lines) if (text := _wrong(task, line))}
+    keys = [line.key for line in lines]
+    wrong |= {f"line {number}": f"expected {key} once" for number, key in enumerate(keys) if key in keys[:number]}
+    if wrong:
+        return No(f"the parameters of {asked.task}: {'; '.join(wrong.values())}", fields=wrong)
+    shelf = model.shelf.edited({asked.task: replace(task, local=lines)})
+    return Done(_taken_over(model, shelf), f"setting the parameters of {asked.task}", asked.doc)
+
+
+def save_task(model: Model, asked: act.SaveTask, _outside: Surroundings) -> Done | No:
+    """Write what was changed of a task, its rate too, to its file."""
+    task = model.shelf.tasks.get(asked.task)
+    if task is None:
+        return unknown(asked.task)
+    base, record = model.shelf.homes[asked.task].base, model.shelf.records[asked.task]
+    path = base.task_file(asked.task)
+    changed = replace(task, frequency=model.shelf.rates.get(asked.task, task.frequency))
+    if changed == record.task:
+        return Done(model, value=str(path))
+    done = base.save_task(record, changed, overwrites=asked.overwrites)
+    if isinstance(done, Refusal):
+        remedies = (
+            *overwriting(done, act.SaveTask(asked.task, overwrites=True)),
+            Remedy("Take it as the file says", act.ForgetTask(asked.task)),
+        )
+        return No(plain(done.reason), remedies)
+    return replace(_as_filed(model, asked.task, path), value=str(path))
+
+
+def forget_task(model: Model, asked: act.ForgetTask, _outside: Surroundings) -> Done | No:
+    """A task as its file says now, where every open configuration bears it."""
+    if asked.task not in model.shelf.tasks:
+        return unknown(asked.task)
+    path = model.shelf.homes[asked.task].base.task_file(asked.task)
+    done = _as_filed(model, asked.task, path)
+    against = clashes(model, done.model.shelf, (asked.task,))
+    return refused(f"{asked.task} cannot be as its file says", against) if against else done
+
+
+def unknown(name: str) -> No:
+    """No open library has the task."""
+    return No(f"no open library has a task {name}", (Remedy("Open a library…", show="library:"),))
+
+
+def _taken_over(model: Model, shelf: Shelf) -> Model:
+    """With changed tasks, wherever they are placed."""
+    return pin_changes.resettled(replace(model, shelf=shelf), model.shelf)
+
+
+def _as_filed(model: Model, name: str, path: Path) -> Done:
+    """With the file read again, and nothing changed of it here."""
+    done = libraries.reread(model, {path})
+    shelf = done.model.shelf.edited({name: None}).rated({name: None})
+    return replace(done, model=_taken_over(done.model, shelf))
+
+
+def _wrong(task: Task, line: LocalLine) -> str:
+    """Why a line cannot stand in the LOCAL block, if so: read again it must be the same."""
+    alone = replace(task, local=(line,))
+    try:
+        text = rmod.write(RmodText(alone), alone)
+    except ValueError as error:
+        return str(error)
+    record, faults = rmod.read(text, task.name, task.name)
+    if record is not None and record.task.local == (line,):
+        return ""
+    found = next((one for one in faults if not one.is_note), None)
+    shown = " ".join((line.key, *line.words))
+    return f"expected {found.expected}, found {found.found}" if found else f"{shown!r} is no line of a key and words"

@@ -1,0 +1,116 @@
+"""The texts behind tasks, to be read and edited: `.rmod` files and the code of modules (requirements C05, C23)."""
+
+import os
+import re
+import warnings
+from dataclasses import replace
+from pathlib import Path
+
+from onika.desk.environment.canvas import libraries
+from onika.desk.environment.canvas.library_tasks import unknown
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.model import Model
+from onika.files import rmod, whole
+from onika.wire import act, page
+from onika.wire.view import Remedy, TextView
+from onika.words.fault import Refusal
+from onika.words.name import TASK_NAME
+
+_STAMP = re.compile(r"[0-9a-f]{64}\Z")
+
+
+def read_text(model: Model, asked: act.ReadText, _outside: Surroundings) -> Done | No:
+    """The text of a task's `.rmod` or of its module's code, with what is wrong with it."""
+    path = _path(model, asked.task, asked.kind)
+    if isinstance(path, No):
+        return path
+    found, faults = whole.read(path)
+    if found is None:
+        return No("; ".join(plain(str(one)) for one in faults))
+    return Done(model, value=_view(path, *found))
+
+
+def write_text(model: Model, asked: act.WriteText, _outside: Surroundings) -> Done | No:
+    """Save such a text whole or not at all, also a half-done one, and tell its faults; a `.rmod` counts at once."""
+    path = _path(model, asked.task, asked.kind)
+    if isinstance(path, No):
+        return path
+    if not _STAMP.match(asked.stamp):
+        return No("it cannot be told which text this one was made of: read it again first")
+    try:
+        refused = whole.write(path, asked.text, whole.ANYTHING if asked.overwrites else asked.stamp)
+    except ValueError:
+        return No("the text holds signs that no file in UTF-8 can hold")
+    if isinstance(refused, Refusal):
+        return _refused(path, refused, asked)
+    view = _view(path, asked.text, refused)
+    done = libraries.reread(model, {path})
+    left_out = asked.kind == "rmod" and path.stem not in done.model.shelf.tasks
+    said = page.Say("warning", f"{path.name} is saved; it is at fault, and the task is left out until it is mended")
+    return replace(done, value=view, says=(said,) if left_out else done.says)
+
+
+def _path(model: Model, task: str, kind: str) -> Path | No:
+    """Where the text is; always inside an open library."""
+    path = _rmod(model, task) if kind == "rmod" else _code(model, task)
+    if isinstance(path, No):
+        return path
+    file = path.resolve()
+    if not any(file.is_relative_to(library.base.path.resolve()) for library in model.shelf.libraries):
+        return No(f"{path} leads out of the open libraries")
+    return path
+
+
+def _rmod(model: Model, task: str) -> Path | No:
+    """The file of a task, of one that is left out for its faults too."""
+    home = model.shelf.homes.get(task)
+    if home is not None:
+        return home.base.task_file(task)
+    files = (one.base.task_file(task) for one in model.shelf.libraries) if TASK_NAME.match(task) else ()
+    return next((file for file in files if file.is_file()), unknown(task))
+
+
+def _code(model: Model, task: str) -> Path | No:
+    """The code of a task's module: beside its file, else in the first library that has it."""
+    described = model.shelf.tasks.get(task)
+    if described is None:
+        return unknown(task)
+    path = model.shelf.code_file(task)
+    if path is None:
+        return No(f"no open library has the source of {described.module}, the module of {task}")
+    return path
+
+
+def _refused(path: Path, refused: Refusal, asked: act.WriteText) -> No:
+    """With what stands there now, so that one can choose."""
+    found, _ = whole.read(path)
+    fields = {"theirs": found[0], "stamp": found[1]} if found and found[1] != asked.stamp else {}
+    again = act.WriteText(asked.task, asked.kind, asked.text, asked.stamp, overwrites=True)
+    is_other = bool(fields) or not path.exists()
+    return No(plain(refused.reason), (Remedy("Overwrite it", again),) if is_other else (), fields)
+
+
+def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
+    faults = _rmod_faults(path, text) if path.suffix == rmod.ENDING else _code_faults(path, text)
+    is_read_only = not (os.access(path, os.W_OK) and os.access(path.resolve().parent, os.W_OK))
+    return TextView(str(path), text, stamp, tuple(faults), is_read_only)
+
+
+def _rmod_faults(path: Path, text: str) -> list[tuple[int, str]]:
+    _, faults = rmod.read(text, path.stem, path.name)
+    return [(one.place.line, plain(f"expected {one.expected}, found {one.found}; {one.instead}")) for one in faults]
+
+
+def _code_faults(path: Path, text: str) -> list[tuple[int, str]]:
+    """What the compiler says; nothing of the module is run."""
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        try:
+            compile(text, path.name, "exec", dont_inherit=True)
+        except SyntaxError as error:
+            return [(error.lineno or 0, error.msg)]
+        except (ValueError, RecursionError, MemoryError) as error:  # bytes of nothing; nested without end
+            return [(0, str(error) or "nested too deeply")]
+    return [(one.lineno, str(one.message)) for one in told]

@@ -1,0 +1,1 @@
+"""Acts about who may move the robots, and who else is there."""

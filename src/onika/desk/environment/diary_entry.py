@@ -1,0 +1,216 @@
+"""An act as a line of the diary: the seven columns of the thesis's event log (requirement H01, §6.2.2.4, §E.2).
+
+Time, event, object, the object's id, the associated object, its id, the window. An id tells one thing from another of
+that name: `c2` is a document, `c2/pd` a task in it. Nothing is `none` and its id `0`; windows are called as in §A.5.
+What was refused begins with `try_`.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from onika.desk.environment import application_entry
+from onika.desk.environment.environment import Answer
+from onika.desk.environment.outcome.on_application import is_application
+from onika.wire import act
+
+HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
+
+_EVENTS: dict[type, tuple[str, str]] = {
+    act.New: ("new_conf", "conf"),
+    act.Open: ("open_conf", "conf"),
+    act.OpenInPlace: ("replace_conf", "conf"),
+    act.Close: ("close_conf", "conf"),
+    act.Save: ("save_conf", "conf"),
+    act.Reload: ("reload_conf", "conf"),
+    act.Keep: ("keep_conf", "conf"),
+    act.Undo: ("undo", "conf"),
+    act.Redo: ("redo", "conf"),
+    act.Place: ("insert_icon", "conf"),
+    act.Exchange: ("exchange_icon", "conf"),
+    act.Remove: ("delete_icon", "conf"),
+    act.Move: ("move_icon", "conf"),
+    act.Flip: ("flip_icon", "conf"),
+    act.Align: ("align_icon", "conf"),
+    act.Show: ("show_locus", "conf"),
+    act.Copy: ("copy_icon", "conf"),
+    act.Cut: ("cut_icon", "conf"),
+    act.Paste: ("paste_icon", "conf"),
+    act.Group: ("group_icon", "conf"),
+    act.Ungroup: ("ungroup_icon", "conf"),
+    act.SaveGroup: ("save_group", "conf"),
+    act.Insert: ("insert_conf", "conf"),
+    act.TurnGroup: ("turn_group", "conf"),
+    act.Rate: ("set_rate", "conf"),
+    act.Unit: ("set_rtpu", "conf"),
+    act.Check: ("check_conf", "conf"),
+    act.NewApplication: ("new_appl", "appl"),
+    act.InsertIcon: ("insert_icon", "appl"),
+    act.InsertBranch: ("insert_branch", "appl"),
+    act.SetConditions: ("set_conditions", "appl"),
+    act.ExchangeIcon: ("exchange_icon", "appl"),
+    act.RemoveIcons: ("delete_icon", "appl"),
+    act.MoveIcons: ("move_icon", "appl"),
+    act.CopyIcons: ("copy_icon", "appl"),
+    act.CutIcons: ("cut_icon", "appl"),
+    act.PasteIcons: ("paste_icon", "appl"),
+    act.EditIcon: ("edit_icon", "appl"),
+    act.SetBreakpoint: ("set_marker", "appl"),
+    act.SetSynchTag: ("set_synchtag", "appl"),
+    act.SetLoop: ("set_whiletag", "appl"),
+    act.RemoveLoop: ("remove_whiletag", "appl"),
+    act.AddFlow: ("add_flow", "appl"),
+    act.RemoveFlow: ("delete_flow", "appl"),
+    act.SetParallel: ("set_parallel", "appl"),
+    act.OpenDictionary: ("open_dict", "dict"),
+    act.CloseDictionary: ("close_dict", "dict"),
+    act.MakeTarget: ("new_target", "dict"),
+    act.EditOnikon: ("edit_icon", "dict"),
+    act.RemoveOnikon: ("delete_icon", "dict"),
+    act.Teach: ("teach_target", "dict"),
+    act.OpenLibrary: ("open_lexi", "lexi"),
+    act.CloseLibrary: ("close_lexi", "lexi"),
+    act.Alias: ("set_alias", "lexi"),
+    act.LibraryRate: ("set_rate", "lexi"),
+    act.Local: ("set_local", "lexi"),
+    act.SaveTask: ("save_task", "lexi"),
+    act.ForgetTask: ("forget_task", "lexi"),
+    act.ReadText: ("view_text", "lexi"),
+    act.WriteText: ("save_text", "lexi"),
+    act.Connect: ("connect", "conf"),
+    act.Disconnect: ("disconnect", "conf"),
+    act.Turn: ("turn_task", "conf"),
+    act.Toggle: ("toggle_task", "conf"),
+    act.Clear: ("clear_task", "conf"),
+    act.Reinit: ("reinit_task", "conf"),
+    act.Renew: ("renew_task", "conf"),
+    act.Answer: ("answer_task", "conf"),
+    act.Stop: ("stop", "main"),
+    act.Reset: ("reset", "main"),
+    act.Take: ("take", "conf"),
+    act.Release: ("release", "conf"),
+    act.Hand: ("hand_over", "conf"),
+    act.Decline: ("decline", "conf"),
+    act.OnlyWatch: ("only_watch", "main"),
+    act.WatchNoMore: ("watch_no_more", "main"),
+    act.Draft: ("try_job", "dict"),
+    act.MakeJob: ("new_job", "dict"),
+    act.Prefer: ("set_preference", "main"),
+    act.Press: ("press_button", "button"),
+    act.Halt: ("halt_button", "button"),
+    act.SetButton: ("set_button", "button"),
+    act.Run: ("run_appl", "appl"),
+    act.Steer: ("steer_appl", "appl"),
+    act.Redirect: ("redirect_task", "appl"),
+    act.SteerTaken: ("steer_taken", "main"),
+    act.Preflight: ("check_reach", "appl"),
+    act.SkipTo: ("skip_to_icon", "appl"),
+    act.Dismiss: ("dismiss_run", "appl"),
+    act.StartAnew: ("start_runtime_anew", "main"),
+    act.OpenRecording: ("open_recording", "main"),
+    act.CloseRecording: ("close_recording", "main"),
+    act.CompareWith: ("compare_recording", "main"),
+    act.Continue: ("continue_run", "main"),
+    act.KeepTest: ("keep_test", "appl"),
+}
+"""Not here: what a page asks for by itself, which no user does."""
+
+_BOTH = (act.Open, act.Close, act.Save, act.Reload, act.Keep, act.Undo, act.Redo, act.Check, act.MakeJob, act.Draft)
+"""Acts on either kind of document: of an application they are called so, and stand in its window."""
+
+_THINGS = ("onikon", "tasks", "task", "new", "svars", "name", "library", "path", "url", "values", "loci", "line")
+"""The fields of acts that name what is acted upon; the first that says something counts."""
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """What a line says, but for its time."""
+
+    event: str
+    object: str = ""
+    id: str = ""
+    associated: str = ""
+    associated_id: str = ""
+    window: str = ""
+
+    def line(self, at_s: float) -> str:
+        """The line; `at_s` is seconds since 1970."""
+        things = (_word(self.object, "none"), _word(self.id, "0"))
+        associated = (_word(self.associated, "none"), _word(self.associated_id, "0"))
+        words = (f"{at_s:.3f}", _word(self.event, "none"), *things, *associated, _word(self.window, "root"))
+        return "\t".join(words)
+
+
+def entry(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entry | None:
+    """What is written of an act; None: nothing. `names` are those of documents by their ids."""
+    if isinstance(asked, act.Note):
+        return Entry(asked.event, asked.object, asked.id, asked.associated, asked.associated_id, asked.window)
+    if type(asked) not in _EVENTS:
+        return None
+    event, window = _EVENTS[type(asked)]
+    if isinstance(asked, _BOTH) and _is_of_application(asked, answer):
+        event, window = event.replace("conf", "appl").replace("job", "appl_icon"), window.replace("conf", "appl")
+    match asked:
+        case act.Turn():
+            event = "turn_on_task" if asked.is_on else "turn_off_task"
+        case act.TurnGroup():
+            event = "turn_on_group" if asked.is_on else "turn_off_group"
+        case act.Show():
+            event = "show_locus" if asked.is_shown else "hide_locus"
+    said = event if answer.no is None or event.startswith("try_") else f"try_{event}"
+    return Entry(said, *_things(asked, answer, names), window)
+
+
+def _things(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tuple[str, str, str, str]:
+    """Object, its id, associated object, its id."""
+    if of_application := application_entry.things(asked, answer.value, names):
+        return of_application
+    doc: str = getattr(asked, "doc", "")
+    document = (names.get(doc, ""), doc)
+    match asked:
+        case act.New() | act.Open():
+            opened = str(answer.value or "")
+            return names.get(opened, getattr(asked, "path", "")), opened, "", ""
+        case act.Exchange():
+            return asked.new, f"{doc}/{asked.new}", asked.old, f"{doc}/{asked.old}"
+        case act.Alias():
+            return asked.task, asked.task, f"{asked.pin}={asked.svar}", asked.pin
+        case act.Paste() | act.Insert() if isinstance(answer.value, tuple):
+            return _listed(answer.value), _ids(doc, answer.value), *document
+        case act.Group():
+            return _listed(asked.tasks), _ids(doc, asked.tasks), asked.name, f"{doc}/{asked.name}"
+    things = _named(asked)
+    if not things:
+        return *document, "", ""
+    return _listed(things), _ids(doc, things), *document
+
+
+def _is_of_application(asked: act.AnyAct, answer: Answer) -> bool:
+    """Whether an act that both kinds of documents know was about an application."""
+    if isinstance(asked, act.Open):
+        return is_application(str(answer.value or "")) or asked.path.endswith(".appl")
+    return is_application(getattr(asked, "doc", ""))
+
+
+def _named(asked: act.AnyAct) -> tuple[str, ...]:
+    """What an act names beside its document."""
+    found: list[str] = []
+    for name in _THINGS:
+        value = getattr(asked, name, ())
+        several = [value] if isinstance(value, str) else value or ()
+        found += [one for one in several if one and isinstance(one, str)]  # the values of a target name nothing
+        if found and not isinstance(asked, act.Move):
+            break
+    return tuple(found)
+
+
+def _listed(names: Iterable[str]) -> str:
+    return ",".join(names)
+
+
+def _ids(doc: str, names: Iterable[str]) -> str:
+    return ",".join(f"{doc}/{name}" if doc else name for name in names)
+
+
+def _word(text: str, nothing: str) -> str:
+    """A column: one line without the sign that parts columns."""
+    return " ".join(text.split()) or nothing

@@ -1,0 +1,1 @@
+"""Open, save, close, undo and recover what comes from files."""

@@ -1,0 +1,125 @@
+"""The configurations and applications that could be opened, with what icons need to know of them (C06, D01)."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from onika.desk.environment.state.model import Model
+from onika.files import appl, conf
+from onika.model.application import Icon, every_flow
+from onika.model.configuration import Configuration
+from onika.model.rules.iconify import ActionType, application_type
+from onika.model.syntax import Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened_text import Faults
+from onika.wire.view import ApplicationFile, ConfigurationFile
+from onika.words.fault import Refusal
+
+Source = Configuration | ActionType | tuple[Refusal, ...] | None
+"""A configuration, the type that an application has as an icon or why it has none; None: its file is at fault."""
+
+
+@dataclass(frozen=True, slots=True)
+class Listed:
+    """Files by their paths; one that is at fault is listed with nothing in it."""
+
+    files: Mapping[str, ConfigurationFile] = field(default_factory=dict)
+    applications: Mapping[str, ApplicationFile] = field(default_factory=dict)
+    sources: Mapping[str, Source] = field(default_factory=dict)
+    faults: Faults = ()
+
+    def beside(self, model: Model) -> Model:
+        """The model with these files beside the others; the same one where nothing is new."""
+        return _with(
+            model,
+            {**model.files, **self.files},
+            {**model.application_files, **self.applications},
+            {**model.sources, **self.sources},
+        )
+
+    def and_(self, other: "Listed") -> "Listed":
+        """These files and others."""
+        return Listed(
+            {**self.files, **other.files},
+            {**self.applications, **other.applications},
+            {**self.sources, **other.sources},
+            (*self.faults, *other.faults),
+        )
+
+
+def listed(bases: Iterable[BaseDirectory], syntax: Syntax | None) -> Listed:
+    """Every configuration and application of these base directories."""
+    found = Listed()
+    for base in bases:
+        for name in base.configurations:
+            found = found.and_(configuration(base, name))
+        for name in base.applications:
+            found = found.and_(application(base, name, syntax))
+    return found
+
+
+def configuration(base: BaseDirectory, name: str) -> Listed:
+    """One configuration of a base directory."""
+    path = str(base.configuration_file(name))
+    read, faults = base.configuration(name)
+    file = ConfigurationFile(name, str(base.path), path, len(read.placed) if read else 0)
+    return Listed({path: file}, sources={path: read}, faults=faults)
+
+
+def application(base: BaseDirectory, name: str, syntax: Syntax | None) -> Listed:
+    """One application of a base directory."""
+    path = str(base.application_file(name))
+    read, faults = base.application(name, syntax) if syntax else (None, ())
+    if read is None or syntax is None:
+        file = ApplicationFile(name, str(base.path), path)
+        return Listed(applications={path: file}, sources={path: None}, faults=faults)
+    steps = (step for _, flow in every_flow(read) for step in flow.steps)
+    file = ApplicationFile(name, str(base.path), path, len(read.flows), sum(isinstance(one, Icon) for one in steps))
+    return Listed(applications={path: file}, sources={path: application_type(read, syntax)}, faults=faults)
+
+
+def without(model: Model, paths: Iterable[str]) -> Model:
+    """The model without the files of these paths."""
+    gone = frozenset(paths)
+    files = {path: one for path, one in model.files.items() if path not in gone}
+    applications = {path: one for path, one in model.application_files.items() if path not in gone}
+    return _with(model, files, applications, {path: one for path, one in model.sources.items() if path not in gone})
+
+
+def of_base(model: Model, base: str) -> tuple[str, ...]:
+    """The paths of what is listed of a base directory."""
+    configurations = (one.path for one in model.files.values() if one.base == base)
+    return (*configurations, *(one.path for one in model.application_files.values() if one.base == base))
+
+
+def again(path: Path, syntax: Syntax | None) -> Listed | None:
+    """A file of a base directory as it is now; None where there is none of that path any more."""
+    base = BaseDirectory(path.parent.parent)
+    if is_configuration(path):
+        return configuration(base, path.stem) if path.stem in base.configurations else None
+    return application(base, path.stem, syntax) if path.stem in base.applications else None
+
+
+def is_configuration(path: Path) -> bool:
+    """Whether a path is one where a base directory has its configurations."""
+    return path.suffix == conf.ENDING and path.parent.name == "conf"
+
+
+def is_application(path: Path) -> bool:
+    """Whether a path is one where a base directory has its applications."""
+    return path.suffix == appl.ENDING and path.parent.name == "appl"
+
+
+def _with(
+    model: Model,
+    files: Mapping[str, ConfigurationFile],
+    applications: Mapping[str, ApplicationFile],
+    sources: Mapping[str, Source],
+) -> Model:
+    """Parts that are as they were are the same objects."""
+    files = model.files if files == model.files else files
+    applications = model.application_files if applications == model.application_files else applications
+    sources = model.sources if sources == model.sources else sources
+    if files is model.files and applications is model.application_files and sources is model.sources:
+        return model
+    return replace(model, files=files, application_files=applications, sources=sources)

@@ -1,0 +1,113 @@
+"""What is kept of a document that is not saved, so that it can be had back after a crash; as JSON."""
+
+from dataclasses import asdict, dataclass, replace
+from pathlib import Path
+
+import msgspec
+
+from onika.desk.environment.outcome.unread_faults import told
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.files import appl, conf, text
+from onika.model.flow_path import numbered
+from onika.model.syntax import Syntax
+from onika.store.opened_text import Opened
+
+
+@dataclass(frozen=True, slots=True)
+class Rescue:
+    """A document.
+
+    name    what it is called
+    text    as a `.conf` or `.appl` file would hold it
+    base    the base directory of its file; empty: it has none
+    path    its file; empty: it has none
+    former  what that file held when it was read or saved last
+    kind    the ending of such files
+    """
+
+    name: str
+    text: str
+    base: str = ""
+    path: str = ""
+    former: str = ""
+    kind: str = conf.ENDING
+
+
+def rescue_of(document: Document | OpenApplication) -> Rescue:
+    """What is to be kept of a document."""
+    opened = document.opened
+    is_configuration = isinstance(document, Document)
+    return Rescue(
+        name=document.name,
+        text=_text(document),
+        kind=conf.ENDING if is_configuration else appl.ENDING,
+        base=str(document.base or ""),
+        path=str(opened.path) if opened else "",
+        former=opened.text if opened else "",
+    )
+
+
+def write(rescue: Rescue) -> str:
+    """As a file holds it."""
+    return msgspec.json.encode(asdict(rescue)).decode() + "\n"
+
+
+def read(content: str) -> Rescue:
+    """What such a file holds; raises ValueError."""
+    return msgspec.json.decode(content, type=Rescue)
+
+
+def document_of(rescue: Rescue, doc: str, name: str = "") -> Document:
+    """The document with the id `doc` as it was, and with another `name` where one is given; raises ValueError.
+
+    It is as unsaved as it was; where its file has changed meanwhile, it says so.
+    """
+    name = name or rescue.name
+    configuration, faults = conf.read(rescue.text, name, name)
+    if configuration is None:
+        raise ValueError("; ".join(map(str, faults)))
+    path = Path(rescue.path) if rescue.path else None
+    former = conf.read(rescue.former, rescue.name, rescue.path)[0] if path else None
+    opened = Opened(former, path, rescue.former) if path and former else None
+    return Document(
+        doc,
+        Content(configuration),
+        opened=opened,
+        base=Path(rescue.base) if rescue.base else None,
+        has_changed_on_disk=_has_changed(rescue),
+    )
+
+
+def application_of(rescue: Rescue, doc: str, syntax: Syntax, name: str = "") -> OpenApplication:
+    """The same of an application; raises ValueError."""
+    name = name or rescue.name
+    application, faults = appl.salvage(rescue.text, name, name, syntax)
+    if application is None:
+        raise ValueError("; ".join(map(str, faults)))
+    application, last = numbered(application, 0)
+    here = OpenApplication(doc, application, last, base=Path(rescue.base) if rescue.base else None)
+    if not rescue.path:
+        return here
+    path = Path(rescue.path)
+    former, wrong = appl.salvage(rescue.former, rescue.name, rescue.path, syntax)
+    is_partial = appl.read(rescue.former, rescue.name, rescue.path, syntax)[0] is None
+    return replace(
+        here,
+        opened=Opened(former, path, rescue.former) if former else None,
+        told=told(former, wrong, is_partial=is_partial) if former else (),
+        is_partial=is_partial,
+        has_changed_on_disk=_has_changed(rescue),
+    )
+
+
+def _text(document: Document | OpenApplication) -> str:
+    if isinstance(document, Document):
+        return conf.write(document.content.configuration)
+    return appl.write(document.application)
+
+
+def _has_changed(rescue: Rescue) -> bool:
+    path = Path(rescue.path)
+    return bool(rescue.path) and text.load(path, rescue.path)[0] != rescue.former

@@ -1,0 +1,134 @@
+"""Undo and Redo: the document as it was, and what is wanted of the running system as far as the step changed it."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+from onika.desk.environment.outcome import pin_changes
+from onika.desk.environment.outcome.clash import clashes, refused
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state import task_edit
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.history import Edits, File, History, Step
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.task import Task
+from onika.wire import act
+from onika.wire.view import Remedy
+
+
+def undo(model: Model, asked: act.Undo, _outside: Surroundings) -> Done | No:
+    """Take the last step of a document back."""
+    document = model.documents.get(asked.doc)
+    step = document.history.last if document else None
+    if document is None or step is None:
+        return No("there is nothing to take back")
+    risk = _comes_on(document, step.after, step.before)
+    if risk and not asked.confirmed:
+        return _confirm(f"taking back “{step.label}” turns {risk} ON again", replace_confirmed(asked))
+    way = _Way(step, step.after, step.before, step.edits_after, step.edits_before, step.shelf_before, step.file_before)
+    return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
+
+
+def redo(model: Model, asked: act.Redo, _outside: Surroundings) -> Done | No:
+    """Do the step again that was taken back last."""
+    document = model.documents.get(asked.doc)
+    step = document.history.next if document else None
+    if document is None or step is None:
+        return No("there is nothing to do again")
+    risk = _comes_on(document, step.before, step.after)
+    if risk and not asked.confirmed:
+        return _confirm(f"doing “{step.label}” again turns {risk} ON", replace_confirmed(asked))
+    way = _Way(step, step.before, step.after, step.edits_before, step.edits_after, step.shelf_after, step.file_after)
+    return _restored(model, document, way, document.history.redone(), f"“{step.label}” cannot be done again")
+
+
+def edits_between(before: Shelf, after: Shelf) -> dict[str, Task | None]:
+    """What was changed of tasks of the libraries: each as it is after; None: it is in none."""
+    if before.edits is after.edits:
+        return {}
+    names = {*before.edits, *after.edits}
+    return {name: _now(name, after) for name in names if _meaning(_now(name, before)) != _meaning(_now(name, after))}
+
+
+def _now(name: str, shelf: Shelf) -> Task | None:
+    return shelf.edits[name] if name in shelf.edits else shelf.filed(name)
+
+
+def _meaning(task: Task | None) -> Task | None:
+    """A task but for its rate, which is no edit: one that was saved with its rate is what it was."""
+    return replace(task, frequency=None) if task else None
+
+
+def replace_confirmed(asked: act.Undo | act.Redo) -> act.Undo | act.Redo:
+    """The same act, meant."""
+    return type(asked)(asked.doc, confirmed=True)
+
+
+def moved_wanted(now: Mapping[str, bool], start: Content, end: Content) -> dict[str, bool]:
+    """What is wanted now, with the difference between two contents applied to it."""
+    wanted = dict(now)
+    for name in {*start.wanted, *end.wanted}:
+        if start.wanted.get(name) == end.wanted.get(name):
+            continue
+        if name in end.wanted:
+            wanted[name] = end.wanted[name]
+        else:
+            wanted.pop(name, None)
+    return wanted
+
+
+@dataclass(frozen=True, slots=True)
+class _Way:
+    """From one end of a step to the other."""
+
+    step: Step
+    start: Content
+    end: Content
+    edits_start: Edits
+    edits_end: Edits
+    shelf: Shelf | None
+    """What the loci of the end were settled with."""
+    file: File | None
+    """The file of the end, where it is another one."""
+
+    def edits(self, now: Shelf) -> dict[str, Task | None]:
+        """The tasks as they are now, with the difference between the two ends applied to them."""
+        return {name: self._moved(name, task, now) for name, task in self.edits_end.items()}
+
+    def _moved(self, name: str, end: Task | None, now: Shelf) -> Task | None:
+        start, task = self.edits_start.get(name), now.tasks.get(name)
+        return task_edit.rebased(end, start, task) if end and start and task else end
+
+
+def _restored(model: Model, document: Document, way: _Way, history: History[Step], cannot: str) -> Done | No:
+    wanted = moved_wanted(document.content.wanted, way.start, way.end) if document.live else {}
+    names = {one.task for one in way.end.configuration.placed}
+    kept = {name: is_on for name, is_on in wanted.items() if name in names}
+    if document.live:
+        kept = {**dict.fromkeys(sorted(names), False), **kept}
+    shelf = model.shelf.edited(way.edits(model.shelf)) if way.edits_end else model.shelf
+    content = pin_changes.settled(Content(way.end.configuration, kept), way.shelf or shelf, shelf)
+    restored = replace(document, content=content, history=history)
+    if way.file is not None:
+        restored = replace(restored, opened=way.file.opened, base=way.file.base)
+    against = clashes(model.with_document(restored), shelf, way.edits_end)
+    if against:
+        return refused(cannot, against)
+    others = pin_changes.resettled(replace(model.without(document.id), shelf=shelf), model.shelf)
+    documents = {key: others.documents.get(key, restored) for key in model.documents}
+    return Done(replace(others, documents=documents), way.step.label, document.id)
+
+
+def _comes_on(document: Document, start: Content, end: Content) -> str:
+    """The tasks that would come ON in the running system."""
+    if document.live is None:
+        return ""
+    now = document.content.wanted
+    after = moved_wanted(now, start, end)
+    return " and ".join(sorted(name for name, is_on in after.items() if is_on and not now.get(name)))
+
+
+def _confirm(reason: str, meant: act.Undo | act.Redo) -> No:
+    return No(reason, (Remedy("Go on", meant),))

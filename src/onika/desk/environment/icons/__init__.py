@@ -1,0 +1,1 @@
+"""Acts on icons: in applications and in dictionaries."""

@@ -1,0 +1,97 @@
+"""The icon that an application would make for others (requirement D09, decisions 31 and 34, §5.6.4)."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from onika.desk.environment.canvas.draft import Draft, former_of, namesakes, of_type
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.runs.fault_text import said
+from onika.desk.environment.state.icon_names import a_kind, in_words, kind_named
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import Icon, every_flow
+from onika.model.rules import hole, shape
+from onika.model.rules.iconify import ActionType, application_type
+from onika.model.rules.outline import Outline
+from onika.model.syntax import Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.store.site import Site
+from onika.wire import act
+from onika.wire.view import Remedy
+from onika.words.fault import Refusal
+
+_MOST = 4
+"""Buttons beside a refusal."""
+
+
+def drafted(model: Model, opened: OpenApplication, site: Site) -> Draft | No:
+    """The icon of an application that is saved; else all reasons why it makes none, with what could be done."""
+    syntax = model.syntax
+    if syntax is None:
+        return No("there is no syntax definition, which says what types of icons there are")
+    if opened.opened is None or opened.base is None:
+        return No(f"{opened.name} has no file yet: an icon is made of one", (_elsewhere(),))
+    if opened.is_dirty:
+        reason = f"{opened.name} has changed since it was saved: an icon is made of what its file says"
+        return No(reason, (Remedy("Save it", act.Save(opened.id)), _elsewhere()))
+    kind = application_type(opened.application, syntax)
+    if not isinstance(kind, ActionType):
+        return No("; ".join(_reasons(opened, syntax, kind)), tuple(_remedies(opened, syntax))[:_MOST])
+    home = BaseDirectory(opened.base)
+    former, taken = former_of(opened.name, home, syntax, "application")
+    acting = syntax.acting(kind.type)
+    return Draft(
+        name=opened.name,
+        home=home,
+        kind=kind,
+        edges=(acting.left_edge, acting.right_edge) if acting else (0, 0),
+        warnings=(
+            *((taken,) if taken else ()),
+            *of_type(kind, syntax, former),
+            *_filled(opened, syntax),
+            *_within_itself(opened, syntax),
+            *namesakes(opened.name, home, site),
+        ),
+        notes=(),
+        source=home.application_file(opened.name),
+        former=former,
+        taken=taken,
+    )
+
+
+def _elsewhere() -> Remedy:
+    return Remedy("Save as…", show="save-as")
+
+
+def _reasons(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Iterable[str]:
+    """What is wrong with its steps, which comes first, in the words of the list beside it; then what its holes want."""
+    wrong = [said(one) for one in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
+    return dict.fromkeys((*wrong, *(in_words(plain(one.reason)) for one in refused[len(wrong) :])))
+
+
+def _remedies(opened: OpenApplication, syntax: Syntax) -> Iterator[Remedy]:
+    """To its holes: first those where an action is missing, which no target can fill."""
+    found = sorted(hole.holes(Outline.of(opened.application, syntax, opened.name), syntax), key=lambda one: one.types)
+    for one in found:
+        step = one.passage.flow.steps[one.position]
+        label = f"Fill the hole for {a_kind(one.types[0])}" if one.types else "Fill the hole"
+        yield Remedy(label, show=f"step:{step.number}")
+
+
+def _filled(opened: OpenApplication, syntax: Syntax) -> Iterator[str]:
+    """That one target fills several holes (D09), which is worth knowing before."""
+    outline = Outline.of(opened.application, syntax, opened.name)
+    wanted = [kind for one in hole.holes(outline, syntax) for kind in one.types]
+    for kind in hole.open_types(outline, syntax):
+        count = sum(one.lower() == kind.lower() for one in wanted)
+        if count > 1:
+            yield f"the {kind_named(kind)} behind it fills {count} holes"
+
+
+def _within_itself(opened: OpenApplication, syntax: Syntax) -> Iterator[str]:
+    for _, flow in every_flow(opened.application):
+        for step in flow.steps:
+            kind = syntax.acting(step.onikon.type) if isinstance(step, Icon) else None
+            if isinstance(step, Icon) and kind and kind.is_application and step.onikon.name == opened.name:
+                yield f"{opened.name} stands in itself: it cannot run"
+                return

@@ -1,0 +1,131 @@
+"""Flows: of the application and of its branches, and which of them runs (requirements D04, D10, D13)."""
+
+from dataclasses import replace
+
+from onika.desk.environment.icons.alteration import altered, flow_at
+from onika.desk.environment.outcome.on_application import on_resting_application
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import AppFlow, Application, Branch
+from onika.model.flow_path import spots, with_step
+from onika.wire import act
+from onika.wire.view import Remedy
+from onika.words.condition import Condition
+
+MOST_FLOWS = 32
+"""Of an application, and of a branch: more are a slip of the hand."""
+
+
+@on_resting_application
+def set_conditions(
+    model: Model, opened: OpenApplication, asked: act.SetConditions, _outside: Surroundings
+) -> Done | No:
+    """Say which flow of a branch runs."""
+    branch = _branch(opened.application, asked.step)
+    if isinstance(branch, No):
+        return branch
+    conditions = conditions_of(asked.conditions, len(branch.flows))
+    if isinstance(conditions, No):
+        return conditions
+    application = with_step(opened.application, asked.step, replace(branch, conditions=conditions))
+    return altered(model, opened, application, "saying which flow of a branch runs")
+
+
+@on_resting_application
+def add_flow(model: Model, opened: OpenApplication, asked: act.AddFlow, _outside: Surroundings) -> Done | No:
+    """One more flow, empty; the value is its path."""
+    application = opened.application
+    if not asked.step:
+        if len(application.flows) >= MOST_FLOWS:
+            return _too_many()
+        flows = (*application.flows, AppFlow(()))
+        path = str(len(application.flows))
+        return altered(model, opened, replace(application, flows=flows), "adding a flow", path)
+    branch = _branch(application, asked.step)
+    if isinstance(branch, No):
+        return branch
+    if len(branch.flows) >= MOST_FLOWS:
+        return _too_many()
+    if branch.conditions:
+        freed = act.SetConditions(opened.id, asked.step, ())
+        remedies = (Remedy("Choose by what was returned", freed), Remedy("Show the branch", show=f"step:{asked.step}"))
+        return No("this branch chooses by conditions: one more flow would have none", remedies)
+    grown = replace(branch, flows=(*branch.flows, AppFlow(())))
+    path = f"{spots(application)[asked.step].path}/{asked.step}/{len(branch.flows)}"
+    return altered(model, opened, with_step(application, asked.step, grown), "adding a flow to a branch", path)
+
+
+@on_resting_application
+def remove_flow(model: Model, opened: OpenApplication, asked: act.RemoveFlow, _outside: Surroundings) -> Done | No:
+    """Take a flow away with all that is in it; of a branch its condition too."""
+    application = opened.application
+    if flow_at(application, asked.flow) is None:
+        return No("this flow is no longer there")
+    *way, last = asked.flow.split("/")
+    number = int(last)
+    if not way:
+        if len(application.flows) == 1:
+            return No("an application has at least one flow")
+        flows = _but(application.flows, number)
+        return altered(model, opened, replace(application, flows=flows), "deleting a flow")
+    branch = _branch(application, int(way[-1]))
+    if isinstance(branch, No):
+        return branch
+    if len(branch.flows) == 1:
+        remedy = Remedy("Delete the branch", act.RemoveIcons(opened.id, (branch.number,)))
+        return No("a branch has at least one flow", (remedy,))
+    gone = min(number, len(branch.conditions) - 1)  # the last flow has none: then what was the last but one is it
+    conditions = (*branch.conditions[:gone], *branch.conditions[gone + 1 :]) if branch.conditions else ()
+    shrunk = replace(branch, flows=_but(branch.flows, number), conditions=conditions)
+    return altered(model, opened, with_step(application, branch.number, shrunk), "deleting a flow of a branch")
+
+
+@on_resting_application
+def set_parallel(model: Model, opened: OpenApplication, asked: act.SetParallel, _outside: Surroundings) -> Done | No:
+    """Whether the flows run side by side, or one of them is chosen."""
+    label = "making it parallel" if asked.is_parallel else "making it conditional"
+    if opened.application.is_parallel == asked.is_parallel:
+        return Done(model)
+    return altered(model, opened, replace(opened.application, is_parallel=asked.is_parallel), label)
+
+
+def branch_of(flows: int, conditions: tuple[str, ...]) -> Branch | No:
+    """A branch with so many empty flows."""
+    if not 2 <= flows <= MOST_FLOWS:
+        form = f"from 2 to {MOST_FLOWS}"
+        return No(f"a branch has {form} flows, not {flows}", fields={"flows": f"expected {form}"})
+    parsed = conditions_of(conditions, flows)
+    return parsed if isinstance(parsed, No) else Branch((AppFlow(()),) * flows, parsed)
+
+
+def conditions_of(texts: tuple[str, ...], flows: int) -> tuple[str, ...] | No:
+    """The conditions of a branch with so many flows, as they are written; none, or one less than flows."""
+    if not texts:
+        return ()
+    if len(texts) != flows - 1:
+        return No(f"expected {flows - 1} conditions for {flows} flows, or none, found {len(texts)}")
+    wrong: dict[str, str] = {}
+    parsed = []
+    for at, text in enumerate(texts):
+        try:
+            parsed.append(Condition.parse(text).text)
+        except ValueError as error:
+            wrong[f"conditions[{at}]"] = str(error)
+    return No("; ".join(wrong.values()), fields=wrong) if wrong else tuple(parsed)
+
+
+def _branch(application: Application, number: int) -> Branch | No:
+    spot = spots(application).get(number)
+    if spot is None:
+        return No("this branch is no longer there")
+    return spot.step if isinstance(spot.step, Branch) else No("this is no branch")
+
+
+def _but(flows: tuple[AppFlow, ...], number: int) -> tuple[AppFlow, ...]:
+    return (*flows[:number], *flows[number + 1 :])
+
+
+def _too_many() -> No:
+    return No(f"there are {MOST_FLOWS} flows already, and no more can be had")

@@ -1,0 +1,101 @@
+"""Copy, cut and paste of icons: all or nothing, within and between applications (requirement D05).
+
+What is copied travels as the text of an application of one flow (§A.4), which a mail takes too.
+"""
+
+from dataclasses import replace
+
+from onika.desk.environment.icons.alteration import flow_at, found, place_behind, reflowed
+from onika.desk.environment.icons.fitting import misfit
+from onika.desk.environment.icons.insertion import is_too_deep, is_within, remove_icons, too_deep
+from onika.desk.environment.icons.loops import for_pasting
+from onika.desk.environment.outcome.on_application import (
+    is_running,
+    on_application,
+    on_resting_application,
+    running,
+    syntax_of,
+)
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.icon_names import several
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.files import appl
+from onika.model.application import AppFlow, Application, Hole, Step
+from onika.model.flow_path import numbered, unnumbered, with_flows
+from onika.model.rules import jigsaw
+from onika.model.syntax import Syntax
+from onika.wire import act
+
+_NAME = "copied"
+
+
+@on_application
+def copy_icons(model: Model, opened: OpenApplication, asked: act.CopyIcons, _outside: Surroundings) -> Done | No:
+    """Take steps into the buffer; the value is their text."""
+    spots = found(opened.application, asked.steps)
+    if isinstance(spots, No):
+        return spots
+    numbers = {spot.step.number for spot in spots}
+    steps = unnumbered(spot.step for spot in spots if not is_within(spot.path, numbers))
+    if all(isinstance(step, Hole) for step in steps):
+        return No("a hole cannot be copied")
+    return Done(replace(model, icons=steps), value=_written(steps))
+
+
+@on_application
+def cut_icons(model: Model, opened: OpenApplication, asked: act.CutIcons, outside: Surroundings) -> Done | No:
+    """Take steps into the buffer and delete them, as one step; the value is their text."""
+    if is_running(model, opened.id):
+        return running(opened)
+    copied = copy_icons(model, act.CopyIcons(asked.doc, asked.steps), outside)
+    if isinstance(copied, No):
+        return copied
+    done = remove_icons(copied.model, act.RemoveIcons(asked.doc, asked.steps), outside)
+    if isinstance(done, No):
+        return done
+    return replace(done, label=done.label.replace("deleting", "cutting", 1), value=copied.value)
+
+
+@on_resting_application
+def paste_icons(model: Model, opened: OpenApplication, asked: act.PasteIcons, _outside: Surroundings) -> Done | No:
+    """Insert what was copied behind a step; the value is the numbers of the new steps."""
+    syntax = syntax_of(model)
+    steps = _read(asked.text, syntax) if asked.text else model.icons
+    if isinstance(steps, No):
+        return steps
+    first = next((step for step in steps if not isinstance(step, Hole)), None)
+    if first is None:
+        return No("nothing was copied yet")
+    place = place_behind(opened.application, asked.flow, asked.after)
+    if isinstance(place, No):
+        return place
+    path, position = place
+    flow = flow_at(opened.application, path) or AppFlow(())
+    refused = misfit(model, opened, flow, position, first, path=path)
+    if refused:
+        return replace(refused, reason=f"nothing is pasted: {refused.reason}")
+    new, last = numbered(Application("", False, (AppFlow(for_pasting(steps, flow)),)), opened.last_number)
+    pasted = new.flows[0].steps
+    after = jigsaw.insert_all(flow, position, pasted, syntax)
+    if is_too_deep(with_flows(opened.application, {path: after})):
+        return too_deep()
+    opened = replace(opened, last_number=last)
+    numbers = tuple(step.number for step in pasted if not isinstance(step, Hole))
+    return reflowed(model, opened, {path: after}, f"pasting {several(pasted)}", numbers)
+
+
+def _written(steps: tuple[Step, ...]) -> str:
+    return appl.write(Application(_NAME, False, (AppFlow(steps),)))
+
+
+def _read(text: str, syntax: Syntax) -> tuple[Step, ...] | No:
+    """The steps of a text; those of its only flow."""
+    found, faults = appl.read(text.strip() + "\n", _NAME, "the text", syntax)
+    if found is None:
+        return No(f"this is no text of icons: {plain(str(faults[0]).partition('; instead')[0])}")
+    if len(found.flows) != 1:
+        return No(f"expected the icons of one flow, found {len(found.flows)} flows")
+    return unnumbered(found.flows[0].steps)

@@ -1,0 +1,117 @@
+"""Acts on dictionaries: open and close; and how they follow their files (requirements D01, D15)."""
+
+from collections.abc import Iterable, Sequence, Set
+from dataclasses import replace
+from pathlib import Path
+
+from onika.desk.environment.outcome.file_faults import told
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.dictionary import has_dictionary, open_dictionaries
+from onika.desk.environment.state.model import Model
+from onika.files import onk
+from onika.store.base_directory import BaseDirectory
+from onika.store.site import Site
+from onika.wire import act
+from onika.wire.view import Remedy
+
+
+def open_dictionary(model: Model, asked: act.OpenDictionary, outside: Surroundings) -> Done | No:
+    """Open the dictionary of a base directory, named itself or by its `dict/`; one that is open already is shown."""
+    try:
+        path = Path(asked.path).expanduser().absolute()
+        path = path.parent if path.name == "dict" and path.is_dir() else path
+        whole = path.resolve()
+        refused = _no_dictionary(path)
+    except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
+        return No(f"{asked.path!r} cannot be opened: {error}", fields={"path": str(error)})
+    if refused:
+        return refused
+    known = next((one for one in model.dictionaries if one.base.path.resolve() == whole), None)
+    if known is not None:
+        return Done(model, value=str(known.base.path))
+    done = rearranged(model, in_order(model, BaseDirectory(path), outside.site), frozenset())
+    return replace(done, value=str(path))
+
+
+def close_dictionary(model: Model, asked: act.CloseDictionary, _outside: Surroundings) -> Done | No:
+    """Close a dictionary; what is placed of it stays, and names that it kept from later ones are theirs."""
+    left = [one.base for one in model.dictionaries if str(one.base.path) != asked.dictionary]
+    if len(left) == len(model.dictionaries):
+        return No(f"the dictionary {asked.dictionary} is not open")
+    return rearranged(model, left, frozenset())
+
+
+def reread(model: Model, changed: Set[Path]) -> Done:
+    """With files of the open dictionaries read again, and those opened that have come into being on the search path."""
+    icons = [path for path in changed if is_icon(path)]
+    if not icons:
+        return Done(model)
+    bases = [one.base for one in model.dictionaries]
+    for home in sorted({path.parent.parent for path in icons}):
+        if home in model.search and BaseDirectory(home) not in bases and _is_new(BaseDirectory(home), changed):
+            bases = _inserted(bases, BaseDirectory(home), model.search)
+    return rearranged(model, bases, changed)
+
+
+def shown_at_once(model: Model, path: Path, site: Site) -> Model:
+    """With an icon that was saved or removed here; its dictionary is opened where it is on the search path."""
+    base = BaseDirectory(path.parent.parent)
+    bases: Iterable[BaseDirectory] = (one.base for one in model.dictionaries)
+    if _is_on(site, base) and not any(one.base == base for one in model.dictionaries):
+        bases = in_order(model, base, site)
+    return rearranged(model, bases, {path}).model
+
+
+def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path]) -> Done:
+    """With the dictionaries of these base directories, files among `changed` read again; the same model if all is so.
+
+    Faults that were not told yet are.
+    """
+    if model.syntax is None:
+        return Done(model)
+    former = model.dictionaries
+    found = open_dictionaries(bases, model.syntax, former, frozenset(changed))
+    if len(found) == len(former) and all(new is old for new, old in zip(found, former, strict=True)):
+        return Done(model)
+    known = {fault for one in former for fault in one.faults}
+    news = tuple(fault for one in found for fault in one.faults if fault not in known)
+    return Done(replace(model, dictionaries=found), says=told(news))
+
+
+def in_order(model: Model, base: BaseDirectory, site: Site) -> list[BaseDirectory]:
+    """The base directories of the open dictionaries and one more: where the search path has it, else last."""
+    return _inserted([one.base for one in model.dictionaries], base, [one.path for one in site.directories])
+
+
+def is_icon(path: Path) -> bool:
+    """Whether a path is one where a base directory has its icons."""
+    return path.suffix == onk.ENDING and path.parent.name == "dict"
+
+
+def _inserted(found: Sequence[BaseDirectory], base: BaseDirectory, search: Iterable[Path]) -> list[BaseDirectory]:
+    places = {path.resolve(): place for place, path in enumerate(search)}
+    place = places.get(base.path.resolve(), len(places))
+    at = next((at for at, one in enumerate(found) if places.get(one.path.resolve(), len(places)) > place), len(found))
+    return [*found[:at], base, *found[at:]]
+
+
+def _is_new(base: BaseDirectory, changed: Set[Path]) -> bool:
+    """Whether everything in a dictionary has come just now: one that was closed has icons that were there before."""
+    return all(base.onikon_file(name) in changed for name in base.onikons)
+
+
+def _is_on(site: Site, base: BaseDirectory) -> bool:
+    return any(one.path.resolve() == base.path.resolve() for one in site.directories)
+
+
+def _no_dictionary(path: Path) -> No | None:
+    """Why a path is none of a dictionary, if so."""
+    if not path.is_dir():
+        reason = f"{path} is no directory" if path.exists() else f"there is no {path}"
+        return No(reason, fields={"path": reason})
+    if has_dictionary(BaseDirectory(path)):
+        return None
+    reason = f"{path} has no dictionary: expected a folder dict in it, found none"
+    below = sorted(one for one in path.iterdir() if (one / "dict").is_dir())[:3]
+    return No(reason, tuple(Remedy(f"Open {one}", act.OpenDictionary(str(one))) for one in below), {"path": reason})

@@ -1,0 +1,132 @@
+"""Which icons of the open dictionaries fit where another one does not, and buttons that take them (requirement X01)."""
+
+from collections.abc import Iterator
+
+from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.state.icon_names import a_kind, named, quoted
+from onika.desk.environment.state.icon_types import role_of
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import AppFlow, Branch, Hole, Icon
+from onika.model.flow_path import flows_by_path
+from onika.model.onikon import Onikon
+from onika.model.rules.gap import Solid, kind_at, kind_of
+from onika.model.rules.jigsaw import fits, solid_at, stands_in_flow
+from onika.model.syntax import IconType, Syntax
+from onika.wire import act
+from onika.wire.view import Remedy
+
+_MOST = 4
+"""Buttons of a refusal."""
+
+
+def onikons(model: Model) -> Iterator[Onikon]:
+    """The icons of all open dictionaries."""
+    for dictionary in model.dictionaries:
+        yield from (opened.value for opened in dictionary.onikons.values())
+
+
+def onikon(model: Model, name: str) -> Onikon | No:
+    """The icon of this name."""
+    found = next((one for one in onikons(model) if one.name == name), None)
+    return found or No(f"no open dictionary has an icon {name}")
+
+
+def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, step: Solid, *, path: str) -> No | None:
+    """Why a step may not stand behind the step at `after` (-1: the start icon), with what could; None: it may.
+
+    path    that of the flow, for the buttons
+    """
+    syntax = syntax_of(model)
+    at = solid_at(flow, after)
+    left, kind = kind_at(flow, at, syntax), kind_of(step, syntax)
+    if isinstance(step, Icon) and (kind is None or not stands_in_flow(kind)):
+        return No(f"{quoted(step.onikon)} is {a_kind(step.onikon.type)}, which stands in no flow")
+    if left is None or kind is None or fits(left, kind):
+        return None
+    shown = "a branch" if isinstance(step, Branch) else a_kind(kind.name)
+    before = flow.steps[at] if at >= 0 else None
+    behind = quoted(before.onikon) if isinstance(before, Icon) else "a branch" if before else "the start"
+    number = before.number if before else 0
+    fitting = fitting_behind(model, left)
+    remedies = [*_in_its_place(model, opened, before, step, syntax)]
+    remedies += [*_use(opened, path, number, _likeliest(fitting, kind, opened, syntax), kind, syntax)]
+    if isinstance(before, Icon) and kind.is_target:
+        remedies += _other_jobs(model, opened, before, kind, syntax)
+    if fitting:
+        count = f"{len(fitting)} that fit" if len(fitting) > 1 else "one that fits"
+        remedies.append(Remedy(f"Show the {count}", show=f"fits:{path}:{number}"))
+    reason = f"{shown} does not fit behind {behind}: {_needed(left, syntax, at)}"
+    return No(reason, tuple(remedies[: _MOST - 1] + remedies[-1:] if len(remedies) > _MOST else remedies))
+
+
+def fitting_behind(model: Model, left: IconType) -> list[Onikon]:
+    """The icons that fit behind one of this type."""
+    syntax = syntax_of(model)
+    found = ((one, syntax.acting(one.type)) for one in onikons(model))
+    return [one for one, kind in found if kind and stands_in_flow(kind) and fits(left, kind)]
+
+
+def _needed(left: IconType, syntax: Syntax, at: int) -> str:
+    """What has to stand behind an icon of this type, as it stands there."""
+    kinds = [kind.name for kind in syntax.types if kind.is_target and fits(left, kind)]
+    if kinds:
+        return "it needs " + " or ".join(a_kind(kind) for kind in kinds)
+    return "there is no action to give it to" if at < 0 else "an action comes next"
+
+
+def _in_its_place(
+    model: Model, opened: OpenApplication, before: Solid | Hole | None, step: Solid, syntax: Syntax
+) -> Iterator[Remedy]:
+    """A new target that was put at another one of the same edges is most likely meant instead of it."""
+    if not isinstance(before, Icon) or not isinstance(step, Icon) or step.number or before.onikon == step.onikon:
+        return
+    stands, new = kind_of(before, syntax), kind_of(step, syntax)
+    if stands is None or new is None or not (stands.is_target and new.is_target):
+        return
+    is_like = (stands.left_edge, stands.right_edge) == (new.left_edge, new.right_edge)
+    if is_like and isinstance(onikon(model, step.onikon.name), Onikon):
+        yield Remedy("Put it in its place", act.ExchangeIcon(opened.id, before.number, step.onikon.name))
+
+
+def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, syntax: Syntax) -> list[Onikon]:
+    """Those of the role of what was meant first, those behind which it would fit, and those that are in use here."""
+    role = role_of(meant)
+    used = {
+        one.onikon.name for _, flow in flows_by_path(opened.application) for one in flow.steps if isinstance(one, Icon)
+    }
+
+    def rank(one: Onikon) -> tuple[bool, bool, bool]:
+        return role_of(syntax.acting(one.type)) != role, not _leads_to(one, meant, syntax), one.name not in used
+
+    return sorted(fitting, key=rank)
+
+
+def _use(
+    opened: OpenApplication, path: str, number: int, fitting: list[Onikon], meant: IconType, syntax: Syntax
+) -> Iterator[Remedy]:
+    for one in fitting[:2]:
+        label = f"First insert {named(one)}" if _leads_to(one, meant, syntax) else f"Use {named(one)}"
+        yield Remedy(label, act.InsertIcon(opened.id, one.name, path, number))
+
+
+def _leads_to(one: Onikon, target: IconType, syntax: Syntax) -> bool:
+    """Whether an icon is an action that takes this target."""
+    kind = syntax.acting(one.type)
+    return target.is_target and kind is not None and kind.needs_target and fits(kind, target)
+
+
+def _other_jobs(
+    model: Model, opened: OpenApplication, before: Icon, target: IconType, syntax: Syntax
+) -> Iterator[Remedy]:
+    """Jobs behind which the target would fit, in place of the one that stands there."""
+    now = syntax.acting(before.onikon.type)
+    if now is None or not now.needs_target:
+        return
+    for one in onikons(model):
+        kind = syntax.acting(one.type)
+        if kind and role_of(kind) == role_of(now) and kind.left_edge == now.left_edge and fits(kind, target):
+            act_ = act.ExchangeIcon(opened.id, before.number, one.name)
+            yield Remedy(f"Change {named(before.onikon)} to {named(one)}", act_)
+            return

@@ -1,0 +1,57 @@
+"""Changing one placed icon: its description, its values, its picture (requirement D17)."""
+
+from dataclasses import replace
+
+from onika.desk.environment.icons.alteration import altered
+from onika.desk.environment.outcome.on_application import on_resting_application
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state import target_values
+from onika.desk.environment.state.icon_names import a_kind, named, quoted
+from onika.desk.environment.state.icon_words import told_again
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.picture_digits import painted
+from onika.desk.environment.state.target_items import items_of
+from onika.model.application import Icon
+from onika.model.flow_path import spots, with_step
+from onika.model.onikon import Onikon
+from onika.wire import act
+
+
+@on_resting_application
+def edit_icon(model: Model, opened: OpenApplication, asked: act.EditIcon, _outside: Surroundings) -> Done | No:
+    """Change this one icon; those of the dictionary and its other instances stay as they are."""
+    spot = spots(opened.application).get(asked.step)
+    if spot is None:
+        return No("this icon is no longer there")
+    icon = spot.step
+    if not isinstance(icon, Icon):
+        return No("only icons can be changed")
+    changed = _changed(model, icon.onikon, asked)
+    if isinstance(changed, No):
+        return changed
+    if changed == icon.onikon:
+        return Done(model)
+    application = with_step(opened.application, asked.step, replace(icon, onikon=changed))
+    return altered(model, opened, application, f"changing {named(icon.onikon)}")
+
+
+def _changed(model: Model, onikon: Onikon, asked: act.EditIcon) -> Onikon | No:
+    if asked.values is not None:
+        items = items_of(model, onikon.type)
+        if not items and asked.values:
+            return No(f"{quoted(onikon)} is {a_kind(onikon.type)}, which has no values")
+        typed = target_values.checked(items, asked.values)
+        if isinstance(typed, dict):
+            return No(target_values.told(typed), fields=typed)
+        onikon = replace(onikon, values=typed)
+    if asked.picture is not None:
+        picture = painted(asked.picture)
+        if isinstance(picture, str):
+            return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
+        onikon = replace(onikon, picture=picture)
+    if asked.description is not None:
+        said = " ".join(asked.description.split())
+        onikon = replace(onikon, description=said, words=told_again(onikon, said))
+    return onikon

@@ -1,0 +1,102 @@
+"""A configuration or an application becomes an icon: type, warnings, picture, file (C16, D09, §5.6.2, §5.6.4)."""
+
+from dataclasses import replace
+
+import msgspec
+
+from onika.desk.environment.canvas.draft import Draft, drafted
+from onika.desk.environment.file import file_index
+from onika.desk.environment.icons import application_icon
+from onika.desk.environment.icons.dictionaries import shown_at_once
+from onika.desk.environment.outcome.on_document import closed
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.icon_names import kind_named
+from onika.desk.environment.state.icon_words import forgotten, told_again
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.picture_digits import painted
+from onika.model.onikon import Onikon
+from onika.wire import act, page
+from onika.wire.view import DraftView, Remedy
+from onika.words.fault import Refusal
+
+
+def draft(model: Model, asked: act.Draft, outside: Surroundings) -> Done | No:
+    """What icon a configuration or an application would make; the value is a `view.DraftView`."""
+    found = _drafted(model, asked.doc, outside)
+    return found if isinstance(found, No) else Done(model, value=_view(found))
+
+
+def make_job(model: Model, asked: act.MakeJob, outside: Surroundings) -> Done | No:
+    """Save the onikon of a configuration or application beside it; the value is the path of its file."""
+    found = _drafted(model, asked.doc, outside)
+    if isinstance(found, No):
+        return found
+    picture = painted(asked.picture)
+    if isinstance(picture, str):
+        return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
+    name, path = found.name, found.path
+    meant = Remedy("Replace it", msgspec.structs.replace(asked, overwrites=True))
+    if path.exists() and not asked.overwrites:
+        return No(found.taken or f"{path} is there already", (meant,))
+    description = " ".join(asked.description.split())
+    words = told_again(found.former.value, description) if found.former else ()
+    made = Onikon(name, found.kind.type, description, (), picture, found.kind.more_targets, words)
+    saved = found.home.save_onikon(made, found.former, overwrites=asked.overwrites)
+    if isinstance(saved, Refusal):
+        again = overwriting(saved, msgspec.structs.replace(asked, overwrites=True), "Replace it")
+        return No(plain(saved.reason), () if asked.overwrites else again)
+    text = f"{name} is {found.says} now: {kind_named(made.type)}, in {saved.path}"
+    source = file_index.again(found.source, model.syntax)
+    model = source.beside(model) if source else model  # what was saved just now is what the icon is judged by
+    now = shown_at_once(model, saved.path, outside.site)
+    gone = forgotten(found.former.value, description) if found.former else ""
+    lost = (page.Say("warning", gone, asked.doc),) if gone else ()
+    return Done(now, value=str(saved.path), says=(page.Say("success", text, asked.doc), *lost))
+
+
+def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
+    """The draft of what is open and saved; else why there is none."""
+    application = model.applications.get(doc)
+    if application is not None:
+        return application_icon.drafted(model, application, outside.site)
+    document = model.documents.get(doc)
+    if document is None:
+        return closed()
+    unsaved = _unsaved(document)
+    if unsaved:
+        return unsaved
+    found = drafted(document, outside.site)
+    if isinstance(found, Draft):
+        edited = [name for name in document.content.names if name in model.shelf.edits]
+        text = "{} was changed here and is not saved: the job runs what its file says"
+        warnings = (*(text.format(name) for name in edited), *found.warnings)
+        return replace(found, warnings=warnings + (found.notes if model.habits.shows_warnings else ()))
+    return No("; ".join(found))
+
+
+def _unsaved(document: Document) -> No | None:
+    if document.opened is None or document.base is None:
+        reason = f"{document.name} has no file yet: a job is made of one"
+        return No(reason, (Remedy("Save as…", show="save-as"),))
+    if document.is_dirty:
+        reason = f"{document.name} has changed since it was saved: a job is made of what its file says"
+        return No(reason, (Remedy("Save it", act.Save(document.id)), Remedy("Save as…", show="save-as")))
+    return None
+
+
+def _view(found: Draft) -> DraftView:
+    former = found.former.value if found.former else None
+    left, right = (str(edge) for edge in found.edges)
+    return DraftView(
+        name=found.name,
+        type=found.kind.type,
+        left_edge=left,
+        right_edge=right,
+        warnings=found.warnings,
+        picture="".join(former.picture.rows) if former else "",
+        description=former.description if former else "",
+        path=str(found.path),
+    )

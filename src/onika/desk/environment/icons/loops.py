@@ -1,0 +1,143 @@
+"""Loops: two actions of one flow, one of which decides and one of which is gone back to (D06, D13, decision 23)."""
+
+from collections.abc import Iterable, Sequence
+from dataclasses import replace
+from string import ascii_uppercase
+
+from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
+from onika.desk.environment.icons.alteration import reflowed
+from onika.desk.environment.icons.marks import condition_of, tag_refused
+from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.icon_names import listed, named, quoted
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import AppFlow, Application, Icon, Step, actions
+from onika.model.flow_path import flows_by_path, with_flows
+from onika.model.syntax import Syntax
+from onika.wire import act
+from onika.wire.view import Remedy
+
+
+@on_resting_application
+def set_loop(model: Model, opened: OpenApplication, asked: act.SetLoop, _outside: Surroundings) -> Done | No:
+    """Mark two actions of one flow as a loop, in place of the loops they had; the value is its tag."""
+    condition = condition_of(asked.condition)
+    refused = condition if isinstance(condition, No) else tag_refused(asked.tag)
+    if isinstance(condition, No) or refused:
+        return refused or No("this is no condition")
+    test, anchor = action_of(model, opened, asked.test), action_of(model, opened, asked.anchor)
+    if isinstance(test, No):
+        return test
+    if isinstance(anchor, No):
+        return anchor
+    if test.path != anchor.path:
+        return No("a loop goes back within one flow, and these two stand in different ones")
+    if test.action.position == anchor.action.position:
+        return No("a loop has two actions: one that decides, and one that is gone back to")
+    syntax = syntax_of(model)
+    freed = _without(test.flow, {test.action.icon.while_tag, anchor.action.icon.while_tag})
+    tag = asked.tag or _free(with_flows(opened.application, {test.path: freed}))
+    if tag in tags(freed.steps):
+        other = Remedy("Take a free tag", act.SetLoop(asked.doc, asked.test, asked.anchor, "", asked.condition))
+        return No(f"there is a loop {tag} in this flow already", (other,), {"tag": "expected another tag"})
+    job, back = freed.steps[test.action.position], freed.steps[anchor.action.position]
+    if not (isinstance(job, Icon) and isinstance(back, Icon)):
+        raise TypeError(f"expected icons at the positions of actions, found {job} and {back}")
+    flow = exchanged(
+        freed,
+        {
+            test.action.position: replace(job, while_tag=tag, while_test=True, while_if=condition),
+            anchor.action.position: replace(back, while_tag=tag, while_test=False, while_if=""),
+        },
+    )
+    crossed = _crossed(flow, tag, syntax)
+    if crossed:
+        remove = (Remedy(f"Remove the loop {one}", act.RemoveLoop(opened.id, at)) for one, at in crossed.items())
+        return No(f"this loop would cross the loop {listed(crossed)}: one has to lie within the other", tuple(remove))
+    label = f"looping from {named(job.onikon)} to {named(back.onikon)}"
+    return reflowed(model, opened, {test.path: flow}, label, tag)
+
+
+@on_resting_application
+def remove_loop(model: Model, opened: OpenApplication, asked: act.RemoveLoop, _outside: Surroundings) -> Done | No:
+    """Take the loop of a step away: both its tags."""
+    found = action_of(model, opened, asked.step)
+    if isinstance(found, No):
+        return found
+    tag = found.action.icon.while_tag
+    if tag is None:
+        return No(f"{quoted(found.action.icon.onikon)} is part of no loop")
+    return reflowed(model, opened, {found.path: _without(found.flow, {tag})}, f"removing the loop {tag}")
+
+
+def for_pasting(steps: Sequence[Step], flow: AppFlow) -> tuple[Step, ...]:
+    """Steps that come into a flow: a loop of theirs gets a tag that is free there; half a one is a loop no more.
+
+    But for the half that is missing there: it is as if it had only been moved.
+    """
+    count = tags(steps)
+    there = tags(flow.steps)
+    free = (one for one in _names() if one not in there and one not in count)
+    renamed: dict[str, str] = {}
+    for tag, tests in count.items():
+        whole = sorted(tests) == [False, True]
+        completes = sorted((*tests, *there.get(tag, ()))) == [False, True] and tag in there
+        if whole:
+            renamed[tag] = next(free) if tag in there else tag
+        elif completes:
+            renamed[tag] = tag
+    return tuple(_renamed(step, renamed) for step in steps)
+
+
+def tags(steps: Iterable[Step]) -> dict[str, list[bool]]:
+    """The loop tags of steps, each with whether each of its icons is the test."""
+    found: dict[str, list[bool]] = {}
+    for step in steps:
+        if isinstance(step, Icon) and step.while_tag is not None:
+            found.setdefault(step.while_tag, []).append(step.while_test)
+    return found
+
+
+def _renamed(step: Step, names: dict[str, str]) -> Step:
+    if not isinstance(step, Icon) or step.while_tag is None:
+        return step
+    if step.while_tag in names:
+        return replace(step, while_tag=names[step.while_tag])
+    return unmarked([(0, step)])[0]
+
+
+def _without(flow: AppFlow, gone: set[str | None]) -> AppFlow:
+    """A flow without the loops of these tags."""
+    icons = ((at, step) for at, step in enumerate(flow.steps) if isinstance(step, Icon) and step.while_tag is not None)
+    return exchanged(flow, unmarked((at, one) for at, one in icons if one.while_tag in gone))
+
+
+def _free(application: Application) -> str:
+    """The first letter that no loop of an application has: two loops of one name would puzzle who reads it."""
+    taken = {tag for _, flow in flows_by_path(application) for tag in tags(flow.steps)}
+    return next(one for one in _names() if one not in taken)
+
+
+def _names() -> Iterable[str]:
+    yield from ascii_uppercase
+    number = 1
+    while True:
+        yield f"L{number}"
+        number += 1
+
+
+def _crossed(flow: AppFlow, tag: str, syntax: Syntax) -> dict[str, int]:
+    """The loops that the loop `tag` crosses, each with the number of an action of it."""
+    spans: dict[str, list[int]] = {}
+    numbers: dict[str, int] = {}
+    for action in actions(flow, syntax):
+        if action.icon.while_tag is not None:
+            spans.setdefault(action.icon.while_tag, []).append(action.position)
+            numbers[action.icon.while_tag] = action.icon.number
+    start, end = spans.pop(tag)
+    whole = {other: span for other, span in spans.items() if len(span) == 2}
+    return {
+        other: numbers[other] for other, (one, last) in whole.items() if (start < one < end) != (start < last < end)
+    }

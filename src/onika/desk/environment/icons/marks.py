@@ -1,0 +1,88 @@
+"""Breakpoints and synchronisation tags, which count once for an action (requirement D06, decisions 24 to 26)."""
+
+import re
+from dataclasses import replace
+
+from onika.desk.environment.icons.action_of_step import Acting, action_of, exchanged
+from onika.desk.environment.icons.alteration import reflowed
+from onika.desk.environment.outcome.on_application import on_application, on_resting_application
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.icon_names import named
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import AppFlow, Icon
+from onika.wire import act
+from onika.words.condition import Condition
+
+_TAG = re.compile(r"[^\s\x00-\x1f\x7f-\x9f#]{1,16}\Z")
+
+
+@on_application
+def set_breakpoint(
+    model: Model, opened: OpenApplication, asked: act.SetBreakpoint, _outside: Surroundings
+) -> Done | No:
+    """Pause after these actions, or no longer; also while they run."""
+    condition = condition_of(asked.condition)
+    if isinstance(condition, No):
+        return condition
+    found = [action_of(model, opened, step) for step in asked.steps]
+    marked = [one for one in found if not isinstance(one, No)]
+    if not marked:
+        return next((one for one in found if isinstance(one, No)), No("nothing is selected"))
+    flows: dict[str, AppFlow] = {}
+    for path, flow, action in marked:
+        icon = replace(action.icon, marker=asked.is_set, marker_if=condition if asked.is_set else "")
+        flows[path] = exchanged(flows.get(path, flow), {action.position: icon})
+    label = f"{'setting' if asked.is_set else 'removing'} {_breakpoints(marked)}"
+    done = reflowed(model, opened, flows, label)
+    return done if condition else _still_looked(done, opened)
+
+
+def _still_looked(done: Done, before: OpenApplication) -> Done:
+    """What a runtime has found is still so: plain breakpoints are nothing that it looks at."""
+    after, looked = done.model.applications[before.id], before.looked
+    if looked is None or looked.of is not before.application:
+        return done
+    kept = replace(after, looked=replace(looked, of=after.application))
+    return replace(done, model=done.model.with_application(kept))
+
+
+@on_resting_application
+def set_synch_tag(model: Model, opened: OpenApplication, asked: act.SetSynchTag, _outside: Surroundings) -> Done | No:
+    """The tag at which an action waits for other flows; empty takes it away."""
+    tag = asked.tag.strip()
+    wrong = tag_refused(tag)
+    if wrong:
+        return wrong
+    found = action_of(model, opened, asked.step)
+    if isinstance(found, No):
+        return found
+    icon: Icon = replace(found.action.icon, synch_tag=tag or None)
+    name = named(icon.onikon)
+    label = f"setting the tag {tag} at {name}" if tag else f"removing the tag at {name}"
+    return reflowed(model, opened, {found.path: found.having(icon)}, label)
+
+
+def tag_refused(tag: str) -> No | None:
+    """Why a text is no tag; None: it is one, or empty."""
+    if not tag or _TAG.match(tag):
+        return None
+    form = "a letter, or a word of at most 16 signs without blanks"
+    return No(f"a tag is {form}, not {tag!r}", fields={"tag": f"expected {form}"})
+
+
+def condition_of(text: str) -> str | No:
+    """A condition as it is written; empty where there is none."""
+    if not text.strip():
+        return ""
+    try:
+        return Condition.parse(text).text
+    except ValueError as wrong:
+        return No(str(wrong), fields={"condition": str(wrong)})
+
+
+def _breakpoints(marked: list[Acting]) -> str:
+    if len(marked) == 1:
+        return f"a breakpoint after {named(marked[0].action.icon.onikon)}"
+    return f"{len(marked)} breakpoints"

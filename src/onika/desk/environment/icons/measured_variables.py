@@ -1,0 +1,70 @@
+"""Which variables say of the robot what a target says of a place: those that its task itself goes by (D13)."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from onika.desk.environment.icons import pose_numbers
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.target_items import ports_of, uses_of
+from onika.model.port import PortKind
+from onika.model.syntax import IconType
+from onika.wire.sheet import InputSheet, PortSheet
+from onika.words.value import ValueType
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """A datum of a target and a variable that would give it."""
+
+    item: str
+    count: int
+    type: ValueType
+    variable: str
+    is_frame: bool = False
+    """Whether the variable is a frame and the datum its nine numbers."""
+    dimension: str = ""
+    """The constant that says how many values there are; empty: it is `count`."""
+
+
+def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
+    """What could be read for the data of a type of target, each once; what nothing measures has none."""
+    found: dict[Measure, None] = {}
+    if model.syntax is None:
+        return ()
+    uses = uses_of(model.shelf, model.syntax, kind)
+    for item in kind.items:
+        for use in uses.get(item.name, ()):
+            for port in _like(use.input, ports_of(model.shelf, use.task)):
+                is_frame = port.shape != use.input.shape
+                found[Measure(item.name, item.count, item.type, use.variable(port.name), is_frame, item.dimension)] = (
+                    None
+                )
+    return tuple(found)
+
+
+def values_of(measure: Measure, value: Any) -> tuple[float, ...] | str:
+    """The values of a variable as those of a datum; else why they are none, in words."""
+    if measure.is_frame:
+        return pose_numbers.nine_of(value)
+    found = tuple(_flat(value))
+    if len(found) != measure.count and not (measure.dimension and found):
+        return f"{measure.variable} has {len(found)} values and {measure.item} {measure.count}"
+    return tuple(round(one) for one in found) if measure.type.is_whole else found
+
+
+def _like(wanted: InputSheet, ports: Iterable[PortSheet]) -> Iterator[PortSheet]:
+    """The variables that a task reads while it runs and that say what it takes: of its shape and unit, or a frame."""
+    if wanted.shape.startswith(("string", "line", "char")):
+        return
+    is_told = "[" in wanted.shape or wanted.unit not in ("", "-")  # a bare number may be anything
+    for port in ports:
+        kind = PortKind(port.kind)
+        is_alike = is_told and (port.shape, port.unit) == (wanted.shape, wanted.unit)
+        is_frame = (wanted.shape, port.shape) == (f"double[{pose_numbers.COUNT}]", pose_numbers.SHAPE)
+        if kind.is_input and kind.at_cycle and (is_alike or is_frame):
+            yield port
+
+
+def _flat(value: object) -> list[float]:
+    return [one for part in value for one in _flat(part)] if isinstance(value, list) else [float(str(value))]

@@ -1,0 +1,73 @@
+"""What could be done so that something measures what a target says (requirement X01)."""
+
+from collections.abc import Iterable, Iterator, Sequence
+from itertools import islice
+from pathlib import Path
+
+from onika.desk.environment.icons.measured_variables import Measure
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
+from onika.model.configuration import Configuration
+from onika.model.task import Task
+from onika.wire import act
+from onika.wire.view import Remedy
+
+_MOST = 3
+
+
+def ways_to_measure(model: Model, measures: Sequence[Measure]) -> tuple[Remedy, ...]:
+    """Buttons, likeliest first: turn tasks ON that live, connect what is open, open what could be."""
+    return tuple(islice(_ways(model, frozenset(one.variable for one in measures)), _MOST))
+
+
+def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
+    documents = model.documents.values()
+    able = [(one, tasks) for one in documents if (tasks := _writers(model, one.content.names, wanted))]
+    for document, tasks in able:
+        sleeping = tuple(name for name in _with_hardware(model, document, tasks) if _is_off(document, name))
+        if document.live is not None and document.live.state == "live" and sleeping:
+            yield Remedy(f"Turn {' and '.join(sleeping)} ON", act.Turn(document.id, sleeping, True))
+    for document, _ in able:
+        if document.live is None:
+            yield Remedy(f"Connect {document.name}", act.Connect(document.id))
+    opened = {str(one.opened.path) for one in documents if one.opened}
+    for path, source in sorted(model.sources.items(), key=_size):
+        is_other = isinstance(source, Configuration) and path not in opened
+        if is_other and _writers(model, _names(source), wanted):
+            yield Remedy(f"Open {Path(path).stem}", act.Open(path))
+
+
+def _writers(model: Model, names: Iterable[str], wanted: frozenset[str]) -> list[Task]:
+    known = model.shelf.tasks
+    return [known[name] for name in names if name in known and known[name].given_while_running & wanted]
+
+
+def _with_hardware(model: Model, document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
+    """These tasks behind the drivers of robots whose measurements they read."""
+    reads = {name for task in tasks for name in task.svars(task.invar)}
+    known = model.shelf.tasks
+    drivers = [
+        name
+        for name in document.content.names
+        if name in known and _drives(model, known[name]) and known[name].given_while_running & reads
+    ]
+    return tuple(dict.fromkeys((*drivers, *(task.name for task in tasks))))
+
+
+def _drives(model: Model, task: Task) -> bool:
+    """Whether a task is the driver of a device, as its file says or its module does."""
+    sheet = model.shelf.sheets.get(task.module)
+    return any(line.key == "DEVICE" for line in task.local) or (sheet is not None and sheet.hardware)
+
+
+def _is_off(document: Document, name: str) -> bool:
+    return document.live is not None and document.live.state_of(name) == "OFF"
+
+
+def _names(source: object) -> tuple[str, ...]:
+    return tuple(one.task for one in source.placed) if isinstance(source, Configuration) else ()
+
+
+def _size(one: tuple[str, object]) -> tuple[int, str]:
+    """Configurations of few tasks first."""
+    return len(_names(one[1])), one[0]

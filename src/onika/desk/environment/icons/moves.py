@@ -1,0 +1,77 @@
+"""Moving steps within and between flows: taken out and put in again as one step, or not at all (requirement D05)."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+
+from onika.desk.environment.icons.alteration import altered, flow_at, found, place_behind
+from onika.desk.environment.icons.fitting import misfit
+from onika.desk.environment.icons.insertion import is_too_deep, is_within, too_deep, without
+from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.icon_names import several
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import AppFlow, Application, Hole, Step, actions
+from onika.model.flow_path import flows_by_path, with_flows
+from onika.model.rules import jigsaw
+from onika.model.syntax import Syntax
+from onika.wire import act
+
+
+@on_resting_application
+def move_icons(model: Model, opened: OpenApplication, asked: act.MoveIcons, _outside: Surroundings) -> Done | No:
+    """Take steps out and insert them behind another one; an action takes its targets with it."""
+    spots = found(opened.application, asked.steps)
+    if isinstance(spots, No):
+        return spots
+    syntax = syntax_of(model)
+    wanted = {spot.step.number for spot in spots if not isinstance(spot.step, Hole) or spot.step.kept}
+    if not wanted:
+        return No("a hole is no icon: it goes where it is needed by itself")
+    steps = list(taken(opened.application, wanted, syntax))
+    numbers = {step.number for step in steps}
+    place = place_behind(opened.application, asked.flow, asked.after)
+    if isinstance(place, No):
+        return place
+    if is_within(place[0], numbers):
+        return No("a branch cannot be moved into itself")
+    after = _before(opened.application, *place, numbers)
+    left = with_flows(opened.application, without(model, opened, numbers))
+    place = place_behind(left, place[0], after)
+    if isinstance(place, No):
+        return place
+    path, position = place
+    flow = flow_at(left, path) or AppFlow(())
+    first = next((step for step in steps if not isinstance(step, Hole)), None)
+    if first is None:
+        return No("a hole is no icon: it goes where it is needed by itself")
+    refused = misfit(model, replace(opened, application=left), flow, position, first, path=path)
+    if refused:
+        shown = tuple(one for one in refused.remedies if one.show)  # the others would insert, and nothing is moved
+        return replace(refused, remedies=shown)
+    application = with_flows(left, {path: jigsaw.insert_all(flow, position, steps, syntax)})
+    if is_too_deep(application):
+        return too_deep()
+    if application == opened.application:
+        return Done(model)
+    return altered(model, opened, application, f"moving {several(steps)}")
+
+
+def taken(application: Application, numbers: set[int], syntax: Syntax) -> Iterable[Step]:
+    """The steps of these numbers in order, with the targets of their actions, but for those within one of them."""
+    for path, flow in flows_by_path(application):
+        if is_within(path, numbers):
+            continue
+        wanted = {at for at, step in enumerate(flow.steps) if step.number in numbers}
+        for action in actions(flow, syntax):
+            if action.position in wanted:
+                wanted.update(at for at in action.positions if not isinstance(flow.steps[at], Hole))
+        yield from (flow.steps[at] for at in sorted(wanted))
+
+
+def _before(application: Application, path: str, position: int, numbers: set[int]) -> int:
+    """The number of the nearest icon at or left of a position that is not one of these; 0: the start icon."""
+    flow = flow_at(application, path) or AppFlow(())
+    left = (step for step in reversed(flow.steps[: position + 1]) if not isinstance(step, Hole))
+    return next((step.number for step in left if step.number not in numbers), 0)

@@ -1,0 +1,113 @@
+"""Icons of a dictionary are changed and deleted; what is placed stays as it is (requirements D05, D08)."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import msgspec
+
+from onika.desk.environment.icons.dictionaries import shown_at_once
+from onika.desk.environment.icons.uses import users_of
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state import target_values
+from onika.desk.environment.state.dictionary import home_of
+from onika.desk.environment.state.icon_words import forgotten, told_again
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.picture_digits import painted
+from onika.desk.environment.state.target_items import items_of
+from onika.model.onikon import Onikon
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened_text import Opened
+from onika.store.site import is_shipped
+from onika.wire import act, page
+from onika.wire.view import Remedy
+from onika.words.fault import Refusal
+
+
+def edit_onikon(model: Model, asked: act.EditOnikon, outside: Surroundings) -> Done | No:
+    """Change what an icon says, its values or its picture; the value is the path of its file."""
+    found = _found(model, asked.onikon)
+    if isinstance(found, No):
+        return found
+    home, opened = found
+    target = BaseDirectory(Path(asked.base).expanduser().absolute()) if asked.base else home
+    if is_shipped(target.path) and not asked.overwrites:
+        return _shipped(asked, outside.site.own)
+    changed = _changed(model, asked, opened.value)
+    if isinstance(changed, No):
+        return changed
+    is_copy = target.path.resolve() != home.path.resolve()
+    saved = target.save_onikon(changed, None if is_copy else opened, overwrites=asked.overwrites and not is_copy)
+    if isinstance(saved, Refusal):
+        meant = overwriting(saved, msgspec.structs.replace(asked, overwrites=True))
+        return No(plain(saved.reason), () if is_copy or asked.overwrites else meant)
+    text = f"{asked.onikon} is changed, in {saved.path}"
+    gone = forgotten(opened.value, changed.description)
+    text += f"; {gone}" if gone else ""
+    now = shown_at_once(model, saved.path, outside.site)
+    return Done(now, value=str(saved.path), says=(page.Say("success", text),))
+
+
+def remove_onikon(model: Model, asked: act.RemoveOnikon, outside: Surroundings) -> Done | No:
+    """Delete the file of an icon; nothing brings it back, so it is asked first, with whom it is placed."""
+    found = _found(model, asked.onikon)
+    if isinstance(found, No):
+        return found
+    home, opened = found
+    if is_shipped(home.path):
+        close = Remedy(f"Close the dictionary {home.path.name}", act.CloseDictionary(str(home.path)))
+        return No(f"{asked.onikon} comes with Onika and stays", (close,))
+    if not asked.confirmed:
+        reason = f"the file {opened.path} is deleted, and nothing brings it back{_placed(model, opened.value)}"
+        return No(reason, (Remedy("Delete it", act.RemoveOnikon(asked.onikon, confirmed=True)),))
+    try:
+        opened.path.unlink(missing_ok=True)
+    except OSError as error:
+        return No(f"{opened.path} cannot be deleted: {error.strerror}")
+    now = shown_at_once(model, opened.path, outside.site)
+    return Done(now, says=(page.Say("success", f"{asked.onikon} is deleted"),))
+
+
+def _found(model: Model, name: str) -> tuple[BaseDirectory, Opened[Onikon]] | No:
+    home = home_of(model.dictionaries, name)
+    return No(f"no open dictionary has an icon {name}") if home is None else (home.base, home.onikons[name])
+
+
+def _changed(model: Model, asked: act.EditOnikon, onikon: Onikon) -> Onikon | No:
+    """The icon as it is to be, or everything that is wrong with it."""
+    wrong: dict[str, str] = {}
+    if asked.values is not None:
+        typed = target_values.checked(items_of(model, onikon.type), asked.values)
+        if isinstance(typed, dict):
+            wrong |= typed
+        else:
+            onikon = replace(onikon, values=typed)
+    if asked.picture is not None:
+        picture = painted(asked.picture)
+        if isinstance(picture, str):
+            wrong["picture"] = picture
+        else:
+            onikon = replace(onikon, picture=picture)
+    if wrong:
+        return No(target_values.told(wrong), fields=wrong)
+    if asked.description is None:
+        return onikon
+    description = " ".join(asked.description.split())
+    return replace(onikon, description=description, words=told_again(onikon, description))
+
+
+def _shipped(asked: act.EditOnikon, own: Path | None) -> No:
+    """What comes with Onika is not changed by the way; a copy of the user's own comes before it."""
+    here = () if own is None else (Remedy(f"Save a copy in {own}", msgspec.structs.replace(asked, base=str(own))),)
+    meant = Remedy("Change the shipped one", msgspec.structs.replace(asked, overwrites=True))
+    return No(f"{asked.onikon} is part of Onika itself", (*here, meant))
+
+
+def _placed(model: Model, onikon: Onikon) -> str:
+    """Where it is placed, in words: there it stays, with its picture and its values."""
+    users = users_of(model, onikon)
+    if not users:
+        return ""
+    names = ", ".join(users[:5]) + (f" and {len(users) - 5} more" if len(users) > 5 else "")
+    return f"; it stays where it is placed: in {names}"

@@ -1,0 +1,51 @@
+"""The syntax definition comes, or comes anew: types, edges and dictionaries follow, without code (D02, D16)."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+
+from onika.desk.environment.file import file_index
+from onika.desk.environment.outcome.file_faults import told
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.state.dictionary import has_dictionary, open_dictionaries
+from onika.desk.environment.state.icon_names import kind_named
+from onika.desk.environment.state.model import Model
+from onika.model.syntax import Edge, Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.store.site import Site
+from onika.wire import page
+
+
+def with_syntax(model: Model, syntax: Syntax | None, bases: Iterable[BaseDirectory]) -> Model:
+    """With this syntax, and the dictionaries of these base directories read by it."""
+    if syntax is None:
+        return model
+    return replace(
+        model,
+        syntax=syntax,
+        job_types=tuple(kind.name for kind in syntax.types if kind.is_job),
+        edges={str(edge.number): (_colour(edge), edge.vertices) for edge in syntax.edges},
+        dictionaries=open_dictionaries((base for base in bases if has_dictionary(base)), syntax),
+    )
+
+
+def redefined(model: Model, site: Site) -> Done:
+    """With the syntax as its files say now; icons and applications are read by it again, what is placed stays."""
+    syntax, faults = site.syntax()
+    says = told(faults)
+    if syntax is None or syntax == model.syntax:
+        return Done(model, says=says)
+    defined = with_syntax(model, syntax, (one.base for one in model.dictionaries))
+    for path in model.application_files:
+        found = file_index.again(Path(path), syntax)
+        defined = found.beside(defined) if found else defined
+    known = {kind.name for kind in model.syntax.types} if model.syntax else set()
+    new = [kind.name for kind in syntax.types if kind.name not in known]
+    text = "the types of icons are defined anew" + (f": {', '.join(map(kind_named, new))}" if new else "")
+    old = {fault for one in model.dictionaries for fault in one.faults}
+    faults = tuple(fault for one in defined.dictionaries for fault in one.faults if fault not in old)
+    return Done(defined, says=(*says, page.Say("info", text), *told(faults)))
+
+
+def _colour(edge: Edge) -> str:
+    return "#" + "".join(f"{part:02x}" for part in edge.rgb)

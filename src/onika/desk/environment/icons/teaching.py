@@ -1,0 +1,93 @@
+"""A target is taken from where the robot is: what runs now is asked for what it measures (D13, D23, K07)."""
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+
+from onika.desk.environment.icons.measured_variables import Measure, measures_of, values_of
+from onika.desk.environment.icons.measuring_remedies import ways_to_measure
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.icon_names import a_kind, kind_named
+from onika.desk.environment.state.model import Model
+from onika.model.planned import task_of
+from onika.wire import act, live, request
+from onika.wire.view import TaughtView
+
+Writers = Mapping[str, str]
+"""By variable: the task that writes it now."""
+
+
+def teach(model: Model, asked: act.Teach, _outside: Surroundings) -> Done | No:
+    """Ask for what is measured now; the value is a `view.TaughtView`, of which what nothing measures is left out."""
+    kind = model.syntax.find(asked.type) if model.syntax else None
+    if kind is None or not kind.is_target:
+        return No(f"{kind_named(asked.type)} is no type of target", fields={"type": "expected a type of target"})
+    measures = measures_of(model, kind)
+    if not measures:
+        return No(f"no task that takes {a_kind(kind.name)} measures anything like it: its values are typed in")
+    if model.runtime.state != "linked":
+        return No("no robot is connected: nothing is measured", ways_to_measure(model, measures))
+    then = partial(_surveyed, asked=asked, measures=measures)
+    return Done(model, orders=(Order(live.Survey(), then),), is_answered_later=True)
+
+
+def _surveyed(model: Model, response: request.Response, asked: act.Teach, measures: Sequence[Measure]) -> Done | No:
+    """What runs is known: read what is measured, in one subsystem."""
+    kind = model.syntax.find(asked.type) if model.syntax else None
+    if not isinstance(response, live.Standing) or kind is None:
+        return No(refusal(response))
+    places = {one.name: writers for one in response.subsystems if (writers := _writers(one, measures))}
+    if asked.subsystem and asked.subsystem not in places:
+        return No(f"nothing in {asked.subsystem} measures {a_kind(kind.name)} now", ways_to_measure(model, measures))
+    if not places:
+        names = " or ".join(dict.fromkeys(one.variable for one in measures))
+        return No(f"nothing that runs measures {names} now", ways_to_measure(model, measures))
+    subsystem = asked.subsystem or _nearest(model, places)
+    writers = places[subsystem]
+    others = tuple(name for name in places if name != subsystem)
+    then = partial(_read, subsystem=subsystem, writers=writers, measures=measures, others=others)
+    return Done(model, orders=(Order(live.Read(subsystem, tuple(writers)), then),), is_answered_later=True)
+
+
+def _read(
+    model: Model,
+    response: request.Response,
+    subsystem: str,
+    writers: Writers,
+    measures: Sequence[Measure],
+    others: tuple[str, ...],
+) -> Done | No:
+    if not isinstance(response, live.Values):
+        return No(refusal(response))
+    taken: dict[str, tuple[float, ...]] = {}
+    wrong: list[str] = []
+    for measure in measures:
+        if measure.variable in response.values and measure.item not in taken:
+            values = values_of(measure, response.values[measure.variable])
+            if isinstance(values, str):
+                wrong.append(values)
+            else:
+                taken[measure.item] = values
+    if not taken:
+        return No("what is measured does not fit: " + "; ".join(wrong))
+    used = {one.variable for one in measures if one.item in taken and one.variable in writers}
+    source = " and ".join(f"{name}, as {writers[name]} measures it in {subsystem}" for name in writers if name in used)
+    return Done(model, value=TaughtView(taken, source, subsystem, others))
+
+
+def _writers(subsystem: live.SubsystemStanding, measures: Sequence[Measure]) -> dict[str, str]:
+    """What tasks that are ON write of what is wanted: else it is old, or never was."""
+    wanted = {one.variable for one in measures}
+    found: dict[str, str] = {}
+    for one in subsystem.tasks:
+        if one.state == "ON":
+            task = task_of(one.task)
+            found |= dict.fromkeys(sorted(task.outputs & wanted), task.name)
+    return found
+
+
+def _nearest(model: Model, places: Mapping[str, Writers]) -> str:
+    """The subsystem of an open configuration before others."""
+    here = [one.live.subsystem for one in model.documents.values() if one.live and one.live.state == "live"]
+    return next((name for name in here if name in places), next(iter(places)))

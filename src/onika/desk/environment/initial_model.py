@@ -1,0 +1,44 @@
+"""The model with which an environment begins: libraries, preferences, buttons, syntax, and what could be opened."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from onika.desk.environment.file import file_index
+from onika.desk.environment.icons.syntax import with_syntax
+from onika.desk.environment.outcome.file_faults import told
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.state import settings
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.store.library import open_libraries
+from onika.store.site import Site
+from onika.wire import page
+
+
+def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tuple[Model, tuple[page.Say, ...]]:
+    """Everything of a site that an environment needs, and a line for each thing that is wrong with it.
+
+    A directory of the search path that is none is told and passed over (requirement C20).
+    """
+    bases = [base for base in site.directories if base.path.is_dir()]
+    libraries = open_libraries(bases)
+    preferred, of_preferences = site.preferences()
+    buttons, of_buttons = site.buttons()
+    syntax, of_syntax = site.syntax()
+    found = file_index.listed(bases, syntax)
+    ends, of_ends = site.flow_pictures()
+    kept, of_habits = settings.read(state, environment)
+    model = Model(
+        shelf=Shelf(libraries, preferences=preferred),
+        preferences=preferred,
+        habits=kept,
+        buttons=buttons,
+        search=tuple(base.path for base in site.directories),
+        flow_pictures=("".join(ends[0].rows), "".join(ends[1].rows)),
+    )
+    model = with_syntax(found.beside(model), syntax, bases)
+    faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *found.faults]
+    faults += [fault for dictionary in model.dictionaries for fault in dictionary.faults]
+    faults += [fault for library in libraries for fault in library.faults]
+    lines = [page.Say("warning", plain(of_habits))] if of_habits else []
+    return model, (*lines, *told(tuple(dict.fromkeys(faults))))

@@ -1,0 +1,67 @@
+"""Tasks that would not fit into open configurations any more if a change of theirs were taken over (decision 9)."""
+
+from collections.abc import Collection, Iterator
+
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.outcome.remedy import coded, plain, reasons
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.rules import placement
+from onika.model.task import Task
+from onika.wire import act
+from onika.wire.view import Reason, Remedy
+from onika.words.fault import Refusal
+
+
+def clashes(model: Model, after: Shelf, names: Collection[str]) -> tuple[Reason, ...]:
+    """Everything that speaks against `after` in the open documents, and did not before; `names` are changed there."""
+    found: list[Reason] = []
+    for name in sorted(names):
+        task = after.tasks.get(name)
+        if task is None or task == model.shelf.tasks.get(name):
+            continue
+        found += reasons(placement.alias_refusals(task, ()), "", task)
+        for document in model.documents.values():
+            if name in document.content.names:
+                found += _beside(task, document, model.shelf, after)
+    return tuple(dict.fromkeys(found))
+
+
+def refused(what: str, against: tuple[Reason, ...], field: str = "") -> No:
+    """The no to a change that something speaks against."""
+    text = "; ".join(one.text for one in against)
+    remedies = tuple(dict.fromkeys(remedy for one in against for remedy in one.remedies))
+    return No(f"{what}: {text}", remedies, {field: text} if field else {})
+
+
+def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iterator[Reason]:
+    for name in document.content.names:
+        other = after.tasks.get(name)
+        if other is None or name == task.name:
+            continue
+        known = _known(before.tasks.get(task.name), before.tasks.get(name))
+        for one in placement.refusals(task, (other,)):
+            if one.reason not in known:
+                yield Reason(f"in {document.name}, {_said(one, task)}", _remedies(one, other, document))
+
+
+def _known(task: Task | None, other: Task | None) -> set[str]:
+    if task is None or other is None:
+        return set()
+    return {one.reason for one in placement.refusals(task, (other,))}
+
+
+def _said(one: Refusal, task: Task) -> str:
+    text = plain(one.reason)
+    return f"{task.name} {text}" if text.startswith("writes") else text
+
+
+def _remedies(one: Refusal, other: Task, document: Document) -> tuple[Remedy, ...]:
+    """The ways out on the side of the other task: what is wrong with the changed one is being typed just now."""
+    svars = [words.removeprefix("alias ") for words in one.remedies if words.startswith("alias ")]
+    aliases = (
+        Remedy(f"Alias {svar} of {other.name}…", show=f"pin:{other.name}/{coded(other, svar)}") for svar in svars
+    )
+    remove = Remedy(f"Remove {other.name} from {document.name}", act.Remove(document.id, (other.name,)))
+    return (remove, *aliases, Remedy(f"Show {other.name}", show=f"task:{other.name}"))

@@ -1,0 +1,34 @@
+"""What an act may look at outside the model: files, time, and whatever else is not a value."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.desk.environment.outcome.button_commands import Commands
+from onika.desk.environment.outcome.worker import Aside
+from onika.store.site import Site
+
+
+@dataclass(frozen=True, slots=True)
+class Surroundings:
+    """The outside of an environment.
+
+    site      where names are found
+    clock     seconds that never go back
+    calendar  seconds since 1970
+    state     the directory of what outlives a session: diary and recovery; None: nothing does
+    commands  runs the commands of buttons; None: they cannot be run
+    reading   reads recordings; None: none can be looked at
+    comparing compares them
+    keeping   keeps runs as tests; None: none is kept
+    """
+
+    site: Site
+    clock: Callable[[], float]
+    state: Path | None = None
+    commands: Commands | None = None
+    calendar: Callable[[], float] = time.time
+    reading: Aside | None = None
+    comparing: Aside | None = None
+    keeping: Aside | None = None

@@ -1,0 +1,98 @@
+"""What is wrong with a document and its tasks, in words, with the ways out."""
+
+from collections.abc import Mapping, Sequence
+
+from onika.desk.environment.outcome.remedy import plain, reasons
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.live import TaskFacts
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.rules import conflict, warning
+from onika.model.task import Task
+from onika.wire import act
+from onika.wire.view import ErrorView, ProblemView, Reason, Remedy
+from onika.words.fault import Fault, Place, Refusal
+
+
+def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | None:
+    """Why a task is in ERROR, and the ways out of it."""
+    if facts.state != "ERROR":
+        return None
+    remedies = (
+        Remedy("Clear, switch on", act.Clear(document.id, name, turns_on=True)),
+        Remedy("Clear", act.Clear(document.id, name)),
+        Remedy("Source…", show=f"source:{name}"),
+        Remedy("Remove", act.Remove(document.id, (name,))),
+    )
+    failed = facts.failed
+    if failed is None:
+        return ErrorView(facts.note or "it failed", remedies=remedies)
+    return ErrorView(
+        text=failed.text.removeprefix(f"{failed.entry}: "),
+        entry=failed.entry,
+        path=failed.path,
+        line=failed.line,
+        traceback=failed.traceback,
+        at_s=failed.at_s,
+        values=failed.values,
+        remedies=remedies,
+    )
+
+
+def problems(
+    document: Document,
+    shelf: Shelf,
+    *,
+    with_warnings: bool = True,
+    greyed: Mapping[str, tuple[Reason, ...]] | None = None,
+) -> dict[str, ProblemView]:
+    """Everything worth knowing of a document, by keys that stay: faults, then warnings and notes where wanted.
+
+    `greyed`: its greyed set, where that is known. A placed task with no other reason in it than that it is placed
+    has no conflict, so only few need be asked.
+    """
+    place = Place(document.name)
+    names = document.content.names
+    tasks = [shelf.tasks[name] for name in names if name in shelf.tasks]
+    suspects = tasks if greyed is None else [task for task in tasks if len(greyed.get(task.name, ())) > 1]
+    found = {f"missing {name}": _missing(document, name) for name in names if name not in shelf.tasks}
+    found |= {
+        f"conflict {later.name} {earlier.name}": _conflict(document, later, earlier, refused)
+        for later, earlier, refused in conflict.conflicts(suspects)
+    }
+    return found | _warnings(tasks, place) if with_warnings else found
+
+
+def _warnings(tasks: Sequence[Task], place: Place) -> dict[str, ProblemView]:
+    """What is odd and never forbidden: hanging inputs, further triggers, tasks that read what they write (C08, C29)."""
+    found = {}
+    for one in warning.hanging(tasks, place):
+        svar = one.expected.rpartition(" ")[2]
+        found[f"hanging {svar}"] = ProblemView(said(one), "warning", f"locus:{svar}")
+    for one in warning.further_triggers(tasks, place):
+        name = plain(one.found).partition(" ")[0]
+        found[f"trigger {name}"] = ProblemView(said(one), "warning", f"task:{name}")
+    for task in tasks:
+        for one in warning.self_fed(task, place):
+            svar = one.found.partition(",")[0]
+            found[f"fed {task.name} {svar}"] = ProblemView(said(one), "note", f"task:{task.name}")
+    return found
+
+
+def _missing(document: Document, name: str) -> ProblemView:
+    text = f"no open library has a task {name}: it is kept in the file, and left out of what runs"
+    remedies = (Remedy("Open a library…", show="library:"), Remedy(f"Remove {name}", act.Remove(document.id, (name,))))
+    return ProblemView(text, "fault", f"task:{name}", remedies)
+
+
+def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[Refusal]) -> ProblemView:
+    """Two tasks that may not stand together; one of them goes, or a pin gets another variable."""
+    found = reasons(refused, document.id, later)
+    removing = [Remedy(f"Remove {one.name}", act.Remove(document.id, (one.name,))) for one in (later, earlier)]
+    aliasing = [one for reason in found for one in reason.remedies if one.show.startswith("pin:")]
+    text = f"{later.name}: {'; '.join(reason.text for reason in found)}"
+    return ProblemView(text, "fault", f"task:{later.name}", tuple(dict.fromkeys((*removing, *aliasing))))
+
+
+def said(fault: Fault) -> str:
+    """A fault as a sentence without its place."""
+    return plain(f"expected {fault.expected}, found {fault.found}; {fault.instead}")

@@ -1,0 +1,134 @@
+"""Preferences are changed while one works, and kept at once (requirements G01, B12)."""
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import asdict, fields, replace
+from typing import Any
+
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state import settings
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.settings import Habits
+from onika.model.preferences import STATUS_COLUMNS, Spot, Window
+from onika.wire import act, page
+from onika.words.fault import Refusal
+
+_LONGEST = 10_000
+"""Pixels or characters: what is longer is found on no screen."""
+
+_FAR = 10**9
+"""Pixels: what a preference file can say of a place."""
+
+_HABITS = {one.name for one in fields(Habits)}
+
+
+class _Wrong(ValueError):
+    """A value that a preference cannot have; its text says what was expected."""
+
+
+def prefer(model: Model, asked: act.Prefer, outside: Surroundings) -> Done | No:
+    """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
+    now = shown(model)
+    taken: dict[str, Any] = {}
+    wrong: dict[str, str] = {}
+    for name, value in asked.values.items():
+        try:
+            taken[name] = _taken(name, value, now)
+        except _Wrong as why:
+            wrong[name] = str(why)
+    if wrong:
+        return No("; ".join(f"{name}: {why}" for name, why in wrong.items()), fields=wrong)
+    of_file = {name: value for name, value in taken.items() if name not in _HABITS}
+    of_habits = {name: value for name, value in taken.items() if name in _HABITS}
+    preferred = replace(model.preferences, **of_file)
+    changed = replace(
+        model,
+        preferences=preferred,
+        habits=replace(model.habits, **of_habits),
+        shelf=model.shelf if not of_file else replace(model.shelf, preferences=preferred),
+    )
+    return Done(changed, says=tuple(_kept(of_file, of_habits, outside)))
+
+
+def shown(model: Model) -> dict[str, Any]:
+    """Every preference by its name, as a page sees it."""
+    return asdict(model.preferences) | asdict(model.habits)
+
+
+def leave(model: Model, outside: Surroundings) -> str:
+    """At the end of a session: write the preferences where there is no file of them yet; why not, if so (B12)."""
+    refused = outside.site.keep_preferences(model.preferences)
+    return refused.reason if refused else ""
+
+
+def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Surroundings) -> Iterator[page.Say]:
+    """Write what was asked for; a no is told, and the change holds for this session."""
+    refused = [_filed(of_file, outside)] if of_file else []
+    if of_habits:
+        refused.append(settings.keep(outside.state, of_habits))
+    for one in refused:
+        if one is not None:
+            yield page.Say("warning", f"{plain(one.reason)}; it holds for this session")
+
+
+def _filed(values: Mapping[str, Any], outside: Surroundings) -> Refusal | None:
+    """The values into the user's file as it is now, where there is one."""
+    opened, faults = outside.site.open_preferences()
+    wrong = [one for one in faults if not one.is_note]
+    if wrong:  # to write it again would lose what is wrong in it, which may be a word away from right
+        return Refusal(f"the file of preferences is left as it is: {'; '.join(map(str, wrong))}")
+    if opened is None:
+        return None
+    done = outside.site.save_preferences(replace(opened.value, **values), opened)
+    return done if isinstance(done, Refusal) else None
+
+
+def _taken(name: str, value: Any, now: Mapping[str, Any]) -> Any:
+    """A value as the preference of that name has it; raises _Wrong."""
+    if name not in now:
+        raise _Wrong("expected the name of a preference")
+    before = now[name]
+    if isinstance(before, bool):
+        return _flag(value)
+    if isinstance(before, int):
+        return _whole(value, 1, _LONGEST)
+    if isinstance(before, dict):
+        return _place(value, before)
+    return _columns(value)
+
+
+def _flag(value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise _Wrong("expected yes or no")
+    return value
+
+
+def _whole(value: Any, low: int, high: int) -> int:
+    is_whole = isinstance(value, int) or (isinstance(value, float) and value.is_integer())
+    if isinstance(value, bool) or not is_whole:
+        raise _Wrong("expected a whole number")
+    if not low <= value <= high:
+        raise _Wrong(f"expected a number from {low} to {high}, found {int(value)}")
+    return int(value)
+
+
+def _place(value: Any, before: Mapping[str, int]) -> Spot | Window:
+    if not isinstance(value, Mapping) or not set(value) <= set(before):
+        raise _Wrong(f"expected {', '.join(before)}")
+    numbers = {**before, **{part: _whole(number, *_range(part)) for part, number in value.items()}}
+    make: Callable[..., Spot | Window] = Window if "width" in before else Spot
+    return make(**numbers)
+
+
+def _range(part: str) -> tuple[int, int]:
+    return (-_FAR, _FAR) if part in ("x", "y") else (1, _FAR)
+
+
+def _columns(value: Any) -> tuple[str, ...]:
+    if not isinstance(value, list | tuple) or len({*map(str, value)}) != len(value):
+        raise _Wrong("expected names of columns, each once")
+    unknown = [str(one) for one in value if one not in STATUS_COLUMNS]
+    if unknown:
+        raise _Wrong(f"expected names out of {' '.join(STATUS_COLUMNS)}, found {' '.join(unknown)}")
+    return tuple(value)

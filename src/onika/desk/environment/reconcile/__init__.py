@@ -1,0 +1,1 @@
+"""The running system follows what documents say, and documents learn what it does."""

@@ -1,0 +1,65 @@
+"""Where a task that asks stands at present: what it measures of the kind that it asks for, as a possible answer."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+from functools import partial
+
+from onika.desk.environment.outcome.outcome import Done, Order
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
+from onika.model.port import PortKind
+from onika.wire import live, request
+
+
+def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...]:
+    """Ask for what a task measures of the same shape and unit as its inputs have; nothing where it measures none."""
+    if document.live is None:
+        return ()
+    wanted = measured(model, task, [name for name, facts in document.live.tasks.items() if facts.state == "ON"])
+    if not wanted:
+        return ()
+    names = tuple(dict.fromkeys(wanted.values()))
+    then = partial(_told, doc=document.id, task=task, wanted=wanted)
+    return (Order(live.Read(document.live.subsystem, names), then, is_aside=True),)
+
+
+def measured(model: Model, task: str, moving: Collection[str]) -> dict[str, str]:
+    """By input of a task: the variable of its kind that it reads and that one of the tasks that are ON writes."""
+    known = model.shelf.tasks
+    written = {svar for name in moving if name in known for svar in known[name].outputs}
+    return {name: svar for name, svar in _wanted(model, task).items() if svar in written}  # else it is old
+
+
+def values_of(values: live.Values, wanted: Mapping[str, str]) -> dict[str, tuple[float, ...]]:
+    """What was read, by input."""
+    return {name: tuple(_flat(values.values[svar])) for name, svar in wanted.items() if svar in values.values}
+
+
+def _wanted(model: Model, name: str) -> Mapping[str, str]:
+    """By input: the variable that is read and is of its kind."""
+    task = model.shelf.tasks.get(name)
+    sheet = model.shelf.sheets.get(task.module) if task else None
+    if task is None or sheet is None:
+        return {}
+    read = [one for one in sheet.ports if PortKind(one.kind).is_input and PortKind(one.kind).at_cycle]
+    aliases = dict(task.aliases)
+    return {
+        one.name: aliases.get(port.name, port.name)
+        for one in sheet.inputs
+        for port in reversed(read)  # of several the first
+        if "[" in one.shape and (port.shape, port.unit) == (one.shape, one.unit)
+    }
+
+
+def _told(model: Model, response: request.Response, doc: str, task: str, wanted: Mapping[str, str]) -> Done:
+    document = model.documents.get(doc)
+    known = document.live if document else None
+    facts = known.tasks.get(task) if known else None
+    if document is None or known is None or facts is None or not isinstance(response, live.Values):
+        return Done(model)
+    known = known.with_task(task, replace(facts, present=values_of(response, wanted)))
+    return Done(model.with_document(replace(document, live=known)))
+
+
+def _flat(value: object) -> list[float]:
+    return [one for part in value for one in _flat(part)] if isinstance(value, list) else [float(str(value))]

@@ -1,0 +1,80 @@
+"""What modules declare, asked of a runtime one by one in the background, so that no order ever waits for it."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+
+from onika.desk.environment.outcome.outcome import Done, Order
+from onika.desk.environment.reconcile.task_plan import code_of
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.wire import live, request
+from onika.wire.sheet import ModuleSheet
+
+_AT_ONCE = 16
+"""Modules after which what was learnt is shown."""
+
+
+@dataclass(frozen=True, slots=True)
+class Learnt:
+    """What was told and is not shown yet."""
+
+    sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
+    unread: Mapping[str, str] = field(default_factory=dict)
+
+    @property
+    def names(self) -> frozenset[str]:
+        """The modules it is about."""
+        return frozenset((*self.sheets, *self.unread))
+
+    def taken_over(self, model: Model) -> Model:
+        """The model with it."""
+        if not self.names:
+            return model
+        shelf = model.shelf
+        new = replace(shelf, sheets={**shelf.sheets, **self.sheets}, unread={**shelf.unread, **self.unread})
+        return replace(model, shelf=new)
+
+
+def describe(model: Model, learnt: Learnt | None = None) -> Done:
+    """Ask for the next module that nobody has described; nothing is left: show what was learnt."""
+    learnt = learnt or Learnt()
+    if len(learnt.names) >= _AT_ONCE:
+        model, learnt = learnt.taken_over(model), Learnt()
+    for module, task in _lacking(model.shelf, learnt):
+        code = code_of(module, model.shelf, task)
+        if isinstance(code, str):
+            learnt = replace(learnt, unread={**learnt.unread, module: code})
+            continue
+        then = partial(_told, module=module, digest=code.digest, learnt=learnt)
+        return Done(model, orders=(Order(live.Describe((code,)), then, is_aside=True),))
+    return Done(learnt.taken_over(model))
+
+
+def forgotten(model: Model, module: str) -> Model:
+    """Without what is known of a module, whose code has changed."""
+    shelf = model.shelf
+    if module not in shelf.sheets and module not in shelf.unread:
+        return model
+    sheets = {name: one for name, one in shelf.sheets.items() if name != module}
+    unread = {name: one for name, one in shelf.unread.items() if name != module}
+    return replace(model, shelf=replace(shelf, sheets=sheets, unread=unread))
+
+
+def _told(model: Model, response: request.Response, module: str, digest: str, learnt: Learnt) -> Done:
+    if not isinstance(response, live.Described):
+        return Done(learnt.taken_over(model))  # the runtime is gone, or does not take code from here
+    if digest in response.sheets:
+        learnt = replace(learnt, sheets={**learnt.sheets, module: response.sheets[digest]})
+    else:
+        learnt = replace(learnt, unread={**learnt.unread, module: response.faults.get(digest, "it cannot be read")})
+    return describe(model, learnt)
+
+
+def _lacking(shelf: Shelf, learnt: Learnt) -> Iterator[tuple[str, str]]:
+    """Modules that are not described, each with a task that uses it."""
+    known = {*shelf.sheets, *shelf.unread, *learnt.names}
+    for name, task in shelf.tasks.items():
+        if task.module not in known:
+            known.add(task.module)
+            yield task.module, name

@@ -1,0 +1,91 @@
+"""The talk with one runtime: orders go out as they come, and what comes back is sorted; nothing here waits."""
+
+from collections.abc import Callable, Iterator
+from typing import Protocol
+
+from onika.desk.environment.outcome.outcome import Order
+from onika.desk.run.runtime import Reply
+from onika.wire import event, live, request
+
+_EVERY_S = 0.5
+"""How often figures are asked for while somebody wants them."""
+
+
+class Runtime(Protocol):
+    """A runtime, launched or reached."""
+
+    def send(self, asked: request.Request) -> int:
+        """Ask without waiting; the number of the reply."""
+        ...
+
+    def told(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+        """Events and replies as they came; raises LinkLost at the end."""
+        ...
+
+    def readings(self) -> dict[str, bytes]:
+        """The newest reading under each key since the last call."""
+        ...
+
+
+Answered = tuple[Order, request.Response]
+
+
+class Talk:
+    """Who waits for which reply, what is attended to, and when figures are due.
+
+    clock   seconds that never go back
+    """
+
+    def __init__(self, runtime: Runtime, clock: Callable[[], float]) -> None:
+        self._runtime = runtime
+        self._clock = clock
+        self._waiting: dict[int, Order] = {}
+        self._attended: live.Attend | None = None
+        self._figures_asked: int | None = None
+        self._figures_due_s = 0.0
+        self.figures: live.Figures | None = None
+        """Those that came with the last `hear`; None: none."""
+
+    def ask(self, order: Order) -> None:
+        """Send an order out."""
+        self._waiting[self._runtime.send(order.asked)] = order
+
+    def attend(self, wish: live.Attend) -> None:
+        """What is listened to from now on."""
+        if wish != self._attended:
+            self._attended = wish
+            self._runtime.send(wish)
+
+    def hear(self) -> list[event.Event | Answered]:
+        """What has come since the last call, in order; raises LinkLost at the end, `orphans` are left then."""
+        self.figures = None
+        found: list[event.Event | Answered] = []
+        for one in self._runtime.told():
+            if not isinstance(one, Reply):
+                found.append(one)
+            elif one.number == self._figures_asked:
+                self._figures_asked = None
+                self.figures = one.response if isinstance(one.response, live.Figures) else None
+            elif one.number in self._waiting:
+                found.append((self._waiting.pop(one.number), one.response))
+        return found
+
+    def readings(self) -> dict[str, bytes]:
+        """The newest reading under each key since the last call."""
+        return self._runtime.readings()
+
+    def orphans(self, reason: str) -> list[Answered]:
+        """The orders that get no reply any more, with the refusal in its place."""
+        taken, self._waiting = self._waiting, {}
+        return [(order, request.Refused(reason)) for order in taken.values()]
+
+    def poll_figures(self, is_wanted: bool) -> float | None:
+        """Ask for figures if it is time and the last ones have come; how long until it is again."""
+        if not is_wanted or self._figures_asked is not None:
+            return None
+        left = self._figures_due_s - self._clock()
+        if left > 0:
+            return left
+        self._figures_due_s = self._clock() + _EVERY_S
+        self._figures_asked = self._runtime.send(live.Status())
+        return None

@@ -1,0 +1,241 @@
+"""How a subsystem comes to be what its document says: one change at a time, whole or not at all (law 22, X10).
+
+What a document differs in from what the runtime was asked for is asked as one change. What is done meanwhile waits for
+its outcome. Where it comes to nothing the document goes back to what it was, and then the rest is asked.
+"""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import partial
+
+from onika.desk.environment.file.undo import edits_between
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.reconcile import merge
+from onika.desk.environment.reconcile.live_facts import settled, true_to_facts
+from onika.desk.environment.reconcile.reconfiguration_diff import Alteration, alteration, with_facts
+from onika.desk.environment.reconcile.rollback import file_before, reverted, without_steps
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.live import Base, Live, Pending
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.wire import act, live, page, request
+from onika.wire.view import Remedy
+
+_KEPT = 64
+
+
+def pursue(model: Model, document: Document) -> Done | No:
+    """Ask the runtime for what a document differs in from what it was asked for, or wait; a no where it cannot be."""
+    known, base = _of(document)
+    under_way = next((one.after for one in known.pending.values() if one.after is not None), None)
+    asked = under_way or base.content
+    what = alteration(asked, document.content, known, model.shelf, base.edits, living_units(model))
+    if what.faults:
+        return No("; ".join(what.faults))
+    if what.is_nothing:
+        if under_way is None:
+            known = replace(known, turns={}, base=Base(document.content, document.history))
+        return Done(model.with_document(replace(document, live=known)))
+    refused = _refused(document, known, what, model)
+    if refused:
+        return refused
+    return _sent(model, document, what) if under_way is None else _kept(model, document)
+
+
+def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:
+    """The same for several documents."""
+    done = Done(model)
+    for doc in docs:
+        found = pursue(done.model, done.model.documents[doc])
+        if isinstance(found, No):
+            return found
+        done = Done(found.model, orders=(*done.orders, *found.orders), says=(*done.says, *found.says))
+    return done
+
+
+def noted(model: Model, former: Shelf, *, but: str = "") -> tuple[Model, tuple[str, ...]]:
+    """With what has changed of tasks since a former shelf noted in every connected document (but one); in which."""
+    changed, docs = edits_between(model.shelf, former), []
+    for document in model.documents.values() if changed else ():
+        if document.id == but or document.live is None or document.live.base is None:
+            continue
+        base, concerned = document.live.base, {*document.content.wanted, *document.live.tasks}
+        edits = {**{name: task for name, task in changed.items() if name in concerned}, **base.edits}
+        still = {name: task for name, task in edits.items() if task != model.shelf.edits.get(name)}
+        if still == base.edits:
+            continue
+        live = replace(document.live, base=replace(base, edits=still))
+        model = model.with_document(replace(document, live=live))
+        docs.append(document.id)
+    return model, tuple(docs)
+
+
+def under_way(document: Document, task: str) -> tuple[Document, int]:
+    """With something about a task asked for that changes nothing in the document, and by which count it is known."""
+    known, _ = _of(document)
+    key = known.asked + 1
+    pending = {**known.pending, key: Pending(tasks=frozenset((task,)))}
+    return replace(document, live=replace(known, asked=key, pending=pending)), key
+
+
+def accepted(model: Model, response: request.Response, doc: str, key: int) -> Done | No:
+    """The runtime has accepted what it was asked for, or says all that is wrong with it."""
+    document = model.documents.get(doc)
+    known = document.live if document else None
+    if document is None or known is None or key not in known.pending:
+        return Done(model)
+    replies = tuple((order, response) for order in known.pending[key].kept)
+    if not isinstance(response, live.Accepted):
+        done = _failed(model, document, key)
+        done = replace(done, replies=(*replies, *done.replies))
+        return done if replies else No(refusal(response), instead=done)
+    early = dict(known.early)
+    cause = early.pop(response.number, None)
+    pending = {**known.pending, key: replace(known.pending[key], number=response.number)}
+    model = model.with_document(replace(document, live=replace(known, pending=pending, early=early)))
+    done = Done(model) if cause is None else edited(model, doc, response.number, cause)
+    return replace(done, replies=(*replies, *done.replies))
+
+
+def edited(model: Model, doc: str, number: int, cause: str) -> Done:
+    """How something that was accepted has ended: done, or with a cause come to nothing."""
+    document = model.documents.get(doc)
+    known = document.live if document else None
+    if document is None or known is None:
+        return Done(model)
+    key = next((key for key, one in known.pending.items() if one.number == number), None)
+    if key is None:
+        return _unknown(model, document, known, number, cause)
+    if cause:
+        done = _failed(model, document, key)
+        return replace(done, says=(page.Say("error", f"nothing is changed: {cause}", doc), *done.says))
+    return _go_on(model, _carried_out(document, key))
+
+
+def living_units(model: Model) -> tuple[str, ...]:
+    """The processing units that live."""
+    return tuple(name for name, one in model.runtime.units.items() if not one.is_lost)
+
+
+def _of(document: Document) -> tuple[Live, Base]:
+    known = document.live
+    if known is None or known.base is None:
+        raise ValueError(f"expected a connected document, found {document.name}")
+    return known, known.base
+
+
+def _kept(model: Model, document: Document) -> Done:
+    """What is done while a change is under way goes out with the next one, and is answered with it."""
+    known, _ = _of(document)
+    order = Order(live.Survey(), _answered, document.id, is_kept=True)
+    known = replace(known, kept=(*known.kept, order))
+    return Done(model.with_document(replace(document, live=known)), orders=(order,))
+
+
+def _answered(model: Model, response: request.Response) -> Done | No:
+    return Done(model) if isinstance(response, live.Accepted) else No(refusal(response))
+
+
+def _sent(model: Model, document: Document, what: Alteration) -> Done:
+    known, base = _of(document)
+    content = document.content
+    if what.resting:
+        content = replace(content, wanted={**content.wanted, **dict.fromkeys(what.resting, False)})
+    key = known.asked + 1
+    pending = Pending(base, content, document.history, what.names, known.kept)
+    known = with_facts(known, what, living_units(model))
+    pendings = {**known.pending, key: pending}
+    known = replace(known, asked=key, pending=pendings, base=replace(base, edits={}), kept=())
+    then = partial(accepted, doc=document.id, key=key)
+    order = Order(what.change(known.subsystem), then, document.id)
+    says = tuple(_rests(name, document) for name in what.resting)
+    return Done(model.with_document(replace(document, content=content, live=known)), orders=(order,), says=says)
+
+
+def _carried_out(document: Document, key: int) -> Document:
+    """What was asked for is done: from now on the document differs from that alone."""
+    known, base = _of(document)
+    pending = known.pending[key]
+    known = known.without_pending(key)
+    content = document.content
+    if pending.after is not None:
+        after = pending.after
+        if not known.pending:
+            content = true_to_facts(content, known, after)
+            after = true_to_facts(after, known, after)
+        base = Base(after, pending.present, base.edits)
+    elif not known.pending:
+        content = true_to_facts(content, known, base.content)
+        base = replace(base, content=true_to_facts(base.content, known, base.content))
+    return replace(document, content=content, live=replace(known, base=base))
+
+
+def _failed(model: Model, document: Document, key: int) -> Done:
+    """Without what came to nothing, and with the rest."""
+    known, base = _of(document)
+    pending = known.pending[key]
+    known = known.without_pending(key)
+    if pending.before is None or pending.after is None:
+        return _go_on(model, settled(replace(document, live=known)))
+    before = pending.before
+    content = reverted(document.content, before.content, pending.after)
+    born = [name for name in pending.tasks if known.state_of(name) == "SPAWNING" and name not in before.content.wanted]
+    tasks = {name: one for name, one in known.tasks.items() if name not in born}
+    history = without_steps(document.history, before.history, pending.present)
+    edits = {name: task for name, task in base.edits.items() if name not in before.edits}
+    known = replace(known, tasks=tasks, base=Base(before.content, before.history, edits))
+    former = model.shelf
+    shelf = former.edited(before.edits) if before.edits else former
+    document = file_before(document, before.history, pending.present)
+    document = replace(document, content=content, history=history, live=known)
+    done = _go_on(merge.with_loci(replace(model, shelf=shelf), document), None, document.id)
+    others = pursue_all(*noted(done.model, former, but=document.id))
+    if isinstance(others, No):
+        return replace(done, says=(*done.says, page.Say("error", others.reason)))
+    orders, says = (*done.orders, *others.orders), (*done.says, *others.says)
+    return replace(done, model=others.model, orders=orders, says=says)
+
+
+def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
+    """Look at what there is now, and ask for what was done to the document meanwhile."""
+    document = document or model.documents[doc]
+    done = pursue(model.with_document(document), document)
+    look, (known, base) = merge.look_again(document.id), _of(document)
+    if isinstance(done, No):  # what waited cannot be asked any more
+        replies = tuple((order, request.Refused(done.reason)) for order in known.kept)
+        known = replace(known, turns={}, kept=())
+        document = replace(document, content=base.content, history=base.history, live=known)
+        said = page.Say("error", f"nothing more is changed: {done.reason}", document.id)
+        return Done(model.with_document(document), orders=(look,), says=() if replies else (said,), replies=replies)
+    done = replace(done, orders=(*done.orders, look))
+    document = done.model.documents[document.id]
+    known, _ = _of(document)
+    if known.is_changing or not known.kept:
+        return done
+    nothing = tuple((order, live.Accepted(0)) for order in known.kept)  # what they asked for has come to nothing anew
+    return replace(
+        done, model=done.model.with_document(replace(document, live=replace(known, kept=()))), replies=nothing
+    )
+
+
+def _refused(document: Document, known: Live, what: Alteration, model: Model) -> No | None:
+    if known.is_foreign:
+        reason = f"{known.subsystem} is held by {known.holder}, who can release it; everybody can stop it"
+        return No(reason, (Remedy("Take it", act.Take(document.id)),))
+    if model.runtime.is_stopped and what.wakes:
+        return No("everything is stopped: allow motion again first", (Remedy("Reset", act.Reset()),))
+    return None
+
+
+def _rests(name: str, document: Document) -> page.Say:
+    text = f"{name} moves hardware: it is exchanged, and stays OFF until you turn it on"
+    return page.Say("warning", text, document.id, f"task:{name}")
+
+
+def _unknown(model: Model, document: Document, known: Live, number: int, cause: str) -> Done:
+    """An outcome that was told before its change was accepted, or one of somebody else's change."""
+    if any(one.number is None for one in known.pending.values()):
+        early = dict(list({**known.early, number: cause}.items())[-_KEPT:])
+        return Done(model.with_document(replace(document, live=replace(known, early=early))))
+    return Done(model, orders=(merge.look_again(document.id),))

@@ -1,0 +1,143 @@
+"""What a document's change means for its subsystem: who dies, who is born, who goes ON or OFF, and at which rate."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+
+from onika.desk.environment.reconcile.task_plan import Birth, birth, is_hardware, rate_of
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.live import Live, TaskFacts
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.rules.order import Ports, rank
+from onika.wire import live
+
+
+@dataclass(frozen=True, slots=True)
+class Alteration:
+    """The tasks of a change by what happens to them; one that is in `kill` and in `spawn` is exchanged."""
+
+    kill: tuple[str, ...] = ()
+    spawn: tuple[Birth, ...] = ()
+    off: tuple[str, ...] = ()
+    on: tuple[live.Turn, ...] = ()
+    rates: tuple[tuple[str, float], ...] = ()
+    resting: tuple[str, ...] = ()
+    """Hardware that is exchanged while it is ON, and stays OFF until somebody turns it on (as in law 12)."""
+    faults: tuple[str, ...] = field(default=(), compare=False)
+    """Why tasks cannot be born."""
+
+    @property
+    def is_nothing(self) -> bool:
+        """Whether nothing happens."""
+        return self == Alteration()
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Whom it touches."""
+        born = (one.task.name for one in self.spawn)
+        return frozenset(
+            (*self.kill, *born, *self.off, *(one.task for one in self.on), *(one for one, _ in self.rates))
+        )
+
+    @property
+    def wakes(self) -> bool:
+        """Whether somebody comes to life or goes ON, which a stopped runtime does not allow."""
+        return bool(self.spawn or self.on)
+
+    def change(self, subsystem: str) -> live.Change:
+        """As it is asked of a runtime."""
+        code = {one.code.digest: one.code for one in self.spawn}
+        spawn = tuple(one.task for one in self.spawn)
+        return live.Change(subsystem, self.kill, spawn, tuple(code.values()), self.off, self.on, self.rates)
+
+
+def alteration(
+    before: Content, after: Content, known: Live, shelf: Shelf, changed: Collection[str], units: Collection[str]
+) -> Alteration:
+    """From one content to another, with some tasks of the libraries changed, beside what is known to live."""
+    stay = [name for name in after.wanted if name in before.wanted and name in known.tasks]
+    rates = _rates(stay, before, after, shelf)
+    unborn = {
+        name for name, _ in rates if known.state_of(name) == "WAITING"
+    }  # who is not born yet has no rate to change
+    exchanged = [name for name in stay if name in changed or name in unborn or _moves(name, after, known, units)]
+    absent = [name for name in after.wanted if name not in known.tasks and name in before.wanted]
+    new = [name for name in after.wanted if name not in before.wanted]
+    born = [*new, *exchanged, *(name for name in absent if after.wanted[name] and _is_turned(name, before, known))]
+    births = {name: _birth(name, after, shelf, units) for name in born if name in shelf.tasks}
+    resting = [name for name in exchanged if before.wanted[name] and is_hardware(shelf.tasks[name], shelf)]
+    on = [
+        name
+        for name, is_on in after.wanted.items()
+        if is_on and name not in resting and (name in births or _comes_on(name, before, known))
+    ]
+    off = [name for name in stay if before.wanted[name] and not after.wanted[name] and name not in births]
+    groups = after.configuration  # a runtime spawns who supplies a constant before who needs it, whatever they say
+    return Alteration(
+        kill=tuple(
+            name for name in before.wanted if name in known.tasks and (name not in after.wanted or name in births)
+        ),
+        spawn=tuple(one for name in groups.in_group_order(births) if isinstance(one := births[name], Birth)),
+        off=tuple(reversed(groups.in_group_order(reversed(off)))),
+        on=tuple(live.Turn(name, known.turns.get(name, "")) for name in _in_order(on, after, shelf)),
+        rates=tuple((name, hz) for name, hz in rates if name not in births),
+        resting=tuple(resting),
+        faults=tuple(one for one in births.values() if isinstance(one, str)),
+    )
+
+
+def with_facts(known: Live, what: Alteration, units: Collection[str]) -> Live:
+    """What is known while it is under way: who is to be born is shown at once."""
+    first = next(iter(units), "")
+    spawning = {
+        one.task.name: TaskFacts(
+            "SPAWNING", rtpu=one.task.rtpu if one.task.rtpu in units else first, hz=one.task.frequency
+        )
+        for one in what.spawn
+    }
+    rates = {name: replace(known.tasks[name], hz=hz) for name, hz in what.rates if name in known.tasks}
+    return replace(known, tasks={**known.tasks, **rates, **spawning}, turns={})
+
+
+def _comes_on(name: str, before: Content, known: Live) -> bool:
+    """Whether one that lives is to go ON and is not."""
+    return name in known.tasks and not known.tasks[name].is_moving and _is_turned(name, before, known)
+
+
+def _is_turned(name: str, before: Content, known: Live) -> bool:
+    return name in known.turns or not before.wanted.get(name, False)
+
+
+def _moves(name: str, after: Content, known: Live, units: Collection[str]) -> bool:
+    """Whether it is to live on another unit."""
+    placed = after.placed(name)
+    here = known.tasks[name].rtpu
+    return placed is not None and bool(here) and placed.rtpu in units and placed.rtpu != here
+
+
+def _birth(name: str, after: Content, shelf: Shelf, units: Collection[str]) -> Birth | str:
+    placed = after.placed(name)
+    if placed is None:
+        raise ValueError(f"expected {name}, which is wanted, on the canvas, found {after.names}")
+    return birth(placed, shelf, units)
+
+
+def _rates(names: list[str], before: Content, after: Content, shelf: Shelf) -> list[tuple[str, float]]:
+    found = []
+    for name in names:
+        old, new, task = before.placed(name), after.placed(name), shelf.tasks.get(name)
+        if old is None or new is None or task is None or old.frequency == new.frequency:
+            continue
+        hz = rate_of(new, task)
+        if hz is not None:
+            found.append((name, hz))
+    return found
+
+
+def _in_order(names: list[str], after: Content, shelf: Shelf) -> list[str]:
+    """Producers before consumers, but the tasks of a supermodule in its order (C17)."""
+    if len(names) < 2:
+        return names
+    tasks: Mapping[str, Ports] = {name: Ports.of(shelf.tasks[name]) for name in names if name in shelf.tasks}
+    hardware = [name for name in tasks if is_hardware(shelf.tasks[name], shelf)]
+    place = rank(list(tasks.values()), hardware)
+    return after.configuration.in_group_order(sorted(names, key=lambda name: place.get(name, len(place))))

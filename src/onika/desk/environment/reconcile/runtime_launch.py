@@ -1,0 +1,41 @@
+"""How the station gets hold of a runtime: started here as a child process, or reached at an address."""
+
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
+
+from onika.desk.environment.outcome.outcome import Simulator
+from onika.desk.run.runtime import Conversation, Runtime, connect
+
+_AS_WALL_TIME = ("--scale", "1")
+"""A person looks on."""
+
+
+class Launching:
+    """Starts runtimes with these units and options, where no address is given.
+
+    rtpus       the processing units
+    options     more words for the runtime program, as `--scale 4`
+    """
+
+    def __init__(
+        self,
+        rtpus: Sequence[str] = ("rt0",),
+        *,
+        is_virtual: bool = False,
+        with_fifo: bool = True,
+        options: Sequence[str] = (),
+    ) -> None:
+        self._rtpus = tuple(rtpus)
+        self._is_virtual = is_virtual
+        self._with_fifo = with_fifo
+        self._options = tuple(options)
+
+    def __call__(
+        self, url: str, token: str, simulator: Simulator | None = None
+    ) -> AbstractContextManager[Conversation]:
+        """A runtime; raises ValueError for what is no address, LinkLost where no token is to be had."""
+        if url:
+            return connect(url, token)
+        if simulator is not None:
+            return Runtime(simulator.rtpus, True, False, (*_AS_WALL_TIME, *simulator.options))
+        return Runtime(self._rtpus, self._is_virtual, self._with_fifo, self._options)

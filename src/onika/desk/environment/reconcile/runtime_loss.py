@@ -1,0 +1,44 @@
+"""What the model is when a runtime is gone, and what its units have to do while it is there (requirement E10)."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import msgspec
+
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.runs.run_reducer import lost as run_lost
+from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.model import Model
+from onika.desk.run.runtime import in_short
+from onika.wire import page, view
+
+_ENDED = "The runtime has ended. Run starts a new one."
+
+
+def lost(model: Model, reason: str) -> Done:
+    """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
+    documents = {
+        key: replace(
+            one,
+            content=replace(one.content, wanted={}),
+            live=Live(one.live.subsystem, "lost"),
+        )
+        if one.live is not None and one.live.state == "live"
+        else one
+        for key, one in model.documents.items()
+    }
+    runtime = view.RuntimeView("lost", model.runtime.address, reason)  # there it is told in full
+    done = run_lost(replace(model, documents=documents, runtime=runtime), in_short(reason))
+    said = f"The runtime at {runtime.address} is gone." if runtime.address else _ENDED
+    return replace(done, says=(page.Say("error", said), *done.says))
+
+
+def with_loads(model: Model, loads: Mapping[str, float]) -> Done:
+    """The shares of their time that units have used at last."""
+    units = {
+        name: msgspec.structs.replace(one, load=round(loads.get(name, one.load), 2))
+        for name, one in model.runtime.units.items()
+    }
+    if units == model.runtime.units:
+        return Done(model)
+    return Done(replace(model, runtime=msgspec.structs.replace(model.runtime, units=units)))

@@ -1,0 +1,68 @@
+"""What the browsers together want to see of the running system, and what is asked of a runtime for it."""
+
+from dataclasses import dataclass
+from math import isnan
+
+from onika.desk.environment.state.model import Model
+from onika.wire import holding, live
+
+FASTEST_HZ = 60.0
+_SLOWEST_HZ = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class Watching:
+    """A wish: variables as `DOC/NAME`, worlds by name, figures of all tasks, and how often at most."""
+
+    variables: frozenset[str] = frozenset()
+    worlds: frozenset[str] = frozenset()
+    figures: bool = False
+    hz: float = 0.0
+
+    def attend(self, model: Model) -> live.Attend:
+        """What is asked of the runtime with which the documents of this model are connected."""
+        homes = homes_of(model)
+        keys = [key.partition("/") for key in sorted(self.variables)]
+        of_documents = [f"{homes[doc]}/{name}" for doc, _, name in keys if doc in homes and name]
+        of_run = [home for doc, _, name in keys if (home := _home_in_run(model, doc, name))]
+        readings = tuple(dict.fromkeys((*of_documents, *of_run)))
+        hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
+        # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
+        own = model.run.homes if model.run is not None else ()
+        heard = (*sorted({*homes.values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
+        return live.Attend(heard, readings, tuple(sorted(self.worlds)), hz)
+
+
+def keys_of(model: Model, key: str) -> tuple[str, ...]:
+    """Under which names a reading `SUBSYSTEM/NAME` is shown: `DOC/NAME`, of a run `DOC/SUBSYSTEM/NAME` too."""
+    subsystem, _, name = key.rpartition("/")
+    of_documents = [f"{doc}/{name}" for doc, home in homes_of(model).items() if home == subsystem]
+    run = model.run
+    if run is None or subsystem not in run.view.flows:
+        return tuple(of_documents)
+    is_first = _home_in_run(model, run.doc, name) == key
+    return (*of_documents, f"{run.doc}/{key}", *([f"{run.doc}/{name}"] if is_first else []))
+
+
+def is_going(model: Model) -> bool:
+    """Whether an application of this environment runs, or is about to."""
+    return model.run is not None and not model.run.is_over
+
+
+def _home_in_run(model: Model, doc: str, name: str) -> str:
+    """Where a variable `[SUBSYSTEM/]NAME` of the run of an application is; else empty."""
+    if model.run is None or model.run.doc != doc or not name:
+        return ""
+    try:
+        return "/".join(model.run.cast.home(name))
+    except ValueError:
+        return ""
+
+
+def homes_of(model: Model) -> dict[str, str]:
+    """The subsystems of the documents that are connected, by their ids."""
+    return {
+        doc: one.live.subsystem
+        for doc, one in model.documents.items()
+        if one.live is not None and one.live.state == "live"
+    }

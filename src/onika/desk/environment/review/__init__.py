@@ -1,0 +1,1 @@
+"""Acts on recorded runs that are looked at."""

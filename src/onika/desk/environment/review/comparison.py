@@ -1,0 +1,108 @@
+"""Another recorded run beside the one that is looked at, and where the two begin to differ (requirement X05)."""
+
+import re
+from dataclasses import replace
+
+from msgspec import structs
+
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.worker import Outcome
+from onika.desk.environment.review.opening import NOT_HERE, put_one_away, read
+from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.review_session import Looking
+from onika.record.difference import Difference, first_difference
+from onika.record.reader import UNREADABLE, Reader
+from onika.record.tolerance import Tolerance, usual
+from onika.wire import act
+from onika.wire.view import DifferenceView
+
+_SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
+
+
+def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) -> Done | No:
+    """Show another one beside it; the value is its path. The difference comes later, with the tree."""
+    reading, comparing = outside.reading, outside.comparing
+    if reading is None or comparing is None:
+        return NOT_HERE
+    if model.looking is None:
+        return No("no recording is looked at: open one first")
+    if wrong := _negative(asked):
+        return No("a tolerance is 0 or more", fields=wrong)
+    if not asked.path:
+        put_one_away(model.looking.other, reading)
+        return Done(replace(model, looking=Looking(model.looking.subject)))
+
+    def adopted(model: Model, found: Subject) -> Done | No:
+        if model.looking is None:
+            put_one_away(found, reading)
+            return No("the recording was put away meanwhile")
+        put_one_away(model.looking.other, reading)
+        one = model.looking.subject
+        is_virtual = one.view.is_virtual and found.view.is_virtual
+        tolerance = usual(is_virtual, asked.tolerance, asked.part, asked.time_s)
+        order = comparing.order(lambda: _compared(one, found, tolerance))
+        return Done(replace(model, looking=Looking(one, found)), value=found.view.path, orders=(order,))
+
+    return read(model, asked.path, outside, reading, adopted, opens=False)
+
+
+def _negative(asked: act.CompareWith) -> dict[str, str]:
+    return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(asked, name) or 0) < 0}
+
+
+def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Outcome:
+    """Both files are read anew, so that nobody waits who looks at them meanwhile."""
+    found: Difference | None = None
+    wrong = ""
+    try:
+        readers = Reader(one.path), Reader(other.path)
+        found = first_difference(*readers, tolerance, lambda: not (one.away.is_set() or other.away.is_set()))
+        for reader in readers:
+            reader.close()
+    except UNREADABLE as fault:
+        wrong = f"the two recordings cannot be compared: {fault}"
+
+    def told(model: Model) -> Done:
+        looking = model.looking
+        if looking is None or not looking.subject.is_of(one) or looking.other is None or not looking.other.is_of(other):
+            return Done(model)
+        difference = DifferenceView(wrong) if wrong else _view(found, one)
+        difference = structs.replace(
+            difference,
+            tolerance=tolerance.value,
+            part=tolerance.part,
+            time_s=tolerance.seconds,
+            is_of_places=tolerance.is_of_places,
+        )
+        return Done(replace(model, looking=replace(looking, difference=difference)))
+
+    return told
+
+
+def _numbers(found: Difference, unit: str) -> tuple[str, str] | None:
+    """Two numbers with their unit, and as many digits as tell them apart; None: they are something else."""
+    try:
+        first, second = float(found.first), float(found.second)
+    except ValueError:
+        return None
+    pairs = ((f"{first:.{digits}g}", f"{second:.{digits}g}") for digits in range(4, 17))
+    told = next((pair for pair in pairs if pair[0] != pair[1]), (found.first, found.second))
+    behind = f" {unit}" if unit not in ("", "-") else ""
+    return f"{told[0]}{behind}", f"{told[1]}{behind}"
+
+
+def _plain(side: str) -> str:
+    """One side of a difference; the type of an array by how many values there are."""
+    shape = _SHAPE.fullmatch(side)
+    return f"{' × '.join(shape[1].split(','))} values" if shape else side
+
+
+def _view(found: Difference | None, one: Subject) -> DifferenceView:
+    if found is None:
+        return DifferenceView()
+    series = one.review.series.get(found.variable)
+    first, second = _numbers(found, series.unit if series else "") or (_plain(found.first), _plain(found.second))
+    text = one.said(f"{found.what}: {first}, in the other {second}")
+    return DifferenceView(text, found.at_ns * 1e-9, found.variable)

@@ -1,0 +1,60 @@
+"""The course of a variable over a recorded run, as it is plotted (requirement X05).
+
+All its values are read once, aside; then any stretch of it is answered at once.
+"""
+
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.worker import Outcome
+from onika.desk.environment.review.opening import NOT_HERE
+from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.review.snapshot import looked_at, sane, spoilt
+from onika.desk.environment.state.model import Model
+from onika.desk.run.run_review import drawn
+from onika.record import downsampled as recorded
+from onika.record.downsampled import Samples
+from onika.record.reader import UNREADABLE
+from onika.wire import act
+from onika.wire.view import StretchView
+
+_MOST_POINTS = 4000
+
+
+def course(model: Model, asked: act.Course, outside: Surroundings) -> Done | No:
+    """A variable over a stretch of the run; the value is a tuple of `view.StretchView`, empty for what is no number."""
+    found = looked_at(model, of_other=asked.of_other)
+    if isinstance(found, No):
+        return found
+    aside, series = outside.reading, found.review.series.get(asked.variable)
+    if aside is None:
+        return NOT_HERE
+    if series is None:
+        return No(f"{asked.variable} is not in {found.path.name}")
+    if not recorded.is_drawn(series):
+        return Done(model, value=())
+    known = found.samples.get(asked.variable)
+    if known is not None:
+        return Done(model, value=_stretches(found, asked, known))
+
+    def work() -> Outcome:
+        known = found.samples.get(asked.variable)
+        try:
+            read = known or recorded.samples(series)
+        except UNREADABLE as wrong:
+            no = spoilt(found, wrong)
+            return lambda _: no
+        found.samples.put(asked.variable, read)
+        value = _stretches(found, asked, read)
+        return lambda model: Done(model, value=value)
+
+    return Done(model, orders=(aside.order(work),), is_answered_later=True)
+
+
+def _stretches(found: Subject, asked: act.Course, samples: Samples) -> tuple[StretchView, ...]:
+    begin = round(sane(asked.begin_s) * 1e9)
+    end = max(round(sane(asked.end_s) * 1e9), begin)
+    some = recorded.parts(samples, begin, end, min(max(asked.points, 1), _MOST_POINTS))
+    return tuple(
+        StretchView(one.label, one.unit, tuple(one.at_s), tuple(one.least), tuple(one.most))
+        for one in drawn(found.review.series[asked.variable], some)
+    )

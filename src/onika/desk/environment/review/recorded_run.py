@@ -1,0 +1,144 @@
+"""A recorded run that is looked at: its file, what was shown of it at any instant, what a page has to know of it."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from datetime import datetime
+from pathlib import Path
+from threading import Event
+
+from onika.desk.environment.review.event_marks import marks
+from onika.desk.environment.review.replay import Replay
+from onika.desk.environment.review.step_mapping import Recast
+from onika.desk.environment.review.variable_cache import Kept
+from onika.desk.environment.runs.messages import Speech
+from onika.desk.environment.state.run import Run, begun
+from onika.desk.run.recorded_run import Source, recorded_run
+from onika.desk.run.run_review import Flow, Review
+from onika.record.series import Series
+from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Subject:
+    """One recorded run; equal only to itself."""
+
+    review: Review
+    replay: Replay
+    view: RecordingView
+    speech: Speech
+    """The words of its icons."""
+    samples: Kept = field(default_factory=Kept)
+    """Of the variables that were plotted."""
+    away: Event = field(default_factory=Event)
+    """Set where nobody looks at it any more."""
+
+    @property
+    def path(self) -> Path:
+        """Its file."""
+        return Path(self.view.path)
+
+    def is_of(self, other: "Subject") -> bool:
+        """Whether both were made when the same recording was opened: it may be shown at other icons since."""
+        return self.review is other.review
+
+    def said(self, text: str) -> str:
+        """A text in the words of the icons, where it names actions as files do."""
+        for name, shown in sorted(self.speech.actions.items(), key=lambda one: -len(one[0])):
+            text = text.replace(f"action {name} ", f"“{shown}” ")
+        return text
+
+
+def subject(review: Review, recast: Recast, durations: Mapping[tuple[int, int], float]) -> Subject:
+    """Made of a recording, and of the steps of the open application that its actions are."""
+    run = begun(recast.doc, recast.plan, 0, _began(review.run.began), recast.belonging)
+    run = replace(run, speech=recast.speech, durations=durations)
+    run = run.shown(state="running", recording=str(review.path))
+    return Subject(review, Replay(run, review.events), _view(review, run, recast), run.speech)
+
+
+def _view(review: Review, run: Run, recast: Recast) -> RecordingView:
+    begin_s, end_s = review.span_s
+    return RecordingView(
+        path=str(review.path),
+        name=review.run.prepare.plan.application,
+        began=_in_words(review.run.began),
+        is_virtual=review.run.is_virtual,
+        is_whole=review.is_whole,
+        is_completed=review.ending.get("completed") == "yes",
+        cause=run.speech.said(review.ending.get("cause", "")),
+        begin_s=begin_s,
+        end_s=end_s,
+        flows={
+            one.subsystem: RecordedFlowView(order, _passages(one, run, order)) for order, one in enumerate(review.flows)
+        },
+        variables={address: _variable(one) for address, one in review.series.items()},
+        worlds=review.worlds,
+        marks=marks(run, review),
+        notes=(*_losses(review), *recast.notes),
+        cannot_continue=_cannot_continue(review.path),
+        doc=recast.doc,
+        began_at_s=_began(review.run.began),
+        redirects=tuple(_redirects(review)),
+    )
+
+
+def _redirects(review: Review) -> Iterator[RedirectView]:
+    """Flows are meant by their order: what runs may be called otherwise than a flow of the application."""
+    plan = review.run.prepare.plan
+    for order, flow in enumerate(plan.flows):
+        for name, old in flow.replaced:
+            home = f"flow{order}"
+            yield RedirectView(old.name, name, home if len(plan.flows) > 1 else "", (home,))
+
+
+def _passages(flow: Flow, run: Run, number: int) -> tuple[PassageView, ...]:
+    return tuple(
+        PassageView(
+            one.action,
+            run.called(flow.subsystem, one.action) or one.name,
+            one.begin_s,
+            one.end_s,
+            run.step_at(flow.subsystem, one.action),
+        )
+        for one in flow.intervals
+    )
+
+
+def _variable(one: Series) -> RecordedVariableView:
+    return RecordedVariableView(one.unit, () if one.is_picture else tuple(one.labels))
+
+
+def _losses(review: Review) -> list[str]:
+    """What is not in the recording."""
+    found = []
+    if not review.is_whole:
+        found.append("the recording was cut short: what came after its end is not known")
+    missed, untold = (int(review.ending.get(key, "0") or 0) for key in ("missed", "untold"))
+    if missed:
+        found.append(f"{missed} values were written over before they could be recorded")
+    if untold:
+        found.append(f"{untold} events could not be recorded for want of room")
+    if not review.run.is_virtual:
+        found.append("it was recorded in wall time: continued from an instant, it goes on nearly as then, not exactly")
+    return found
+
+
+def _cannot_continue(path: Path) -> str:
+    found = recorded_run(Source(path))
+    return "; ".join(f"expected {one.expected}, found {one.found}" for one in found) if isinstance(found, tuple) else ""
+
+
+def _began(iso: str) -> float:
+    """Seconds since 1970; 0 where it was not said."""
+    try:
+        return datetime.fromisoformat(iso).timestamp()
+    except ValueError:
+        return 0.0
+
+
+def _in_words(iso: str) -> str:
+    try:
+        began = datetime.fromisoformat(iso).astimezone()
+    except ValueError:
+        return ""
+    return f"{began.day} {began:%B %Y, %H:%M}"

@@ -1,0 +1,43 @@
+"""The recordings of this environment, newest first (requirement X05)."""
+
+from collections.abc import Iterator
+from datetime import datetime
+from pathlib import Path
+
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.worker import Outcome
+from onika.desk.environment.review.opening import NOT_HERE
+from onika.desk.environment.review.recordings_folder import ENDING, recordings_folder
+from onika.desk.environment.state.model import Model
+from onika.record.glimpse import glimpse
+from onika.record.reader import UNREADABLE
+from onika.wire import act
+from onika.wire.view import RecordingFile, RecordingsView
+
+
+def recordings(model: Model, _asked: act.Recordings, outside: Surroundings) -> Done | No:
+    """Which there are; the value is a `view.RecordingsView`. One that is being made is not among them."""
+    if outside.state is None or outside.reading is None:
+        return NOT_HERE
+    folder = recordings_folder(outside.state)
+    made = model.run.view.recording if model.run is not None and not model.run.is_over else ""
+
+    def work() -> Outcome:
+        files = sorted(_files(folder, made), key=lambda one: one.began_at_s, reverse=True)
+        value = RecordingsView(str(folder), tuple(files))
+        return lambda model: Done(model, value=value)
+
+    return Done(model, orders=(outside.reading.order(work),), is_answered_later=True)
+
+
+def _files(folder: Path, made: str) -> Iterator[RecordingFile]:
+    for path in folder.glob(f"*{ENDING}"):
+        if str(path) != made:
+            try:
+                found = glimpse(path)
+                began_at_s = datetime.fromisoformat(found.began).timestamp()
+                size = path.stat().st_size
+            except UNREADABLE:
+                continue  # something else that lies there, or that has gone
+            yield RecordingFile(str(path), found.application, began_at_s, found.took_s, size, found.is_whole)

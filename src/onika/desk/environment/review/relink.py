@@ -1,0 +1,67 @@
+"""An application that is opened, or read again, while its recorded run is looked at: it is shown at its icons (X05)."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.worker import Outcome
+from onika.desk.environment.review.opening import open_one, subject_of
+from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.review_session import Looking
+from onika.record.reader import UNREADABLE
+from onika.wire import act
+
+Handler = Callable[[Model, Any, Surroundings], Done | No]
+
+
+def relinked(carry_out: Handler) -> Handler:
+    """What an act does that opens an application or reads its file again; then its recorded runs follow."""
+
+    def handler(model: Model, asked: Any, outside: Surroundings) -> Done | No:
+        done = carry_out(model, asked, outside)
+        looking = done.model.looking if isinstance(done, Done) else None
+        if isinstance(done, No) or looking is None:
+            return done
+        is_read_again = isinstance(asked, act.Reload)
+        orders = (_order(one, done.model, outside, is_read_again=is_read_again) for one in _both(looking))
+        return replace(done, orders=(*done.orders, *filter(None, orders)))
+
+    return handler
+
+
+def _both(looking: Looking) -> tuple[Subject, ...]:
+    return (looking.subject, looking.other) if looking.other else (looking.subject,)
+
+
+def _order(subject: Subject, model: Model, outside: Surroundings, *, is_read_again: bool) -> Order | None:
+    """Have a recorded run shown at the icons of its application; None: it is already, or has none that is open."""
+    opened = open_one(model, subject.review.run.prepare.plan)
+    if outside.reading is None or opened is None or (opened.id == subject.view.doc and not is_read_again):
+        return None
+    syntax, site = model.syntax, outside.site
+
+    def work() -> Outcome:
+        if subject.away.is_set() or syntax is None:
+            return Done
+        try:
+            found = subject_of(subject.review, opened, "", site, syntax)
+        except UNREADABLE:
+            return Done  # who looks at it next is told
+        found = replace(found, samples=subject.samples, away=subject.away)
+        return lambda model: Done(_shown(model, subject, found, opened))
+
+    return outside.reading.order(work)
+
+
+def _shown(model: Model, former: Subject, found: Subject, opened: OpenApplication) -> Model:
+    """With one recorded run as it is shown now, unless something has come between."""
+    looking = model.looking
+    if looking is None or opened.id not in model.applications:
+        return model
+    if looking.subject is former:
+        return replace(model, looking=replace(looking, subject=found))
+    return replace(model, looking=replace(looking, other=found)) if looking.other is former else model

@@ -1,0 +1,90 @@
+"""What a recorded run was like at an instant, and what its worlds consisted of (requirement X05)."""
+
+from collections.abc import Mapping
+
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.review_session import Looking
+from onika.record.reader import UNREADABLE
+from onika.wire import act
+from onika.wire.view import InstantView
+
+_FAR_S = 1e9
+
+
+def glance(model: Model, asked: act.Glance, _outside: Surroundings) -> Done | No:
+    """What it was like; the value is a `view.InstantView`."""
+    found = looked_at(model, of_other=asked.of_other)
+    if isinstance(found, No):
+        return found
+    try:
+        return Done(model, value=_instant(found, model, sane(asked.at_s)))
+    except UNREADABLE as wrong:
+        return spoilt(found, wrong)
+
+
+def recorded_scene(model: Model, asked: act.RecordedScene, _outside: Surroundings) -> Done | No:
+    """What a world consisted of; the value is as that of `act.Scene`."""
+    found = looked_at(model, of_other=asked.of_other)
+    if isinstance(found, No):
+        return found
+    try:
+        shapes = found.review.shapes(asked.world, sane(asked.at_s))
+    except UNREADABLE as wrong:
+        return spoilt(found, wrong)
+    if shapes is None:
+        return No(f"nothing of a world {asked.world} is in this recording")
+    return Done(model, value={"shapes": shapes})
+
+
+def looked_at(model: Model, *, of_other: bool) -> Subject | No:
+    """The recorded run that is meant."""
+    looking: Looking | None = model.looking
+    if looking is None:
+        return No("no recording is looked at")
+    return looking.one(of_other=of_other) or No("no other recording is looked at beside it")
+
+
+def sane(at_s: float) -> float:
+    """A time that is asked for, as one that a recording could have."""
+    return min(max(at_s, -_FAR_S), _FAR_S)
+
+
+def spoilt(found: Subject, wrong: Exception) -> No:
+    """The file is not what it was when it was opened, or was spoilt before."""
+    return No(f"{found.path.name} cannot be read there: {wrong}")
+
+
+def _instant(found: Subject, model: Model, at_s: float) -> InstantView:
+    instant = found.review.at(at_s, with_pictures=False)
+    run = found.replay.at(at_s)
+    seen = {world: instant.poses.get(world) or found.review.first_poses(world) for world in found.review.worlds}
+    poses = {world: {"rows": rows, "lit": found.review.lit(world, at_s)} for world, rows in seen.items() if rows}
+    tasks = {**instant.tasks, **_replaced(found, instant.tasks)}
+    return InstantView(at_s, run, tasks, instant.variables, poses, _homes(found, model))
+
+
+def _replaced(found: Subject, states: Mapping[str, str]) -> dict[str, str]:
+    """What a configuration names is shown in the state of what stood for it: it wrote the same variables."""
+    flows = found.review.run.prepare.plan.flows
+    stood = {
+        f"{flow.subsystem}/{old.name}": f"{flow.subsystem}/{name}" for flow in flows for name, old in flow.replaced
+    }
+    return {old: states[name] for old, name in stood.items() if name in states}
+
+
+def _homes(found: Subject, model: Model) -> dict[str, str]:
+    """By open configuration, the subsystem in which its tasks were: where most of them were, and a job of its name."""
+    homes = {}
+    for doc, document in model.documents.items():
+        names = set(document.content.names)
+        likely = [
+            (sum(one.name in names for one in flow.tasks), document.name in {one.job for one in flow.actions}, flow)
+            for flow in found.review.run.prepare.plan.flows
+        ]
+        most = max(likely, key=lambda one: one[:2], default=None)
+        if most is not None and most[0]:
+            homes[doc] = most[2].subsystem
+    return homes

@@ -1,0 +1,158 @@
+"""A recorded plan as one of the application that is open now: which step each recorded action is (requirement X05).
+
+What was recorded names steps by the numbers of another session, or by the lines of a file. They are found again by
+what their icons are called, one after the other in each flow.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from difflib import SequenceMatcher
+
+from msgspec import structs
+
+from onika.desk.environment.icons.membership import Belonging
+from onika.desk.environment.runs.messages import Speech
+from onika.wire.plan import Plan, PlannedAction, PlannedFlow
+from onika.words.fault import Place
+
+_NAMED = 3
+"""How many of the actions that have no icon are named."""
+
+
+@dataclass(frozen=True, slots=True)
+class Present:
+    """An application as it is open now."""
+
+    doc: str
+    name: str
+    plan: Plan | None
+    """None: there is nothing in it that could be compiled."""
+    belonging: Belonging
+    speech: Speech
+
+
+@dataclass(frozen=True, slots=True)
+class Recast:
+    """The recorded plan, its actions at the spots of the steps that they are now; without one, at none."""
+
+    plan: Plan
+    doc: str = ""
+    belonging: Belonging = field(default_factory=lambda: Belonging({}, {}))
+    speech: Speech = field(default_factory=Speech)
+    notes: tuple[str, ...] = ()
+
+
+def recast(recorded: Plan, present: Present | None) -> Recast:
+    """Find the steps; what has changed since is told."""
+    bare = _placed(recorded, {})
+    if present is None:
+        return Recast(bare, speech=_told(Speech(), recorded, bare), notes=_redirected(recorded))
+    partners = _partners(recorded, present.plan) if present.plan is not None else {}
+    plan = _placed(recorded, partners)
+    speech = _told(present.speech, recorded, plan)
+    notes = (*_changed(recorded, present, partners), *_redirected(recorded))
+    return Recast(plan, present.doc, present.belonging, speech, notes)
+
+
+# -- which action is which
+
+_Partners = Mapping[tuple[int, int], PlannedAction]
+"""By flow and index of the recorded plan, the action now."""
+
+
+def _partners(recorded: Plan, now: Plan) -> dict[tuple[int, int], PlannedAction]:
+    found = {}
+    for flow, other in _pairs(recorded, now):
+        actions = now.flows[other].actions
+        for at, there in _same(recorded.flows[flow], now.flows[other]):
+            found[flow, at] = actions[there]
+    return found
+
+
+def _pairs(recorded: Plan, now: Plan) -> Iterator[tuple[int, int]]:
+    """The flows that belong together: at the same place where they are alike, else those that are most alike."""
+    left = {n for n, _ in enumerate(recorded.flows)}
+    free = {n for n, _ in enumerate(now.flows)}
+    for n in sorted(left & free):
+        if _words(recorded.flows[n]) == _words(now.flows[n]):
+            left.remove(n)
+            free.remove(n)
+            yield n, n
+    likeness = [(_likeness(recorded.flows[a], now.flows[b]), -abs(a - b), a, b) for a in left for b in free]
+    for ratio, _, a, b in sorted(likeness, reverse=True):
+        if ratio > 0 and a in left and b in free:
+            left.remove(a)
+            free.remove(b)
+            yield a, b
+
+
+def _same(recorded: PlannedFlow, now: PlannedFlow) -> Iterator[tuple[int, int]]:
+    """The actions that are the same, by their indices."""
+    one, other = _words(recorded), _words(now)
+    if one == other:
+        yield from ((at, at) for at, _ in enumerate(one))
+        return
+    for block in SequenceMatcher(None, one, other, autojunk=False).get_matching_blocks():
+        yield from ((block.a + k, block.b + k) for k in range(block.size))
+
+
+def _likeness(one: PlannedFlow, other: PlannedFlow) -> float:
+    return SequenceMatcher(None, _words(one), _words(other), autojunk=False).ratio()
+
+
+def _words(flow: PlannedFlow) -> list[tuple[str, ...]]:
+    """What its actions are called, and the applications and branches in which they stand."""
+    return [(*one.within, one.name) for one in flow.actions]
+
+
+# -- what is made of it
+
+
+def _placed(recorded: Plan, partners: _Partners) -> Plan:
+    flows = []
+    for number, flow in enumerate(recorded.flows):
+        actions = tuple(_at(one, partners.get((number, index))) for index, one in enumerate(flow.actions))
+        flows.append(structs.replace(flow, actions=actions))
+    return structs.replace(recorded, flows=tuple(flows))
+
+
+def _at(one: PlannedAction, partner: PlannedAction | None) -> PlannedAction:
+    if partner is None:
+        return structs.replace(one, spot=())
+    return structs.replace(one, spot=partner.spot, place=partner.place, line=partner.line)
+
+
+def _told(speech: Speech, recorded: Plan, plan: Plan) -> Speech:
+    """The words of now, for what was told with the places of then."""
+    heard = speech.hearing(recorded)
+    actions = dict(heard.actions)
+    for flow, now in zip(recorded.flows, plan.flows, strict=True):
+        for one, placed in zip(flow.actions, now.actions, strict=True):
+            said = speech.action(placed)
+            actions[f"{Place(one.place, one.line)} ({one.name})"] = actions[one.name] = said
+    return replace(heard, actions=actions)
+
+
+def _changed(recorded: Plan, present: Present, partners: _Partners) -> Iterator[str]:
+    if present.plan is None:
+        yield f"{present.name} cannot be compiled as it is now: the recorded actions are shown without their icons"
+        return
+    every = [(number, index) for number, flow in enumerate(recorded.flows) for index, _ in enumerate(flow.actions)]
+    lacking = [recorded.flows[number].actions[index] for number, index in every if (number, index) not in partners]
+    more = sum(len(flow.actions) for flow in present.plan.flows) - len(partners)
+    changed = f"{present.name} has changed since it was recorded"
+    if lacking:
+        names = list(dict.fromkeys(present.speech.action(one) for one in lacking))
+        some = ", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else "")
+        have = "has" if len(lacking) == 1 else "have"
+        yield f"{changed}: {len(lacking)} of {len(every)} recorded actions {have} no icon now: {some}"
+    elif more:
+        yield f"{changed}: {more} action{'' if more == 1 else 's'} of it now {'was' if more == 1 else 'were'} not there"
+
+
+def _redirected(recorded: Plan) -> tuple[str, ...]:
+    return tuple(
+        f"{name} stood for {old.name}" + (f" in flow {number}" if len(recorded.flows) > 1 else "")
+        for number, flow in enumerate(recorded.flows)
+        for name, old in flow.replaced
+    )

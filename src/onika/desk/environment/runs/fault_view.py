@@ -1,0 +1,221 @@
+"""What is wrong with an application, told of its steps and with what could be done about it (E01, X01)."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Literal
+
+from onika.desk.environment.icons.membership import Belonging, icons
+from onika.desk.environment.runs.fault_text import EMPTY, said, together
+from onika.desk.environment.state.icon_names import a, kind_named, listed, quoted
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.preparation import PreparedRun
+from onika.desk.plan.substitutes import with_substitutes
+from onika.files import appl, rmod
+from onika.model.application import Application, Branch, Hole, Icon, Step
+from onika.model.flow_path import Spot, flows_by_path, spots
+from onika.model.redirect import Redirect
+from onika.model.rules.hole import holes
+from onika.model.rules.outline import Outline
+from onika.model.syntax import Syntax
+from onika.store.program import Program
+from onika.store.site import Site
+from onika.wire import act
+from onika.wire.view import FaultView, Remedy
+from onika.words.fault import Fault, Place
+
+_SUBSTITUTE = re.compile(r"redirect (\S+) to (\S+)")
+
+
+def place_of(opened: OpenApplication) -> Place:
+    """What stands for the file of an application in faults and plans."""
+    return Place(str(opened.opened.path) if opened.opened is not None else opened.name)
+
+
+@dataclass(frozen=True, slots=True)
+class Troubles:
+    """Of an application that was prepared with the numbers of its steps as lines, in the file `place`."""
+
+    doc: str
+    application: Application
+    syntax: Syntax
+    place: Place
+    program: Program | None
+    redirects: tuple[Redirect, ...] = ()
+    prepared: PreparedRun | None = None
+    site: Site | None = None
+    """Where substitutes are looked for; None: none are told."""
+    _spots: Mapping[int, Spot] = field(default_factory=dict)
+    _users: Mapping[str, int] = field(default_factory=dict)
+    _targets: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
+    """Of each action."""
+
+    @classmethod
+    def of(cls, opened: OpenApplication, syntax: Syntax, prepared: PreparedRun, site: Site | None = None) -> "Troubles":
+        """Those of an open application, that was prepared with its redirections."""
+        users: dict[str, int] = {}
+        application, program = opened.application, prepared.program
+        if program is not None:
+            for icon in icons(application):
+                _use(icon.onikon.name, icon.number, program, users)
+            for one in opened.redirects:
+                for name in _named(one.new, program):
+                    users.setdefault(name, users.get(one.old, 0))
+        known = spots(application), users, Belonging.of(application, syntax).targets()
+        place = place_of(opened)
+        return cls(opened.id, application, syntax, place, program, opened.redirects, prepared, site, *known)
+
+    def views(self, prepared: PreparedRun) -> Iterator[FaultView]:
+        """Everything that was found, faults first."""
+        yield from self._holes()
+        yield from self.told(one for one in together(prepared.faults) if not self._is_hole(one))
+        yield from self.told(prepared.notes)
+
+    def told(self, faults: Iterable[Fault], *, is_of_runtime: bool = False) -> Iterator[FaultView]:
+        """Faults and notes, those of tasks with who could stand for these."""
+        every = list(faults)
+        if self.prepared is not None and self.site is not None:
+            every = with_substitutes(every, self.prepared, self.redirects, self.site)
+        found: dict[tuple[int, str], FaultView] = {}
+        for one in every:
+            step = self._meant(one)
+            text, remedies = said(self._shown(one, step)), tuple(dict.fromkeys(self._remedies(one, step)))
+            level: Literal["fault", "warning"] = "warning" if one.is_note else "fault"
+            found.setdefault((step, text), FaultView(text, level, step, remedies, is_of_runtime))
+        yield from found.values()
+
+    def step_of(self, place: Place) -> int:
+        """The step at which a fault stands, or the first one that uses the file in which it stands; 0: none."""
+        if place.file == self.place.file:
+            return place.line if place.line in self._spots else 0
+        return self._users.get(Path(place.file).name, self._users.get(place.file, 0))
+
+    def target_of(self, action: int, name: str) -> int:
+        """The step that is a target of an action, by its name or since there is no other; else the action itself."""
+        targets = self._targets.get(action, ())
+        named = [one for one in targets if isinstance(icon := self._step(one), Icon) and icon.onikon.name == name]
+        meant = named or targets
+        return meant[0] if len(meant) == 1 or named else action
+
+    def user_of(self, name: str) -> int:
+        """The first step that uses a configuration, a task or an application; 0: none."""
+        return self._users.get(name, 0)
+
+    def _meant(self, fault: Fault) -> int:
+        step = self.step_of(fault.place)
+        is_of_target = self._is_own(fault) and (_is_of_reach(fault) or _is_of_values(fault))
+        return self.target_of(step, fault.found.partition(":")[0]) if is_of_target else step
+
+    def _is_own(self, fault: Fault) -> bool:
+        """Whether it stands in the application itself, and not in one that it uses."""
+        return fault.place.file == self.place.file
+
+    def _shown(self, fault: Fault, number: int) -> Fault:
+        """A target by what its icon shows, where it is found here by its name."""
+        step, (name, _, why) = self._step(number), fault.found.partition(":")
+        if number == self.step_of(fault.place) or not isinstance(step, Icon) or step.onikon.name != name:
+            return fault
+        return replace(fault, found=f"{quoted(step.onikon)}:{why}")
+
+    def _is_hole(self, fault: Fault) -> bool:
+        step = self._step(self.step_of(fault.place))
+        return isinstance(step, Hole) and fault.place.file == self.place.file and not fault.is_note
+
+    def _holes(self) -> Iterator[FaultView]:
+        outline = Outline.of(self.application, self.syntax, self.place.file)
+        paths = [path for path, _ in flows_by_path(self.application)]
+        path_of = {passage.path: path for passage, path in zip(outline.passages, paths, strict=True)}
+        for one in holes(outline, self.syntax):
+            steps = one.passage.flow.steps
+            before = steps[one.position - 1].number if one.position else 0
+            show = Remedy("What fits here", show=f"fits:{path_of[one.passage.path]}:{before}")
+            wanted = [Remedy(f"New {kind_named(kind)}…", show=f"target:{kind}") for kind in dict.fromkeys(one.types)]
+            missing = a(listed(map(kind_named, one.types))) if one.types else "an action"
+            text = f"{missing} is missing here"
+            yield FaultView(text, "fault", steps[one.position].number, (show, *wanted))
+
+    def _step(self, number: int) -> Step | None:
+        spot = self._spots.get(number)
+        return spot.step if spot else None
+
+    def _remedies(self, fault: Fault, number: int) -> Iterator[Remedy]:
+        """What is obvious, likeliest first; where it stands comes last."""
+        step = self._step(number)
+        if not fault.is_note:
+            yield from self._redirections(fault)
+        if isinstance(step, Icon) and not self._is_own(fault) and fault.place.file.endswith(appl.ENDING):
+            yield Remedy(f"Open {Path(fault.place.file).stem}", act.Open(fault.place.file))
+        elif isinstance(step, Icon):
+            yield from self._of_icon(fault, step)
+        if isinstance(step, Branch) and "conditions" in fault.expected:
+            yield Remedy("Its conditions…", show=f"step:{number}")
+        elif not number and (match := EMPTY.fullmatch(fault.expected)):
+            yield Remedy("What fits here", show=f"fits:{match[1]}:0")
+        elif number:
+            yield Remedy("Show it", show=f"step:{number}")
+
+    def _redirections(self, fault: Fault) -> Iterator[Remedy]:
+        """Another robot for what this one cannot do: the one that was meant, then the substitutes."""
+        file = Path(fault.place.file)
+        for one in self.redirects:
+            is_of_it = fault.place.file == f"redirect {one}" or file.name == f"{one.new}{rmod.ENDING}"
+            if is_of_it or _is_of_reach(fault) or _is_of_company(fault):
+                yield Remedy(f"Let {one.old} do it again", act.Redirect(self.doc, one.home, one.old, ""))
+        for found in filter(None, map(_SUBSTITUTE.fullmatch, fault.remedies)):
+            yield Remedy(f"Redirect {found[1]} to {found[2]}", act.Redirect(self.doc, "", found[1], found[2]))
+
+    def _of_icon(self, fault: Fault, icon: Icon) -> Iterator[Remedy]:
+        expected, number = fault.expected, icon.number
+        if " loop" in expected and icon.while_tag is not None:
+            yield Remedy("Remove the loop", act.RemoveLoop(self.doc, number))
+            yield Remedy("Mark it anew…", show=f"loop:{number}")
+        elif "tag" in expected and icon.synch_tag is not None:
+            yield Remedy("Remove the tag", act.SetSynchTag(self.doc, number))
+        elif "as its trigger" in expected or expected == "a type the syntax defines":
+            yield Remedy("Take it from the dictionary anew", act.ExchangeIcon(self.doc, number, icon.onikon.name))
+        elif _is_of_values(fault) or _is_of_reach(fault):
+            yield Remedy("Its values…", show=f"values:{number}")
+        elif expected.endswith(" behind it"):
+            spot = self._spots[number]
+            yield Remedy("What fits behind it", show=f"fits:{spot.path}:{number}")
+        elif expected.startswith(("the configuration ", "the application ", "an action that takes")):
+            yield Remedy("Remove it", act.RemoveIcons(self.doc, (number,)))
+        elif self.program is not None and icon.onikon.name in self.program.configurations and not fault.is_note:
+            yield Remedy("Open its configuration", show=f"configuration:{icon.onikon.name}")
+
+
+def _is_of_reach(fault: Fault) -> bool:
+    """Whether a robot does not come to a target."""
+    return "within reach" in fault.expected or fault.expected.startswith("a posture of ")
+
+
+def _is_of_company(fault: Fault) -> bool:
+    """Whether two robots cannot be used together, whichever of them it stands at."""
+    return "that can be used together" in fault.expected or fault.expected.endswith(" for one task")
+
+
+def _is_of_values(fault: Fault) -> bool:
+    return fault.expected.startswith("values for")
+
+
+def _named(name: str, program: Program) -> list[str]:
+    """A task, with the names of its files."""
+    task = program.tasks.get(name)
+    return [f"{name}.rmod", name, *([f"{task.module}.py"] if task else [])]
+
+
+def _use(name: str, number: int, program: Program, users: dict[str, int]) -> None:
+    """Notes which step is the first to use which files, and names of what stands in them."""
+    waiting = [name]
+    while waiting:
+        name = waiting.pop()
+        if (configuration := program.configurations.get(name)) is not None or name in program.unread:
+            names = [f"{name}.conf", f"{name}.appl", name]
+            for placed in configuration.placed if configuration else ():
+                names += _named(placed.task, program)
+            for one in names:
+                users.setdefault(one, number)
+        elif (application := program.applications.get(name)) is not None and f"{name}.appl" not in users:
+            users[f"{name}.appl"] = users[name] = number
+            waiting += [icon.onikon.name for icon in icons(application)]

@@ -1,0 +1,72 @@
+"""Where the flows of a run live: the runtime, its units, and names of subsystems that nobody else has."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import replace
+
+from msgspec import structs
+
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.state.model import Model
+from onika.desk.plan.compile import UNKNOWN
+from onika.desk.plan.subsystem_renaming import chiefs
+from onika.wire import act, view
+from onika.wire.plan import Plan
+from onika.wire.view import Remedy
+
+_ANEW = Remedy("Start the runtime anew…", act.StartAnew())
+
+
+def starting(runtime: view.RuntimeView) -> view.RuntimeView:
+    """The runtime while it is got hold of."""
+    return view.RuntimeView("starting", runtime.address)
+
+
+def lost(model: Model, reason: str) -> Model:
+    """The model where it could not be got hold of."""
+    return replace(model, runtime=structs.replace(model.runtime, state="lost", text=reason))
+
+
+def refused(model: Model, plan: Plan) -> No | None:
+    """Why nothing can run there now."""
+    runtime = model.runtime
+    if runtime.is_stopped:
+        why = f": {runtime.stop_text}" if runtime.stop_text else ""
+        return No(f"everything is stopped{why}. Allow motion again first", (Remedy("Allow motion", act.Reset()),))
+    units = runtime.units
+    wanted = {_unit(task.rtpu, units) for flow in plan.flows for task in flow.tasks}
+    gone = sorted(name for name in wanted if name not in units or units[name].is_lost)
+    if gone:
+        return No(f"unit {gone[0]} of the runtime is lost, and tasks of this application run on it", (_ANEW,))
+    return None
+
+
+def notes(model: Model, plan: Plan) -> tuple[str, ...]:
+    """Units that tasks name and that are not there."""
+    units = model.runtime.units
+    named = {task.rtpu for flow in plan.flows for task in flow.tasks} - {UNKNOWN, *units}
+    instead = _unit(UNKNOWN, units)
+    return tuple(f"there is no unit {name}: its tasks run on {instead}" for name in sorted(named))
+
+
+def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:
+    """A subsystem for each flow that is not nested: of its own name, else of one that nobody has."""
+    connected = {one.live.subsystem for one in model.documents.values() if one.live is not None}
+    used = {name.partition(".")[0] for name in (*taken, *connected)}
+    found: dict[str, str] = {}
+    number = 0
+    for home in chiefs(plan):
+        name = home
+        while name in used:
+            number += 1
+            name = f"{home}-{number}"
+        used.add(name)
+        found[home] = name
+    return found
+
+
+def _unit(wanted: str, units: Mapping[str, view.UnitView]) -> str:
+    """The unit of a task: the one it names, else the first that lives (decision 12)."""
+    if wanted in units:
+        return wanted
+    living = [name for name, one in units.items() if not one.is_lost]
+    return next(iter(living or units), UNKNOWN)

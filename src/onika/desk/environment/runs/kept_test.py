@@ -1,0 +1,156 @@
+"""A run of an application kept as a test: it is carried out in simulators aside, and how far it is is shown (X07)."""
+
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import msgspec
+
+from onika.desk.environment.outcome.on_application import on_application
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.outcome.unread_faults import not_run
+from onika.desk.environment.outcome.worker import Aside, Outcome
+from onika.desk.environment.runs import unsaved
+from onika.desk.environment.runs.begin import ready
+from onika.desk.environment.state.icon_names import listed
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.run.runtime import in_short
+from onika.desk.run.settings import RunSettings
+from onika.desk.trial.home import FOLDER
+from onika.desk.trial.keeping import keep_in
+from onika.files.kept import ENDING
+from onika.store.site import Site, is_shipped
+from onika.wire import act, page
+from onika.wire.view import KeepingView, Remedy
+from onika.words.condition import Condition
+from onika.words.name import TASK_NAME
+
+_NICE = 10
+
+
+@on_application
+def keep_test(model: Model, opened: OpenApplication, asked: act.KeepTest, outside: Surroundings) -> Done | No:
+    """Begin to keep it; the value is the file."""
+    if outside.keeping is None:
+        return No("no test can be kept here")
+    if model.keeping is not None and model.keeping.state == "running":
+        return No(f"{Path(model.keeping.path).name} is being kept now, and one test is kept at a time")
+    expectations = _expectations(asked.expects)
+    path = _path(opened, asked.path, outside)
+    wrong = [one for one in (expectations, path, _unrunnable(opened)) if isinstance(one, No)]
+    if isinstance(expectations, No) or isinstance(path, No) or wrong:
+        return wrong[0]
+    if path.exists() and not asked.confirmed:
+        again = msgspec.structs.replace(asked, confirmed=True)
+        return No(f"{path} is there already", (Remedy("Replace it", again),))
+    saved = _saved(model, opened, asked, outside)
+    if isinstance(saved, No):
+        return saved
+    opened = saved.applications[opened.id]
+    settings = RunSettings(
+        name=str(opened.opened.path) if opened.opened is not None else opened.name,
+        is_virtual=True,
+        expectations=expectations,
+        redirects=opened.redirects,
+    )
+    home = outside.site if opened.base is None else outside.site.at(opened.base)
+    order = outside.keeping.order(partial(_kept, outside.keeping, opened, path, settings, home))
+    shown = KeepingView(opened.id, str(path))
+    return Done(replace(saved, keeping=shown), value=str(path), orders=(order,))
+
+
+def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
+    found = []
+    for text in filter(None, map(str.strip, texts)):
+        try:
+            found.append(Condition.parse(text))
+        except ValueError as wrong:
+            return No(str(wrong), fields={"expects": str(wrong)})
+    return tuple(found)
+
+
+def _path(opened: OpenApplication, wanted: str, outside: Surroundings) -> Path | No:
+    """The file; a name alone is one in the folder of tests beside the application, or of the user's own."""
+    given = Path(wanted.strip() or opened.name).expanduser()
+    path = given if given.suffix == ENDING else given.with_name(f"{given.name}{ENDING}")
+    if not path.is_absolute():
+        own = outside.site.own
+        base = own if opened.base is None or is_shipped(opened.base) else opened.base
+        if base is None:
+            return _unnamed("it has no base directory: expected a whole path, as in /home/me/tests/lamp.test")
+        if path.name != str(path) or not TASK_NAME.match(path.stem):
+            return _unnamed("expected a name of letters, digits and _ . - that begins with a letter, or a whole path")
+        path = base / FOLDER / path.name
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+    except OSError as wrong:
+        return _unnamed(f"{path.parent} cannot be made: {wrong.strerror}")
+    return path
+
+
+def _unnamed(text: str) -> No:
+    return No(text, fields={"path": text})
+
+
+def _unrunnable(opened: OpenApplication) -> No | None:
+    """Why a run of it needs not even be tried."""
+    unread = not_run(opened)
+    if unread is not None:
+        return unread
+    faults = [one.text for one in opened.judgement.faults if one.level == "fault"] if opened.judgement else []
+    if not opened.is_judged or not faults:
+        return None
+    more = f", and {len(faults) - 1} more" if len(faults) > 1 else ""
+    return No(f"{opened.name} cannot run as it is: {faults[0]}{more}")
+
+
+def _saved(model: Model, opened: OpenApplication, asked: act.KeepTest, outside: Surroundings) -> Model | No:
+    """With everything saved that the test would use: it does what files say."""
+    if model.syntax is None:
+        return No("there is no syntax definition that can be read: nothing is known of the types of icons")
+    dirty = unsaved.dirty(model)
+    program = ready(opened, outside.site, model.syntax).program
+    own = () if opened.opened is not None and not opened.is_dirty else ((opened.id, opened.name),)
+    changed = tuple(dict.fromkeys((*unsaved.used(dirty, program), *own)))
+    if not changed:
+        return model
+    if not asked.saves_unsaved:
+        remedy = Remedy("Save and keep", msgspec.structs.replace(asked, saves_unsaved=True))
+        are = "is" if len(changed) == 1 else "are"
+        names = listed([name for _, name in changed])
+        return No(f"{names} {are} changed here and not saved; a test does what files say", (remedy,))
+    saved = unsaved.saved(model, changed, outside)
+    return saved if isinstance(saved, No) else saved.model
+
+
+def _kept(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettings, site: Site) -> Outcome:
+    """Do it, in a thread of its own; what comes of it is shown."""
+
+    def progress(number: int, of: int) -> None:
+        aside.tell(lambda model: Done(_shown(model, KeepingView(opened.id, str(path), run=number, of=of))))
+
+    _stand_back()
+    is_kept, told = keep_in(path, settings, site, progress=progress)
+    first, *notes = map(in_short, told)
+    text = "; ".join((first.removeprefix(f"{path}: "), *notes))
+    shown = KeepingView(opened.id, str(path), "kept" if is_kept else "failed", text)
+    if is_kept:
+        say = page.Say("success", f"{path.name} is kept: {text}", opened.id)
+    else:
+        say = page.Say("error", f"{path.name} is not kept: {text}", opened.id)
+    return lambda model: Done(_shown(model, shown), says=(say,))
+
+
+def _stand_back() -> None:
+    """Simulators take what is left of the processor: a robot may be moving meanwhile."""
+    if sys.platform == "linux":  # elsewhere it would be said of the whole program
+        os.setpriority(os.PRIO_PROCESS, 0, _NICE)  # of this thread, and of what it starts
+
+
+def _shown(model: Model, view: KeepingView) -> Model:
+    return replace(model, keeping=view)

@@ -1,0 +1,59 @@
+"""What lives already and stands in the way of a run: tasks of its names, its modules, its devices (decision 30)."""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+
+from onika.desk.environment.state.model import Model
+from onika.model.planned import task_of
+from onika.model.rules.union import devices
+from onika.model.task import Task
+from onika.wire import live
+from onika.wire.plan import Plan
+
+
+@dataclass(frozen=True, slots=True)
+class Obstacle:
+    """A subsystem with tasks that cannot live beside those of a plan."""
+
+    subsystem: str
+    tasks: tuple[str, ...]
+    document: str = ""
+    """The name of the configuration that is connected with it; empty: none is open here."""
+
+    def __str__(self) -> str:
+        tasks = ", ".join(self.tasks)
+        return f"{tasks} of {self.document}" if self.document else f"{tasks} in subsystem {self.subsystem}"
+
+
+def obstacles(model: Model, standing: live.Standing, plan: Plan) -> tuple[Obstacle, ...]:
+    """All that lives in the way of a plan, by subsystem; what does not share anything with it lives on."""
+    planned = [task_of(task) for flow in plan.flows for task in flow.tasks]
+    names, modules = {one.name for one in planned}, {one.module for one in planned}
+    claimed = set(_devices(planned))
+    documents = {one.live.subsystem: one.name for one in model.documents.values() if one.live is not None}
+    found = []
+    for one in standing.subsystems:
+        living = [task_of(task.task) for task in one.tasks if task.state != "KILLED"] if not one.application else []
+        shared = tuple(
+            task.name
+            for task in living
+            if task.name in names or task.module in modules or not claimed.isdisjoint(_devices([task]))
+        )
+        if shared:
+            found.append(Obstacle(one.name, shared, documents.get(one.name, "")))
+    return tuple(found)
+
+
+def left(model: Model, subsystems: Iterable[str]) -> Model:
+    """The model whose documents are connected with none of these subsystems any more; their layouts stay."""
+    gone = set(subsystems)
+    for document in model.documents.values():
+        if document.live is not None and document.live.subsystem in gone:
+            content = replace(document.content, wanted={})
+            model = model.with_document(replace(document, content=content, live=None))
+    return model
+
+
+def _devices(tasks: Iterable[Task]) -> Iterator[str]:
+    for task in tasks:
+        yield from devices(task)

@@ -1,0 +1,160 @@
+"""Judging open applications soon after each change: whether they are ready, and what is wrong, all at once (E01).
+
+It reads files, and may take a while where an application is long; therefore it is done beside everything else, and what
+comes of it is of the application as it was when it was looked at.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from operator import is_
+from typing import Any
+
+from onika.desk.environment.icons.membership import icons
+from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.runs import unsaved
+from onika.desk.environment.runs.begin import ready
+from onika.desk.environment.runs.fault_view import Troubles
+from onika.desk.environment.runs.unsaved import Changed
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import Judgement, OpenApplication
+from onika.desk.plan import redirection
+from onika.desk.plan.preparation import PreparedRun
+from onika.model.application import Application
+from onika.model.redirect import Redirect
+from onika.model.syntax import Syntax
+from onika.store.cached_site import RememberingSite, Stamp
+from onika.store.program import Program
+from onika.store.site import Site
+from onika.wire import act
+from onika.wire.view import FaultView, Remedy
+
+
+@dataclass(frozen=True, slots=True)
+class Case:
+    """An application to be judged, as it was when somebody looked."""
+
+    opened: OpenApplication
+    syntax: Syntax
+    dirty: tuple[Changed, ...]
+    has_new_files: bool = False
+    """Whether files that it uses have changed."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """What an application was judged with."""
+
+    application: Application
+    syntax: Syntax
+    dirty: tuple[Changed, ...]
+    stamps: tuple[Stamp, ...]
+    program: Program | None
+    redirects: tuple[Redirect, ...] = ()
+
+
+class Judge:
+    """Knows what was judged with what; one thing is asked of it at a time, in whatever thread."""
+
+    def __init__(self, site: Site) -> None:
+        self._site = RememberingSite.of(site)
+        self._known: dict[str, _Known] = {}
+        self._seen: tuple[Any, ...] = ()
+
+    def cases(self, model: Model) -> tuple[Case, ...]:
+        """The applications that are not judged as they are now."""
+        seen = (model.documents, model.applications, model.syntax)
+        if model.syntax is None or all(map(is_, seen, self._seen or (None,) * 3)):
+            return ()
+        self._seen = seen
+        dirty = unsaved.dirty(model)
+        self._known = {doc: one for doc, one in self._known.items() if doc in model.applications}
+        every = (Case(one, model.syntax, dirty) for one in model.applications.values())
+        return tuple(case for case in every if self._is_new(case))
+
+    def stale(self, model: Model) -> tuple[Case, ...]:
+        """Those whose files have changed since."""
+        if model.syntax is None:
+            return ()
+        dirty = unsaved.dirty(model)
+        found = []
+        for opened in model.applications.values():
+            known = self._known.get(opened.id)
+            if known is not None and known.stamps != self._stamps(opened, known.program):
+                found.append(Case(opened, model.syntax, dirty, has_new_files=True))
+        return tuple(found)
+
+    def judge(self, case: Case) -> Judgement:
+        """What is wrong with an application, and what is worth knowing of it."""
+        opened = case.opened
+        prepared = ready(opened, self._site, case.syntax)
+        stamps = self._stamps(opened, prepared.program)
+        self._known[opened.id] = _Known(
+            opened.application, case.syntax, case.dirty, stamps, prepared.program, opened.redirects
+        )
+        troubles = Troubles.of(opened, case.syntax, prepared, self._site)
+        told = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
+        return Judgement(opened.application, told, case.has_new_files, _homes(opened, prepared))
+
+    def _is_new(self, case: Case) -> bool:
+        known = self._known.get(case.opened.id)
+        if known is None or known.application is not case.opened.application or known.syntax is not case.syntax:
+            return True
+        if known.redirects != case.opened.redirects:
+            return True
+        return known.dirty != case.dirty
+
+    def _stamps(self, opened: OpenApplication, program: Program | None) -> tuple[Stamp, ...]:
+        """Of all files that count, also of those that are not there."""
+        home = self._site if opened.base is None else self._site.at(opened.base)
+        applications = (opened.application, *(program.applications.values() if program else ()))
+        names = dict.fromkeys(icon.onikon.name for one in applications for icon in icons(one))
+        tasks = dict.fromkeys(
+            placed.task for one in (program.configurations.values() if program else ()) for placed in one.placed
+        )
+        bases = {name: home.home_of_task(name) for name in tasks}
+        files = (
+            *(home.configuration_file(name) for name in names),
+            *(home.application_file(name) for name in names),
+            *(base.task_file(name) if base else None for name, base in bases.items()),
+            *(program.code.values() if program else ()),
+        )
+        return self._site.stamps(files)
+
+
+def judged(model: Model, doc: str, judgement: Judgement) -> Done:
+    """The model with what was found; the same where that is nothing new."""
+    opened = model.applications.get(doc)
+    if opened is None:
+        return Done(model)
+    if judgement.has_new_files and opened.looked is not None:
+        opened = replace(opened, looked=None)
+    former = opened.judgement
+    if former is not None and former.faults == judgement.faults:
+        judgement = Judgement(judgement.of, former.faults, homes=judgement.homes)
+        is_same = former.of is judgement.of and former.homes == judgement.homes
+        if is_same and opened is model.applications[doc]:
+            return Done(model)
+    return Done(model.with_application(replace(opened, judgement=judgement)))
+
+
+def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[str, ...]]:
+    plan, program = prepared.plan, prepared.program
+    if plan is None or program is None:
+        return {}
+    return {one.old: redirection.homes_of(one.old, plan, program) for one in opened.redirects}
+
+
+def _unsaved(case: Case, troubles: Troubles, program: Program | None) -> Iterator[FaultView]:
+    for doc, name in unsaved.used(case.dirty, program):
+        text = f"{name} is changed here and not saved: what its file says is run"
+        yield FaultView(text, "warning", troubles.user_of(name), (Remedy(f"Save {name}", act.Save(doc)),))
+
+
+def _unchosen(opened: OpenApplication) -> Iterator[FaultView]:
+    """Of several flows one is chosen by what stood before the application; where it is run by itself, nothing does."""
+    application = opened.application
+    if not application.is_parallel and len(application.flows) > 1:
+        last = next((step.number for step in reversed(application.flows[0].steps)), 0)
+        branch = act.InsertBranch(opened.id, "0", last, len(application.flows))
+        text = "run by itself, only flow 0 runs: nothing before it chooses another"
+        yield FaultView(text, "warning", 0, (Remedy("Insert a branch", branch),))

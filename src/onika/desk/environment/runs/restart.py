@@ -1,0 +1,53 @@
+"""Starting the runtime of this environment anew: all that lives there ends, and the workcell is as it was."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from onika.desk.environment.following import given_up
+from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile.merge import runtime_view
+from onika.desk.environment.reconcile.watches import is_going
+from onika.desk.environment.runs import flow_placement, flow_progress
+from onika.desk.environment.runs.obstacles import left
+from onika.desk.environment.state.model import Model
+from onika.desk.run.runtime import in_short
+from onika.wire import act, live, page, request
+from onika.wire.view import Remedy
+
+_CAUSE = "the runtime was started anew"
+
+
+def start_anew(model: Model, asked: act.StartAnew, _outside: Surroundings) -> Done | No:
+    """End the runtime that was started here, and start another; what was connected is connected no more."""
+    if model.runtime.address:
+        return No(f"the runtime at {model.runtime.address} was started by somebody else, who alone can start it anew")
+    connected = [one for one in model.documents.values() if one.live is not None and one.live.state == "live"]
+    living = [one for one in connected if one.live is not None and one.live.tasks]
+    ends = [*([model.run.view.name] if is_going(model) and model.run else []), *(one.name for one in living)]
+    if ends and not asked.confirmed:
+        return No(_told(ends), (Remedy("Start anew", act.StartAnew(confirmed=True)),))
+    after = left(model, [one.live.subsystem for one in connected if one.live is not None])
+    says = [page.Say("info", f"{one.name} is no longer connected: {_CAUSE}", one.id) for one in living]
+    if after.run is not None and not after.run.is_over:
+        after = replace(after, run=flow_progress.lost(after.run, _CAUSE))
+        says.append(page.Say("error", f"{model.run.view.name if model.run else ''} was aborted: {_CAUSE}"))
+    after = replace(after, runtime=flow_placement.starting(model.runtime))
+    order = Order(live.Survey(), _started, reach=Reach(is_anew=True))
+    return Done(after, orders=(order,), is_answered_later=True, says=tuple(says), replies=given_up(model, after))
+
+
+def _told(ends: Sequence[str]) -> str:
+    return (
+        f"the runtime ends, and {', '.join(ends)} with it; "
+        "then another one starts, and its workcell is as it was at the beginning"
+    )
+
+
+def _started(model: Model, response: request.Response) -> Done | No:
+    if not isinstance(response, live.Standing):
+        why = refusal(response)
+        return No(f"no runtime: {in_short(why)}", instead=Done(flow_placement.lost(model, why)))
+    said = page.Say("info", "a new runtime is there; its workcell is as it was at the beginning")
+    return Done(replace(model, runtime=runtime_view(model.runtime, response)), says=(said,))

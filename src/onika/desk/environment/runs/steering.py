@@ -1,0 +1,144 @@
+"""Acts on the run of an application: steering, skips to a step, answers, breakpoints (E07, E13, E15)."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+
+from onika.desk.environment.canvas import task_commands
+from onika.desk.environment.control import held_subsystems
+from onika.desk.environment.icons.membership import icons
+from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.runs import run_reducer
+from onika.desk.environment.runs.run_view import standing
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.run import Run
+from onika.desk.run import steering
+from onika.model.application import Application
+from onika.wire import act, page, request, steer
+from onika.wire.view import Remedy
+
+_Then = Callable[[Model, request.Response], Done | No]
+
+
+def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done | No:
+    """Do what a line of steering says, for the run that goes on."""
+    run = _going(model)
+    if isinstance(run, No):
+        return run
+    try:
+        wish = steering.act(asked.line, run.cast)
+    except ValueError as wrong:
+        return No(str(wrong))
+    if isinstance(wish, steering.Look):
+        return _ordered(model, steer.Who(), _looked)
+    if not isinstance(wish, steering.Order):
+        return No(f"`{asked.line}` is for scripts: it waits, and a page goes on")
+    if isinstance(wish.asked, request.Abort) and run.view.state == "beginning":
+        return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
+    if isinstance(wish.asked, steer.Resume):
+        named = len(asked.line.split()) > 1
+        whom = wish.subsystem if named or not any(one.is_nested for one in run.cast.parts) else ""  # whoever rests
+        return _ordered(model, steer.Resume(whom), partial(_went_on, whom=whom))
+    return _ordered(model, wish.asked, _steered)
+
+
+def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> Done | No:
+    """Send the flow of a step to it at once; to the first action of what runs an application, or of a branch."""
+    run = _going(model)
+    if isinstance(run, No):
+        return run
+    found = next(run.actions_of(asked.step), None)
+    if found is None:
+        return No("nothing of this run is carried out there: it was begun without it")
+    flow, index = found
+    return _ordered(model, steer.Skip(run.homes[flow], index), _steered)
+
+
+def answer(model: Model, asked: act.Answer, outside: Surroundings) -> Done | No:
+    """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration, or of a taken run."""
+    if not asked.doc:
+        return held_subsystems.answer(model, asked, outside)
+    run = model.run
+    if run is None or asked.doc != run.doc:
+        return task_commands.answer(model, asked, outside)
+    if asked.task not in run.view.asks:
+        return No(f"{asked.task} asks for nothing")
+    subsystem, _, task = asked.task.rpartition("/")
+    return _ordered(model, request.Reply(subsystem, task, asked.line), task_commands.simply_done)
+
+
+def dismiss(model: Model, _asked: act.Dismiss, _outside: Surroundings) -> Done | No:
+    """Put away what is shown of a run that is over."""
+    if model.run is not None and not model.run.is_over:
+        return No(f"{model.run.view.name} still runs", (Remedy("Abort it", act.Steer("abort")),))
+    return Done(replace(model, run=None))
+
+
+def marks(before: Model, after: Model) -> tuple[Order, ...]:
+    """What the runtime is asked for where breakpoints of the application that runs were set or removed."""
+    run = after.run
+    if run is None or run.is_over or run.doc not in after.applications or run.doc not in before.applications:
+        return ()
+    old, new = before.applications[run.doc].application, after.applications[run.doc].application
+    if old is new:
+        return ()
+    former, now = _breakpoints(old), _breakpoints(new)
+    changed = [step for step in {**former, **now} if former.get(step) != now.get(step)]
+    return tuple(Order(asked, _marked, run.doc, is_aside=True) for step in changed for asked in _mark(run, step, now))
+
+
+def _mark(run: Run, step: int, now: dict[int, str]) -> Iterator[steer.Mark]:
+    """For each action of a step; of an application only for the last one in it."""
+    found = list(run.actions_of(step))
+    is_nested = any(len(action.spot) > 1 for one in found if (action := run.action(*one)) is not None)
+    for flow, index in found[-1:] if is_nested else found:
+        yield steer.Mark(run.homes[flow], index, step in now, now.get(step, ""))
+
+
+def _breakpoints(application: Application) -> dict[int, str]:
+    return {icon.number: icon.marker_if for icon in icons(application) if icon.marker}
+
+
+def _going(model: Model) -> Run | No:
+    run = model.run
+    return No("nothing runs") if run is None or run.is_over else run
+
+
+def _ordered(model: Model, asked: request.Request, then: _Then) -> Done:
+    doc = model.run.doc if model.run else ""
+    return Done(model, orders=(Order(asked, then, doc),), is_answered_later=True)
+
+
+def _steered(model: Model, response: request.Response) -> Done | No:
+    if not isinstance(response, request.Done):
+        return No(refusal(response))
+    return Done(model, orders=(run_reducer.who(),) if _is_going(model) else ())
+
+
+def _went_on(model: Model, response: request.Response, whom: str) -> Done | No:
+    """Those that pause go on; where none does, why the others stand, and what lets them go on."""
+    if isinstance(response, request.Done) or model.run is None:
+        return _steered(model, response)
+    found = standing(model.run, whom)
+    if not found:
+        return No(refusal(response))
+    return No("nothing pauses: " + "; ".join(text for text, _ in found), tuple(one for _, one in found))
+
+
+def _looked(model: Model, response: request.Response) -> Done | No:
+    if isinstance(response, steer.Positions):
+        return run_reducer.placed(model, response)
+    return No(refusal(response))
+
+
+def _marked(model: Model, response: request.Response) -> Done:
+    if isinstance(response, request.Done):
+        return Done(model)
+    said = page.Say("warning", f"the breakpoint counts from the next run on: {refusal(response)}")
+    return Done(model, says=(said,))
+
+
+def _is_going(model: Model) -> bool:
+    return model.run is not None and not model.run.is_over

@@ -1,0 +1,223 @@
+"""The station: the thread that owns the talk with a runtime, launched here or reached elsewhere."""
+
+import select
+import socket
+from collections import deque
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from threading import Thread
+from time import monotonic
+from typing import Protocol
+
+from onika.desk.environment.environment import Environment
+from onika.desk.environment.frames import Frames
+from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
+from onika.desk.environment.reconcile import runtime_loss
+from onika.desk.environment.reconcile.loop_watchdog import Vouch
+from onika.desk.environment.reconcile.multiplexer import Talk
+from onika.desk.environment.reconcile.watches import Watching
+from onika.desk.run.runtime import Conversation, in_short
+from onika.link.lost import LinkLost
+from onika.wire import event, page, request
+
+Post = Callable[[Callable[[], None]], None]
+"""Has something done in the environment's own thread, after what was posted before."""
+
+
+class Opening(Protocol):
+    """How a runtime is got hold of."""
+
+    def __call__(
+        self, url: str, token: str, simulator: Simulator | None = None
+    ) -> AbstractContextManager[Conversation]:
+        """At an address, or where that is empty one that is started here; raises LinkLost, ValueError, OSError."""
+        ...
+
+
+class Station:
+    """Carries orders to a runtime and what it tells to the environment; a slow runtime never keeps anybody waiting.
+
+    Everything about the runtime happens in one thread, which also launches it: a child lives as long as the thread.
+    """
+
+    def __init__(self, opening: Opening, post: Post) -> None:
+        self._opening = opening
+        self._post = post
+        self._orders: deque[Order] = deque()
+        self._bell, self._door = socket.socketpair()
+        self._bell.setblocking(False)
+        self._door.setblocking(False)
+        self._is_over = False
+        self._thread: Thread | None = None
+        self._entered: AbstractContextManager[Conversation] | None = None
+        self._runtime: Conversation | None = None
+        self._talk: Talk | None = None
+        self._url = ""
+        self._tokens: dict[str, str] = {}
+        self._environment: Environment | None = None
+        self._vouch = Vouch(post, self._ring, monotonic)
+        self._watching = Watching()
+        self._frames = Frames()
+
+    # -- from any thread
+
+    def begin(self, environment: Environment) -> None:
+        """Work for this environment from now on."""
+        self._environment = environment
+        self._thread = Thread(target=self._run, name="station", daemon=True)
+        self._thread.start()
+
+    def send(self, order: Order) -> None:
+        """Ask; the environment is told the response. What stops is sent first."""
+        if isinstance(order.asked, request.Stop):
+            self._orders.appendleft(order)
+        else:
+            self._orders.append(order)
+        self._ring()
+
+    def watch(self, variables: frozenset[str], worlds: frozenset[str], figures: bool, hz: float) -> None:
+        """What somebody wants to see from now on, variables as `DOC/NAME`."""
+        self._watching = Watching(variables, worlds, figures, hz)
+        self._ring()
+
+    def frame(self) -> page.Frame | None:
+        """What is new since the last call; late values were dropped."""
+        return self._frames.take()
+
+    @property
+    def pid(self) -> int | None:
+        """The process id of a runtime that was launched here; None: there is none."""
+        runtime = self._runtime
+        return runtime.pid if runtime is not None else None
+
+    def end(self) -> None:
+        """End the thread, and with it a runtime that was launched here."""
+        self._is_over = True
+        self._ring()
+        if self._thread is not None:
+            self._thread.join()
+        self._bell.close()
+        self._door.close()
+
+    # -- in the thread
+
+    def _run(self) -> None:
+        try:
+            while not self._is_over:
+                self._wait()
+                if self._is_alone:
+                    continue
+                self._send_out()
+                self._listen()
+        finally:
+            self._leave()
+
+    def _ring(self) -> None:
+        try:
+            self._bell.send(b"!")
+        except (BlockingIOError, OSError):
+            return  # it has rung already, or nobody is there any more
+
+    @property
+    def _is_alone(self) -> bool:
+        """Whether this thread is there and the environment is not: to a runtime elsewhere both are silent then."""
+        return bool(self._url) and self._vouch.is_missing
+
+    def _wait(self) -> None:
+        readers: list[int] = [self._door.fileno()]
+        writers: list[int] = []
+        wait_s = None
+        if self._runtime is not None and self._talk is not None and not self._is_alone:
+            readers += self._runtime.readers()
+            writers = self._runtime.writers()
+            times = [self._runtime.due_s(), self._talk.poll_figures(self._watching.figures)]
+            times += [self._vouch.ask()] if self._url else []
+            wait_s = min((one for one in times if one is not None), default=None)
+        if not self._orders or self._is_alone:
+            select.select(readers, writers, [], wait_s)
+        try:
+            self._door.recv(4096)
+        except BlockingIOError:
+            return
+
+    def _send_out(self) -> None:
+        while self._orders:
+            order = self._orders.popleft()
+            if order.reach is not None:
+                refused = self._reach(order.reach)
+                if refused:
+                    self._reply([(order, request.Refused(refused))])
+                    continue
+            if self._talk is None:
+                self._reply([(order, request.Refused("no runtime is connected"))])
+            else:
+                self._talk.ask(order)
+
+    def _listen(self) -> None:
+        talk, environment = self._talk, self._environment
+        if talk is None or environment is None:
+            return
+        try:
+            talk.attend(self._watching.attend(environment.model))
+            came = talk.hear()
+        except LinkLost as lost:
+            self._lose(talk, str(lost))
+            return
+        except ValueError as wrong:  # another version's words, or garbage
+            self._lose(talk, f"the runtime cannot be understood: {wrong}")
+            return
+        if came:
+            self._post(lambda: _tell(environment, came))
+        self._frames.put(talk.readings(), talk.figures, environment.model)
+        if talk.figures is not None:
+            loads = talk.figures.loads
+            self._post(lambda: environment.become(lambda model: runtime_loss.with_loads(model, loads)))
+
+    def _reach(self, reach: Reach) -> str:
+        """Have the runtime there; why it is not, else empty."""
+        if self._talk is not None and not reach.is_anew and (not reach.url or reach.url == self._url):
+            return ""
+        orphans = self._talk.orphans("the runtime was started anew") if self._talk is not None else []
+        self._leave()
+        self._reply(orphans)
+        token = reach.token or self._tokens.get(reach.url, "")
+        try:
+            self._entered = self._opening(reach.url, token, reach.simulator)
+            self._runtime = self._entered.__enter__()
+        except (LinkLost, ValueError, OSError) as wrong:
+            self._entered = self._runtime = None
+            return str(wrong)
+        self._url = reach.url
+        self._tokens[reach.url] = token
+        self._talk = Talk(self._runtime, monotonic)
+        self._frames.clear()
+        return ""
+
+    def _lose(self, talk: Talk, reason: str) -> None:
+        environment = self._environment
+        orphans = talk.orphans(in_short(reason))
+        self._leave()
+        if environment is not None:
+            self._post(lambda: environment.become(lambda model: runtime_loss.lost(model, reason)))
+        self._reply(orphans)
+
+    def _reply(self, answered: list[tuple[Order, request.Response]]) -> None:
+        environment = self._environment
+        if environment is not None:
+            self._post(lambda: _tell(environment, list(answered)))
+
+    def _leave(self) -> None:
+        """Let the runtime go; one that was launched here ends."""
+        entered, self._entered = self._entered, None
+        self._runtime = self._talk = None
+        self._url = ""
+        if entered is not None:
+            entered.__exit__(None, None, None)
+
+
+def _tell(environment: Environment, came: Sequence[event.Event | tuple[Order, request.Response]]) -> None:
+    for one in came:
+        if isinstance(one, tuple):
+            environment.replied(*one)
+        else:
+            environment.heard(one)

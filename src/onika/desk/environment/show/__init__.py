@@ -1,0 +1,1 @@
+"""The tree that every page is shown, made of the model."""

@@ -1,0 +1,128 @@
+"""An open application as a page is shown it: its flows, and what is wrong with it (requirements D04, D20).
+
+What has not changed is the same object again, so that a change of one icon is sent as that.
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from msgspec import structs
+
+from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.show.step_view import Known, step_views
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import Looked, OpenApplication
+from onika.model.application import AppFlow, Hole
+from onika.model.flow_path import flows_by_path
+from onika.model.redirect import Redirect
+from onika.model.syntax import END, START, Syntax
+from onika.wire.view import AppFlowView, ApplicationView, FaultView, RedirectView, StepView
+
+
+@dataclass(frozen=True, slots=True)
+class _Flow:
+    """What was made of a flow."""
+
+    flow: AppFlow
+    view: AppFlowView
+    known: Mapping[int, Known]
+    steps: Mapping[str, StepView]
+    holes: int
+
+
+class ApplicationSight:
+    """Makes the view of one application, and remembers what it made of which flows."""
+
+    def __init__(self) -> None:
+        self._flows: dict[str, _Flow] = {}
+        self._of: tuple[object, object] = (None, None)
+        self._faults: tuple[object, object, object, dict[str, FaultView]] = (None, None, None, {})
+
+    def view(self, opened: OpenApplication, order: int, model: Model, *, is_running: bool) -> ApplicationView:
+        """The application as it is now; `order` is its place among those that are open."""
+        past = opened.history
+        self._look(opened, model)
+        looked = opened.looked_at(model.runtime.address)
+        return ApplicationView(
+            name=opened.name,
+            order=order,
+            path=str(opened.opened.path) if opened.opened else "",
+            base=str(opened.base or ""),
+            is_dirty=opened.is_dirty,
+            has_changed_on_disk=opened.has_changed_on_disk,
+            undo=past.last.label if past.last else "",
+            redo=past.next.label if past.next else "",
+            is_parallel=opened.application.is_parallel,
+            flows={path: one.view for path, one in self._flows.items()},
+            steps=self._marked(opened if looked else None),
+            holes=sum(one.holes for one in self._flows.values()),
+            faults=self._told(opened, looked),
+            is_judged=opened.is_judged,
+            is_checked=looked is not None,
+            is_running=is_running,
+            redirects=tuple(_wish(opened, one) for one in opened.redirects),
+        )
+
+    def _marked(self, looked_at: OpenApplication | None) -> dict[str, StepView]:
+        """The steps by their numbers, with what became of them where a runtime has looked at what is here now."""
+        steps = {number: view for one in self._flows.values() for number, view in one.steps.items()}
+        for number, note in (looked_at.marks if looked_at is not None else {}).items():
+            if (view := steps.get(str(number))) is not None:
+                steps[str(number)] = structs.replace(view, note=note)
+        return steps
+
+    def _look(self, opened: OpenApplication, model: Model) -> None:
+        """Make anew what changed; all of it where the types or the dictionaries are others."""
+        of = (model.syntax, model.dictionaries)
+        is_same = all(one is other for one, other in zip(of, self._of, strict=True))
+        former, self._of = self._flows if is_same else {}, of
+        flows = dict(flows_by_path(opened.application))
+        stays = {path for path, before in former.items() if before.flow is flows.get(path)}
+        known = {number: one for path in former.keys() - stays for number, one in former[path].known.items()}
+        self._flows = {
+            path: former[path] if path in stays else _seen(path, flow, model, former.get(path), known)
+            for path, flow in flows.items()
+        }
+
+    def _told(self, opened: OpenApplication, looked: Looked | None) -> dict[str, FaultView]:
+        """What is wrong with its file, then with what is here, as it was looked at last."""
+        told, judgement, looked_before, faults = self._faults
+        if told is opened.told and judgement is opened.judgement and looked_before is looked:
+            return faults
+        judged = opened.judgement.faults if opened.judgement else ()
+        known = {(one.step, one.text) for one in judged}
+        more = [one for one in looked.faults if (one.step, one.text) not in known] if looked else []
+        found = _keyed("file", opened.told) | _keyed("here", judged) | _keyed("runtime", more)
+        self._faults = (opened.told, opened.judgement, looked, found)
+        return found
+
+
+def _keyed(where: str, faults: Iterable[FaultView]) -> dict[str, FaultView]:
+    """By where they were found, their steps, and a count of those: one more at one step gives no other a new key."""
+    counts: Counter[int] = Counter()
+    found = {}
+    for one in faults:
+        counts[one.step] += 1
+        found[f"{where} {one.step} {counts[one.step]}"] = one
+    return found
+
+
+def _wish(opened: OpenApplication, one: Redirect) -> RedirectView:
+    known = opened.judgement.homes.get(one.old, ()) if opened.judgement is not None else ()
+    return RedirectView(one.old, one.new, one.home, (one.home,) if one.home else known)
+
+
+def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, known: Mapping[int, Known]) -> _Flow:
+    syntax = syntax_of(model)
+    made = step_views(flow, path, model, known, before.flow if before else None)
+    view = AppFlowView(tuple(made), end=_edge(END, syntax, is_left=True), start=_edge(START, syntax, is_left=False))
+    if before is not None and before.view == view:
+        view = before.view
+    steps = {str(number): one.view for number, one in made.items()}
+    return _Flow(flow, view, made, steps, sum(isinstance(step, Hole) for step in flow.steps))
+
+
+def _edge(name: str, syntax: Syntax, *, is_left: bool) -> str:
+    kind = syntax.find(name)
+    return "" if kind is None else str(kind.left_edge if is_left else kind.right_edge)

@@ -1,0 +1,137 @@
+"""How documents, libraries and tasks look to a page."""
+
+from collections.abc import Mapping
+from typing import TypeVar
+
+from onika.desk.environment.show.wiring import Seen, group_views, locus_views, placed_views
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.task import Task
+from onika.store.site import is_shipped
+from onika.wire.view import DocumentView, LibraryView, PinView, ProblemView, Reason, TaskView
+
+_V = TypeVar("_V")
+
+
+def library_views(shelf: Shelf) -> dict[str, LibraryView]:
+    """The open libraries, by their paths; those in which nothing is to be seen come last."""
+    libraries = sorted(shelf.libraries, key=lambda one: not one.tasks and not one.faults)
+    return {
+        str(one.base.path): LibraryView(
+            name=one.base.path.name,
+            path=str(one.base.path),
+            order=order,
+            tasks=len(one.tasks),
+            faults=tuple(str(fault) for fault in one.faults),
+            is_shipped=is_shipped(one.base.path),
+        )
+        for order, one in enumerate(libraries)
+    }
+
+
+def task_views(shelf: Shelf, former: Mapping[str, TaskView], before: Shelf | None) -> dict[str, TaskView]:
+    """Every task of the open libraries; what looks as it did in the shelf `before` is the same object."""
+    found = {}
+    is_near = before is not None and _is_near(shelf, before)
+    for order, (name, task) in enumerate(shelf.tasks.items()):
+        known = former.get(name)
+        if known is not None and before is not None and is_near and _is_same(name, shelf, before):
+            found[name] = known
+            continue
+        view = _task(name, task, order, shelf)
+        found[name] = known if known is not None and known == view else view
+    return found
+
+
+def _is_near(shelf: Shelf, before: Shelf) -> bool:
+    """Whether two shelves can differ in single tasks only."""
+    return shelf.libraries is before.libraries and shelf.preferences is before.preferences
+
+
+def _is_same(name: str, shelf: Shelf, before: Shelf) -> bool:
+    """Whether there is nothing new to see of a task."""
+    task = shelf.tasks[name]
+    return (
+        task is before.tasks[name]
+        and shelf.rates.get(name) == before.rates.get(name)
+        and shelf.sheets.get(task.module) is before.sheets.get(task.module)
+    )
+
+
+def _task(name: str, task: Task, order: int, shelf: Shelf) -> TaskView:
+    library, box = shelf.homes[name], shelf.box(name)
+    filed = shelf.records[name].task
+    sheet = shelf.sheets.get(task.module)
+    ports = {port.name: port for port in sheet.ports} if sheet else {}
+    code = shelf.code_file(name)
+    pins = []
+    for pin in box.pins if box else ():
+        port = ports.get(pin.name)
+        told = (port.shape, port.unit, port.meaning) if port else ("", "", "")
+        pins.append(PinView(pin.name, pin.svar, pin.kind.value, pin.y, *told))
+    return TaskView(
+        name=name,
+        module=task.module,
+        library=str(library.base.path),
+        order=order,
+        description=task.description,
+        width=box.width if box else 0,
+        height=box.height if box else 0,
+        pins=tuple(pins),
+        type=task.type.value,
+        hz=shelf.rates.get(name, task.frequency),
+        file_hz=filed.frequency,
+        object_type=task.object_type or "",
+        is_trigger=bool(sheet.trigger) if sheet else task.object_type is not None,
+        local=tuple((line.key, line.words) for line in task.local),
+        is_changed=name in shelf.edits,
+        path=str(library.base.task_file(name)),
+        code=str(code) if code else "",
+    )
+
+
+def document_view(
+    document: Document,
+    order: int,
+    shelf: Shelf,
+    greyed: dict[str, tuple[Reason, ...]],
+    objected: dict[str, tuple[Reason, ...]],
+    troubles: dict[str, ProblemView],
+    seen: Seen | None,
+) -> DocumentView:
+    """A document; parts that look as they did are the same objects."""
+    old = seen.view if seen else DocumentView("", 0)
+    last, following = document.history.last, document.history.next
+    live = document.live
+    return DocumentView(
+        name=document.name,
+        order=order,
+        path=str(document.opened.path) if document.opened else "",
+        base=str(document.base or ""),
+        is_dirty=document.is_dirty,
+        is_moved=document.is_moved,
+        has_changed_on_disk=document.has_changed_on_disk,
+        undo=last.label if last else "",
+        redo=following.label if following else "",
+        tasks=placed_views(document, shelf, seen),
+        loci=locus_views(document, shelf, seen),
+        groups=group_views(document, seen),
+        greyed=greyed,
+        objections=_kept({name: why for name, why in objected.items() if name not in greyed}, old.objections),
+        problems=_kept(troubles, old.problems),
+        connection=live.state if live else "none",
+        subsystem=live.subsystem if live else "",
+        holder=live.holder if live else "",
+        is_held_here=live.is_held_here if live else False,
+        offered_by=live.offer.holder if live and live.offer else "",
+        offered_to=live.offer.to if live and live.offer else "",
+        is_offered_here=live.offer.is_here if live and live.offer else False,
+    )
+
+
+def _kept(new: dict[str, _V], old: dict[str, _V]) -> dict[str, _V]:
+    """The same objects for what is equal, and the same map where everything is."""
+    same = {key: old[key] if old.get(key) == one else one for key, one in new.items()}
+    if len(same) == len(old) and all(old.get(key) is one for key, one in same.items()):
+        return old
+    return same

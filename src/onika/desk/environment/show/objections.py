@@ -1,0 +1,40 @@
+"""Library tasks that could be placed beside what stands and would not run: type, unit, device, code (R-X01, R-X13)."""
+
+from onika.desk.environment.outcome.remedy import reasons
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.rules import agreement
+from onika.wire.view import Reason, Remedy
+from onika.words.fault import Refusal
+
+
+def objections(document: Document, shelf: Shelf) -> dict[str, tuple[Reason, ...]]:
+    """Why tasks would not run, as far as a runtime has read their modules."""
+    placed = {name for name in document.content.names if name in shelf.tasks}
+    found: dict[str, list[Refusal]] = {}
+    for svar, users in shelf.contested.items():
+        standing = [name for name in users if name in placed]
+        for name in users if standing else ():
+            found.setdefault(name, []).extend(agreement.disagreements(name, svar, users, standing))
+    for device, names in shelf.rivals.items():
+        standing = [name for name in names if name in placed]
+        for name in names if standing else ():
+            found.setdefault(name, []).extend(agreement.claims(name, device, standing))
+    told = {name: reasons(why, document.id, shelf.tasks[name]) for name, why in found.items() if why}
+    for name, reason in _unread(shelf).items():
+        told[name] = (reason, *told.get(name, ()))
+    return {name: why for name, why in told.items() if name not in placed}
+
+
+def _unread(shelf: Shelf) -> dict[str, Reason]:
+    """The tasks whose modules cannot be read, where that is known."""
+    if not shelf.unread:
+        return {}
+    return {
+        name: Reason(
+            f"its module {task.module} cannot be used: {shelf.unread[task.module]}",
+            (Remedy("Source…", show=f"source:{name}"),),
+        )
+        for name, task in shelf.tasks.items()
+        if task.module in shelf.unread
+    }

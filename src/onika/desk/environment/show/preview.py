@@ -1,0 +1,72 @@
+"""What is in a file that could be opened, light enough to be drawn in small beside the pointer (requirement G05)."""
+
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+from onika.desk.environment.file import configurations
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.icon_types import edges_of
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.application import Application, Icon
+from onika.model.configuration import Configuration
+from onika.model.rules.box import Box
+from onika.model.syntax import Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.wire import act
+from onika.wire.view import PeekIcon, PeekView
+
+_FLOWS, _ICONS = 2, 12
+"""As many are drawn of an application."""
+
+_WIDTH, _HEIGHT = 136, 64
+"""Of a task that no open library has."""
+
+
+def peek(model: Model, asked: act.Peek, outside: Surroundings) -> Done | No:
+    """What the file says now; the value is a `view.PeekView`."""
+    path = Path(asked.path)
+    if path.suffix == ".appl":
+        return _application(model, path)
+    found = configurations.read(asked.path, outside)
+    return found if isinstance(found, No) else Done(model, value=_drawn(found[1].value, model.shelf))
+
+
+def _application(model: Model, path: Path) -> Done | No:
+    if model.syntax is None:
+        return No("there is no syntax definition: icons have no types")
+    application, faults = BaseDirectory(path.absolute().parent.parent).application(path.stem, model.syntax)
+    if application is None:
+        return No(f"{path} cannot be read: " + "; ".join(plain(str(one)) for one in faults))
+    return Done(model, value=PeekView(application.name, flows=tuple(_flows(application, model.syntax))))
+
+
+def _flows(application: Application, syntax: Syntax) -> Iterator[tuple[PeekIcon, ...]]:
+    for flow in application.flows[:_FLOWS]:
+        icons = [one.onikon for one in flow.steps if isinstance(one, Icon)][:_ICONS]
+        yield tuple(PeekIcon("".join(one.picture.rows), *edges_of(syntax.acting(one.type))) for one in icons)
+
+
+def _drawn(configuration: Configuration, shelf: Shelf) -> PeekView:
+    boxes = {one.task: shelf.box(one.task) for one in configuration.placed}
+    places = {
+        one.task: (one.x, one.y, box.width if box else _WIDTH, box.height if box else _HEIGHT)
+        for one in configuration.placed
+        for box in (boxes[one.task],)
+    }
+    return PeekView(configuration.name, places, tuple(dict.fromkeys(_wires(boxes.items()))))
+
+
+def _wires(boxes: Iterable[tuple[str, Box | None]]) -> Iterator[tuple[str, str]]:
+    """Writer and reader of each variable; constants are moved once and would only hide the picture."""
+    writers: dict[str, list[str]] = {}
+    readers: dict[str, list[str]] = {}
+    for name, box in boxes:
+        for pin in box.pins if box else ():
+            if pin.kind.at_cycle:
+                (readers if pin.kind.is_input else writers).setdefault(pin.svar, []).append(name)
+    for svar, sources in writers.items():
+        for reader in readers.get(svar, ()):
+            yield from ((writer, reader) for writer in sources if writer != reader)

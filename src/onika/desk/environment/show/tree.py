@@ -1,0 +1,143 @@
+"""What a page is shown, made of the model; parts that have not changed are the same objects again."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from onika.desk.environment import buttons, preferences as preferring
+from onika.desk.environment.outcome.on_application import is_running
+from onika.desk.environment.outcome.trouble import problems
+from onika.desk.environment.show.application_view import ApplicationSight
+from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
+from onika.desk.environment.show.document_view import document_view, library_views, task_views
+from onika.desk.environment.show.greying import Greying
+from onika.desk.environment.show.objections import objections
+from onika.desk.environment.show.wiring import Seen
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.icon_names import several
+from onika.desk.environment.state.icon_types import type_views
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.pictures import Album
+from onika.wire.view import ApplicationView, DocumentView, Tree
+
+
+class Projector:
+    """Makes the tree, and remembers what it made of which values."""
+
+    def __init__(self) -> None:
+        self._made: dict[str, tuple[tuple[Any, ...], Any]] = {}
+        self._seen: dict[str, Seen] = {}
+        self._greying: dict[str, Greying] = {}
+        self._sights: dict[str, ApplicationSight] = {}
+        self._album = Album()
+
+    def project(self, model: Model) -> Tree:
+        """The tree of a model."""
+        documents = {
+            document.id: self._document(document, order, model)
+            for order, document in enumerate(model.documents.values())
+        }
+        for closed in self._seen.keys() - documents.keys():
+            self._forget(closed)
+        return Tree(
+            libraries=self._once("libraries", (model.shelf.libraries,), lambda: library_views(model.shelf)),
+            tasks=self._once("tasks", (model.shelf,), lambda: self._tasks(model.shelf)),
+            documents=documents,
+            files=dict(model.files),
+            application_files=dict(model.application_files),
+            clipboard=" ".join(one.task for one in model.buffer.placed),
+            runtime=model.runtime,
+            preferences=self._once("preferences", (model.preferences, model.habits), lambda: preferring.shown(model)),
+            buttons=self._once("buttons", (model.buttons, model.runs), lambda: buttons.shown(model)),
+            job_types=model.job_types,
+            edges=dict(model.edges),
+            applications=self._applications(model),
+            icon_clipboard=several(model.icons) if model.icons else "",
+            **self._dictionaries(model),
+            run=model.run.view if model.run is not None else None,
+            review=model.looking.view(model.applications) if model.looking is not None else None,
+            keeping=model.keeping,
+            people=model.people,
+        )
+
+    def _applications(self, model: Model) -> dict[str, ApplicationView]:
+        """What is shown of open applications, by their ids."""
+        for closed in self._sights.keys() - model.applications.keys():
+            del self._sights[closed], self._made[f"application {closed}"]
+        return {
+            opened.id: self._application(opened, order, model)
+            for order, opened in enumerate(model.applications.values())
+        }
+
+    def _application(self, opened: OpenApplication, order: int, model: Model) -> ApplicationView:
+        sight = self._sights.setdefault(opened.id, ApplicationSight())
+        runs = is_running(model, opened.id)
+        of = (opened, order, runs, model.syntax, model.dictionaries)
+        view: ApplicationView = self._once(
+            f"application {opened.id}", of, lambda: sight.view(opened, order, model, is_running=runs)
+        )
+        return view
+
+    def _dictionaries(self, model: Model) -> dict[str, Any]:
+        """What is shown of dictionaries, their icons and the types of these."""
+        opened, shelf, syntax = model.dictionaries, model.shelf, model.syntax
+        files = (model.files, model.application_files, model.sources)
+        former = self._made.get("onikons", ((), {}))[1]
+        tasks = (shelf.libraries, shelf.edits, shelf.sheets, model.limits)
+        drawn = (opened, model.applications, model.flow_pictures)
+        return {
+            "dictionaries": self._once("dictionaries", (opened,), lambda: dictionary_views(model)),
+            "onikons": self._once(
+                "onikons", (opened, syntax, shelf.libraries, *files), lambda: onikon_views(model, former)
+            ),
+            "types": self._once("types", (syntax, *tasks), lambda: type_views(model)),
+            "pictures": self._once("pictures", drawn, lambda: self._album.shown(*drawn)),
+        }
+
+    def _document(self, document: Document, order: int, model: Model) -> DocumentView:
+        shelf, key = model.shelf, f"document {document.id}"
+        seen = self._seen.get(document.id)
+        names = document.content.names
+        greyed = self._greying.setdefault(document.id, Greying(document.id)).greyed(names, shelf)
+        objected = self._once(
+            f"objections {document.id}",
+            (names, shelf.tasks, shelf.sheets, shelf.unread),
+            lambda: objections(document, shelf),
+        )
+        warned = model.habits.shows_warnings
+        troubles = self._once(
+            f"problems {document.id}",
+            (names, (document.name,), shelf.tasks, warned),
+            lambda: problems(document, shelf, with_warnings=warned, greyed=greyed),
+        )
+        view: DocumentView = self._once(
+            key,
+            (document, order, shelf, greyed, objected, troubles),
+            lambda: document_view(document, order, shelf, greyed, objected, troubles, seen),
+        )
+        self._seen[document.id] = Seen(document, shelf, view)
+        return view
+
+    def _forget(self, doc: str) -> None:
+        """A document is closed, and its id is never used again."""
+        del self._seen[doc], self._greying[doc]
+        for key in [key for key in self._made if key.endswith(f" {doc}")]:
+            del self._made[key]
+
+    def _tasks(self, shelf: Shelf) -> Mapping[str, Any]:
+        of, former = self._made.get("tasks", ((None,), {}))
+        return task_views(shelf, former, of[0])
+
+    def _once(self, key: str, of: tuple[Any, ...], make: Any) -> Any:
+        """What `make` gives, made anew only where one of `of` is another object."""
+        known = self._made.get(key)
+        if known is not None and all(_is_same(old, new) for old, new in zip(known[0], of, strict=True)):
+            return known[1]
+        made = make()
+        self._made[key] = (of, made)
+        return made
+
+
+def _is_same(old: Any, new: Any) -> bool:
+    return old is new or (isinstance(old, tuple) and old == new)

@@ -1,0 +1,1 @@
+"""Everything that is open, as values; nothing here acts."""

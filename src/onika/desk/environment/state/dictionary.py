@@ -1,0 +1,107 @@
+"""An open dictionary: the icons of one base directory, and what is wrong with its files (requirements D01, D15)."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from onika.files import text
+from onika.model.onikon import Onikon
+from onika.model.syntax import Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened_text import Faults, Opened
+from onika.words.fault import Fault, Place
+
+Found = tuple[Opened[Onikon] | None, Faults]
+"""What one file gave."""
+
+
+@dataclass(frozen=True, slots=True)
+class Dictionary:
+    """What one base directory has; a name that an earlier open dictionary has already is not in it."""
+
+    base: BaseDirectory
+    onikons: Mapping[str, Opened[Onikon]]
+    """By their names, grouped by type in the order of the syntax."""
+    faults: Faults = ()
+    found: Mapping[str, Found] = field(default_factory=dict)
+    """What every file gave that was read, also where that is no icon, by the names of the files."""
+
+
+def open_dictionaries(
+    bases: Iterable[BaseDirectory],
+    syntax: Syntax,
+    former: Iterable[Dictionary] = (),
+    changed: frozenset[Path] = frozenset(),
+) -> tuple[Dictionary, ...]:
+    """The dictionaries of base directories, in order; of those in `former` only files among `changed` are read again.
+
+    A later icon of a name is not added and is told. What is as it was is the same object.
+    """
+    known = {one.base: one for one in former}
+    owners: dict[str, BaseDirectory] = {}
+    opened = []
+    for base in bases:
+        names = base.onikons
+        first = [name for name in names if owners.setdefault(name, base) is base]
+        again = [_again(base, name, owners[name]) for name in names if owners[name] is not base]
+        before = known.get(base)
+        made = _open(base, first, again, syntax, before, changed)
+        opened.append(before if before == made else made)
+    return tuple(opened)
+
+
+def has_dictionary(base: BaseDirectory) -> bool:
+    """Whether a base directory has a place for icons."""
+    return (base.path / "dict").is_dir()
+
+
+def find(dictionaries: Iterable[Dictionary], name: str) -> Opened[Onikon] | None:
+    """The icon of a name among open dictionaries."""
+    return next((one.onikons[name] for one in dictionaries if name in one.onikons), None)
+
+
+def home_of(dictionaries: Iterable[Dictionary], name: str) -> Dictionary | None:
+    """The dictionary that has an icon."""
+    return next((one for one in dictionaries if name in one.onikons), None)
+
+
+def _open(
+    base: BaseDirectory,
+    names: Iterable[str],
+    faults: list[Fault],
+    syntax: Syntax,
+    former: Dictionary | None,
+    changed: frozenset[Path],
+) -> Dictionary:
+    known = former.found if former else {}
+    found = {name: _read(base, name, syntax, known.get(name), changed) for name in names}
+    ranks = {kind.name: place for place, kind in enumerate(syntax.types)}
+
+    def rank(opened: Opened[Onikon]) -> tuple[int, str, str]:
+        return ranks.get(opened.value.type, len(ranks)), opened.value.type, opened.value.name
+
+    icons = sorted((opened for opened, _ in found.values() if opened is not None), key=rank)
+    faults += [one for one in (*base.unreadable, *base.misnamed) if _is_of(base, one)]
+    faults += [one for _, wrong in found.values() for one in wrong]
+    return Dictionary(base, {one.value.name: one for one in icons}, tuple(sorted(faults)), found)
+
+
+def _read(base: BaseDirectory, name: str, syntax: Syntax, known: Found | None, changed: frozenset[Path]) -> Found:
+    """A file, or what is known of it where it has not changed."""
+    if known is not None:
+        file = base.onikon_file(name)
+        if file not in changed or (known[0] is not None and text.load(file, str(file))[0] == known[0].text):
+            return known
+    return base.open_onikon(name, syntax)
+
+
+def _is_of(base: BaseDirectory, fault: Fault) -> bool:
+    """Whether a fault of a base directory is one of its dictionary."""
+    folder, file = base.path / "dict", Path(fault.place.file)
+    return folder in (file, file.parent)
+
+
+def _again(base: BaseDirectory, name: str, owner: BaseDirectory) -> Fault:
+    found = f"it again, first in {owner.path / 'dict'}"
+    expected = f"the name {name} once in all dictionaries"
+    return Fault(Place(str(base.onikon_file(name))), expected, found, "the first one is used", is_note=True)

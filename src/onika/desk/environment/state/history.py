@@ -1,0 +1,81 @@
+"""What was done to a document, so that it can be taken back and done again (requirement X10)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Generic, Protocol, TypeVar
+
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.configuration import Configuration
+from onika.model.task import Task
+from onika.store.opened_text import Opened
+
+_KEPT = 500
+
+
+class _Labelled(Protocol):
+    @property
+    def label(self) -> str: ...
+
+
+_S = TypeVar("_S", bound=_Labelled)
+
+Edits = Mapping[str, Task | None]
+"""Tasks as they were changed in this session, by name; None: as its file says."""
+
+
+@dataclass(frozen=True, slots=True)
+class File:
+    """The file that a document is tied to, as it was read or saved last, and its base directory."""
+
+    opened: Opened[Configuration] | None
+    base: Path | None
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One thing that was done: the document before and after it, and the tasks of the libraries it changed."""
+
+    label: str
+    by: str
+    before: Content
+    after: Content
+    edits_before: Edits = field(default_factory=dict)
+    edits_after: Edits = field(default_factory=dict)
+    shelf_before: Shelf | None = None
+    """The tasks that the loci of `before` were settled with; None: those of now."""
+    shelf_after: Shelf | None = None
+    file_before: File | None = None
+    """Where a step changed what file the document is tied to: the file before it; None: the same all along."""
+    file_after: File | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class History(Generic[_S]):
+    """The steps of a document, oldest first, and those taken back, the next to be done again last."""
+
+    past: tuple[_S, ...] = ()
+    future: tuple[_S, ...] = ()
+
+    @property
+    def last(self) -> _S | None:
+        """What Undo takes back."""
+        return self.past[-1] if self.past else None
+
+    @property
+    def next(self) -> _S | None:
+        """What Redo does again."""
+        return self.future[-1] if self.future else None
+
+    def done(self, step: _S) -> "History[_S]":
+        """With one more step; what was taken back is gone."""
+        return History((*self.past, step)[-_KEPT:])
+
+    def undone(self) -> "History[_S]":
+        """With the last step taken back; raises IndexError where there is none."""
+        return History(self.past[:-1], (*self.future, self.past[-1]))
+
+    def redone(self) -> "History[_S]":
+        """With the next step done again; raises IndexError where there is none."""
+        return History((*self.past, self.future[-1]), self.future[:-1])

@@ -1,0 +1,72 @@
+"""What the icon of an action stands for: its file, and whether that is still what the icon says (decision 36)."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from onika.desk.environment.outcome.remedy import plain
+from onika.desk.environment.state.dictionary import Dictionary
+from onika.desk.environment.state.icon_names import a, a_kind, in_words, kind_named
+from onika.desk.environment.state.icon_types import role_of
+from onika.desk.environment.state.model import Model
+from onika.files import appl, conf
+from onika.model.configuration import Configuration
+from onika.model.onikon import Onikon
+from onika.model.rules.iconify import ActionType, job_type
+from onika.model.syntax import Syntax, same_type
+from onika.words.fault import Refusal
+
+_ENDINGS = {"job": conf.ENDING, "application": appl.ENDING}
+_WORDS = {"job": "configuration", "application": "application"}
+
+
+class Sources:
+    """The files behind icons, as the model knows them; nothing is read."""
+
+    def __init__(self, model: Model, syntax: Syntax) -> None:
+        self._syntax = syntax
+        self._sources = model.sources
+        self._tasks = {name: record.task for name, record in model.shelf.records.items()}
+        ranks = {path: place for place, path in enumerate(model.search)}
+        homes = {path: Path(path).parent.parent for path in model.sources}
+        self._first: dict[str, str] = {}
+        for path in sorted(homes, key=lambda path: ranks.get(homes[path], len(ranks))):
+            self._first.setdefault(Path(path).name, path)
+
+    def path_of(self, onikon: Onikon, dictionary: Dictionary) -> str:
+        """The file behind an icon: beside its dictionary, else the first on the search path (decision 35); or empty."""
+        role = role_of(self._syntax.acting(onikon.type))
+        if role not in _ENDINGS:
+            return ""
+        name = onikon.name + _ENDINGS[role]
+        beside = str(dictionary.base.path / name.rpartition(".")[2] / name)
+        return beside if beside in self._sources else self._first.get(name, "")
+
+    def trouble(self, onikon: Onikon, path: str) -> str:
+        """Why an action cannot run; empty: nothing is in the way, or it is none."""
+        role = role_of(self._syntax.acting(onikon.type))
+        if role not in _ENDINGS:
+            return ""
+        if not path:
+            return f"there is no {_WORDS[role]} {onikon.name}"
+        kind = self._kind(path)
+        if kind is None:
+            return f"the {_WORDS[role]} {path} is at fault"
+        if not isinstance(kind, ActionType):
+            return "; ".join(in_words(plain(one.reason)) for one in kind)
+        if _is_alike((onikon.type, *onikon.more_targets), (kind.type, *kind.more_targets)):
+            return ""
+        return f"its {_WORDS[role]} makes {a(_said(kind))} now, not {a(_said(onikon))}: make its icon again"
+
+    def _kind(self, path: str) -> ActionType | tuple[Refusal, ...] | None:
+        source = self._sources.get(path)
+        return job_type(source, self._tasks, self._syntax) if isinstance(source, Configuration) else source
+
+
+def _is_alike(one: Iterable[str], other: Iterable[str]) -> bool:
+    first, second = tuple(one), tuple(other)
+    return len(first) == len(second) and all(map(same_type, first, second))
+
+
+def _said(kind: ActionType | Onikon) -> str:
+    more = " and ".join(a_kind(one) for one in kind.more_targets)
+    return f"{kind_named(kind.type)} with {more}" if more else kind_named(kind.type)

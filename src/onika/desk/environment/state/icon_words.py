@@ -1,0 +1,35 @@
+"""Descriptions of icons in other languages (requirement X11)."""
+
+from onika.desk.environment.state.dictionary import find
+from onika.desk.environment.state.icon_names import listed
+from onika.desk.environment.state.model import Model
+from onika.model.onikon import Onikon
+
+
+def words_of(model: Model, onikon: Onikon) -> dict[str, str]:
+    """What a placed icon says in other languages, by their codes: its own words, else those of its dictionary.
+
+    Those of the dictionary count only while it says the same in its own language: a placed icon keeps what it says.
+    """
+    if onikon.words:
+        return dict(onikon.words)
+    found = find(model.dictionaries, onikon.name)
+    return dict(found.value.words) if found and found.value.description == onikon.description else {}
+
+
+def for_placing(onikon: Onikon) -> Onikon:
+    """An icon of a dictionary as it is placed: so an application that says nothing new stays one of version 1.3."""
+    return onikon.as_placed()
+
+
+def told_again(former: Onikon, description: str) -> tuple[tuple[str, str], ...]:
+    """The words of an icon that says something else from now on: they would say what it said before."""
+    return former.words if " ".join(former.description.split()) == description else ()
+
+
+def forgotten(former: Onikon, description: str) -> str:
+    """That words in other languages are gone, in words; empty: there were none, or they still say the same."""
+    if not former.words or told_again(former, description):
+        return ""
+    codes = listed(code for code, _ in former.words)
+    return f"what {former.name} said in other languages ({codes}) is gone, for it says something else now"

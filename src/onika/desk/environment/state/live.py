@@ -1,0 +1,121 @@
+"""What is known of a document in the running system: facts, which are never taken back (law 22)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any, Literal
+
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.history import Edits, History, Step
+from onika.wire import event
+
+
+@dataclass(frozen=True, slots=True)
+class TaskFacts:
+    """A living task, or one that is about to live."""
+
+    state: str
+    note: str = ""
+    rtpu: str = ""
+    hz: float | None = None
+    asked: event.Asked | None = None
+    present: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    """Of what it asks for: the values that it measures, by the names of the inputs."""
+    failed: event.Failed | None = None
+    warnings: int = 0
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether it is ON, or would be if somebody answered it."""
+        return self.state in ("ON", "ASKING")
+
+
+@dataclass(frozen=True, slots=True)
+class Base:
+    """What the runtime was asked for up to now: what a document differs in from it is still to be asked."""
+
+    content: Content
+    history: History[Step] = field(default_factory=History)
+    edits: Edits = field(default_factory=dict)
+    """Tasks of the libraries that have changed since, as they were."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pending:
+    """Something that the runtime was asked for and whose outcome is not known."""
+
+    before: Base | None = None
+    """Of a change of the subsystem: what to go back to where it fails."""
+    after: Content | None = None
+    present: History[Step] = field(default_factory=History)
+    """The history with the steps that it carries out."""
+    tasks: frozenset[str] = frozenset()
+    """Which tasks it touches."""
+    kept: tuple[Any, ...] = ()
+    """Orders of acts that waited for this change and are answered with it."""
+    number: int | None = None
+    """By which its outcome is told; None: it was not accepted yet."""
+
+
+@dataclass(frozen=True, slots=True)
+class Offer:
+    """Who would hand a subsystem over, to whom, and whether that is this environment."""
+
+    holder: str
+    to: str
+    is_here: bool
+
+
+@dataclass(frozen=True, slots=True)
+class Live:
+    """A document's subsystem."""
+
+    subsystem: str
+    state: Literal["connecting", "live", "lost"] = "connecting"
+    tasks: Mapping[str, TaskFacts] = field(default_factory=dict)
+    """Those that live or are about to, by name."""
+    holder: str = ""
+    offer: "Offer | None" = None
+    """What its holder would hand over."""
+    me: str = ""
+    """The name by which the runtime knows this environment; empty: it was not told yet."""
+    base: Base | None = None
+    """None: it is not live."""
+    turns: Mapping[str, str] = field(default_factory=dict)
+    """Tasks to turn ON with the next change, whatever they were, each with its argument line."""
+    pending: Mapping[int, Pending] = field(default_factory=dict)
+    """By their own count, oldest first."""
+    early: Mapping[int, str] = field(default_factory=dict)
+    """Outcomes of changes, by number, that were told before the changes were accepted."""
+    kept: tuple[Any, ...] = ()
+    """Orders of acts that wait for the next change."""
+    asked: int = 0
+    """How many changes were ever asked for."""
+
+    @property
+    def is_changing(self) -> bool:
+        """Whether a change of the subsystem is under way: the next one waits for it."""
+        return any(one.before is not None for one in self.pending.values())
+
+    @property
+    def is_held_here(self) -> bool:
+        """Whether this environment may change it."""
+        return bool(self.me) and self.holder == self.me
+
+    @property
+    def is_foreign(self) -> bool:
+        """Whether somebody else may change it and this environment may not."""
+        return bool(self.holder) and self.holder != self.me
+
+    def state_of(self, name: str) -> str:
+        """A task's state; empty where it does not live."""
+        facts = self.tasks.get(name)
+        return facts.state if facts else ""
+
+    def with_task(self, name: str, facts: TaskFacts | None) -> "Live":
+        """With what is known of a task now; None: it is gone."""
+        tasks = {key: one for key, one in self.tasks.items() if key != name}
+        return replace(self, tasks=tasks if facts is None else {**self.tasks, name: facts})
+
+    def without_pending(self, key: int) -> "Live":
+        """With one change less whose outcome is not known."""
+        return replace(self, pending={one: kept for one, kept in self.pending.items() if one != key})

@@ -1,0 +1,96 @@
+"""Everything that is open in an environment, as one value (house decision 5)."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any
+
+from onika.desk.environment.state.clipboard import Copied
+from onika.desk.environment.state.dictionary import Dictionary
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.desk.environment.state.review_session import Looking
+from onika.desk.environment.state.run import Run
+from onika.desk.environment.state.settings import Habits
+from onika.model.application import Step
+from onika.model.button import Button
+from onika.model.configuration import Configuration
+from onika.model.preferences import Preferences
+from onika.model.rules.iconify import ActionType
+from onika.model.syntax import Syntax
+from onika.wire import view
+from onika.words.fault import Refusal
+
+
+@dataclass(frozen=True, slots=True)
+class Model:
+    """What is open, what was copied, what the user prefers, and what is known of the runtime."""
+
+    shelf: Shelf = field(default_factory=Shelf)
+    documents: Mapping[str, Document] = field(default_factory=lambda: MappingProxyType({}))
+    """By their ids, in the order in which they were opened."""
+    opened: int = 0
+    """How many documents were ever opened: ids are never used again."""
+    buffer: Copied = field(default_factory=Copied)
+    """What was cut or copied last (C22)."""
+    preferences: Preferences = field(default_factory=Preferences)
+    habits: Habits = field(default_factory=Habits)
+    buttons: tuple[Button, ...] = ()
+    runs: Mapping[str, view.ButtonView] = field(default_factory=dict)
+    """The commands of buttons that run or ran."""
+    files: Mapping[str, view.ConfigurationFile] = field(default_factory=dict)
+    """The configurations that could be opened, by path."""
+    runtime: view.RuntimeView = field(default_factory=view.RuntimeView)
+    job_types: tuple[str, ...] = ()
+    edges: Mapping[str, Any] = field(default_factory=dict)
+    syntax: Syntax | None = None
+    applications: Mapping[str, OpenApplication] = field(default_factory=lambda: MappingProxyType({}))
+    """By their ids, in the order in which they were opened."""
+    application_files: Mapping[str, view.ApplicationFile] = field(default_factory=dict)
+    """The applications that could be opened, by path."""
+    sources: Mapping[str, Configuration | ActionType | tuple[Refusal, ...] | None] = field(default_factory=dict)
+    """By path: configurations, and the types that applications have as icons, as their files say; None: at fault."""
+    dictionaries: tuple[Dictionary, ...] = ()
+    search: tuple[Path, ...] = ()
+    """The search path, as far as names are looked for by it here."""
+    limits: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    """Constants that bound the values of targets, as far as a runtime has told them."""
+    icons: tuple[Step, ...] = ()
+    """The steps that were cut or copied last."""
+    flow_pictures: tuple[str, str] = ("", "")
+    """Those of the start and end icons, 1024 digits each."""
+    run: Run | None = None
+    """The run of an application that goes on now, or the last one."""
+    looking: Looking | None = None
+    """The recorded run that is looked at."""
+    keeping: view.KeepingView | None = None
+    """The test that is being kept, or was last."""
+    performed: int = 0
+    """How many runs there were."""
+    people: int = 0
+
+    def with_document(self, document: Document) -> "Model":
+        """With a document in its newest form."""
+        return replace(self, documents={**self.documents, document.id: document})
+
+    def with_application(self, application: OpenApplication) -> "Model":
+        """With an application in its newest form."""
+        return replace(self, applications={**self.applications, application.id: application})
+
+    def without(self, doc: str) -> "Model":
+        """With one document less."""
+        return replace(self, documents={key: one for key, one in self.documents.items() if key != doc})
+
+    def blank_name(self) -> str:
+        """The name of the next new configuration or application (C21)."""
+        taken = {one.name for one in self.documents.values()} | {one.name for one in self.applications.values()}
+        number = 1
+        while f"Untitled-{number}" in taken:
+            number += 1
+        return f"Untitled-{number}"
+
+    def blank(self) -> Configuration:
+        """A new configuration."""
+        return Configuration(self.blank_name())

@@ -1,0 +1,131 @@
+"""The libraries that are open, with what was changed of their tasks in this session (requirements C01, C04)."""
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+
+from onika.desk.environment.state import task_edit
+from onika.files.rmod import RmodText
+from onika.model.preferences import Preferences
+from onika.model.rules import agreement
+from onika.model.rules.box import Box, box_of
+from onika.model.rules.placement import Company
+from onika.model.task import Task
+from onika.store.library import Library
+from onika.wire.sheet import ModuleSheet
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """Tasks by name, from the libraries in search order; the first of a name counts (decision 11)."""
+
+    libraries: tuple[Library, ...] = ()
+    edits: Mapping[str, Task] = field(default_factory=dict)
+    """Tasks that are no longer as their files say."""
+    rates: Mapping[str, float] = field(default_factory=dict)
+    """Rates for later placements of this session, in Hz (decision 10)."""
+    sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
+    """What classes of modules declare, by the modules' names, as far as a runtime has read them."""
+    unread: Mapping[str, str] = field(default_factory=dict)
+    """Why modules cannot be read, as a runtime says."""
+    preferences: Preferences = field(default_factory=Preferences)
+
+    @cached_property
+    def records(self) -> Mapping[str, RmodText]:
+        """Every task with the text of its file."""
+        found: dict[str, RmodText] = {}
+        for library in self.libraries:
+            for name, record in library.tasks.items():
+                found.setdefault(name, record)
+        return found
+
+    @cached_property
+    def tasks(self) -> Mapping[str, Task]:
+        """Every task as it is now."""
+        return {name: self.edits.get(name, record.task) for name, record in self.records.items()}
+
+    @cached_property
+    def homes(self) -> Mapping[str, Library]:
+        """The library of every task."""
+        found: dict[str, Library] = {}
+        for library in self.libraries:
+            for name in library.tasks:
+                found.setdefault(name, library)
+        return found
+
+    @cached_property
+    def company(self) -> Company:
+        """The tasks by what may speak between them and a placed one."""
+        return Company(self.tasks.values())
+
+    def code_file(self, name: str) -> Path | None:
+        """The code of a task's module: beside its own file, else in the first library that has it; None: nowhere."""
+        module, home = self.tasks[name].module, self.homes[name]
+        found = next((one for one in (home, *self.libraries) if module in one.modules), None)
+        return found.base.code_file(module) if found else None
+
+    @cached_property
+    def _boxes(self) -> dict[str, Box]:
+        return {}
+
+    @cached_property
+    def contested(self) -> Mapping[str, agreement.Users]:
+        """The variables about which tasks disagree, as far as their modules are read."""
+        read = {name: task for name, task in self.tasks.items() if task.module in self.sheets}
+        return agreement.contested(
+            {name: agreement.declared(task, self.sheets[task.module].ports) for name, task in read.items()}
+        )
+
+    @cached_property
+    def rivals(self) -> Mapping[str, tuple[str, ...]]:
+        """The devices that several tasks would move, as far as their modules are read."""
+        sheets = self.sheets
+        return agreement.rivals(
+            task for task in self.tasks.values() if task.module in sheets and sheets[task.module].hardware
+        )
+
+    def box(self, name: str) -> Box | None:
+        """The icon of a task; None for one that no open library knows."""
+        task = self.tasks.get(name)
+        if task is None:
+            return None
+        if name not in self._boxes:
+            self._boxes[name] = box_of(task, self.preferences)
+        return self._boxes[name]
+
+    def boxes(self, names: tuple[str, ...]) -> dict[str, Box]:
+        """The icons of those tasks that are known."""
+        return {name: box for name in names if (box := self.box(name)) is not None}
+
+    def edited(self, edits: Mapping[str, Task | None]) -> "Shelf":
+        """With tasks changed, or as their files say again where there is None."""
+        wished = {name: self._onto(name, task) for name, task in edits.items()}
+        kept = {name: task for name, task in {**self.edits, **wished}.items() if task is not None}
+        found = replace(self, edits={name: task for name, task in kept.items() if task != self.filed(name)})
+        return found._knowing(self, edits)
+
+    def rated(self, rates: Mapping[str, float | None]) -> "Shelf":
+        """With rates for later placements, or those of their files again where there is None."""
+        kept = {**self.rates, **rates}
+        found = replace(self, rates={name: hz for name, hz in kept.items() if hz is not None})._knowing(self, ())
+        known = self.__dict__
+        found.__dict__.update({name: known[name] for name in ("tasks", "company") if name in known})
+        return found
+
+    def filed(self, name: str) -> Task | None:
+        """A task as its file says; None where there is none."""
+        return self.records[name].task if name in self.records else None
+
+    def _onto(self, name: str, wished: Task | None) -> Task | None:
+        """What the user changed of a task, put on its file as that is now: it may have changed meanwhile."""
+        filed = self.filed(name)
+        return wished if wished is None or filed is None else task_edit.carried(wished, filed)
+
+    def _knowing(self, former: "Shelf", changed: Collection[str]) -> "Shelf":
+        """With what `former` has found out about the same libraries already."""
+        known = former.__dict__
+        self.__dict__.update({name: known[name] for name in ("records", "homes") if name in known})
+        boxes = {name: box for name, box in known.get("_boxes", {}).items() if name not in changed}
+        self.__dict__["_boxes"] = boxes
+        return self

@@ -1,0 +1,31 @@
+"""What is looked at: a recorded run, and another one beside it."""
+
+from collections.abc import Container
+from dataclasses import dataclass
+
+from msgspec import structs
+
+from onika.desk.environment.review.recorded_run import Subject
+from onika.wire.view import DifferenceView, RecordingView, ReviewView
+
+
+@dataclass(frozen=True, slots=True)
+class Looking:
+    """A recorded run that is looked at; `difference` is None while it is looked for, or where there is no other."""
+
+    subject: Subject
+    other: Subject | None = None
+    difference: DifferenceView | None = None
+
+    def view(self, docs: Container[str]) -> ReviewView:
+        """As a page shows it; an application that was closed meanwhile is not named."""
+        other = _of(self.other.view, docs) if self.other else None
+        return ReviewView(_of(self.subject.view, docs), other, self.difference)
+
+    def one(self, *, of_other: bool) -> Subject | None:
+        """One of the two; None: there is no other."""
+        return self.other if of_other else self.subject
+
+
+def _of(recording: RecordingView, docs: Container[str]) -> RecordingView:
+    return recording if recording.doc in docs else structs.replace(recording, doc="")

@@ -1,0 +1,127 @@
+"""A run of an open application: what is shown of it, and how the actions of its plan belong to steps (E07, E11)."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+from msgspec import structs
+
+from onika.desk.environment.icons.membership import Belonging
+from onika.desk.environment.runs.messages import Speech
+from onika.desk.plan.flow_index import Cast
+from onika.wire import event
+from onika.wire.plan import Again, Plan, PlannedAction, Unless
+from onika.wire.view import FlowRunView, RunView
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """Something that is awaited before a run can begin: an order whose outcome comes as a number, later or earlier."""
+
+    order: Any
+    """It is replied to with the outcome."""
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """The run of an application that goes on now, or the last one."""
+
+    view: RunView
+    plan: Plan
+    cast: Cast
+    """Its flows by the words of steering."""
+    belonging: Belonging
+    speech: Speech = field(default_factory=Speech)
+    """The words in which it is told."""
+    durations: Mapping[tuple[int, int], float] = field(default_factory=dict)
+    """What targets say of how long their action should take, by flow and action."""
+    busy: Mapping[str, int] = field(default_factory=dict)
+    """The actions that are carried out, by subsystem."""
+    on: frozenset[str] = frozenset()
+    """The tasks that are ON, as `SUBSYSTEM/TASK`."""
+    failures: Mapping[str, event.Failed] = field(default_factory=dict)
+    """Of the tasks in ERROR, by `SUBSYSTEM/TASK`."""
+    wait: Wait | None = None
+    reason: str = ""
+    """Why a flow stood when it was ended."""
+    is_given_up: bool = False
+    """Whether the user has said abort before it had begun."""
+    outcomes: Mapping[int, str] = field(default_factory=dict)
+    """What came of live changes while the run was about to begin, by number."""
+
+    @property
+    def doc(self) -> str:
+        """The application."""
+        return self.view.doc
+
+    @property
+    def is_over(self) -> bool:
+        """Whether it has come to its end."""
+        return self.view.state == "over"
+
+    @property
+    def homes(self) -> tuple[str, ...]:
+        """Its subsystems, in the order of the plan."""
+        return tuple(one.subsystem for one in self.plan.flows)
+
+    def number_of(self, subsystem: str) -> int | None:
+        """Which flow of the plan lives in a subsystem; None: none."""
+        return next((n for n, one in enumerate(self.plan.flows) if one.subsystem == subsystem), None)
+
+    def action(self, flow: int, index: int) -> PlannedAction | None:
+        """An action of the plan; None: there is none such."""
+        actions = self.plan.flows[flow].actions if 0 <= flow < len(self.plan.flows) else ()
+        return actions[index] if 0 <= index < len(actions) else None
+
+    def step_at(self, subsystem: str, index: int) -> int:
+        """The step of the application that an action belongs to; 0: none."""
+        flow = self.number_of(subsystem)
+        action = None if flow is None else self.action(flow, index)
+        return action.spot[0] if action is not None and action.spot else 0
+
+    def actions_of(self, step: int) -> Iterator[tuple[int, int]]:
+        """The actions of a step by flow and index, those of flows that are not nested first; of a branch all in it."""
+        meant = self.belonging.meant(step)
+        for is_nested in (False, True):
+            for number, flow in enumerate(self.plan.flows):
+                if (flow.parent is not None) is is_nested:
+                    yield from ((number, at) for at, one in enumerate(flow.actions) if one.spot[:1] in meant)
+
+    def has_loops(self, flow: int) -> bool:
+        """Whether a flow can go round."""
+        return any(isinstance(one, Again | Unless) for one in self.plan.flows[flow].program)
+
+    def shown(self, **changes: Any) -> "Run":
+        """With something else in what is shown."""
+        return replace(self, view=structs.replace(self.view, **changes))
+
+    def in_flow(self, subsystem: str, **changes: Any) -> "Run":
+        """With something else shown of a flow."""
+        flows = self.view.flows
+        return self.shown(flows={**flows, subsystem: structs.replace(flows[subsystem], **changes)})
+
+    def noted(self, text: str) -> "Run":
+        """With one more note, said by a runtime; old ones are forgotten."""
+        return self.shown(notes=(*self.view.notes, self.speech.said(text))[-_MOST_NOTES:])
+
+    def called(self, subsystem: str, index: int) -> str:
+        """What an action is about, in the words of its icons; empty: there is none such."""
+        flow = self.number_of(subsystem)
+        action = None if flow is None else self.action(flow, index)
+        return "" if action is None else self.speech.action(action)
+
+
+_MOST_NOTES = 60
+_AS_NAMED = Speech()
+
+
+def begun(doc: str, plan: Plan, number: int, at_s: float, belonging: Belonging, speech: Speech = _AS_NAMED) -> Run:
+    """A run that is about to begin; `at_s` is seconds since 1970."""
+    flows = {
+        one.subsystem: FlowRunView(order, of=len(one.actions), is_nested=one.parent is not None)
+        for order, one in enumerate(plan.flows)
+    }
+    of = sum(len(one.actions) for one in plan.flows)
+    view = RunView(doc, plan.application, number, began_at_s=at_s, flows=flows, of=of)
+    return Run(view, plan, Cast.of(plan), belonging, speech.hearing(plan))

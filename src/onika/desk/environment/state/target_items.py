@@ -1,0 +1,116 @@
+"""The data of a type of target, with the units and bounds of the tasks that take it (requirements D08, B10)."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+from onika.desk.environment.state.declarations import declared_inputs, declared_ports
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.syntax import DataItem, IconType, Syntax, same_type
+from onika.model.task import Task
+from onika.wire.sheet import InputSheet, PortSheet
+from onika.wire.view import ItemView
+
+Limits = Mapping[str, tuple[float, ...]]
+"""Constants that bound inputs, as far as a runtime has told them, by the names of their variables."""
+
+
+class Use(NamedTuple):
+    """An input of a task that takes a datum of a target."""
+
+    task: Task
+    input: InputSheet
+
+    def variable(self, name: str) -> str:
+        """The state variable behind a coded name of the task."""
+        return dict(self.task.aliases).get(name, name)
+
+
+def items_of(model: Model, type_: str) -> tuple[ItemView, ...]:
+    """The data of a type of target, in order; none for another type. Units and bounds where a task is known."""
+    kind = model.syntax.find(type_) if model.syntax else None
+    if kind is None or model.syntax is None:
+        return ()
+    uses = uses_of(model.shelf, model.syntax, kind)
+    return tuple(_view(item, uses.get(item.name, ()), model.limits) for item in kind.items)
+
+
+def uses_of(shelf: Shelf, syntax: Syntax, kind: IconType) -> dict[str, tuple[Use, ...]]:
+    """The inputs of tasks that take the data of a type of target, by the names of these."""
+    found: dict[str, tuple[Use, ...]] = {}
+    for task in shelf.tasks.values() if kind.is_target else ():
+        if takes(task, kind, syntax):
+            for item, taken in _paired(kind.items, inputs_of(shelf, task)):
+                found[item.name] = (*found.get(item.name, ()), Use(task, taken))
+    return found
+
+
+def inputs_of(shelf: Shelf, task: Task) -> tuple[InputSheet, ...]:
+    """What a task takes, as a runtime says, else as its code does."""
+    sheet = shelf.sheets.get(task.module)
+    if sheet is not None:
+        return sheet.inputs
+    code = shelf.code_file(task.name)
+    return declared_inputs(code) if code else ()
+
+
+def ports_of(shelf: Shelf, task: Task) -> tuple[PortSheet, ...]:
+    """The ports of a task's module, as a runtime says, else as its code does."""
+    sheet = shelf.sheets.get(task.module)
+    if sheet is not None:
+        return sheet.ports
+    code = shelf.code_file(task.name)
+    return declared_ports(code) if code else ()
+
+
+def takes(task: Task, kind: IconType, syntax: Syntax) -> bool:
+    """Whether a task's first target is of this type."""
+    job = syntax.find(task.object_type) if task.object_type else None
+    return job is not None and job.needs_target and same_type(syntax.object_of(job), kind.name)
+
+
+def _paired(items: Sequence[DataItem], inputs: Sequence[InputSheet]) -> Iterator[tuple[DataItem, InputSheet]]:
+    """Each datum with the input that takes it: in order, as long as they are of one type, as an argument line is."""
+    for item, taken in zip(items, inputs, strict=False):
+        if taken.shape.partition("[")[0].strip() != item.type.value:
+            return
+        yield item, taken
+
+
+def _view(item: DataItem, uses: Sequence[Use], limits: Limits) -> ItemView:
+    units = [one.input.unit for one in uses if one.input.unit not in ("", "-")]
+    meanings = [one.input.meaning for one in uses if one.input.meaning]
+    defaults = [one.input.default for one in uses if one.input.default is not None]
+    return ItemView(
+        name=item.name,
+        type=item.type.value,
+        count=item.count,
+        unit=units[0] if units else "",
+        meaning=meanings[0] if meanings else "",
+        low=_widest([_bound(one, one.input.low, item.count, limits) for one in uses], min),
+        high=_widest([_bound(one, one.input.high, item.count, limits) for one in uses], max),
+        default=_spread(defaults[0], item.count) if defaults else None,
+        dimension=item.dimension,
+    )
+
+
+def _bound(use: Use, bound: float | str | None, count: int, limits: Limits) -> tuple[float, ...] | None:
+    value: Any = limits.get(use.variable(bound)) if isinstance(bound, str) else bound
+    spread = None if value is None else _spread(value, count)
+    return None if spread is None else tuple(map(float, spread))
+
+
+def _widest(bounds: Sequence[tuple[float, ...] | None], choose: Any) -> tuple[float, ...] | None:
+    """What some task would take; none where one takes anything, or nothing is known."""
+    known = [one for one in bounds if one is not None]
+    if not known or len(known) < len(bounds):
+        return None
+    return tuple(choose(each) for each in zip(*known, strict=True))
+
+
+def _spread(value: Any, count: int) -> tuple[Any, ...] | None:
+    """One value for each element; None where there are others than that."""
+    if isinstance(value, str) or not isinstance(value, Iterable):
+        return (value,) * count
+    values = tuple(value)
+    return values if len(values) == count else (values * count if len(values) == 1 else None)

@@ -1,0 +1,19 @@
+"""One history for all who look: whoever takes back what another did is told, and so is the other (requirement X10)."""
+
+from onika.desk.environment.state.model import Model
+from onika.wire import act, page
+
+
+def others(before: Model, asked: act.AnyAct, by: str) -> tuple[page.Say, ...]:
+    """What is said of taking back, or doing again, what was done on another page."""
+    if before.people < 2 or not isinstance(asked, act.Undo | act.Redo):
+        return ()
+    opened = before.documents.get(asked.doc) or before.applications.get(asked.doc)
+    if opened is None:
+        return ()
+    is_undo = isinstance(asked, act.Undo)
+    step = opened.history.last if is_undo else opened.history.next
+    if step is None or step.by in ("", by):
+        return ()
+    how = "taken back here; Redo does it again" if is_undo else "done again here"
+    return (page.Say("warning", f"“{step.label}” in {opened.name} was done on another page, and is {how}", opened.id),)

@@ -1,0 +1,1 @@
+"""From files to a plan: an application is compiled, redirected, written as text, made an icon."""

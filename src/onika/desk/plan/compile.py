@@ -1,0 +1,189 @@
+"""Compiling: a program found on a site becomes the plan that a runtime executes (house decision 2, §5.9.2)."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from hashlib import sha256
+
+from onika.desk.plan.sequence import Doing, Line, Sequencer, plain_type
+from onika.files import text
+from onika.model.application import Icon
+from onika.model.configuration import Placed
+from onika.model.redirect import Choice, Redirect, choice
+from onika.model.rules.redirection import redirected
+from onika.model.syntax import Syntax
+from onika.model.task import Task
+from onika.store.program import Program
+from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
+from onika.wire.request import TargetValues
+from onika.words.fault import Fault, Place
+from onika.words.value import Value
+
+UNKNOWN = "unknown"
+
+
+class Compiler:
+    """Compiles what is there; faults name what is not.
+
+    places      the `.rmod` files of the tasks
+    file_of     the file of a nested application
+    redirects   the tasks that stand for others
+    """
+
+    def __init__(
+        self,
+        program: Program,
+        syntax: Syntax,
+        place: Place,
+        places: Mapping[str, str],
+        file_of: Callable[[str], str] = lambda name: f"{name}.appl",
+        redirects: Sequence[Redirect] = (),
+    ) -> None:
+        self._program = program
+        self._syntax = syntax
+        self._place = place
+        self._places = places
+        self._file_of = file_of
+        self._redirects = redirects
+        self._digests: dict[str, str] = {}
+        self._codeless: dict[str, list[str]] = {}
+        """The tasks of modules without code, by these modules; told of those that are to live."""
+        self._wanted: set[str] = set()
+        self.faults: list[Fault] = []
+        self.targets: list[TargetValues] = []
+
+    def plan(self) -> Plan:
+        """The plan of everything that could be compiled."""
+        code = self._code()
+        sequencer = Sequencer(self._syntax, self._program.applications, self._file_of)
+        lines = sequencer.sequence(self._program.application, self._place.file)
+        flows = tuple(self._flow(n, line) for n, line in enumerate(lines))
+        self.faults += [
+            no_code(module, self._places.get(name, name))
+            for module, users in self._codeless.items()
+            for name in users
+            if name in self._wanted
+        ]
+        return Plan(self._program.application.name, flows, code)
+
+    def _code(self) -> tuple[Code, ...]:
+        found = []
+        for module in sorted({task.module for task in self._program.tasks.values()}):
+            path = self._program.code.get(module)
+            if path is None:
+                users = {task.name for task in self._program.tasks.values() if task.module == module}
+                self._codeless[module] = sorted(users)
+                continue
+            source, faults = text.load(path, str(path))
+            self.faults += faults
+            if source is None:
+                continue
+            digest = sha256(source.encode()).hexdigest()
+            self._digests[module] = digest
+            found.append(Code(digest, module, str(path), source))
+        return tuple(found)
+
+    def _flow(self, number: int, line: Line) -> PlannedFlow:
+        tasks: dict[str, PlannedTask] = {}
+        actions: list[PlannedAction] = []
+        chosen = choice(self._redirects, line.subsystem)
+        crews = {
+            name: redirected(one, chosen, self._program.tasks) for name, one in self._program.configurations.items()
+        }
+        replaced: dict[str, PlannedTask] = {}
+        for index, doing in enumerate(line.doings):
+            configuration = crews.get(doing.icon.onikon.name)
+            placed = () if configuration is None or doing.is_noop else configuration.placed
+            if chosen:
+                replaced.update(self._replaced(doing.icon.onikon.name, chosen))
+            for one in placed:
+                self._wanted.add(one.task)
+                task = self._program.tasks.get(one.task)
+                if task is not None and one.task not in tasks and task.module in self._digests:
+                    tasks[one.task] = self._task(task, one.rtpu)
+            actions.append(self._action(doing, placed, tasks))
+            for target in doing.targets:
+                kind = plain_type(target.onikon.type)
+                values, name = _flat(target.onikon.values), target.onikon.name
+                self.targets.append(TargetValues(number, index, kind, values, name))
+        living, program = tuple(tasks.values()), tuple(line.program)
+        found = tuple((name, old) for name, old in replaced.items() if name in tasks)
+        return PlannedFlow(line.subsystem, living, tuple(actions), program, line.parent, found)
+
+    def _replaced(self, job: str, chosen: Choice) -> Iterator[tuple[str, PlannedTask]]:
+        """The tasks of a job that others stand for, by the names of these; without a digest where they have no code."""
+        configuration = self._program.configurations.get(job)
+        for one in configuration.placed if configuration is not None else ():
+            task = self._program.tasks.get(one.task)
+            if task is not None and chosen.get(task.name) in self._program.tasks:
+                place = self._places.get(task.name, task.name)
+                yield chosen[task.name], planned_task(task, one.rtpu, self._digests.get(task.module, ""), place)
+
+    def _action(self, doing: Doing, placed: Sequence[Placed], tasks: Mapping[str, PlannedTask]) -> PlannedAction:
+        job = doing.icon.onikon
+        names = [target.onikon.name for target in doing.targets]
+        present = [one for one in placed if one.task in tasks]
+        return PlannedAction(
+            name=" ".join((job.name, *names)),
+            job=job.name,
+            target=" ".join(names) or None,
+            place=doing.file,
+            line=doing.icon.line,
+            lacks_tasks=not doing.is_noop and (len(present) < len(placed) or not placed),
+            tasks=tuple(one.task for one in present),
+            rates=tuple((one.task, one.frequency) for one in present if one.frequency and self._keeps_time(one.task)),
+            arguments=" ".join(map(self._arguments, doing.targets)),
+            marker=doing.icon.marker,
+            synch_tag=doing.icon.synch_tag,
+            is_noop=doing.is_noop,
+            within=doing.within,
+            spot=doing.spot,
+        )
+
+    def _arguments(self, target: Icon) -> str:
+        try:
+            return target.onikon.argument_line(self._syntax)
+        except ValueError as wrong:  # the definition of its type has changed since it was made
+            expected, _, found = str(wrong).removeprefix("expected ").partition(", found ")
+            place = Place(self._place.file, target.line)
+            self.faults.append(Fault(place, expected, found, "the application is not run"))
+            return ""
+
+    def _keeps_time(self, name: str) -> bool:
+        return self._program.tasks[name].frequency is not None
+
+    def _task(self, task: Task, rtpu: str) -> PlannedTask:
+        return planned_task(task, rtpu, self._digests[task.module], self._places.get(task.name, task.name))
+
+
+def no_code(module: str, place: str) -> Fault:
+    """The fault of a task, whose file is `place`, that has no code."""
+    expected = f"{module}.py beside it or on the search path, as MODULE says"
+    return Fault(Place(place), expected, "none", "the task is left out")
+
+
+def planned_task(task: Task, rtpu: str, digest: str, place: str) -> PlannedTask:
+    """A task as a plan carries it."""
+    return PlannedTask(
+        name=task.name,
+        module=task.module,
+        digest=digest,
+        place=place,
+        rtpu=rtpu,
+        frequency=task.frequency,
+        type=task.type.value,
+        aliases=task.aliases,
+        inconst=task.inconst,
+        outconst=task.outconst,
+        invar=task.invar,
+        outvar=task.outvar,
+        local=tuple((line.key, line.words) for line in task.local),
+    )
+
+
+def rtpus_of(plan: Plan) -> tuple[str, ...]:
+    """The processing units a plan names, in order; one called rt0 where it names none."""
+    named = {task.rtpu for flow in plan.flows for task in flow.tasks if task.rtpu != UNKNOWN}
+    return tuple(sorted(named)) or ("rt0",)
+
+
+def _flat(values: tuple[tuple[Value, ...], ...]) -> tuple[Value, ...]:
+    return tuple(one for item in values for one in item)

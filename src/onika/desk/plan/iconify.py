@@ -1,0 +1,146 @@
+"""Making icons: a configuration becomes a job, an application an icon for others (requirement D09, §5.6.2, §5.6.4)."""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from onika.files import appl, conf, onk, text
+from onika.model.configuration import Configuration
+from onika.model.initials import drawn
+from onika.model.onikon import Onikon
+from onika.model.picture import Picture
+from onika.model.rules.iconify import ActionType, application_type, job_type
+from onika.model.syntax import Syntax
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened_text import Opened
+from onika.store.site import Site
+from onika.words.fault import Fault, Place, Refusal
+from onika.words.name import TASK_NAME
+
+Reasons = tuple[Fault | Refusal, ...]
+
+_FOLDERS = {conf.ENDING: "conf", appl.ENDING: "appl"}
+
+
+@dataclass(frozen=True, slots=True)
+class Made:
+    """An icon, the file it stands in now, and what is worth knowing."""
+
+    path: Path
+    onikon: Onikon
+    notes: tuple[Fault, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """The file an icon is made of."""
+
+    path: Path
+    home: BaseDirectory
+    site: Site
+    syntax: Syntax
+
+    @property
+    def name(self) -> str:
+        return self.path.stem
+
+    @property
+    def is_application(self) -> bool:
+        return self.path.suffix == appl.ENDING
+
+
+def iconify(
+    path: Path, site: Site, *, description: str | None = None, picture: Path | None = None, replaces: bool = False
+) -> Made | Reasons:
+    """Write `dict/NAME.onk` for the configuration or application in the file `path`; or say why not.
+
+    An icon that is there keeps its description and picture, unless others are given; `picture` is the file of an icon
+    that lends its own. One of another thing of that name is kept (decision 34), unless the user `replaces` it.
+    """
+    found = _source(path, site)
+    if not isinstance(found, _Source):
+        return found
+    former, faults = _former(found)
+    if isinstance(former, Refusal) or (former is None and faults):
+        if not replaces:
+            return (former,) if isinstance(former, Refusal) else faults
+        former, faults = None, ()
+    kind = _type(found)
+    if not isinstance(kind, ActionType):
+        return kind
+    lent = _lent(picture, found.syntax)
+    if not isinstance(lent, Picture | None):
+        return lent
+    said = description if description is not None else former.value.description if former else ""
+    shown = lent or (former.value.picture if former else drawn(found.name))
+    words = former.value.words if former and former.value.description == said else ()
+    onikon = Onikon(found.name, kind.type, " ".join(said.split()), (), shown, kind.more_targets, words)
+    saved = found.home.save_onikon(onikon, former, overwrites=replaces)
+    return (saved,) if isinstance(saved, Refusal) else Made(saved.path, onikon, faults)
+
+
+def _source(path: Path, site: Site) -> _Source | Reasons:
+    folder = path.absolute().parent
+    place = Place(str(path))
+    if path.suffix not in _FOLDERS or not path.is_file():
+        return (_not_made(place, "a file NAME.conf or NAME.appl", "none"),)
+    if folder.name != _FOLDERS[path.suffix]:
+        wanted = f"a file in the folder {_FOLDERS[path.suffix]}/ of a base directory, beside whose dict/ stands"
+        return (_not_made(place, wanted, f"one in {folder.name}/"),)
+    if not TASK_NAME.match(path.stem):
+        return (_not_made(place, "a name of letters, digits and _ . - that begins with a letter", repr(path.stem)),)
+    syntax, faults = site.syntax()
+    return faults if syntax is None else _Source(path, BaseDirectory(folder.parent), site.at(folder.parent), syntax)
+
+
+def _former(source: _Source) -> tuple[Opened[Onikon] | Refusal | None, tuple[Fault, ...]]:
+    """The icon that is there; a refusal where it is that of something else."""
+    file = source.home.onikon_file(source.name)
+    if not file.exists():
+        return None, ()
+    former, faults = source.home.open_onikon(source.name, source.syntax)
+    if former is None:
+        return None, faults
+    kind = source.syntax.acting(former.value.type)
+    is_ours = kind is not None and (kind.is_application if source.is_application else kind.is_job)
+    if is_ours:
+        return former, tuple(one for one in faults if not one.is_note)
+    reason = f"{file} is the icon of something else, a {former.value.type}"
+    return Refusal(reason, (f"rename {source.path.name}", "replace it")), ()
+
+
+def _type(source: _Source) -> ActionType | Reasons:
+    content, faults = text.load(source.path, str(source.path))
+    if content is None:
+        return faults
+    if source.is_application:
+        application, faults = appl.read(content, source.name, str(source.path), source.syntax)
+        return faults if application is None else application_type(application, source.syntax)
+    configuration, faults = conf.read(content, source.name, str(source.path))
+    return faults if configuration is None else _job(source, configuration)
+
+
+def _job(source: _Source, configuration: Configuration) -> ActionType | Reasons:
+    tasks: dict[str, Task] = {}
+    wrong: list[Fault] = []
+    for placed in configuration.placed:
+        record, faults = source.site.task(placed.task)
+        if record is not None:
+            tasks[placed.task] = record.task
+        wrong += () if record else faults
+    return tuple(wrong) or job_type(configuration, tasks, source.syntax)
+
+
+def _lent(path: Path | None, syntax: Syntax) -> Picture | Reasons | None:
+    """The picture of another icon's file; None where none is named."""
+    if path is None:
+        return None
+    content, faults = text.load(path, str(path))
+    if content is None:
+        return tuple(replace(one, instead="no icon is made") for one in faults)
+    onikon, faults = onk.read(content, path.stem, str(path), syntax)
+    return onikon.picture if onikon else faults
+
+
+def _not_made(place: Place, expected: str, found: str) -> Fault:
+    return Fault(place, expected, found, "no icon is made")

@@ -1,0 +1,135 @@
+"""Preparing a run: from a name or file to a plan, with every fault that needs no runtime to be seen (E01)."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from onika.desk.plan import redirection
+from onika.desk.plan.compile import Compiler
+from onika.model.application import Application, without_breakpoints
+from onika.model.redirect import Redirect
+from onika.model.rules import meetings, readiness, warning
+from onika.model.rules.union import tasks_of
+from onika.model.syntax import Syntax
+from onika.store.opened_text import Faults
+from onika.store.program import Program, gather, home_of, joined, load
+from onika.store.site import Site
+from onika.wire.plan import Plan
+from onika.wire.request import FaultText, TargetValues
+from onika.words.fault import Fault, Place, parted
+
+
+@dataclass(frozen=True, slots=True)
+class PreparedRun:
+    """What could be read and compiled; nothing may run while there are faults."""
+
+    name: str
+    application: Application | None
+    plan: Plan | None
+    targets: tuple[TargetValues, ...]
+    faults: tuple[Fault, ...]
+    notes: tuple[Fault, ...] = ()
+    """What is worth knowing and forbids nothing: what files were read with, inputs that nobody writes, names that
+    stand twice."""
+    program: Program | None = None
+    """All that was read."""
+
+
+def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = ()) -> PreparedRun:
+    """Read an application and all it needs, judge it by every rule, compile what is there.
+
+    redirects   the tasks that stand for others; the application's file is as it was
+    """
+    path = site.application_file(name_or_path)
+    if path is None:
+        known = sorted({name for base in site.directories for name in base.applications})
+        expected = f"an application file or the name of one ({', '.join(known) or 'none on the search path'})"
+        fault = Fault(Place(name_or_path), expected, "neither", "nothing is run")
+        return _nothing(name_or_path, (fault, *site.absent()))
+    syntax, faults = site.syntax()
+    if syntax is None:
+        return _nothing(name_or_path, faults)
+    program, read = load(path, site, syntax)
+    if program is None:
+        return _nothing(name_or_path, (*faults, *read))
+    return _judged(program, syntax, Place(str(path)), home_of(path, site), faults, redirects)
+
+
+def prepare(
+    application: Application,
+    place: Place,
+    home: Site,
+    syntax: Syntax,
+    *,
+    passes_breakpoints: bool = False,
+    redirects: Sequence[Redirect] = (),
+) -> PreparedRun:
+    """Judge and compile an application that is there already, with all that it needs read from `home`.
+
+    place   what stands for its file in faults and in the plan
+    """
+    program = gather(application, home, syntax)
+    if passes_breakpoints:
+        nested = {name: without_breakpoints(one) for name, one in program.applications.items()}
+        program = replace(program, application=without_breakpoints(application), applications=nested)
+    return _judged(program, syntax, place, home, (), redirects)
+
+
+def fault_of(told: FaultText) -> Fault:
+    """A fault that a runtime has found."""
+    place = Place(told.file, told.line)
+    return Fault(place, told.expected, told.found, told.instead, where=told.where, remedies=told.remedies)
+
+
+def _judged(
+    program: Program, syntax: Syntax, place: Place, home: Site, faults: Faults, redirects: Sequence[Redirect]
+) -> PreparedRun:
+    program = joined(program, sorted({one.new for one in redirects}), home)
+    sound = redirection.sound(redirects, program)
+    judged = readiness.faults(
+        program.application,
+        syntax,
+        program.configurations,
+        program.tasks,
+        place,
+        applications=program.applications,
+        files=program.files,
+        unread=program.unread,
+        redirects=sound,
+    )
+    places = _places(program, home)
+
+    def file_of(name: str) -> str:
+        return str(home.application_file(name) or name)
+
+    compiler = Compiler(program, syntax, place, places, file_of, sound)
+    plan = compiler.plan()
+    found_later = (*compiler.faults, *redirection.faults(redirects, plan, program))
+    met = meetings.findings(plan)
+    told = _notes(program, home, places)
+    found, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *told, *home.absent()))
+    name = program.application.name
+    return PreparedRun(name, program.application, plan, tuple(compiler.targets), found, notes, program)
+
+
+def _notes(program: Program, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:
+    notes: list[Fault] = []
+    for name, task in program.tasks.items():
+        notes += warning.self_fed(task, Place(places[name]))
+    for configuration in program.configurations.values():
+        tasks = tasks_of([configuration], program.tasks)
+        if len(tasks) == len(configuration.placed):
+            notes += warning.hanging(tasks, Place(configuration.name))
+    names = {program.application.name, *program.configurations, *program.tasks}
+    notes += (one for one in site.duplicates() if Path(one.place.file).name in names)
+    return tuple(notes)
+
+
+def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
+    found, notes = parted(faults)
+    return PreparedRun(name, None, None, (), found, notes)
+
+
+def _places(program: Program, home: Site) -> dict[str, str]:
+    found = {name: home.home_of_task(name) for name in program.tasks}
+    return {name: str(base.task_file(name)) for name, base in found.items() if base is not None}

@@ -1,0 +1,38 @@
+"""Substitutes: who could stand for a task that cannot live as it is, told beside what is wrong with it (X02)."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from onika.desk.plan.preparation import PreparedRun
+from onika.desk.plan.redirection import Seat, seats
+from onika.model.redirect import Redirect
+from onika.store.library import open_libraries
+from onika.store.site import Site
+from onika.words.fault import Fault
+
+_MOST = 4
+
+
+def with_substitutes(
+    faults: Sequence[Fault], prepared: PreparedRun, redirects: Sequence[Redirect], site: Site
+) -> list[Fault]:
+    """The faults, those of a task's own file with the tasks that could stand for it.
+
+    These have its outputs and conflict with nobody; whether they reach every target is seen when they are tried.
+    """
+    if prepared.program is None or prepared.plan is None:
+        return list(faults)
+    places = {task.place: task.name for flow in prepared.plan.flows for task in flow.tasks}
+    if not any(fault.place.file in places for fault in faults):
+        return list(faults)  # as nearly always: no library need be read
+    known = [record.task for library in open_libraries(site.directories) for record in library.tasks.values()]
+    every = seats(prepared.program, prepared.plan, redirects, known)
+    taken = {seat.taken_by: seat for some in every.values() for seat in some}
+    return [_helped(fault, taken.get(places.get(fault.place.file, ""))) for fault in faults]
+
+
+def _helped(fault: Fault, seat: Seat | None) -> Fault:
+    if seat is None or fault.remedies:
+        return fault
+    names = [one.task.name for one in seat.candidates if not one.refusals and one.task.name != seat.taken_by]
+    return replace(fault, remedies=tuple(f"redirect {seat.task.name} to {name}" for name in names[:_MOST]))

@@ -1,0 +1,196 @@
+"""A survey of files: every fault of a base directory, of one file, or of an application and all it needs (B07)."""
+
+from collections.abc import Callable
+from dataclasses import replace
+from hashlib import sha256
+from pathlib import Path
+
+from onika.desk.plan.compile import UNKNOWN, no_code, planned_task, rtpus_of
+from onika.desk.plan.preparation import prepare_run
+from onika.desk.run.runtime import Runtime
+from onika.files import appl, buttons, conf, onk, picture, preferences, rmod, syntax, text
+from onika.model.rules.warning import self_fed
+from onika.model.syntax import Syntax
+from onika.store.base_directory import BaseDirectory
+from onika.store.site import Site
+from onika.wire import request
+from onika.wire.plan import Code, PlannedTask
+from onika.words.fault import Fault, Place, parted
+
+_FOLDERS = ("module", "conf", "dict", "appl", "prefs")
+
+
+def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: None) -> tuple[list[Path], list[Fault]]:
+    """The files that were read below a path (or the one file), and everything that is wrong with them.
+
+    `note` is told what is worth knowing and wrong with nothing. Files are named as `path` is: relative or absolute.
+    """
+    if not path.exists():
+        return [], [Fault(Place(str(path)), "a base directory or a file", "nothing there", "nothing is checked")]
+    whole = path.absolute()
+    types, faults = site.syntax()
+    found = list(faults)
+    try:
+        files = _files(whole) if whole.is_dir() else [whole]
+    except OSError as error:
+        return [], [Fault(Place(str(path)), "a directory that can be read", error.strerror or "", "it is left out")]
+    if types is not None:
+        for file in files:
+            found += _read(file, types)
+    notes: list[str] = []
+    found += _judge(files, site.at(whole) if whole.is_dir() else site, notes.append)
+    wrong, known = parted(found)
+    for told in dict.fromkeys([*map(str, known), *notes]):
+        note(_as_given(told, path))
+    return [Path(_as_given(str(file), path)) for file in files], sorted(_named(one, path) for one in wrong)
+
+
+def _named(fault: Fault, path: Path) -> Fault:
+    return replace(fault, place=Place(_as_given(fault.place.file, path), fault.place.line))
+
+
+def _as_given(text: str, path: Path) -> str:
+    """A place below `path` as the user wrote that path; notes begin with their place."""
+    whole, rest = str(path.absolute()), text.removeprefix(str(path.absolute()))
+    if not text.startswith(whole) or rest[:1] not in ("", "/", ":"):
+        return text
+    return (str(path) + rest).removeprefix("./")
+
+
+def _files(path: Path) -> list[Path]:
+    """What has the name of one of our files, whatever it is: what cannot be read is told when it is."""
+    folders = [path / name for name in _FOLDERS if (path / name).is_dir()] or [path]
+    return sorted(file for folder in folders for file in folder.iterdir() if _is_ours(file))
+
+
+def _is_ours(file: Path) -> bool:
+    known = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py")
+    own = (preferences.NAME, buttons.NAME, f".{syntax.NAME}")
+    return (file.name.endswith(known) and not file.name.startswith(".")) or file.name in own
+
+
+def _read(file: Path, types: Syntax) -> list[Fault]:
+    """The faults of one file by itself."""
+    if file.suffix == ".py":
+        return []  # looked at together with the tasks that use it
+    content, faults = text.load(file, str(file))
+    if content is None:
+        return list(faults)
+    name, place = file.stem, str(file)
+    match file.suffix:
+        case rmod.ENDING:
+            return _read_task(content, name, place)
+        case conf.ENDING:
+            return list(conf.read(content, name, place)[1])
+        case onk.ENDING:
+            return list(onk.read(content, name, place, types)[1])
+        case appl.ENDING:
+            return list(appl.read(content, name, place, types)[1])
+    if file.name.lstrip(".") == syntax.NAME:
+        return list(syntax.read(content, name, place)[1])
+    if file.name == preferences.NAME:
+        return list(preferences.read(content, name, place)[1])
+    if file.name == buttons.NAME:
+        return list(buttons.read(content, name, place)[1])
+    if file.suffix == picture.ENDING:
+        return list(picture.read(content, name, place)[1])
+    return [Fault(Place(place), "a file of one of Onika's formats", "another name", "it is not read")]
+
+
+def _read_task(content: str, name: str, place: str) -> list[Fault]:
+    record, faults = rmod.read(content, name, place)
+    return [*faults, *(self_fed(record.task, Place(place)) if record else ())]
+
+
+def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[Fault]:
+    """What only modules can tell: tasks against their classes, applications against everything."""
+    tasks = [file for file in files if file.suffix == rmod.ENDING]
+    applications = [file for file in files if file.suffix == appl.ENDING and not _is_part(file, site)]
+    modules = {file.stem: file for file in files if file.suffix == ".py"}
+    found: list[Fault] = []
+    found += [fault for file in files if file.suffix == conf.ENDING for fault in _missing(file, site)]
+    planned, code = _tasks(tasks, modules, site, found)
+    if not (planned or code or applications):
+        return found
+    prepared = [prepare_run(str(file), site) for file in applications]
+    rtpus = {name for one in prepared if one.plan for name in rtpus_of(one.plan)}
+    with Runtime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
+        found += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
+        for one in prepared:
+            found += one.faults
+            for known in one.notes:
+                note(str(known))
+            if one.plan is not None:
+                found += _asked(runtime, request.Prepare(one.plan, one.targets), note)
+    return found
+
+
+def _missing(file: Path, site: Site) -> list[Fault]:
+    """Tasks of a configuration that are nowhere on the search path (decision 11)."""
+    content, _ = text.load(file, str(file))
+    found = None if content is None else conf.read(content, file.stem, str(file))[0]
+    here = site.at(file.absolute().parent.parent)
+    lost = [one.task for one in found.placed if here.home_of_task(one.task) is None] if found else []
+    return [Fault(Place(str(file)), "its tasks on the search path", f"no {name}", "it is left out") for name in lost]
+
+
+def _is_part(file: Path, site: Site) -> bool:
+    """Whether an application has an icon that takes targets: its holes are judged in the applications that use it."""
+    types, _ = site.syntax()
+    onikon = site.onikon(file.stem, types)[0] if types else None
+    kind = types.find(onikon.type) if types and onikon else None
+    return kind is not None and kind.is_application and kind.needs_target
+
+
+def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], None]) -> list[Fault]:
+    answer = runtime.ask(question)
+    if not isinstance(answer, request.Prepared):
+        return []
+    for known in answer.notes:
+        note(known)
+    texts = answer.faults
+    return [Fault(Place(one.file, one.line), one.expected, one.found, one.instead) for one in texts]
+
+
+def _tasks(
+    files: list[Path], modules: dict[str, Path], site: Site, found: list[Fault]
+) -> tuple[list[PlannedTask], list[Code]]:
+    """Tasks and code, read anew from their own directories; modules that no task uses are looked at too."""
+    planned: list[PlannedTask] = []
+    code: dict[str, Code] = {}
+    homes = set()
+    for file in files:
+        content, _ = text.load(file, str(file))
+        record = None if content is None else rmod.read(content, file.stem, str(file))[0]
+        if record is None:
+            continue
+        own = BaseDirectory(file.absolute().parent.parent)
+        path = _code_path(own, record.task.module, site, record.task)
+        if path is None:
+            found.append(no_code(record.task.module, str(file)))
+            continue
+        one = _code(path, record.task.module, found)
+        if one is not None:
+            code[one.digest] = one
+            planned.append(planned_task(record.task, UNKNOWN, one.digest, str(file)))
+            homes.add(record.task.module)
+    for module in sorted(modules.keys() - homes):
+        one = _code(modules[module], module, found)
+        if one is not None:
+            code.setdefault(one.digest, one)
+    return planned, list(code.values())
+
+
+def _code_path(own: BaseDirectory, module: str, site: Site, task: object) -> Path | None:
+    beside = own.code_file(module)
+    if beside.is_file():
+        return beside
+    return next((path for base in site.directories if (path := base.code_file(module)).is_file()), None)
+
+
+def _code(path: Path, module: str, found: list[Fault]) -> Code | None:
+    source, faults = text.load(path, str(path))
+    found += faults
+    if source is None:
+        return None
+    return Code(sha256(source.encode()).hexdigest(), module, str(path), source)

@@ -1,0 +1,1 @@
+"""A run from the environment's side: begun, followed, steered, recorded and told."""

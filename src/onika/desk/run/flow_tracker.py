@@ -1,0 +1,120 @@
+"""Where every flow of a run is, as its events tell it, and what has happened that was not waited for yet (E11)."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from onika.desk.plan.flow_index import Cast
+from onika.desk.run.wait_condition import Moment
+from onika.wire import event, steer
+
+OVER = ("done", "killing", "ended")
+"""States in which a flow has nothing more to do."""
+
+STILL = ("paused", "stopped", "waiting", "joining")
+"""States that a flow leaves only because of another flow, or of somebody who steers."""
+
+
+@dataclass(slots=True)
+class Spot:
+    """Where one flow is; `action` is -1 before the first."""
+
+    state: str = "ready"
+    action: int = -1
+    name: str = ""
+    tag: str = ""
+    waits_for: tuple[str, ...] = ()
+    past: list[tuple[str, int | None]] = field(default_factory=list)
+    """What happened, oldest first, since a wait was over for it: a kind of moment, and the action."""
+
+
+class Whereabouts:
+    """Hears events and answers whether a moment has come.
+
+    What a wait was over for is forgotten, with all of that flow before it: the next wait looks at what came later.
+    """
+
+    def __init__(self, cast: Cast) -> None:
+        self.spots = {name: Spot() for name in cast.subsystems}
+        self._names = cast.subsystems
+        self.is_asking = False
+        self.done = 0
+
+    def hear(self, one: event.Event) -> None:
+        """Take in what has happened."""
+        match one:
+            case event.Began():
+                self._began(self.spots[self._names[one.flow]], one)
+            case event.Done():
+                self.done += 1
+                self.spots[self._names[one.flow]].past.append(("done", one.index))
+            case event.Moved():
+                self._moved(one)
+            case event.Asked():
+                self.is_asking = True
+            case event.TaskState() if one.state != "ASKING":
+                self.is_asking = False
+
+    def _began(self, spot: Spot, one: event.Began) -> None:
+        spot.action, spot.name = one.index, one.action
+        spot.past.append(("began", one.index))
+
+    def _moved(self, one: event.Moved) -> None:
+        spot = self.spots.get(one.subsystem)
+        if spot is None:
+            return
+        is_new = (one.state, one.action, one.tag) != (spot.state, spot.action, spot.tag) or not one.text
+        spot.state, spot.action, spot.tag, spot.waits_for = one.state, one.action, one.tag, one.waits_for
+        if is_new:  # else only something about it is told
+            spot.past.append((one.state, None))
+
+    def place(self, positions: Iterable[steer.Position]) -> None:
+        """What the runtime says of itself now counts more than what was heard."""
+        for one in positions:
+            spot = self.spots.get(one.subsystem)
+            if spot is not None:
+                spot.state, spot.tag, spot.waits_for = one.state, one.tag, one.waits_for
+                spot.action = one.action
+
+    def steered(self, subsystem: str, *, is_skip: bool = False) -> None:
+        """A flow, or all, is being steered: what it was in is past; after a skip so is what it did."""
+        for name, spot in self.spots.items():
+            if subsystem in ("", name):
+                spot.past = [] if is_skip else [one for one in spot.past if one[1] is not None]
+
+    def has_come(self, moment: Moment) -> bool:
+        """Whether a moment other than a time has come; if so it is past now."""
+        names = [moment.subsystem] if moment.subsystem else list(self.spots)
+        came = [name for name in names if (moment.kind, moment.action) in self.spots[name].past]
+        if moment.kind in ("paused", "done") and moment.action is None:
+            over = [name for name in names if name not in came and self.spots[name].state in OVER]
+            is_so = len(came) + len(over) == len(names) and (bool(came) or moment.kind == "done")
+        else:
+            is_so = bool(came)
+        if is_so:
+            for name in came:
+                past = self.spots[name].past
+                del past[: past.index((moment.kind, moment.action)) + 1]
+        return is_so
+
+    @property
+    def is_stuck(self) -> bool:
+        """Whether no flow goes on by itself, and not all are done."""
+        states = [one.state for one in self.spots.values()]
+        return all(one in (*STILL, *OVER) for one in states) and any(one in STILL for one in states)
+
+    def standing(self) -> str:
+        """Who stands still and why, in words."""
+        return ", ".join(_words(name, spot) for name, spot in self.spots.items() if spot.state in STILL)
+
+
+def _words(name: str, spot: Spot) -> str:
+    match spot.state:
+        case "waiting":
+            return f"{name} waits at {spot.tag}" + (f" for {' and '.join(spot.waits_for)}" if spot.waits_for else "")
+        case "joining":
+            return f"{name} waits for {' and '.join(spot.waits_for) or 'nested flows'}"
+        case "stopped":
+            return f"{name} has stopped in action {spot.action + 1}"
+        case _:
+            where = f"after action {spot.action + 1}" if spot.action >= 0 else "before its first action"
+            return f"{name} is paused {where}"

@@ -1,0 +1,63 @@
+"""A wait under way: whether its moment has come, or it is given up (requirement E07)."""
+
+from typing import Protocol
+
+from onika.desk.run.flow_tracker import Whereabouts
+from onika.desk.run.steering import Wait
+from onika.words.fault import Fault, Place
+
+_EPSILON_S = 1e-9
+
+
+class Waited(Protocol):
+    """The run that is waited for."""
+
+    whereabouts: Whereabouts
+
+    @property
+    def now_s(self) -> float:
+        """Its time."""
+        ...
+
+    @property
+    def is_over(self) -> bool:
+        """Whether it has ended."""
+        ...
+
+    def is_stuck(self) -> bool:
+        """Whether nothing goes on by itself."""
+        ...
+
+
+class Vigil:
+    """A wait under way: whether its moment has come, or is given up."""
+
+    def __init__(self, running: Waited, act: Wait) -> None:
+        self._running = running
+        self._act = act
+        self._is_time = act.moment.kind == "seconds"
+        self.until_s = running.now_s + (act.moment.seconds if self._is_time else act.within_s)
+        self._has_come = False
+        self._why = ""
+
+    @property
+    def is_over(self) -> bool:
+        """Whether there is nothing more to wait for."""
+        if self._has_come or self._why:
+            return True
+        running = self._running
+        is_late = running.now_s >= self.until_s - _EPSILON_S
+        self._has_come = is_late if self._is_time else running.whereabouts.has_come(self._act.moment)
+        if self._has_come:
+            return True
+        if running.is_over:
+            self._why = "the end of the run before"
+        elif is_late:
+            self._why = f"it not so within {self._act.within_s:g} s"
+        elif not self._is_time and running.is_stuck():
+            self._why = f"that nothing goes on: {running.whereabouts.standing()}"
+        return bool(self._why)
+
+    def faults(self, place: Place) -> tuple[Fault, ...]:
+        """Why it was in vain; empty where the moment has come."""
+        return (Fault(place, str(self._act.moment), self._why, "it is waited for no longer"),) if self._why else ()

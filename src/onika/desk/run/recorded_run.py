@@ -1,0 +1,127 @@
+"""A recorded run, to be begun again: the same plan, the same seed, and what was asked of it, up to an instant (X05)."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from msgspec import structs
+
+from onika.desk.plan.preparation import PreparedRun
+from onika.record import topics
+from onika.record.reader import UNREADABLE, Reader, complaint
+from onika.record.run import END, Run
+from onika.wire import event, request
+from onika.wire.request import Recorded, encode
+from onika.words.fault import Fault, Place
+
+_NOT_RUN = "nothing is run"
+
+
+@dataclass(frozen=True, slots=True)
+class Source:
+    """Where a run is taken from: a recording, and the instant up to which it is repeated (None: to its end)."""
+
+    path: Path
+    at_s: float | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class RecordedRun:
+    """What is repeated."""
+
+    prepared: PreparedRun
+    run: Run
+    inputs: tuple[Recorded, ...]
+    until_ns: int
+    """-1: to its end."""
+    hash: str
+    """Of the recorded run, where it was virtual and came to its end."""
+    is_exact: bool
+    """Whether it is the same run, bit for bit; else one of the same plan and inputs in virtual time."""
+    cut_s: float | None = None
+    """Where the recording ends that was cut short, if it is repeated to its end: what came then, nobody knows."""
+
+    def begin(self, asked: request.Begin) -> request.Begin:
+        """What a runtime is asked, where this is wanted beside: as it was asked then, and what was asked later."""
+        return structs.replace(
+            self.run.begin,
+            watch=asked.watch,
+            is_held=asked.is_held,
+            may_ask=asked.may_ask or self.run.begin.may_ask,
+            on_loss=asked.on_loss,
+            record=asked.record,
+            repeat=self.inputs,
+            repeat_until_ns=self.until_ns,
+        )
+
+    def is_before(self, at_s: float) -> bool:
+        """Whether what is asked at this time is asked by itself, as it was then."""
+        return self.until_ns < 0 or round(at_s * 1e9) < self.until_ns
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user has to know."""
+        notes = []
+        if self.cut_s is not None:
+            notes.append(
+                f"the recording was cut short: it is repeated up to {self.cut_s:.9g} s, and from there the run goes on"
+                " by itself, without what it was told to do later"
+            )
+        if not self.is_exact:
+            notes.append(
+                "approximate: this run was recorded in wall time; the same plan with the same inputs is carried out in"
+                " virtual time from its beginning, so that it comes near the recorded one and not upon it"
+            )
+        return tuple(notes)
+
+
+def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
+    """Read it; why it cannot be repeated."""
+    place = Place(str(source.path))
+    try:
+        reader = Reader(source.path)
+        run = Run.read(reader)
+    except UNREADABLE as wrong:
+        words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
+        found = words.partition(", found ")[2] or words
+        return (Fault(place, "a recording of a run", found, _NOT_RUN),)
+    end = reader.notes.get(END, {})
+    last_s = reader.span[1] * 1e-9
+    faults = []
+    if not run.is_fresh:
+        found = "one in which other things had happened on its runtime before, which nobody recorded"
+        faults.append(Fault(place, "a run that was the first on its runtime", found, _NOT_RUN))
+    if end.get("outside"):
+        found = f"tasks that had to do with the outside: {end['outside']}"
+        faults.append(Fault(place, "a run that repeats (law 15)", found, _NOT_RUN))
+    if source.at_s is not None and not 0 <= source.at_s <= last_s:
+        faults.append(Fault(place, f"an instant from 0 to {last_s:.9g} s", f"{source.at_s:g}", _NOT_RUN))
+    if faults:
+        return tuple(faults)
+    whole_ns = -1 if reader.is_whole else reader.span[1]
+    until_ns = whole_ns if source.at_s is None else round(source.at_s * 1e9)
+    prepare = run.prepare
+    prepared = PreparedRun(prepare.plan.application, None, prepare.plan, prepare.targets, ())
+    inputs = tuple(inputs_of(reader, until_ns))
+    reader.close()
+    cut_s = None if reader.is_whole or source.at_s is not None else last_s
+    return RecordedRun(prepared, run, inputs, until_ns, end.get("hash", ""), run.is_virtual, cut_s)
+
+
+def inputs_of(reader: Reader, until_ns: int = -1) -> list[Recorded]:
+    """What was asked of a run, in the order in which it was, up to an instant; -1: all of it."""
+    last = (1 << 62) if until_ns < 0 else until_ns
+    found = []
+    for topic in (topics.COMMANDS, topics.ANSWERS):
+        for at, body in reader.messages(topic, 0, last + 1):
+            wanted = topics.decode_wanted(body)
+            found.append(Recorded(at, wanted.turn, encode(wanted.request)))
+    return sorted(found, key=lambda one: (one.at_ns, one.turn))
+
+
+def events_of(reader: Reader, begin_ns: int = 0, end_ns: int = 1 << 63) -> list[tuple[int, str, event.Event]]:
+    """What happened: when, about whom, and what."""
+    found = []
+    for at, body in reader.messages(topics.EVENTS, begin_ns, end_ns):
+        one = topics.decode_happened(body)
+        found.append((at, one.subsystem, one.event))
+    return found

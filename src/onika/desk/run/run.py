@@ -1,0 +1,255 @@
+"""A run from the environment's side: prepare, launch a runtime, follow and steer it to its end (E03, E07, E14)."""
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import Protocol
+
+from onika.desk.plan.compile import rtpus_of
+from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.preparation import PreparedRun, fault_of, prepare_run
+from onika.desk.plan.substitutes import with_substitutes
+from onika.desk.plan.subsystem_renaming import chiefs, rehoused
+from onika.desk.run import steering_script
+from onika.desk.run.interruption import Interruption
+from onika.desk.run.outcome import Outcome
+from onika.desk.run.recorded_run import RecordedRun, recorded_run
+from onika.desk.run.running_application import Running
+from onika.desk.run.runtime import Conversation, Reached, Runtime, connect
+from onika.desk.run.script_player import Prompter
+from onika.desk.run.settings import RunSettings
+from onika.desk.run.steering_script import Cue
+from onika.link.lost import LinkLost
+from onika.model.redirect import Redirect
+from onika.store.site import Site
+from onika.wire import event, live, request
+from onika.wire.plan import Plan
+from onika.wire.steer import Position
+from onika.words.condition import Condition
+from onika.words.fault import Fault, Place
+
+_RECORD = Place("--record")
+_LOOK_S = 0.05
+"""How long a Ctrl-C, or a key, waits at most."""
+
+
+class Watcher(Protocol):
+    """Whoever watches a run."""
+
+    @property
+    def can_steer(self) -> bool:
+        """Whether somebody is there who could go on after a pause or an error."""
+        ...
+
+    def begins(self, prepared: PreparedRun, runtime_pid: int | None) -> None:
+        """Everything is ready and the run begins now."""
+        ...
+
+    def happens(self, one: event.Event) -> None:
+        """Something has happened."""
+        ...
+
+    def answer(self, asked: event.Asked) -> str | None:
+        """The argument line for a task that asks; None where nobody answers."""
+        ...
+
+    def wishes(self) -> Sequence[str]:
+        """The lines of steering that are wanted now (`desk.run.steering`)."""
+        ...
+
+    def looks(self) -> bool:
+        """Whether to look now where the flows are."""
+        ...
+
+    def placed(self, positions: tuple[Position, ...]) -> None:
+        """Where the flows are, for who looks."""
+        ...
+
+    def steered(self, line: str, faults: tuple[Fault, ...], positions: tuple[Position, ...]) -> None:
+        """A line was carried out, or why not; the positions where it asked for them."""
+        ...
+
+
+class NotRun(ValueError):
+    """An application is refused; `faults` are the reasons, all of them."""
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        super().__init__("; ".join(map(str, faults)))
+        self.faults = tuple(faults)
+
+
+@contextmanager
+def start(settings: RunSettings, site: Site) -> Iterator[Running]:
+    """Begin an application, to be steered from a program; a run that goes on at the end of the block is aborted.
+
+    Raises ValueError with every fault where it is refused, LinkLost or TimeoutError where there is no runtime.
+    """
+    outcome = Outcome(settings.name)
+    with _open(settings, site, outcome, is_held=settings.is_virtual) as opened:
+        if opened is None:
+            raise NotRun(outcome.faults)
+        running, _ = opened
+        running.begin()
+        try:
+            yield running
+        finally:
+            running.close()
+
+
+def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
+    """Run an application to its end. Ctrl-C stops it; a second one is a KeyboardInterrupt."""
+    outcome = Outcome(settings.name)
+    is_held = settings.is_virtual and settings.script is not None
+    try:
+        with _open(settings, site, outcome, is_held) as opened:
+            if opened is not None:
+                running, cues = opened
+                watcher.begins(running.prepared, running.pid)
+                _follow(running, Prompter(running, cues, watcher.steered), watcher)
+                running.close()
+    except (LinkLost, TimeoutError) as lost:
+        outcome.result = event.Result(False, str(lost), 0, outcome.actions, 0.0, 0.0, {}, (), "")
+    return outcome
+
+
+@contextmanager
+def _open(
+    settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
+) -> Iterator[tuple[Running, tuple[Cue, ...]] | None]:
+    """A run that is ready to begin, and its script; None where there are faults."""
+    source = settings.source
+    recorded = recorded_run(source) if source is not None else None
+    if isinstance(recorded, RecordedRun):
+        prepared = recorded.prepared
+        outcome.notes += recorded.notes
+    elif recorded is not None:
+        outcome.name = source.path.name if source is not None else ""
+        outcome.faults += recorded
+        yield None
+        return
+    else:
+        prepared = prepare_run(settings.name, site, _by_number(settings))
+    outcome.name = prepared.name
+    outcome.faults += prepared.faults
+    outcome.notes += [str(note) for note in prepared.notes]
+    if prepared.plan is None:
+        yield None
+        return
+    plan = _within(prepared.plan, settings.subsystems, outcome)
+    prepared = replace(prepared, plan=plan)
+    outcome.actions = sum(len(flow.actions) for flow in plan.flows)
+    cues, faults = ((), []) if settings.script is None else steering_script.load(settings.script, Cast.of(plan))
+    outcome.faults += faults
+    outcome.faults += _unrecorded(settings)
+    if any(settings.elsewhere is not None and one.place == _RECORD for one in outcome.faults):
+        yield None
+        return
+    with _runtime(settings, plan, recorded) as runtime:
+        _prepare(prepared, plan, runtime, outcome)
+        outcome.faults = with_substitutes(outcome.faults, prepared, _by_number(settings), site)
+        outcome.faults += _unheard_of(settings.expectations, plan)
+        if outcome.faults:
+            yield None
+        else:
+            can_hold = is_held and (settings.elsewhere is None or _is_virtual(runtime))
+            yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold, recorded=recorded), cues
+
+
+def _follow(running: Running, prompter: Prompter, watcher: Watcher) -> None:
+    """Listen, answer, steer, until the result is there."""
+    try:
+        running.begin()
+        with Interruption() as interruption:
+            while not running.is_over:
+                _turn(running, prompter, watcher, interruption)
+            while prompter.go_on():
+                pass
+    except (LinkLost, TimeoutError) as lost:
+        running.lose(str(lost))
+
+
+def _turn(running: Running, prompter: Prompter, watcher: Watcher, interruption: Interruption) -> None:
+    if interruption.is_new():
+        running.stop("stopped by the user (Ctrl-C)")
+    _hear(running, watcher, interruption, _LOOK_S)
+    while prompter.go_on():
+        _hear(running, watcher, interruption, 0.0)
+    for line in watcher.wishes():
+        faults = running.steer(line, at_once=True)
+        is_look = line.split()[:1] == ["who"] and not faults
+        watcher.steered(line, faults, running.who() if is_look else ())
+    if not running.is_over and watcher.looks():
+        watcher.placed(running.who())
+    if prompter.is_over and not watcher.can_steer and not running.is_over and running.is_stuck():
+        running.abort(f"nobody is there to go on: {running.whereabouts.standing()}")
+    running.go_on(prompter.until_s)
+
+
+def _hear(running: Running, watcher: Watcher, interruption: Interruption, timeout_s: float) -> None:
+    for one in running.hear(timeout_s):
+        watcher.happens(one)
+        if isinstance(one, event.Asked):
+            with interruption.at_once():
+                running.answer(one, watcher.answer(one))
+
+
+def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
+    """The plan in subsystems of these names, one for each flow that is not nested; none: of its own."""
+    if not names:
+        return plan
+    chief = chiefs(plan)
+    if len(set(names)) != len(chief):
+        expected = f"{len(chief)} different names, one for each flow"
+        outcome.faults.append(Fault(Place("--subsystem"), expected, " ".join(names), "nothing is run"))
+        return plan
+    return rehoused(plan, dict(zip(chief, names, strict=False)))
+
+
+def _by_number(settings: RunSettings) -> tuple[Redirect, ...]:
+    """Redirections whose flows are called by the names that they are given here."""
+    numbers = {name: str(number) for number, name in enumerate(settings.subsystems)}
+    return tuple(replace(one, flow=numbers.get(one.flow, one.flow)) for one in settings.redirects)
+
+
+def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
+    """Why no recording can be made there."""
+    if settings.record is None or settings.elsewhere is None:
+        return ()
+    found = f"one that runs already, at {settings.elsewhere.url}: values at write rate do not go over the link"
+    return (Fault(_RECORD, "a runtime that is launched here", found, "nothing is run"),)
+
+
+def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> Runtime | Reached:
+    if recorded is not None:
+        return Runtime(recorded.run.rtpus, True, False, recorded.run.options)
+    if settings.elsewhere is not None:
+        return connect(settings.elsewhere.url, settings.elsewhere.token, settings.elsewhere.ca)
+    given = {"--scale": settings.scale, "--shake": settings.shake}
+    options = tuple(word for key, value in given.items() if value is not None for word in (key, f"{value:.15g}"))
+    return Runtime(rtpus_of(plan), settings.is_virtual, settings.with_fifo, options)
+
+
+def _is_virtual(runtime: Conversation) -> bool:
+    answer = runtime.ask(live.Survey())
+    return isinstance(answer, live.Standing) and answer.is_virtual
+
+
+def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: Outcome) -> None:
+    answer = runtime.ask(request.Prepare(plan, prepared.targets))
+    if isinstance(answer, request.Prepared):
+        outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
+        outcome.notes += answer.notes
+    elif isinstance(answer, request.Refused):
+        outcome.faults.append(Fault(Place("the runtime"), "a plan that it takes", answer.reason, "nothing is run"))
+
+
+def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
+    """Expectations of variables that no task of the plan reads or writes."""
+    cast, faults = Cast.of(plan), []
+    for one in expectations:
+        try:
+            cast.home(one.address)
+        except ValueError:
+            expected = "a variable that some task reads or writes"
+            faults.append(Fault(Place("--expect"), expected, one.address, "nothing is run"))
+    return faults

@@ -1,0 +1,328 @@
+"""An application that runs, for whoever steers it from a program: what happens, and what may be done (E07, E11, E13).
+
+    with start(RunSettings("assemble", is_virtual=True), site) as running:
+        running.steer("break 3")
+        running.wait("paused")
+        running.steer("continue")
+        print(running.result().completed)
+
+In virtual time the clock stands while the program thinks: it goes on only within `events`, `wait` and `result`. So what
+a program does leads to the same run, bit for bit.
+"""
+
+from collections import deque
+from collections.abc import Callable, Iterator
+from time import monotonic
+
+from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.preparation import PreparedRun
+from onika.desk.run import steering
+from onika.desk.run.flow_tracker import Whereabouts
+from onika.desk.run.outcome import Outcome
+from onika.desk.run.pending_wait import Vigil
+from onika.desk.run.recorded_run import RecordedRun
+from onika.desk.run.runtime import Conversation
+from onika.desk.run.settings import RunSettings
+from onika.desk.run.steering import Act, Expect, Look, Order, Wait
+from onika.desk.run.steering_fault import GOES_ON, objection
+from onika.link.lost import LinkLost
+from onika.wire import event, live, request, steer
+from onika.wire.plan import Plan
+from onika.wire.sheet import ModuleSheet
+from onika.words.fault import Fault, Place
+
+Faults = tuple[Fault, ...]
+"""Why something was not done; empty where it was."""
+
+LINE = Place("line")
+_LOOK_S = 0.05
+_PATIENCE_S = 60.0
+
+
+class Running:
+    """One run, begun or about to be.
+
+    `outcome` says how it ended, and has the faults for which it is refused; then nothing is to be steered.
+    """
+
+    def __init__(
+        self,
+        settings: RunSettings,
+        prepared: PreparedRun,
+        plan: Plan,
+        runtime: Conversation,
+        outcome: Outcome,
+        *,
+        is_held: bool,
+        recorded: RecordedRun | None = None,
+        clock: Callable[[], float] = monotonic,
+    ) -> None:
+        self.prepared = prepared
+        self.plan = plan
+        self.outcome = outcome
+        self.cast = Cast.of(plan)
+        self.whereabouts = Whereabouts(self.cast)
+        self.is_held = is_held
+        """In virtual time: whether its clock waits for the one who steers."""
+        self.stands = False
+        """Whether the clock of a held run stands."""
+        self._settings = settings
+        self._recorded = recorded
+        self._runtime = runtime
+        self._clock = clock
+        self._began = clock()
+        self._stood_s = 0.0
+        self._news: deque[event.Event] = deque()
+
+    # -- what is so
+
+    @property
+    def pid(self) -> int | None:
+        """The process of the runtime, None where it was not launched from here."""
+        return self._runtime.pid
+
+    @property
+    def is_over(self) -> bool:
+        """Whether the run has come to its end, or never began."""
+        return self.outcome.result is not None
+
+    @property
+    def is_aborted(self) -> bool:
+        """Whether it came to another end than its own."""
+        return self.outcome.result is not None and not self.outcome.result.completed
+
+    @property
+    def now_s(self) -> float:
+        """Seconds since the run's start: the run's own where it is held, else those of a clock on the wall."""
+        return self._stood_s if self.is_held else self._clock() - self._began
+
+    def is_stuck(self) -> bool:
+        """Whether no flow goes on by itself: only somebody who steers can help."""
+        if not self.whereabouts.is_stuck or self.whereabouts.is_asking or self._is_repeating():
+            return False
+        heard = [(one.state, one.action) for one in self.whereabouts.spots.values()]
+        told = {one.subsystem: (one.state, one.action) for one in self.who()}
+        # what was heard may be overtaken already by what the last order did
+        return not told or heard == [told.get(name) for name in self.whereabouts.spots]
+
+    def _is_repeating(self) -> bool:
+        """Whether a recorded run has not come yet to the instant from which it goes on by itself."""
+        if self._recorded is None:
+            return False
+        answer = self._runtime.ask(live.Survey())
+        return isinstance(answer, live.Standing) and self._recorded.is_before(answer.now_s)
+
+    def who(self) -> tuple[steer.Position, ...]:
+        """Where every flow is, and who waits for whom (X03); none where the runtime does not say."""
+        answer = self._runtime.ask(steer.Who())
+        if not isinstance(answer, steer.Positions):
+            return ()
+        self.whereabouts.place(answer.flows)
+        return answer.flows
+
+    def read(self, address: str) -> object:
+        """A variable `[SUBSYSTEM/]NAME` as it is now; raises ValueError for one that no task reads or writes."""
+        subsystem, name = self.cast.home(address)
+        answer = self._runtime.ask(live.Read(subsystem, (name,)))
+        if not isinstance(answer, live.Values):
+            raise ValueError(f"expected a value of {address}, found {answer}")
+        return answer.values[name]
+
+    def sheets(self) -> dict[str, ModuleSheet]:
+        """What the modules of its tasks declare, each by the digest of its code."""
+        answer = self._runtime.ask(live.Describe(self.plan.code))
+        return answer.sheets if isinstance(answer, live.Described) else {}
+
+    # -- what happens
+
+    def begin(self) -> None:
+        """Begin it; where the runtime will not, it is over, with the cause."""
+        self._began = self._clock()
+        asked = self._settings.begin(is_held=self.is_held)
+        answer = self._runtime.ask(asked if self._recorded is None else self._recorded.begin(asked))
+        if isinstance(answer, request.Refused):
+            self.lose(answer.reason)
+        elif self.is_held:
+            self._onward(0.0)
+
+    def events(self) -> Iterator[event.Event]:
+        """What happens, to the end of the run; the result comes last. Raises LinkLost or TimeoutError.
+
+        In a held run the clock stands whenever something is told.
+        """
+        while not self.is_over:
+            self._listen(_LOOK_S)
+            if self.is_held and not (self.stands or self.is_over):
+                continue
+            while self._news:
+                yield self._news.popleft()
+            self.go_on()
+        while self._news:
+            yield self._news.popleft()
+
+    def hear(self, timeout_s: float = 0.0) -> Iterator[event.Event]:
+        """What has happened since the last call, waiting for the first of it so long."""
+        if not self._news and not self.is_over:
+            self._listen(timeout_s)
+        while self._news:  # one by one: whoever stops listening hears the others next time
+            yield self._news.popleft()
+
+    def go_on(self, until_s: float | None = None) -> None:
+        """Let the clock of a held run go on, to the next thing that happens or to this time."""
+        if self.stands and not self.is_over:
+            self._onward(until_s)
+
+    def _listen(self, timeout_s: float) -> None:
+        for one in self._runtime.events(timeout_s):
+            if isinstance(one, event.Stood):
+                self.stands = True
+                self._stood_s = one.at_s
+                continue
+            self.whereabouts.hear(one)
+            self._news.append(one)
+            if isinstance(one, event.Result):
+                self.outcome.result = one
+                return
+
+    def _onward(self, until_s: float | None) -> None:
+        self.stands = False
+        self._runtime.ask(steer.Onward(until_s))
+
+    def _settle(self) -> None:
+        """In a held run: what was asked for is carried out before anything else is."""
+        if not self.is_held or self.is_over:
+            return
+        until = self._clock() + _PATIENCE_S
+        while not (self.stands or self.is_over or self.whereabouts.is_asking):
+            self._listen(_LOOK_S)
+            if self._clock() > until:
+                raise TimeoutError(f"the runtime does not stand still within {_PATIENCE_S:g} s")
+
+    # -- what may be done
+
+    def steer(self, line: str, *, at_once: bool = False) -> Faults:
+        """Do what a line of steering says (`desk.run.steering`), as in `skip flow0 3`; `wait` and `expect` too.
+
+        at_once    even while the clock of a held run goes on, at whatever time that is
+        """
+        try:
+            act = steering.act(line, self.cast)
+        except ValueError as wrong:
+            return (objection(LINE, str(wrong), GOES_ON),)
+        return self.do(act, at_once=at_once)
+
+    def do(self, act: Act, place: Place = LINE, *, at_once: bool = False) -> Faults:
+        """Do it; why not."""
+        if not at_once:
+            self._settle()
+        match act:
+            case Order():
+                return self._order(act, place)
+            case Look():
+                self.who()
+                return ()
+            case Expect():
+                return self._expect(act, place)
+            case Wait():
+                return self._wait(act, place)
+
+    def wait(self, words: str, within_s: float = steering.USUAL_S) -> Faults:
+        """Wait for `began 3`, `done flow0 3`, `paused`, `waiting`, `stopped`, `done` or seconds; a fault if in vain."""
+        return self.steer(f"wait {words} within {within_s:g}")
+
+    def answer(self, asked: event.Asked, line: str | None) -> None:
+        """Answer a task that asks; None ends the run."""
+        if self._recorded is not None and self._recorded.is_before(asked.at_s):
+            return
+        self.whereabouts.is_asking = False
+        cause = f"task {asked.task} asks for input and nobody answers"
+        self._runtime.ask(request.Abort(cause) if line is None else request.Reply(asked.subsystem, asked.task, line))
+
+    def stop(self, cause: str) -> None:
+        """Every drive holds, and the run ends (law 27)."""
+        self._runtime.ask(request.Stop(cause))
+
+    def abort(self, cause: str) -> None:
+        """End the run: tasks off, drives in hold."""
+        self._runtime.ask(request.Abort(cause))
+
+    def result(self) -> event.Result:
+        """Let it go on to its end, or end it where only somebody who steers could help; its result.
+
+        Raises LinkLost or TimeoutError.
+        """
+        while not self.is_over:
+            for _ in self.hear(_LOOK_S):
+                pass
+            if not self.is_over and self.is_stuck():
+                self.abort(f"nobody is there to go on: {self.whereabouts.standing()}")
+            self.go_on()
+        if self.outcome.result is None:
+            raise ValueError("expected a run that has come to its end, found one without a result")
+        return self.outcome.result
+
+    def _order(self, order: Order, place: Place) -> Faults:
+        if self.is_over:
+            return (Fault(place, "a run that goes on", "its end", "nothing is done"),)
+        self.whereabouts.steered(order.subsystem, is_skip=order.is_skip)
+        answer = self._runtime.ask(order.asked)
+        if self.is_held and self.stands:
+            self._onward(self.now_s)
+            self._settle()
+        if isinstance(answer, request.Refused):
+            return (objection(place, answer.reason, GOES_ON),)
+        return ()
+
+    def _expect(self, act: Expect, place: Place) -> Faults:
+        condition = act.condition
+        values = {condition.address: self.read(f"{act.subsystem}/{act.name}")}
+        if condition.holds(values):
+            return ()
+        return (Fault(place, condition.text, str(condition.found(values)), "it is not so"),)
+
+    def _wait(self, act: Wait, place: Place) -> Faults:
+        vigil = self.vigil(act)
+        while not vigil.is_over:
+            if self.whereabouts.is_asking:
+                return (Fault(place, str(act.moment), "a task that asks", "answer it, then wait again"),)
+            self.go_on(vigil.until_s)
+            self._listen(_LOOK_S)
+        self._settle()  # its moment is told before its time is
+        return vigil.faults(place)
+
+    def vigil(self, act: Wait) -> Vigil:
+        """A wait that begins now."""
+        return Vigil(self, act)
+
+    def lose(self, cause: str) -> None:
+        """What the environment knows of a run whose runtime can say nothing any more (E10)."""
+        actions = sum(len(flow.actions) for flow in self.plan.flows)
+        lasted = (self.now_s, self._clock() - self._began)
+        self.outcome.result = event.Result(False, cause, self.whereabouts.done, actions, *lasted, {}, (), "")
+
+    # -- its end
+
+    def close(self) -> None:
+        """Judge what was expected of it; a run that still goes on is aborted. Never raises LinkLost."""
+        try:
+            if not self.is_over:
+                self.abort("the program that began it has left it")
+                until = self._clock() + _PATIENCE_S
+                while not self.is_over and self._clock() < until:
+                    self._listen(_LOOK_S)
+            self._judge()
+        except (LinkLost, TimeoutError) as lost:
+            if not self.is_over:
+                self.lose(str(lost))
+
+    def _judge(self) -> None:
+        result = self.outcome.result
+        if result is None:
+            return
+        self.outcome.printed = "" if result.completed else self._runtime.printed()
+        self.outcome.expectations = [
+            (one, one.found(result.values), one.holds(result.values)) for one in self._settings.expectations
+        ]
+        if self._settings.wants_picture:
+            answer = self._runtime.ask(request.Snapshot())
+            self.outcome.snapshots = answer.snapshots if isinstance(answer, request.Worlds) else {}

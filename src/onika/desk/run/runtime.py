@@ -1,0 +1,255 @@
+"""A runtime as the environment sees it: a child process, or one elsewhere, behind a link (house decision 1)."""
+
+import os
+from collections import deque
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic_ns
+from types import TracebackType
+
+from onika.link.address import Address
+from onika.link.connection import Connection
+from onika.link.connector import ThreadDialler
+from onika.link.launcher import Child, launch
+from onika.link.link_events import EpochChanged, Failed, Happening, Read, Replied, Signalled, Turned
+from onika.link.link_terms import CHILD, REMOTE
+from onika.link.lost import Cause, LinkLost
+from onika.link.state import LinkState
+from onika.link.token import read_token, token_path
+from onika.link.websocket_opening import Opening
+from onika.wire import event, live, request
+
+_PATIENCE_S = 60.0
+_PRINTED = "; it printed last: "
+_AWAY_NS = 10 * 1_000_000_000
+"""How long a link to another machine may be cut before it is given up."""
+_AGAIN = (
+    request.Prepare,
+    request.Inspect,
+    request.Stop,
+    request.Abort,
+    request.Snapshot,
+    live.Survey,
+    live.Read,
+    live.Check,
+    live.Describe,
+    live.Attend,
+    live.Scene,
+    live.Get,
+)
+"""What may be asked again after a cut: it moves nothing, or ends motion."""
+
+
+@dataclass(frozen=True, slots=True)
+class Reply:
+    """The response to a request that nobody waited for, by its number."""
+
+    number: int
+    response: request.Response
+
+
+class Conversation:
+    """Questions, events and readings of one runtime, however it is reached."""
+
+    def __init__(self, connection: Connection) -> None:
+        self._connection = connection
+        self._news: deque[Happening] = deque()
+        self._readings: dict[str, bytes] = {}
+        self._epoch = ""
+        self._away_since = 0
+
+    @property
+    def pid(self) -> int | None:
+        """The process id of the runtime program, None where it was not launched from here."""
+        return None
+
+    @property
+    def is_linked(self) -> bool:
+        """Whether the runtime is heard at present."""
+        return self._connection.state in (LinkState.LINKED, LinkState.SUSPECT)
+
+    def ask(self, asked: request.Request) -> request.Response:
+        """Ask and wait for the response; raises LinkLost with what the runtime printed last, or TimeoutError."""
+        once = not isinstance(asked, _AGAIN)
+        urgent = isinstance(asked, request.Stop | request.Abort)
+        try:
+            body = self._connection.request(request.encode(asked), _PATIENCE_S, once=once, urgent=urgent or once)
+        except LinkLost as lost:
+            raise self._explained(lost) from None
+        response: request.Response = request.decode_response(body)
+        return response
+
+    def send(self, asked: request.Request) -> int:
+        """Ask without waiting, what ends motion before all that waits; `told` has the reply under this number."""
+        once = not isinstance(asked, _AGAIN)
+        urgent = isinstance(asked, request.Stop | request.Abort)
+        return self._connection.ask(request.encode(asked), _PATIENCE_S, once=once, urgent=urgent or once)
+
+    def readers(self) -> list[int]:
+        """The descriptors to wait for before `told`, in a loop of one's own."""
+        return self._connection.readers()
+
+    def writers(self) -> list[int]:
+        """Those to wait for writing too."""
+        return self._connection.writers()
+
+    def due_s(self) -> float | None:
+        """How long that loop may wait at most, in s; None: until something comes."""
+        return self._connection.due_s()
+
+    def events(self, timeout_s: float) -> Iterator[event.Event]:
+        """The events since the last call, at least one within the time-out or none; raises LinkLost at the end."""
+        for one in self.told(timeout_s):
+            if not isinstance(one, Reply):
+                yield one
+
+    def told(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+        """Events and replies to what was sent, as they came; raises LinkLost at the end."""
+        if not self._news:
+            self._news += self._connection.poll(timeout_s)
+            self._judge_absence()
+        while self._news:  # one by one: whoever stops listening hears the others next time
+            happening = self._news.popleft()
+            if isinstance(happening, Signalled):
+                yield event.decode(happening.body)
+            elif isinstance(happening, Replied):
+                yield Reply(happening.number, request.decode_response(happening.body))
+            elif isinstance(happening, Failed):
+                yield Reply(happening.number, request.Refused(f"no answer: {happening.fate.value}"))
+            elif isinstance(happening, Read):
+                self._readings[happening.key] = happening.body
+            elif isinstance(happening, EpochChanged):
+                self._new_epoch(happening.epoch)
+            elif isinstance(happening, Turned) and happening.lost is not None and not self._connection.comes_back:
+                raise self._explained(happening.lost)
+
+    def readings(self) -> dict[str, bytes]:
+        """The newest reading under each key since the last call; `events` takes them in."""
+        taken, self._readings = self._readings, {}
+        return taken
+
+    def printed(self) -> str:
+        """What the runtime and its processes printed last, as far as that can be known here."""
+        return ""
+
+    def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
+        cause = lost.cause if isinstance(lost, LinkLost) else Cause.TIMEOUT
+        return LinkLost(cause, f"the runtime is gone: {lost}")
+
+    def _judge_absence(self) -> None:
+        now = monotonic_ns()
+        if self.is_linked:
+            self._away_since = 0
+            return
+        self._away_since = self._away_since or now
+        if now - self._away_since >= _AWAY_NS:
+            why = self._connection.lost or LinkLost(Cause.SILENT, "it does not answer")
+            raise self._explained(why)
+
+    def _new_epoch(self, epoch: str) -> None:
+        known, self._epoch = self._epoch, epoch
+        if known:
+            raise LinkLost(Cause.CLOSED, "the runtime was started anew, or has forgotten this session: all is void")
+
+
+class Runtime(Conversation):
+    """A runtime that is launched here; ends with the `with` block, and so do all its processes."""
+
+    def __init__(
+        self, rtpus: Sequence[str], is_virtual: bool, with_fifo: bool = True, options: Sequence[str] = ()
+    ) -> None:
+        words = [word for name in rtpus for word in ("--rtpu", name)]
+        if is_virtual:
+            words.append("--virtual")
+        if not with_fifo:
+            words.append("--no-fifo")
+        self._child: Child = launch([*words, *options])
+        super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
+
+    def __enter__(self) -> "Runtime":
+        try:
+            self._connection.open(_PATIENCE_S)
+        except (LinkLost, TimeoutError) as lost:
+            self._child.close()
+            raise self._explained(lost) from None
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._connection.close(timeout_s=0.2)
+        self._child.close()
+
+    @property
+    def pid(self) -> int | None:
+        """The process id of the runtime program."""
+        return self._child.pid
+
+    def printed(self) -> str:
+        """What the runtime and its processes printed last."""
+        return self._child.tail()
+
+    def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
+        cause = lost.cause if isinstance(lost, LinkLost) else Cause.SILENT
+        code = self._child.wait(0.5)
+        how = "" if code is None else f"; it {_ended(code)}"
+        printed = self._child.tail().strip()
+        said = f"{_PRINTED}{printed[-2000:]}" if printed else ""
+        return LinkLost(cause, f"the runtime is gone: {lost}{how}{said}")
+
+
+class Reached(Conversation):
+    """A runtime that somebody else started; it lives on after the `with` block."""
+
+    def __init__(self, opening: Opening) -> None:
+        self._opening = opening
+        super().__init__(Connection(None, monotonic_ns, REMOTE, dialler=ThreadDialler(opening)))
+
+    def __enter__(self) -> "Reached":
+        try:
+            self._connection.open(REMOTE.greeting_ns / 1e9)
+        except (LinkLost, TimeoutError) as lost:
+            self._connection.close(timeout_s=0.0)
+            if isinstance(lost, LinkLost):
+                raise
+            raise LinkLost(Cause.TIMEOUT, f"{self._opening.address}: {lost}") from None
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, fault: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._connection.close(timeout_s=0.5)
+
+
+def connect(url: str, token: str = "", ca: Path | None = None) -> Reached:
+    """A runtime at an address; raises ValueError for what is no address, LinkLost where no token is to be had.
+
+    token   empty: that of ONIKA_TOKEN, or on this machine the one in the user's state directory
+    ca      a file of certificates to trust beside the system's
+    """
+    address = Address.parse(url)
+    return Reached(Opening(address, token or _token(address), ca))
+
+
+def in_short(reason: str) -> str:
+    """Why a runtime is gone, without what it printed last: that is for who looks closer."""
+    return reason.partition(_PRINTED)[0]
+
+
+def _token(address: Address) -> str:
+    from_environment = os.environ.get("ONIKA_TOKEN", "")
+    if from_environment:
+        return from_environment
+    try:
+        return read_token(token_path()) if address.is_near else _missing(address)
+    except (OSError, ValueError):
+        return _missing(address)
+
+
+def _missing(address: Address) -> str:
+    raise LinkLost(Cause.TOKEN, f"a token is needed for {address}: --token-file FILE, or ONIKA_TOKEN")
+
+
+def _ended(code: int) -> str:
+    return f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"

@@ -1,0 +1,239 @@
+"""The words of steering: a line that a person or a script says becomes an act (requirements E07, E08, E13)."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from onika.desk.plan.flow_index import Cast
+from onika.desk.run.wait_condition import Moment
+from onika.wire import live, request, steer
+from onika.words.condition import Condition
+
+USUAL_S = 60.0
+"""How long is waited where nothing is said."""
+
+
+@dataclass(frozen=True, slots=True)
+class Order:
+    """Something to ask of the runtime that changes the course."""
+
+    asked: request.Request
+    subsystem: str = ""
+    """The flow that it is for; empty: all."""
+    is_skip: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """Who is where, and who waits for whom."""
+
+
+@dataclass(frozen=True, slots=True)
+class Wait:
+    """Go on at a moment; a fault where it does not come within the seconds."""
+
+    moment: Moment
+    within_s: float = USUAL_S
+
+
+@dataclass(frozen=True, slots=True)
+class Expect:
+    """A fault where the condition does not hold now."""
+
+    condition: Condition
+    subsystem: str
+    name: str
+
+
+Act = Order | Look | Wait | Expect
+
+
+@dataclass(frozen=True, slots=True)
+class Verb:
+    """One word of steering: how it is written, what it does, and who reads what follows it."""
+
+    usage: str
+    text: str
+    read: Callable[[list[str], Cast], Act]
+
+
+def act(line: str, cast: Cast) -> Act:
+    """What a line means for these flows; raises ValueError that says what was expected and found."""
+    name, *words = line.split() or [""]
+    verb = VERBS.get(name)
+    if verb is None:
+        raise ValueError(f"expected one of {', '.join(VERBS)}, found {name!r}")
+    try:
+        return verb.read(words, cast)
+    except _Miswritten:
+        raise ValueError(f"expected `{verb.usage}`, found `{line.strip()}`") from None
+
+
+class _Miswritten(Exception):
+    """A line is not written as its usage says."""
+
+
+# -- which flow
+
+
+def _every(words: list[str], cast: Cast) -> str:
+    """`[FLOW]`; empty means all of them."""
+    if len(words) > 1:
+        raise _Miswritten
+    return _named(words[0], cast) if words else cast.lone
+
+
+def _one(words: list[str], cast: Cast) -> str:
+    """`[FLOW]`, which has to be said where there are several."""
+    return _every(words, cast) or _unsaid(cast)
+
+
+def _with_action(words: list[str], cast: Cast) -> tuple[str, int]:
+    """`[FLOW] N`: a first word that means a flow is one, if more follows; the name of an action may hold blanks."""
+    if not words:
+        raise _Miswritten
+    flow = cast.flow(words[0]) if len(words) > 1 else ""
+    rest = " ".join(words[1:] if flow else words)
+    flow = flow or cast.lone or _unsaid(cast)
+    return flow, cast.action(flow, rest)
+
+
+def _named(word: str, cast: Cast) -> str:
+    flow = cast.flow(word)
+    if not flow:
+        raise ValueError(f"expected a flow ({', '.join(cast.subsystems)}) or its number, found {word!r}")
+    return flow
+
+
+def _unsaid(cast: Cast) -> str:
+    raise ValueError(f"expected which flow ({', '.join(cast.subsystems)}), found none")
+
+
+# -- acts
+
+
+def _to_all(kind: Callable[[str], request.Request]) -> Callable[[list[str], Cast], Act]:
+    def read(words: list[str], cast: Cast) -> Act:
+        flow = _every(words, cast)
+        return Order(kind(flow), flow)
+
+    return read
+
+
+def _to_one(kind: Callable[[str], request.Request]) -> Callable[[list[str], Cast], Act]:
+    def read(words: list[str], cast: Cast) -> Act:
+        flow = _one(words, cast)
+        return Order(kind(flow), flow)
+
+    return read
+
+
+def _next(words: list[str], cast: Cast) -> Act:
+    flow = _one(words, cast)
+    return Order(steer.Skip(flow), flow, is_skip=True)
+
+
+def _skip(words: list[str], cast: Cast) -> Act:
+    flow, action = _with_action(words, cast)
+    return Order(steer.Skip(flow, action), flow, is_skip=True)
+
+
+def _break(words: list[str], cast: Cast) -> Act:
+    condition = ""
+    place = next((place for place, word in enumerate(words) if word.lower() == "if"), None)
+    if place is not None:
+        found = Condition.parse(" ".join(words[place + 1 :]))
+        cast.home(found.address)
+        words, condition = words[:place], found.text
+    flow, action = _with_action(words, cast)
+    return Order(steer.Mark(flow, action, True, condition), flow)
+
+
+def _unbreak(words: list[str], cast: Cast) -> Act:
+    flow, action = _with_action(words, cast)
+    return Order(steer.Mark(flow, action, False), flow)
+
+
+def _abort(words: list[str], cast: Cast) -> Act:
+    del cast
+    return Order(request.Abort(" ".join(words) or "aborted by the user"))
+
+
+def _who(words: list[str], cast: Cast) -> Act:
+    del cast
+    if words:
+        raise _Miswritten
+    return Look()
+
+
+def _touch(words: list[str], cast: Cast) -> Act:
+    del cast
+    if len(words) != 3:
+        raise _Miswritten
+    try:
+        value = float(words[2])
+    except ValueError:
+        raise ValueError(f"expected a number as the value, found {words[2]!r}") from None
+    return Order(live.Touch(words[0], words[1], value))
+
+
+def _expect(words: list[str], cast: Cast) -> Act:
+    condition = Condition.parse(" ".join(words))
+    return Expect(condition, *cast.home(condition.address))
+
+
+def _wait(words: list[str], cast: Cast) -> Act:
+    within_s = USUAL_S
+    if len(words) > 2 and words[-2] == "within":
+        within_s, words = _seconds(words[-1]), words[:-2]
+    if not words:
+        raise _Miswritten
+    kind, rest = words[0], words[1:]
+    if kind in ("began", "done") and _is_action(rest, cast):
+        flow, action = _with_action(rest, cast)
+        return Wait(Moment(kind, flow, action), within_s)
+    if kind in ("paused", "waiting", "stopped", "done"):
+        return Wait(Moment(kind, _every(rest, cast)), within_s)
+    if kind == "began" or rest:
+        raise _Miswritten
+    return Wait(Moment("seconds", seconds=_seconds(kind)), within_s)
+
+
+def _is_action(words: list[str], cast: Cast) -> bool:
+    """Whether an action is named, and not only a flow: where there is one flow, a lone number is an action."""
+    if len(words) != 1:
+        return bool(words)
+    return words[0] not in cast.subsystems and bool(cast.lone or not cast.flow(words[0]))
+
+
+def _seconds(word: str) -> float:
+    try:
+        seconds = float(word)
+    except ValueError:
+        raise _Miswritten from None
+    if not 0.0 <= seconds <= 1e6:
+        raise ValueError(f"expected seconds from 0 to 1000000, found {word}")
+    return seconds
+
+
+VERBS: dict[str, Verb] = {
+    "pause": Verb("pause [FLOW]", "pause after the current action", _to_all(steer.Pause)),
+    "continue": Verb("continue [FLOW]", "go on after a pause, or take it back", _to_all(steer.Resume)),
+    "step": Verb("step [FLOW]", "carry out one action and pause", _to_all(steer.Step)),
+    "next": Verb("next [FLOW]", "leave the current action at once for the next", _next),
+    "skip": Verb("skip [FLOW] N", "leave the current action at once for that one", _skip),
+    "pass": Verb("pass [FLOW]", "let a flow that waits go on alone", _to_one(steer.Pass)),
+    "leave": Verb("leave [FLOW]", "leave the innermost loop at its next test", _to_one(steer.Leave)),
+    "break": Verb("break [FLOW] N [if CONDITION]", "pause after that action whenever it has been done", _break),
+    "unbreak": Verb("unbreak [FLOW] N", "pause there no more", _unbreak),
+    "clear": Verb("clear [FLOW]", "clear the tasks in error and repeat the action", _to_all(steer.Recover)),
+    "abort": Verb("abort [CAUSE]", "end the run: tasks off, drives in hold", _abort),
+    "who": Verb("who", "where every flow is, and who waits for whom", _who),
+    "touch": Verb("touch WORLD PART VALUE", "touch a part of a simulated world, such as a panic button", _touch),
+    "wait": Verb(
+        "wait SECONDS | wait began|done [FLOW] N | wait paused|waiting|stopped|done [FLOW], each [within SECONDS]",
+        "go on at that moment, in the run's own time",
+        _wait,
+    ),
+    "expect": Verb("expect CONDITION", "end the run where a variable is not so now", _expect),
+}
+"""All words of steering."""

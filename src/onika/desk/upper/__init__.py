@@ -1,1 +1,0 @@
-"""The upper level: what its three packages share, the words and types of icons, their values and pictures."""

@@ -1,1 +1,0 @@
-"""Dictionaries and their icons: opened, followed, shown; targets made and taught."""

@@ -1,1 +1,0 @@
-"""Open applications: their flows, how they are edited, filed and shown."""

@@ -1,1 +1,0 @@
-"""Recorded runs that are looked at: opened, scrubbed, drawn, compared (requirement X05)."""

@@ -1,1 +1,0 @@
-"""Runs of open applications: judged, begun, steered, told and shown."""

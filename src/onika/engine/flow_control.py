@@ -1,0 +1,172 @@
+"""The helm: what the user may do with each flow at any time (requirements E07, E13, §5.9.2)."""
+
+from onika.engine.flow import FlowState
+from onika.engine.flow_router import Itinerary
+from onika.engine.news import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
+from onika.engine.orders import Note, Order
+from onika.engine.progress import Progress
+from onika.engine.recovery import Recovery
+from onika.wire.plan import Join
+
+_UNDER_WAY = (
+    FlowState.SPAWNING,
+    FlowState.RUNNING,
+    FlowState.WAITING,
+    FlowState.JOINING,
+    FlowState.PAUSED,
+    FlowState.STOPPED,
+    FlowState.CLEARING,
+)
+_SENT_FROM = (FlowState.RUNNING, FlowState.WAITING, FlowState.PAUSED, FlowState.STOPPED)
+
+
+class Helm:
+    """Judges what is asked, and does it."""
+
+    def __init__(self, itinerary: Itinerary, recovery: Recovery) -> None:
+        self._itinerary = itinerary
+        self._recovery = recovery
+
+    def refusal(self, flow: Progress, news: Steering) -> str:
+        """Why this cannot be done now; empty: it can."""
+        match news:
+            case Mark():
+                return _no_such_action(flow, news.action)
+            case Recover():
+                return "" if flow.state is FlowState.STOPPED else _expected("stopped at an error", flow)
+            case Pass():
+                return self._why_not_pass(flow)
+            case Skip():
+                return self._why_not_skip(flow, news)
+            case Resume():
+                is_resting = flow.state is FlowState.PAUSED or (flow.is_pausing and flow.state in _UNDER_WAY)
+                return "" if is_resting else _expected("paused", flow)
+        if flow.state not in _UNDER_WAY:
+            return _expected("under way", flow)
+        if isinstance(news, Leave):
+            return "" if self._innermost(flow) else f"expected flow {flow.flow} in a loop that it is not leaving yet"
+        if isinstance(news, Pause) and flow.state is FlowState.PAUSED:
+            return f"flow {flow.flow} is paused already"
+        return ""
+
+    def steer(self, flow: Progress, news: Steering) -> list[Order]:
+        """Do what `refusal` allows."""
+        match news:
+            case Pause():
+                return self._pause(flow)
+            case Step():
+                return self._step(flow)
+            case Resume():
+                return self._resume(flow)
+            case Skip():
+                return self._skip(flow, news.action)
+            case Pass():
+                return self._pass(flow)
+            case Leave():
+                name = self._innermost(flow)
+                flow.leaving |= {name}
+                flow.revision += 1
+                return [flow.moved(text=f"leaves the loop {name} at its next test")]
+            case Mark():
+                return _mark(flow, news)
+            case Recover():
+                return self._recovery.recover(flow)
+
+    # Pausing
+
+    def _pause(self, flow: Progress) -> list[Order]:
+        if flow.state is FlowState.WAITING:
+            self._itinerary.meetings.withdraw(flow.flow)
+            return self._itinerary.rest(flow)
+        if flow.state is FlowState.JOINING:
+            return self._itinerary.rest(flow)
+        return self._will_pause(flow)
+
+    def _will_pause(self, flow: Progress) -> list[Order]:
+        flow.is_pausing = True
+        flow.revision += 1
+        before = "before its first action" if flow.state is FlowState.SPAWNING else "after its current action"
+        return [flow.moved(text=f"pauses {before}")]
+
+    def _resume(self, flow: Progress) -> list[Order]:
+        flow.is_pausing = False
+        if flow.state is FlowState.PAUSED:
+            return self._itinerary.go_on([flow.flow])
+        flow.revision += 1
+        return [flow.moved(text="does not pause")]
+
+    def _step(self, flow: Progress) -> list[Order]:
+        if flow.state is not FlowState.PAUSED:
+            return self._will_pause(flow)
+        flow.is_pausing = True
+        return self._itinerary.go_on([flow.flow])
+
+    # Elsewhere
+
+    def _why_not_skip(self, flow: Progress, news: Skip) -> str:
+        was_done = flow.state is FlowState.STOPPED and flow.interrupted is FlowState.DONE
+        if flow.state not in _SENT_FROM or was_done:
+            return _expected("running, waiting, paused or stopped at an action", flow)
+        if news.action is None:
+            is_waiting = flow.state is FlowState.WAITING
+            return f"flow {flow.flow} waits at a tag; let it pass, or skip to an action" if is_waiting else ""
+        missing = _no_such_action(flow, news.action)
+        if missing:
+            return missing
+        program, to = flow.program, flow.program.entries[news.action]
+        if program.stretch(flow.place) != program.stretch(to):
+            return (
+                f"action {news.action} belongs to another run of flow {flow.flow}, which is begun by the flow above it"
+            )
+        if program.parallel_at(flow.place) != program.parallel_at(to):
+            return f"action {news.action} is not on the same side of a nested parallel application as flow {flow.flow}"
+        return ""
+
+    def _skip(self, flow: Progress, action: int | None) -> list[Order]:
+        orders: list[Order] = []
+        step = flow.step
+        if flow.state is FlowState.RUNNING and step is not None:
+            orders = [Note(flow.flow, f"{step.place}: left by the user"), *flow.crew.rest(step.triggers)]
+        elif flow.state is FlowState.WAITING:
+            self._itinerary.meetings.withdraw(flow.flow)
+        flow.go(action)
+        if flow.state is FlowState.STOPPED:
+            return orders + self._recovery.recover_elsewhere(flow)
+        return orders + self._itinerary.go_on([flow.flow])
+
+    def _why_not_pass(self, flow: Progress) -> str:
+        if flow.state is FlowState.JOINING and not isinstance(flow.next, Join):
+            return f"flow {flow.flow} waits for flows that it is about to begin again; they have to end first"
+        is_waiting = flow.state in (FlowState.WAITING, FlowState.JOINING)
+        return "" if is_waiting else _expected("waiting for another flow", flow)
+
+    def _pass(self, flow: Progress) -> list[Order]:
+        if flow.state is FlowState.WAITING:
+            self._itinerary.meetings.let_pass(flow.flow)
+        flow.advance()
+        return self._itinerary.go_on([flow.flow])
+
+    def _innermost(self, flow: Progress) -> str:
+        """The innermost loop around the flow's place that it is not leaving already; empty: none."""
+        names = [loop.name for loop in flow.program.loops_at(flow.place) if loop.name not in flow.leaving]
+        return names[-1] if names else ""
+
+
+def _mark(flow: Progress, news: Mark) -> list[Order]:
+    if news.is_set:
+        flow.breakpoints[news.action] = news.condition
+    else:
+        flow.breakpoints.pop(news.action, None)
+    flow.revision += 1
+    return []
+
+
+def _no_such_action(flow: Progress, action: int) -> str:
+    count = len(flow.program.is_noop)
+    return (
+        "" if 0 <= action < count else f"expected an action from 1 to {count} of flow {flow.flow}, found {action + 1}"
+    )
+
+
+def _expected(what: str, flow: Progress) -> str:
+    return f"expected flow {flow.flow} to be {what}, found it {flow.state.value}"

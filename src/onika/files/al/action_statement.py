@@ -1,0 +1,110 @@
+"""A statement of the text: an action with its targets, a target by itself or a hole, as steps of a flow."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from onika.files.al import token as word, verb
+from onika.files.al.logical_line import Sentence, Token, joined
+from onika.files.al.token_stream import Phrase
+from onika.files.al.where_section import Glossary
+from onika.files.line import show
+from onika.model.application import Hole, Icon
+from onika.model.onikon import Onikon
+from onika.model.syntax import DataItem, IconType, Syntax
+from onika.words.value import Value
+
+HEADS = (*verb.VERBS, *verb.PREPOSITIONS, "HOLE")
+"""The words a statement begins with."""
+
+
+def read(sentence: Sentence, glossary: Glossary, syntax: Syntax) -> list[Icon | Hole]:
+    """Its steps, at least one; raises ValueError "expected …, found …" for a sentence that is no statement."""
+    phrase = Phrase(sentence)
+    number = sentence.number
+    steps: list[Icon | Hole] = []
+    if phrase.takes("HOLE"):
+        steps.append(_hole(phrase, glossary, number))
+    else:
+        if called := phrase.takes(*verb.VERBS):
+            steps.append(Icon(_action(called, phrase, glossary, syntax), line=number))
+        while phrase.takes(*verb.PREPOSITIONS):
+            is_hole = phrase.takes("HOLE")
+            steps.append(
+                _hole(phrase, glossary, number) if is_hole else Icon(_target(phrase, glossary, syntax), line=number)
+            )
+    if not steps:
+        raise ValueError(f"expected {' or '.join(HEADS)}, found {phrase.rest()}")
+    phrase.end()
+    return steps
+
+
+def _action(called: str, phrase: Phrase, glossary: Glossary, syntax: Syntax) -> Onikon:
+    if called in verb.HANDS:
+        phrase.takes("HAND")
+    onikon = _found(phrase, "the name of a job or application", glossary)
+    fitting = verb.verb(onikon, syntax)
+    kind = syntax.find(onikon.type)
+    if kind and kind.is_target:
+        raise ValueError(f"expected an action after {called}, found `{onikon.name}`, a {onikon.type}")
+    if called not in (fitting, verb.ANY):
+        raise ValueError(f"expected {fitting} before `{onikon.name}`, a {onikon.type}, found {called}")
+    return onikon
+
+
+def _target(phrase: Phrase, glossary: Glossary, syntax: Syntax) -> Onikon:
+    onikon = _found(phrase, "the name of a target", glossary)
+    kind = syntax.find(onikon.type)
+    if kind is None or not kind.is_target:
+        raise ValueError(f"expected a target, found `{onikon.name}`, a {onikon.type}")
+    if not phrase.takes("("):
+        return onikon
+    return replace(onikon, values=tuple(_values(phrase, kind)))
+
+
+def _hole(phrase: Phrase, glossary: Glossary, number: int) -> Hole:
+    at = phrase.rest()
+    variant = phrase.variant(default=0)
+    if variant and variant not in glossary.holes:
+        raise ValueError(f"expected HOLE #{variant} under WHERE, found none for {at}")
+    return Hole(number, glossary.holes[variant] if variant else "")
+
+
+def _found(phrase: Phrase, meaning: str, glossary: Glossary) -> Onikon:
+    name = phrase.name(meaning, word.KEYWORDS)
+    variant = phrase.variant()
+    onikon = glossary.find(name, variant)
+    if onikon is None:
+        shown = name if variant == 1 else f"{name} #{variant}"
+        where = "in the dictionary or under WHERE" if variant == 1 else "under WHERE"
+        raise ValueError(f"expected an icon `{shown}` {where}, found none")
+    return onikon
+
+
+def _values(phrase: Phrase, kind: IconType) -> Iterator[tuple[Value, ...]]:
+    """The values of a target between its parentheses, data item by data item."""
+    for at, item in enumerate(kind.items):
+        if at and not phrase.takes(";"):
+            raise ValueError(f"expected ; and {_what(item)}, found {phrase.rest()}")
+        yield _item(phrase, item)
+    if not phrase.takes(")"):
+        raise ValueError(f"expected ) behind the values of {kind.name}, found {phrase.rest()}")
+
+
+def _item(phrase: Phrase, item: DataItem) -> tuple[Value, ...]:
+    left = phrase.left
+    if len(left) > 1 and left[1].says("="):
+        label = phrase.token("the name of a data item", "word", "text").value
+        if label != item.name:
+            raise ValueError(f"expected {item.name}= or no name, found {show(label + '=')}")
+        phrase.takes("=")
+    tokens: list[Token] = []
+    while phrase.left and not phrase.left[0].says(";", ")"):
+        tokens.append(phrase.token(_what(item), "word", "text"))
+    if not item.takes(len(tokens)):
+        found = f"{len(tokens)} in {show(joined(tokens))}" if tokens else f"none before {phrase.rest()}"
+        raise ValueError(f"expected {_what(item)}, found {found}")
+    return tuple(item.type.parse(token.value) for token in tokens)
+
+
+def _what(item: DataItem) -> str:
+    return f"{item.count} element{'s' if item.count != 1 else ''} of type {item.type.value} for {item.name}"

@@ -1,0 +1,119 @@
+"""A sentence of the text: one line, or several where a parenthesis is open, without its comments."""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from onika.files.al import token as word
+from onika.files.line import Reading, show
+
+_SIGN = re.compile(
+    r"""(?P<blank>[ \t\r]+) | (?P<end>\n) | (?P<comment>\{[^}]*\})
+      | (?P<text>"(?:[^"\\\n]|\\[^\n])*") | (?P<variant>\#[0-9]{1,9}) | (?P<sign>[();=])
+      | (?P<word>[^\s"(){};=\#]+) | (?P<wrong>.)""",
+    re.VERBOSE | re.DOTALL,
+)
+_WHERE = re.compile(r"^[ \t]*WHERE[ \t\r]*(?:\n|\Z)", re.MULTILINE)
+_CONTROL = re.compile(r"[\x00-\x08\x0b-\x1f\x7f-\x9f]")
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A word, a quoted text, a variant such as `#2`, or one of the signs `( ) ; =`."""
+
+    kind: str
+    """word, text, variant or sign."""
+    value: str
+    start: int
+    """Where it begins in the whole text."""
+    end: int
+    line: int
+
+    def __str__(self) -> str:
+        return word.quoted(self.value) if self.kind == "text" else self.value
+
+    def says(self, *words: str) -> bool:
+        """Whether it is one of these words or signs of the language."""
+        return self.kind in ("word", "sign") and self.value in words
+
+
+@dataclass(frozen=True, slots=True)
+class Sentence:
+    """Its tokens, at least one."""
+
+    tokens: tuple[Token, ...]
+
+    @property
+    def number(self) -> int:
+        """The line on which it begins, from 1."""
+        return self.tokens[0].line
+
+    def __str__(self) -> str:
+        return show(joined(self.tokens))
+
+
+def joined(tokens: Sequence[Token]) -> str:
+    """What tokens say, with one blank wherever some stood."""
+    parts = []
+    for at, token in enumerate(tokens):
+        parts.append(" " if at and tokens[at - 1].end < token.start else "")
+        parts.append(str(token))
+    return "".join(parts)
+
+
+def sentences(text: str, reading: Reading) -> tuple[list[Sentence], int]:
+    """The sentences up to the line WHERE, and the place in `text` behind it, -1 where there is none.
+
+    Faults go to `reading`, whose `end` becomes the last line of the sentences.
+    """
+    where = _WHERE.search(text)
+    said = text[: where.start()] if where else text
+    for number, line in enumerate(said.split("\n"), start=1):
+        if _CONTROL.search(line.removesuffix("\r")):
+            reading.fault(number, "printable text", show(line))
+    reading.end = said.rstrip().count("\n") + 1
+    return list(_grouped(said, reading)), where.end() if where else -1
+
+
+def _grouped(text: str, reading: Reading) -> Iterator[Sentence]:
+    """A new sentence on every line, but within parentheses, where only a word of the language begins one."""
+    tokens: list[Token] = []
+    depth = 0
+    for token in _tokens(text, reading):
+        if tokens and tokens[-1].line < token.line and (depth <= 0 or token.says(*word.KEYWORDS)):
+            yield _whole(tokens, depth, reading)
+            tokens, depth = [], 0
+        tokens.append(token)
+        depth += token.says("(") - token.says(")")
+    if tokens:
+        yield _whole(tokens, depth, reading)
+
+
+def _whole(tokens: Sequence[Token], depth: int, reading: Reading) -> Sentence:
+    sentence = Sentence(tuple(tokens))
+    if depth > 0:
+        reading.fault(sentence.number, "a ) for every (", str(sentence))
+    return sentence
+
+
+def _tokens(text: str, reading: Reading) -> Iterator[Token]:
+    at, number, told = 0, 1, 0
+    while found := _SIGN.match(text, at):
+        kind, value, at = str(found.lastgroup), found[0], found.end()
+        if kind == "wrong":
+            at = _pass_over(text, found.start(), number, None if number == told else reading)
+            told = number
+        elif kind in ("text", "variant", "sign", "word"):
+            shown = word.unquoted(value) if kind == "text" else value
+            yield Token(kind, shown, found.start(), at, number)
+        number += value.count("\n")
+
+
+def _pass_over(text: str, at: int, number: int, reading: Reading | None) -> int:
+    """Report a sign that begins nothing; gives where to go on: the end of the line where a brace or quote is open."""
+    end = text.find("\n", at)
+    end = len(text) if end < 0 else end
+    wanted = {"{": "a } that ends the comment", '"': 'a " that ends the text on its line'}.get(text[at])
+    if reading:
+        reading.fault(number, wanted or "words, numbers, texts in quotes or comments in braces", show(text[at:end]))
+    return end if wanted else at + 1

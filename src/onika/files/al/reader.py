@@ -1,0 +1,39 @@
+"""Reading an application from text in the words of AL (requirement D14, dissertation §4.4)."""
+
+from onika.files import appl
+from onika.files.al import where_section
+from onika.files.al.logical_line import sentences
+from onika.files.al.program import Program
+from onika.files.al.where_section import Dictionary
+from onika.files.line import Reading
+from onika.model.application import Application
+from onika.model.syntax import Syntax
+from onika.words.fault import Fault
+
+ENDING = ".al"
+
+
+def read(
+    text: str, name: str, place_file: str, syntax: Syntax, dictionary: Dictionary = lambda _: None
+) -> tuple[Application | None, tuple[Fault, ...]]:
+    """The application `name` of a text; left out with any fault.
+
+    Its icons are those of the text's own section WHERE, else those of `dictionary`, with the values the text gives.
+    Comments mean nothing. What is read is what its `.appl` says: marks of targets are those of their jobs.
+    """
+    reading = Reading(place_file, "the application is left out")
+    text = text.removeprefix("\ufeff")
+    found, start = sentences(text, reading)
+    known = where_section.read(text, start, syntax, dictionary, reading)
+    program = Program(syntax, known, reading)
+    for sentence in found:
+        program.take(sentence)
+    flows = program.end()
+    if reading.broken or flows is None:
+        return None, reading.faults
+    application = Application(name, program.is_parallel, flows)
+    settled, faults = appl.read(appl.write(application), name, place_file, syntax)
+    if settled is None:
+        for fault in faults:
+            reading.fault(0, fault.expected, fault.found)
+    return settled, reading.faults

@@ -1,0 +1,89 @@
+"""A phrase: the rest of a sentence while it is read from left to right.
+
+What does not fit raises ValueError whose text is "expected …, found …"; whoever reads the sentence reports it.
+"""
+
+from collections.abc import Sequence
+
+from onika.files.al.logical_line import Sentence, Token, joined
+from onika.files.line import show
+from onika.words.condition import Condition
+from onika.words.name import TASK_NAME
+
+
+class Phrase:
+    """The tokens of a sentence and how far it is read."""
+
+    def __init__(self, sentence: Sentence, at: int = 0) -> None:
+        self._tokens = sentence.tokens
+        self._at = at
+
+    @property
+    def is_over(self) -> bool:
+        """Whether nothing is left."""
+        return self._at >= len(self._tokens)
+
+    @property
+    def left(self) -> Sequence[Token]:
+        """What is not yet read."""
+        return self._tokens[self._at :]
+
+    def takes(self, *words: str) -> str:
+        """Read the next word if it is one of these; gives it, else an empty text."""
+        if self.is_over or not self._tokens[self._at].says(*words):
+            return ""
+        self._at += 1
+        return self._tokens[self._at - 1].value
+
+    def token(self, meaning: str, *kinds: str) -> Token:
+        """The next token, of one of these kinds."""
+        if self.is_over or self._tokens[self._at].kind not in kinds:
+            raise ValueError(f"expected {meaning}, found {self.rest()}")
+        self._at += 1
+        return self._tokens[self._at - 1]
+
+    def name(self, meaning: str, keywords: frozenset[str]) -> str:
+        """The name of an icon; one of the `keywords` must stand in quotes."""
+        token = self.token(meaning, "word", "text")
+        if (token.kind == "word" and token.value in keywords) or not TASK_NAME.match(token.value):
+            raise ValueError(f"expected {meaning}, found {show(str(token))}")
+        return token.value
+
+    def tag(self) -> str:
+        """A tag: one word, or a quoted text without blanks."""
+        found = self.token("a tag of one word", "word", "text").value
+        if not found or " " in found or "\t" in found:
+            raise ValueError(f"expected a tag of one word, found {show(found)}")
+        return found
+
+    def variant(self, default: int = 1) -> int:
+        """The number of `#2`; `default` where there is none."""
+        is_there = not self.is_over and self._tokens[self._at].kind == "variant"
+        return int(self.token("a variant", "variant").value[1:]) if is_there else default
+
+    def condition(self, end: str = "") -> str:
+        """The condition that the rest of the sentence is, but for the word `end` after it, if one is given."""
+        rest = self.left
+        if end:
+            if not rest or not rest[-1].says(end):
+                raise ValueError(f"expected {end} behind the condition, found {self.rest()}")
+            rest = rest[:-1]
+        self._at = len(self._tokens)
+        text = rest[0].value if len(rest) == 1 and rest[0].kind == "text" else joined(rest)
+        Condition.parse(text)
+        return text
+
+    def end(self) -> None:
+        """See that nothing is left."""
+        if not self.is_over:
+            raise ValueError(f"expected the end of the line, found {self.rest()}")
+
+    def rest(self) -> str:
+        """What is left, for a message."""
+        return show(joined(self.left)) if self.left else "the end of the line"
+
+
+def halves(error: ValueError) -> tuple[str, str]:
+    """What was expected and what was found, of a sentence "expected …, found …"."""
+    expected, _, found = str(error).removeprefix("expected ").rpartition(", found ")
+    return (expected, found) if expected else (found, "something else")

@@ -1,0 +1,153 @@
+"""The glossary of a text, its section WHERE: icons that no dictionary holds alike, and holes that keep a target.
+
+Its lines are those of an `.onk`, so that nothing of an icon is lost: `ICON name #2` before the icon's own, `HOLE #1`
+before the lines of a target of unknown type.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+from onika.files.al import token
+from onika.files.flow import HEADS
+from onika.files.icon import SLOTS, read_icon, write_icon
+from onika.files.line import Line, Reading, Slot, row, split
+from onika.model.onikon import Onikon
+from onika.model.syntax import Syntax
+from onika.words.name import TASK_NAME
+
+HEAD = "WHERE"
+END = "END WHERE"
+
+Dictionary = Callable[[str], Onikon | None]
+"""Finds the onikon of a name."""
+
+
+@dataclass(slots=True)
+class Glossary:
+    """What names in a text stand for; variant 1 is written without its number."""
+
+    dictionary: Dictionary
+    icons: dict[tuple[str, int], Onikon] = field(default_factory=dict)
+    holes: dict[int, str] = field(default_factory=dict)
+    _variants: dict[Onikon, int] = field(default_factory=dict)
+    _counts: dict[str, int] = field(default_factory=dict)
+
+    # -- writing
+
+    def refer(self, onikon: Onikon) -> str:
+        """How a text names an onikon, whatever its values; it is defined here unless the dictionary has the same."""
+        bare = replace(onikon, values=())
+        variant = self._variants.get(bare)
+        if variant is None:
+            variant = self._define(onikon, bare)
+        return token.show(onikon.name) + (f" #{variant}" if variant > 1 else "")
+
+    def refer_hole(self, kept: str) -> str:
+        """How a text names a hole that keeps lines; empty for one that keeps none."""
+        if not kept:
+            return ""
+        known = next((number for number, lines in self.holes.items() if lines == kept), len(self.holes) + 1)
+        self.holes[known] = kept
+        return f" #{known}"
+
+    def write(self) -> str:
+        """The section; empty where nothing is defined."""
+        parts = [
+            row("ICON", name, *([f"#{n}"] if n > 1 else [])) + write_icon(onikon)
+            for (name, n), onikon in self.icons.items()
+        ]
+        parts += [row("HOLE", f"#{number}") + kept for number, kept in self.holes.items()]
+        return "\n".join([f"{HEAD}\n", *parts, f"{END}\n"]) if parts else ""
+
+    def _define(self, onikon: Onikon, bare: Onikon) -> int:
+        """The variant of a new onikon: 1 is the dictionary's where that has the name, else the first."""
+        known = self.dictionary(onikon.name)
+        same = known is not None and replace(known.as_placed(), values=()) == bare
+        reached = self._counts.setdefault(onikon.name, 0 if known is None else 1)
+        variant = 1 if same else reached + 1
+        if not same:
+            self._counts[onikon.name] = variant
+            self.icons[onikon.name, variant] = onikon
+        self._variants[bare] = variant
+        return variant
+
+    # -- reading
+
+    def find(self, name: str, variant: int) -> Onikon | None:
+        """What a name in the text stands for."""
+        found = self.icons.get((name, variant))
+        if found is not None or variant != 1:
+            return found
+        known = self.dictionary(name)
+        return known.as_placed() if known else None
+
+
+def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading: Reading) -> Glossary:
+    """The glossary behind the line WHERE, which ends at `start` of the text, -1 where there is none."""
+    glossary = Glossary(dictionary)
+    if start < 0:
+        return glossary
+    lines = _lines(text, start, reading)
+    head, *blocks = split(lines, {"ICON", "HOLE"})
+    for line in head:
+        reading.fault(line.number, "ICON or HOLE", str(line))
+    for block in blocks:
+        (_icon if block[0].keyword == "ICON" else _hole)(block, glossary, syntax, reading)
+    return glossary
+
+
+def _lines(text: str, start: int, reading: Reading) -> Sequence[Line]:
+    """The lines up to END WHERE, with their numbers in the whole text."""
+    reading.is_extended = True  # whatever version the icons need
+    inner = Reading(reading.file, reading.instead)
+    # the lines before it count, and the one that ends every file of ours closes the section
+    inner.open("\n" * text.count("\n", 0, start) + text[start:] + "\nEOF\n")
+    lines = inner.lines
+    end = next((at for at, line in enumerate(lines) if f"{line.keyword} {line.rest}" == END), None)
+    for fault in inner.faults:
+        reading.fault(fault.place.line, fault.expected, fault.found)
+    if end is None:
+        reading.fault(text.rstrip().count("\n") + 1, END, "the end of the text")
+        return lines
+    for line in lines[end + 1 :]:
+        reading.fault(line.number, f"nothing after {END}", str(line))
+    return lines[:end]
+
+
+def _icon(block: Sequence[Line], glossary: Glossary, syntax: Syntax, reading: Reading) -> None:
+    found = reading.arrange(block, (Slot("ICON"), *SLOTS))
+    name, variant = _name(block[0], reading)
+    onikon = read_icon(name, found, syntax, reading)
+    kind = syntax.find(onikon.type) if onikon else None
+    if kind and (kind.is_start or kind.is_end):
+        reading.fault(found["ONIKON"][0].number, "an action or a target", str(found["ONIKON"][0]))
+    if (name, variant) in glossary.icons:
+        reading.fault(block[0].number, "every icon once", f"{block[0]} again")
+    if onikon is not None:
+        glossary.icons[name, variant] = onikon
+
+
+def _name(line: Line, reading: Reading) -> tuple[str, int]:
+    """The name of an icon and its variant."""
+    name, *others = line.words or ("",)
+    if not TASK_NAME.match(name) or len(others) > 1:
+        reading.fault(line.number, "the name of an icon after ICON", str(line))
+    return name, _number(others[0], line, reading) if others else 1
+
+
+def _hole(block: Sequence[Line], glossary: Glossary, _: Syntax, reading: Reading) -> None:
+    number = _number(block[0].rest, block[0], reading)
+    if number in glossary.holes:
+        reading.fault(block[0].number, "every hole once", f"{block[0]} again")
+    heads = [line.keyword for line in block[1:] if line.keyword in HEADS]
+    if heads != ["ROUTINE"] or block[1].keyword != "ROUTINE":
+        reading.fault(block[0].number, "ROUTINE and the lines of a target behind it", " ".join(heads) or "none")
+    glossary.holes[number] = "".join(row(line.keyword, line.rest) for line in block[1:])
+
+
+def _number(shown: str, line: Line, reading: Reading) -> int:
+    digits = shown[1:]
+    if shown.startswith("#") and digits.isascii() and digits.isdigit() and len(digits) < 10 and int(digits) > 0:
+        return int(digits)
+    reading.fault(line.number, f"a number such as #1 after {line.keyword}", str(line))
+    return 0

@@ -1,0 +1,1 @@
+"""Why a run stands still or ends, found as it happens."""

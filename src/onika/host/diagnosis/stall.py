@@ -1,0 +1,108 @@
+"""The standstill: flows that wait for what never comes, in a circle or for one that stands (requirements X03, X06).
+
+A flow that is neither waiting nor over can still come to a tag. A waiting one goes on if all that it waits for can.
+Whoever is left waits for ever, unless somebody lets it pass.
+"""
+
+from collections.abc import Mapping, Sequence
+from itertools import pairwise
+
+from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.wire.steer import Position
+
+_WAITING = ("waiting", "joining")
+_OVER = ("killing", "ended")
+_STANDING = {"done": "has ended", "stopped": "stands still at an error"}
+"""Flows that come nowhere, and how that is said."""
+
+
+def causes(positions: Sequence[Position]) -> tuple[Cause, ...]:
+    """Every circle of waiting flows, once; then every flow that waits for one that has ended or stands still.
+
+    Equal positions give equal causes, so whoever asks at each move sees which are new. None once the run is over.
+    """
+    if any(one.state in _OVER for one in positions):
+        return ()
+    flows = {one.subsystem: one for one in positions}
+    leads = _leads(flows)
+    circles, deserted = [], []
+    told: set[str] = set()
+    for name in leads:
+        way = _way(name, leads)
+        if way[-1] in way[:-1]:
+            circle = _turned(way[way.index(way[-1]) : -1], flows)
+            if not told & set(circle):
+                circles.append(Cause(Kind.DEADLOCK, _circle(circle, flows), circle[0]))
+            told |= set(circle)
+        else:
+            deserted.append(Cause(Kind.DESERTED, _chain(way, flows), name))
+    return (*circles, *deserted)
+
+
+def waiting_for(subsystem: str, positions: Sequence[Position]) -> tuple[tuple[str, str], ...]:
+    """The flows that wait for this one, directly or through others, nearest first, each with the tag of the file."""
+    found: dict[str, str] = {}
+    wanted = [subsystem]
+    for name in wanted:
+        for one in positions:
+            if name in one.waits_for and one.subsystem not in found and one.subsystem != subsystem:
+                found[one.subsystem] = tag_of(one)
+                wanted.append(one.subsystem)
+    return tuple(found.items())
+
+
+def tag_of(position: Position) -> str:
+    """The tag at which a flow waits as its file says it; empty where it waits for nested flows."""
+    return position.tag.rpartition(" ")[2]
+
+
+def last_of(subsystem: str, positions: Sequence[Position]) -> str:
+    """Where the waiting of a flow that waits in no circle leads: the flow that has ended or stands still."""
+    return _way(subsystem, _leads({one.subsystem: one for one in positions}))[-1]
+
+
+def _leads(flows: Mapping[str, Position]) -> dict[str, str]:
+    """Each flow that waits for ever, and the first flow that keeps it."""
+    able = {name for name, one in flows.items() if one.state not in (*_WAITING, *_STANDING)}
+    while True:
+        new = {
+            n for n, one in flows.items() if n not in able and one.state in _WAITING and able.issuperset(one.waits_for)
+        }
+        if not new:
+            break
+        able |= new
+    stuck = (one for name, one in flows.items() if name not in able and one.state in _WAITING)
+    return {one.subsystem: next(name for name in one.waits_for if name not in able) for one in stuck}
+
+
+def _way(name: str, leads: Mapping[str, str]) -> list[str]:
+    """From a flow to whoever keeps it, and on, up to one that does not wait or was met already."""
+    way = [name]
+    while way[-1] in leads and way[-1] not in way[:-1]:
+        way.append(leads[way[-1]])
+    return way
+
+
+def _turned(circle: list[str], flows: Mapping[str, Position]) -> list[str]:
+    """The same circle, from its first flow in the plan's order on; without the one that closes it."""
+    order = list(flows)
+    first = min(range(len(circle)), key=lambda place: order.index(circle[place]))
+    return circle[first:] + circle[:first]
+
+
+def _circle(circle: Sequence[str], flows: Mapping[str, Position]) -> str:
+    followers = [*circle[1:], circle[0]]
+    waits = (f"{name} {_waits(flows[name], other)}" for name, other in zip(circle, followers, strict=True))
+    return f"{', '.join(waits)}: none of them can go on"
+
+
+def _chain(way: Sequence[str], flows: Mapping[str, Position]) -> str:
+    waits = [_waits(flows[name], other) for name, other in pairwise(way)]
+    last = flows.get(way[-1])
+    stands = _STANDING.get(last.state, "is gone") if last is not None else "is gone"
+    return f"{way[0]} {', which '.join([*waits, stands])}"
+
+
+def _waits(one: Position, other: str) -> str:
+    tag = tag_of(one)
+    return f"waits {f'at {tag} ' if tag else ''}for {other}"

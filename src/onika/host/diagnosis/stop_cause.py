@@ -1,0 +1,98 @@
+"""The cause of a stop: what happened, where, and whether the run ends by it (requirement X06).
+
+Whoever runs an application makes one where a flow comes to stand still, or where the run ends before its time;
+`host.diagnosis.explanation` tells the rest.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+from typing import Any
+
+from onika.runtime import news
+
+
+class Kind(Enum):
+    """What sort of thing it was."""
+
+    ERROR = "error"
+    """A task is in ERROR."""
+    PRESSED = "pressed"
+    """So is a hardware task, because the panic button of its device is pressed."""
+    TRIPPED = "tripped"
+    """So is a hardware task, because the drive of its device has tripped."""
+    ILLEGAL = "illegal"
+    """A task says that it may not go on (signal ILLEGAL)."""
+    SHUTDOWN = "shutdown"
+    """A task demands the end (signal SHUTDOWN)."""
+    REFUSED = "refused"
+    """A task could not be spawned, cleared or turned on."""
+    ASKING = "asking"
+    """A task asks, and nobody is there to answer."""
+    LOST = "lost"
+    """A process of the runtime is gone."""
+    DEADLOCK = "deadlock"
+    """Flows wait for each other in a circle."""
+    DESERTED = "deserted"
+    """A flow waits for one that has ended, or stands still."""
+    USER = "user"
+    """Somebody wanted it."""
+
+
+@dataclass(frozen=True)
+class Cause:
+    """One cause. `text` is what was said, without the place; `subsystem` is empty where no flow is meant."""
+
+    kind: Kind
+    text: str
+    subsystem: str = ""
+    task: str = ""
+    path: str = ""
+    line: int = 0
+    """Where the module's code raised; else empty and 0."""
+    entry: str = ""
+    values: Mapping[str, Any] = field(default_factory=dict, hash=False)
+    """The task's ports by their own names, as they were when it failed."""
+    ends: bool = False
+    """Whether the run ends by it: then nothing can be done any more."""
+
+
+def of_failure(heard: news.Failed, is_hardware: bool = False) -> Cause:
+    """A task is in ERROR; of a hardware task what its module says tells whether its drive is the reason."""
+    text = f"{heard.entry}: {heard.text}" if heard.entry else heard.text
+    kind = _of_drive(heard.text) if is_hardware else Kind.ERROR
+    return Cause(kind, text, heard.subsystem, heard.task, heard.path, heard.line, heard.entry, heard.values)
+
+
+def of_signal(heard: news.Signalled) -> Cause:
+    """A task has signalled ILLEGAL or SHUTDOWN; raises ValueError for another signal."""
+    if heard.kind not in ("ILLEGAL", "SHUTDOWN"):
+        raise ValueError(f"expected the signal ILLEGAL or SHUTDOWN, found {heard.kind}")
+    text = f"{heard.kind}: {heard.text}" if heard.text else heard.kind
+    return Cause(Kind(heard.kind.lower()), text, heard.subsystem, heard.task)
+
+
+def of_refusal(heard: news.Refused) -> Cause:
+    """A command for a task was not carried out."""
+    return Cause(Kind.REFUSED, f"{heard.command} is refused: {heard.reason}", heard.subsystem, heard.task)
+
+
+def of_question(heard: news.Asked) -> Cause:
+    """A task asks, and what it was given does not answer it."""
+    names = ", ".join(one.name for one in heard.items)
+    reason = f" ({heard.reason})" if heard.reason else ""
+    text = f"asks for {names}{reason}, and there is no answer that fits"
+    return Cause(Kind.ASKING, text, heard.subsystem, heard.task)
+
+
+def of_loss(reason: str, tasks: Iterable[tuple[str, str]]) -> Cause:
+    """A process is gone; the (subsystem, task) of the run in whose call it was is named, if the reason names it."""
+    words = reason.replace(",", " ").split()
+    subsystem, task = next(((home, name) for home, name in tasks if f"{home}/{name}" in words), ("", ""))
+    return Cause(Kind.LOST, reason, subsystem, task)
+
+
+def _of_drive(text: str) -> Kind:
+    if "panic button" in text:
+        return Kind.PRESSED
+    return Kind.TRIPPED if "tripped" in text else Kind.ERROR

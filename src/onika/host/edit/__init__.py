@@ -1,0 +1,1 @@
+"""Subsystems changed by hand while they live."""

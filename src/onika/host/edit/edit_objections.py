@@ -1,0 +1,91 @@
+"""Objections to what is asked of a subsystem by hand, found before anything is changed."""
+
+from collections.abc import Sequence
+
+from onika.host.loading.plan_checks import wrong_rates
+from onika.host.loading.plan_preparation import unknown_parameters
+from onika.model.planned import task_of
+from onika.runtime.sheet import differences
+from onika.runtime.wiring import WiredTask, wire
+from onika.wire.live import Change
+from onika.wire.plan import PlannedTask
+from onika.wire.sheet import ModuleSheet
+from onika.words.fault import Fault, Place
+
+INSTEAD = "nothing is changed"
+
+
+def of_change(fault: Fault) -> Fault:
+    """A fault of an application's rules, said of a change."""
+    return Fault(fault.place, fault.expected, fault.found, INSTEAD)
+
+
+def wired(
+    tasks: Sequence[PlannedTask], sheets: dict[str, ModuleSheet]
+) -> tuple[list[WiredTask], list[Fault], list[str]]:
+    """Tasks bound to their modules' ports; in what they differ from these, and what is worth knowing."""
+    wired, faults, notes = [], [], []
+    for task in tasks:
+        sheet = sheets.get(task.digest)
+        if sheet is None:
+            continue  # its module's fault is told already
+        wrong = differences(task_of(task), sheet, Place(task.place))
+        faults += wrong
+        notes += unknown_parameters(task, sheet)
+        if not wrong:
+            wired.append(wire(task, sheet))
+    return wired, faults, notes
+
+
+def names(order: Change, living: Sequence[WiredTask]) -> list[Fault]:
+    """Tasks that are named and are not there, or are there already."""
+    there = {one.name for one in living}
+    born = [one.name for one in order.spawn]
+    after = (there - set(order.kill)) | set(born)
+    place = Place(f"subsystem {order.subsystem}")
+    missing = [(name, there) for name in order.kill] + [(name, there) for name in order.off]
+    missing += [(turn.task, after) for turn in order.on] + [(name, after) for name, _ in order.rates]
+    faults = [
+        Fault(place, f"one of {', '.join(sorted(known)) or 'no task'}", name, INSTEAD)
+        for name, known in missing
+        if name not in known
+    ]
+    twice = [name for name in dict.fromkeys(born) if born.count(name) > 1 or name in there - set(order.kill)]
+    return faults + [Fault(place, "each task once in a subsystem", f"{name} twice", INSTEAD) for name in twice]
+
+
+def rates(order: Change, tasks: Sequence[WiredTask]) -> list[Fault]:
+    """Rates that no task can have."""
+    place = Place(f"subsystem {order.subsystem}")
+    given = [(place, " now", name, hz) for name, hz in order.rates]
+    given += [(Place(one.place), "", one.name, one.frequency) for one in order.spawn if one.frequency is not None]
+    timeless = {one.name for one in tasks if one.task.frequency is None}
+    faults = [
+        Fault(place, f"a rate for a task that has one, {name} is aperiodic", f"{hz:g} Hz", INSTEAD)
+        for name, hz in order.rates
+        if name in timeless
+    ]
+    return faults + wrong_rates(given, {one.name for one in tasks if one.sheet.hardware}, INSTEAD)
+
+
+def moved(before: WiredTask, after: WiredTask) -> list[Fault]:
+    """A living task keeps its device."""
+    if before.device == after.device:
+        return []
+    found = f"DEVICE {after.device}"
+    return [Fault(Place(before.task.place), f"DEVICE {before.device} as before; exchange the task", found, INSTEAD)]
+
+
+def grown(before: WiredTask, after: WiredTask) -> list[Fault]:
+    """In what another module's ports differ from those that other tasks are bound to."""
+    place = Place(before.task.place)
+    known = {one.port: one for one in before.ports}
+    faults = [
+        Fault(place, f"{old.svar} {old.shape} in {old.unit}, as it is bound", f"{one.shape} in {one.unit}", INSTEAD)
+        for one in after.ports
+        if (old := known[one.port]) != one
+    ]
+    if before.sheet.hardware is not after.sheet.hardware:
+        kind = {True: "a hardware module", False: "a module that is no hardware"}
+        faults.append(Fault(place, kind[before.sheet.hardware], kind[after.sheet.hardware], INSTEAD))
+    return faults

@@ -1,0 +1,265 @@
+"""The editor: answers what is asked of subsystems by hand: all that is wrong with a change at once, else it begins."""
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+from msgspec import structs
+
+from onika.host.edit import edit_objections, transactions
+from onika.host.edit.live_subsystem import LiveSubsystem, Transaction
+from onika.host.edit.load_forecast import Coming
+from onika.host.loading.module_questions import Loading
+from onika.host.loading.plan_checks import absent_devices, conflicts, cycles, shapeless, shared_devices
+from onika.host.loading.plan_preparation import unknown_parameters
+from onika.host.subsystems import Stage
+from onika.model.lifecycle import State
+from onika.model.planned import task_of
+from onika.model.rules.reconfiguration import exchange
+from onika.runtime import command, news
+from onika.runtime.sheet import differences
+from onika.runtime.wiring import WiredTask, disagreements, wire
+from onika.wire import live as asked, request
+from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
+from onika.words.fault import Fault, Place
+
+Answer = Callable[[request.Response], None]
+
+
+class Editor:
+    """One runtime's subsystems as they are held by hand."""
+
+    def __init__(self, stage: Stage, loading: Loading) -> None:
+        self._stage = stage
+        self._loading = loading
+        self._count = 0
+
+    def change(self, order: asked.Change) -> request.Response:
+        """Check a change whole; accepted, it begins after those before it."""
+        self._loading.expect(order.code)
+        sheets, faults = self._sheets(order.code)
+        new, wrong, notes = edit_objections.wired(order.spawn, sheets)
+        faults += wrong + [edit_objections.of_change(fault) for fault in absent_devices(new, self._loading)]
+        known, unstated = self._known(order, new)
+        faults += unstated
+        live = self._stage.live.get(order.subsystem)
+        is_next = live is None or not live.is_busy  # else it finds what those before it leave
+        if is_next:
+            faults += self._faults(order, new, bool(faults))
+        if faults:
+            return refused(faults, notes)
+        live = self._stage.by_hand(order.subsystem)
+        for code in order.code:
+            live.cradle.know(code, self._loading.cost_ns(code))
+        return self._begin(live, self._carry_out(live, order, new, known, is_next))
+
+    def _carry_out(
+        self,
+        live: LiveSubsystem,
+        order: asked.Change,
+        new: list[WiredTask],
+        known: dict[str, dict[str, int]],
+        is_checked: bool,
+    ) -> Transaction:
+        """A change when its turn has come; one that had to wait is checked then."""
+        faults = [] if is_checked else self._faults(order, new, False)
+        if faults:
+            return "; ".join(f"expected {one.expected}, found {one.found}" for one in faults)
+        kept = [one for one in live.wired if one.name not in order.kill]
+        for task, text in self._overloads(order, [*kept, *new])[1]:
+            live.warn(task, text)
+        comers = tuple((one, self._stage.unit(one.task.rtpu)) for one in new)
+        swapped = exchange([one.placed for one in live.wired], order.kill, [one.placed for one in new])
+        return (
+            yield from transactions.change(
+                live, transactions.Edit(swapped, comers, order.off, order.on, order.rates, known)
+            )
+        )
+
+    def reinit(self, order: asked.Reinit) -> request.Response:
+        """Initialise a task anew, with other LOCAL lines where they are given."""
+        live, refusal = self._task(order.subsystem, order.task)
+        if live is None:
+            return refusal
+        before, wired, stated = live.members[order.task].wired, None, None
+        if order.local is not None:
+            planned = structs.replace(before.task, local=order.local)
+            wired = WiredTask(planned, before.sheet, before.ports)
+            faults = differences(task_of(planned), before.sheet, Place(planned.place)) + edit_objections.moved(
+                before, wired
+            )
+            if faults:
+                return refused(
+                    [edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, before.sheet)
+                )
+            found = self._loading.constants(live.cradle.code[planned.digest], order.local)
+            if isinstance(found, Fault):
+                return refused([edit_objections.of_change(found)], [])
+            stated = _aliased(wired, found)
+        return self._begin(live, _still(live, before, transactions.reinitialise(live, order.task, wired, stated)))
+
+    def swap(self, order: asked.Swap) -> request.Response:
+        """Exchange the code of a living task: its ports stay what they are."""
+        live, refusal = self._task(order.subsystem, order.task)
+        if live is None:
+            return refusal
+        before = live.members[order.task].wired
+        sheet = self._loading.sheet(order.code)
+        if isinstance(sheet, Fault):
+            return refused([edit_objections.of_change(sheet)], [])
+        planned = structs.replace(before.task, digest=order.code.digest, module=order.code.module)
+        faults = differences(task_of(planned), sheet, Place(planned.place))
+        wired = wire(planned, sheet) if not faults else before
+        faults += edit_objections.grown(before, wired) + conflicts(
+            [wired if one is before else one for one in live.wired]
+        )
+        if faults:
+            return refused([edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, sheet))
+        live.cradle.know(order.code, self._loading.cost_ns(order.code))
+        return self._begin(live, _still(live, before, transactions.swap(live, order.task, wired)))
+
+    def clear(self, order: asked.Clear) -> request.Response:
+        """Bring a task out of ERROR."""
+        live, refusal = self._task(order.subsystem, order.task)
+        if live is None:
+            return refusal
+        if live.state(order.task) is not State.ERROR:
+            return request.Refused(f"{order.task} is {live.state(order.task).value}, not ERROR")
+        wired = live.members[order.task].wired
+        return self._begin(live, _still(live, wired, transactions.clearing(live, order.task)))
+
+    def close(self, order: asked.Close) -> request.Response:
+        """Kill every task of a subsystem."""
+        live = self._stage.live.get(order.subsystem)
+        if live is None:
+            return request.Refused(f"there is no subsystem {order.subsystem} held by hand")
+        return self._begin(live, transactions.close(live))
+
+    def answer(self, order: request.Reply) -> request.Response:
+        """The user's answer to an asking task."""
+        live, refusal = self._task(order.subsystem, order.task)
+        if live is None:
+            return refusal
+        if live.state(order.task) is not State.ASKING:
+            return request.Refused(f"{order.task} asks for nothing")
+        live.wanted[order.task] = order.line
+        live.send(order.task, command.Answer(order.subsystem, order.task, order.line))
+        return request.Done()
+
+    def ask(self, order: asked.Get | asked.Set, answer: Answer) -> None:
+        """Ask a module something, or tell it; the answer comes later."""
+        member = self._stage.members(order.subsystem).get(order.task)
+        if member is None:
+            answer(request.Refused(f"there is no task {order.task} in subsystem {order.subsystem}"))
+            return
+
+        def told(heard: news.Got | news.Refused) -> None:
+            answer(asked.Value(heard.value) if isinstance(heard, news.Got) else request.Refused(heard.reason))
+
+        name = order.name
+        to = command.Set if isinstance(order, asked.Set) else command.Get
+        words: tuple[Any, ...] = (name, order.value) if isinstance(order, asked.Set) else (name,)
+        self._stage.roll.ask(member.rtpu, to(order.subsystem, order.task, *words), told)
+
+    def _begin(self, live: LiveSubsystem, transaction: Transaction) -> asked.Accepted:
+        self._count += 1
+        live.begin(self._count, transaction)
+        return asked.Accepted(self._count)
+
+    def _living(self, subsystem: str) -> list[WiredTask]:
+        live = self._stage.live.get(subsystem)
+        return live.wired if live is not None else []
+
+    def _task(self, subsystem: str, task: str) -> tuple[LiveSubsystem | None, request.Refused]:
+        live = self._stage.live.get(subsystem)
+        if live is None or live.state(task) is State.KILLED:  # never born, dead, or gone with its unit
+            return None, request.Refused(f"there is no task {task} in subsystem {subsystem}")
+        return live, request.Refused("")
+
+    def _sheets(self, codes: Sequence[Code]) -> tuple[dict[str, ModuleSheet], list[Fault]]:
+        sheets, faults = {}, []
+        for code in codes:
+            sheet = self._loading.sheet(code)
+            if isinstance(sheet, Fault):
+                faults.append(sheet)
+            else:
+                sheets[code.digest] = sheet
+        return sheets, faults
+
+    def _faults(self, order: asked.Change, new: list[WiredTask], is_wrong: bool) -> list[Fault]:
+        """All that is wrong with a change as things stand; where more is wrong already, only what is plain."""
+        living = self._living(order.subsystem)
+        faults = edit_objections.names(order, living)
+        faults += [
+            Fault(Place(one.task.place), f"a unit for {one.name} that lives", gone, edit_objections.INSTEAD)
+            for one in new
+            if (gone := self._stage.gone(one.task.rtpu))
+        ]
+        everyone = [*(one for one in living if one.name not in order.kill), *new]
+        if not (faults or is_wrong):
+            faults += self._together(order.subsystem, everyone) + edit_objections.rates(order, everyone)
+        return faults or ([] if is_wrong else self._overloads(order, everyone)[0])
+
+    def _together(self, subsystem: str, everyone: list[WiredTask]) -> list[Fault]:
+        """What is wrong with these tasks living together, and with devices that others hold."""
+        faults = disagreements(everyone) + conflicts(everyone) + cycles(everyone)
+        others = [one for name, live in self._stage.live.items() if name != subsystem for one in live.wired]
+        return [edit_objections.of_change(fault) for fault in faults + shared_devices([*others, *everyone])]
+
+    def _overloads(self, order: asked.Change, tasks: Sequence[WiredTask]) -> tuple[list[Fault], list[tuple[str, str]]]:
+        """Tasks for which a unit has no time, and those for which it hardly has (X13)."""
+        by_name = {one.name: one for one in tasks}
+        rates = dict(order.rates)
+        live = self._stage.live.get(order.subsystem)
+        units = {name: member.rtpu for name, member in live.members.items()} if live is not None else {}
+        coming = []
+        for name in dict.fromkeys((*(turn.task for turn in order.on), *rates)):
+            task = by_name[name].task
+            hz = rates.get(name) or (live.rates.get(name) if live is not None else None) or task.frequency or 0.0
+            rtpu = units.get(name) or self._stage.unit(task.rtpu)
+            coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
+        off = [(order.subsystem, name) for name in (*order.off, *order.kill)]
+        found = self._stage.forecast.warnings(off, coming)
+        place = Place(f"subsystem {order.subsystem}")
+        faults = [
+            Fault(place, f"time for {one.task} on {one.rtpu}", text, edit_objections.INSTEAD)
+            for one, use, text in found
+            if use > 1.0
+        ]
+        return faults, [(one.task, text) for one, use, text in found if use <= 1.0]
+
+    def _known(self, order: asked.Change, new: Sequence[WiredTask]) -> tuple[dict[str, dict[str, int]], list[Fault]]:
+        """What robot modules state of themselves before they live."""
+        known: dict[str, dict[str, int]] = {}
+        faults = []
+        code = {one.digest: one for one in order.code}
+        for one in (one for one in new if one.sheet.hardware):
+            stated = self._loading.constants(code[one.task.digest], one.task.local)
+            if isinstance(stated, Fault):
+                faults.append(stated)
+            else:
+                known[one.name] = _aliased(one, stated)
+        together = {name: value for values in known.values() for name, value in values.items()}
+        return known, faults + [edit_objections.of_change(fault) for fault in shapeless(new, together)]
+
+
+def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
+    """All that is wrong, as it travels."""
+    texts = (
+        request.FaultText(one.place.file, one.place.line, one.expected, one.found, one.instead, one.where, one.remedies)
+        for one in sorted(set(faults))
+    )
+    return request.Prepared(tuple(texts), tuple(notes))
+
+
+def _aliased(wired: WiredTask, stated: dict[str, Any]) -> dict[str, Any]:
+    aliases = dict(wired.task.aliases)
+    return {aliases.get(name, name): value for name, value in stated.items()}
+
+
+def _still(live: LiveSubsystem, wired: WiredTask, transaction: Transaction) -> Transaction:
+    """A transaction about a task as it was checked, if it still is when its turn comes."""
+    member = live.members.get(wired.name)
+    if member is None or member.wired is not wired:
+        return f"{wired.name}: it was changed or ended meanwhile"
+    return (yield from transaction)

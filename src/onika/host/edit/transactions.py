@@ -1,0 +1,253 @@
+"""Edits of a live subsystem as transactions: prepare, commit at one instant, then kill the old (laws 12, 22).
+
+Each is a generator for `LiveSubsystem.begin`: it goes step by step (`edit_steps`), and returns why it came to nothing.
+What was prepared is taken back then, and what was ON is ON again.
+"""
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+
+from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, on_now, reinit, spawn, switch, trouble
+from onika.host.edit.live_subsystem import LiveSubsystem, Transaction
+from onika.model.lifecycle import State
+from onika.model.rules.order import constant_order
+from onika.model.rules.reconfiguration import Exchange, dependents
+from onika.runtime import command
+from onika.runtime.table import Entry
+from onika.runtime.wiring import WiredTask
+from onika.wire.live import Turn
+
+Known = Mapping[str, int]
+"""The constants that a robot module states before it lives."""
+
+
+@dataclass(frozen=True, slots=True)
+class Edit:
+    """What an accepted change is to do."""
+
+    exchange: Exchange
+    new: tuple[Newcomer, ...] = ()
+    off: tuple[str, ...] = ()
+    on: tuple[Turn, ...] = ()
+    rates: tuple[tuple[str, float], ...] = ()
+    known: Mapping[str, Known] = field(default_factory=dict)
+    """By newcomer."""
+
+
+class _Before:
+    """What to go back to."""
+
+    def __init__(self, live: LiveSubsystem, new: Collection[Newcomer]) -> None:
+        self.on = {name: live.wanted.get(name, "") for name in on_now(live)}
+        """Tasks that are ON, with their argument lines."""
+        self.order = [(member.wired, member.rtpu) for member in live.members.values()]
+        self.waiting = [name for name, member in live.members.items() if not member.is_sent]
+        self.wanted, self.rates, self.known = dict(live.wanted), dict(live.rates), dict(live.known)
+        self.killed: list[str] = []
+        supplied = {svar for wired, _ in new for svar in wired.outconst if svar not in wired.outvar}
+        self.constants: list[tuple[Entry, bytes]] = [
+            (entry, live.table.ring(svar).read())
+            for svar, entry in live.table.entries.items()
+            if svar in supplied and live.table.ring(svar).count
+        ]
+        """What newcomers write as soon as they are born, and others have written before."""
+
+    def newcomers(self, names: Collection[str]) -> list[Newcomer]:
+        """These tasks, to be born again."""
+        return [one for one in self.order if one[0].name in names]
+
+    def rate(self, name: str) -> float:
+        """The rate a task had."""
+        planned = next(wired.task.frequency for wired, _ in self.newcomers([name]))
+        return self.rates.get(name, planned or 0.0)
+
+
+def change(live: LiveSubsystem, edit: Edit) -> Transaction:
+    """Carry out a change whole, or not at all."""
+    exchange, born = edit.exchange, [wired.name for wired, _ in edit.new]
+    before = _Before(live, edit.new)
+    before.killed = list(exchange.kill_first)
+    yield from switch(live, exchange.kill_first, ())
+    yield from kill(live, exchange.kill_first)
+    live.known |= {name: dict(known) for name, known in edit.known.items()}
+    yield from spawn(live, edit.new)
+    cause = trouble(live, born)
+    is_committed = not cause
+    if is_committed:
+        again = exchange.reinit  # those born in this change too: a supplier of theirs may have learnt something since
+        old = [name for name in exchange.kill if name not in exchange.kill_first]
+        yield from _commit(live, edit, [*edit.off, *old], again, before.on)
+        cause = trouble(live, [*(turn.task for turn in edit.on), *again, *(name for name, _ in edit.rates)])
+    if not cause:
+        yield from kill(live, old)
+        _remember(live, edit)
+        return ""
+    yield from _take_back(live, edit, before, is_committed)
+    return cause
+
+
+def reinitialise(live: LiveSubsystem, task: str, wired: WiredTask | None, known: Known | None = None) -> Transaction:
+    """Initialise a task anew, with the parameters of `wired` where given, then all that read its constants.
+
+    Where shapes change, hardware tasks stay OFF until somebody turns them on again (law 12). Where a task refuses its
+    new constants the old parameters count again; without any, it is in ERROR and the others go on as they were.
+    """
+    if wired is None and live.state(task) is State.ERROR:
+        return f"{task}: it is in ERROR, clear it first"
+    before = _Before(live, ())
+    former = live.members[task].wired
+    others = dependents([one.ports for one in live.placed() if one.name != task], former.outconst)
+    chain = [task, *others]
+    errors = [name for name in chain if live.state(name) is State.ERROR]
+    on = [Turn(name, line) for name, line in before.on.items() if name in chain]
+    yield from switch(live, [turn.task for turn in on], ())
+    if wired is not None:
+        _rewire(live, wired, known)
+    cause = yield from _initialise(live, chain, {} if wired is None else {task: wired.task.local})
+    back = on if cause else _to_return(live, on)
+    if cause and wired is not None:
+        _rewire(live, former, before.known.get(task))
+        for name in chain:
+            yield from _restore(live, name, name not in errors, former.task.local if name == task else None)
+    yield from switch(live, (), [turn for turn in back if live.state(turn.task) is State.OFF])
+    return cause or trouble(live, [turn.task for turn in back])
+
+
+def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
+    """Exchange the code of a living task; where it fails the old one stays (law 21)."""
+    member = live.members[task]
+    before, member.wired = member.wired, wired
+    if not member.is_sent:
+        return ""  # it is born with the new code
+    live.done.discard(task)
+    live.send(task, command.Swap(live.cradle.order(live.subsystem, task)))
+    yield lambda: task in live.done or task in live.trouble or live.state(task) is State.KILLED
+    if task not in live.done:
+        member.wired = before
+    return trouble(live, [task])
+
+
+def clearing(live: LiveSubsystem, task: str) -> Transaction:
+    """Bring a task out of ERROR."""
+    yield from clear(live, task)
+    return trouble(live, [task])
+
+
+def close(live: LiveSubsystem) -> Transaction:
+    """Kill every task; then the subsystem is no more."""
+    yield from switch(live, on_now(live), ())
+    yield from kill(live, list(live.members))
+    live.is_closing = True
+    return ""
+
+
+def rest(live: LiveSubsystem) -> Transaction:
+    """Everything off: whoever held the subsystem is gone (X12)."""
+    yield from switch(live, on_now(live), ())
+    live.wanted.clear()
+    return ""
+
+
+# Parts of them
+
+
+def _commit(
+    live: LiveSubsystem, edit: Edit, off: Sequence[str], again: Sequence[str], on_before: Mapping[str, str]
+) -> Step:
+    """Off and on at one instant; where constants were exchanged, their consumers are initialised anew in between."""
+    if not again:
+        yield from switch(live, off, edit.on, edit.rates)
+        return
+    asked = {turn.task for turn in edit.on}
+    gone = {*off, *(wired.name for wired, _ in edit.new)}  # a newcomer may bear the name of one that was ON
+    back = [Turn(name, on_before[name]) for name in again if name in on_before and name not in gone]
+    yield from switch(live, [*off, *(turn.task for turn in back)], (), edit.rates)
+    for name in again:
+        yield from reinit(live, name)
+    if not trouble(live, again):
+        yield from switch(live, (), [*_to_return(live, [one for one in back if one.task not in asked]), *edit.on])
+
+
+def _to_return(live: LiveSubsystem, turns: Sequence[Turn]) -> list[Turn]:
+    """Who comes on again by itself: all, but after a change of shapes no hardware before somebody says so (law 12)."""
+    if not live.reshaping.has_changed:
+        return list(turns)
+    for turn in turns:
+        if live.members[turn.task].wired.sheet.hardware:
+            live.wanted.pop(turn.task, None)
+            live.warn(turn.task, "shapes have changed: it stays OFF until it is turned on")
+    return [turn for turn in turns if not live.members[turn.task].wired.sheet.hardware]
+
+
+def _initialise(live: LiveSubsystem, chain: Sequence[str], local: Mapping[str, Lines]) -> Transaction:
+    """One after the other, up to the first that refuses; why it does."""
+    for name in chain:
+        yield from reinit(live, name, local.get(name))
+        if name in live.trouble:
+            return trouble(live, [name])
+    return ""
+
+
+def _take_back(live: LiveSubsystem, edit: Edit, before: _Before, is_committed: bool) -> Step:
+    """As it was: the new ones die, the old ones live, and what was ON comes on again."""
+    live.trouble.clear()
+    yield from switch(live, [name for name in on_now(live) if name not in before.on], ())
+    awake = [name for name in before.waiting if live.members[name].is_sent]
+    yield from kill(live, [*(wired.name for wired, _ in edit.new), *awake])
+    live.known = dict(before.known)
+    if not is_committed:
+        live.reshaping.undo()
+    for entry, value in before.constants:
+        if live.table.entries.get(entry.name) == entry:
+            live.table.ring(entry.name).write(value)
+            live.table.ring(entry.name).seal()
+    yield from spawn(live, before.newcomers([*before.killed, *awake]))
+    live.rewire([one for one in before.order if one[0].name in live.members])
+    if is_committed:
+        yield from _relearn(live, edit)
+    yield from _come_back(live, edit, before)
+    live.wanted, live.rates = dict(before.wanted), dict(before.rates)
+
+
+def _relearn(live: LiveSubsystem, edit: Edit) -> Step:
+    """Old tasks and those that read their constants take over what counts again, suppliers first."""
+    stale = {*edit.exchange.kill, *edit.exchange.reinit} - {*edit.exchange.kill_first}
+    if not (edit.exchange.reinit or live.reshaping.has_changed):
+        return
+    yield from switch(live, [name for name in on_now(live) if name in stale], ())
+    for name in constant_order([one.ports for one in live.placed()])[0]:
+        if name in stale:
+            yield from _restore(live, name, name in edit.exchange.reinit)
+
+
+def _restore(live: LiveSubsystem, name: str, may_clear: bool, local: Lines | None = None) -> Step:
+    """Initialise a task anew; one that is in ERROR for what is taken back comes out of it."""
+    live.trouble.pop(name, None)
+    yield from reinit(live, name, local)
+    if may_clear and live.state(name) is State.ERROR:
+        yield from clear(live, name)
+
+
+def _come_back(live: LiveSubsystem, edit: Edit, before: _Before) -> Step:
+    """Rates as they were, and ON whoever was."""
+    on = [Turn(name, line) for name, line in before.on.items() if live.state(name) is State.OFF]
+    changed = [name for name, _ in edit.rates] + [name for name in before.killed if name in before.rates]
+    here = [name for name in changed if live.state(name) in (State.ON, State.OFF, State.ASKING, State.ERROR)]
+    yield from switch(live, (), on, tuple((name, before.rate(name)) for name in dict.fromkeys(here)))
+
+
+def _rewire(live: LiveSubsystem, wired: WiredTask, known: Known | None) -> None:
+    """A task with other parameters."""
+    live.known.pop(wired.name, None)
+    if known:
+        live.known[wired.name] = dict(known)
+    live.rewire([(wired if name == wired.name else one.wired, one.rtpu) for name, one in live.members.items()])
+
+
+def _remember(live: LiveSubsystem, edit: Edit) -> None:
+    """What is wanted from now on; what has done its job meanwhile is not."""
+    for name in edit.off:
+        live.wanted.pop(name, None)
+    on = [turn for turn in edit.on if live.state(turn.task) in (State.ON, State.ASKING)]
+    live.wanted |= {turn.task: turn.arguments for turn in on}
+    live.rates |= dict(edit.rates)

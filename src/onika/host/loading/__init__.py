@@ -1,0 +1,1 @@
+"""What is learnt of module code and of plans before anything lives."""

@@ -1,0 +1,151 @@
+"""What is learnt of module code by executing it: sheets, constants, reach. Called in the loader's process only."""
+
+from collections.abc import Mapping
+from time import perf_counter_ns
+from typing import Any
+
+import numpy as np
+
+from onika.host.units.world_registry import open_world
+from onika.runtime.binding import locals_of
+from onika.runtime.bus import World
+from onika.runtime.code import line_in, load, told
+from onika.runtime.sheet import sheet_of
+from onika.wire.plan import Code
+from onika.wire.sheet import ModuleSheet
+from onika.words.fault import Fault, Place
+
+Lines = tuple[tuple[str, tuple[str, ...]], ...]
+
+
+class DirectLoading:
+    """Executes module code in this process."""
+
+    def __init__(self) -> None:
+        self._worlds: dict[str, World] = {}
+
+    def sheet(self, code: Code) -> ModuleSheet | Fault:
+        """The sheet of a module's class."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            return sheet_of(cls)
+        except ValueError as wrong:
+            return self._fault(code, "declarations that agree", wrong)
+
+    def cost_ns(self, code: Code) -> int:
+        """How long the module takes to load once more, when its libraries are there; the quickest of three times."""
+        times = []
+        for _ in range(3):
+            began = perf_counter_ns()
+            load(code.source, code.path, code.module)
+            times.append(perf_counter_ns() - began)
+        return min(times)
+
+    def expect(self, codes: tuple[Code, ...]) -> None:
+        """Answers are made at once, nothing is prepared."""
+
+    def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
+        """A robot module's constants from its LOCAL lines, as plain lists and numbers."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            found = cls.constants(locals_of(cls, dict(local)))
+            return {name: _plain(value) for name, value in found.items()}
+        except Exception as wrong:
+            return self._fault(code, "constants from the LOCAL lines", wrong)
+
+    def devices(self, world: str) -> tuple[str, ...] | Fault:
+        """The devices of a world."""
+        try:
+            return tuple(sheet.name for sheet in self._world(world).devices())
+        except Exception as wrong:
+            return Fault(Place(world), str(wrong), world, "no device of it is used")
+
+    def resolve(
+        self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
+    ) -> list[str | None] | Fault:
+        """Why each target is out of reach, or None."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            return list(cls.resolve(constants, list(targets)))
+        except Exception as wrong:
+            return self._fault(code, "an answer about the reach of targets", wrong)
+
+    def poses(
+        self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
+    ) -> list[list[float]] | Fault | None:
+        """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            found = cls.poses(constants, list(targets))
+            return None if found is None else [[float(one) for one in nine] for nine in found]
+        except Exception as wrong:
+            return self._fault(code, "poses of joint targets", wrong)
+
+    def postures(
+        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
+    ) -> list[list[float] | str] | Fault | None:
+        """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            found = cls.postures(constants, list(nines))
+            if found is None:
+                return None
+            return [one if isinstance(one, str) else [float(value) for value in one] for one in found]
+        except Exception as wrong:
+            return self._fault(code, "postures for poses", wrong)
+
+    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
+        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
+        cls = load(code.source, code.path, code.module)
+        if isinstance(cls, Fault):
+            return cls
+        try:
+            said = self._identity(device)
+            return "" if said is None else cls.fits(constants, dict(said)) or ""
+        except Exception as wrong:
+            return self._fault(code, "an answer about the device", wrong)
+
+    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
+        """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
+        try:
+            ask = getattr(self._world(world), "remarks" if is_of_flow else "objections", None)
+            return () if ask is None else tuple(ask(devices))
+        except Exception:
+            return ()  # a world that cannot be opened is told with its devices
+
+    def _identity(self, device: str) -> Mapping[str, Any] | None:
+        """What a device says of itself; None where there is none such, as is told elsewhere."""
+        world, _, name = device.partition(":")
+        try:
+            devices = self._world(world).devices()
+        except Exception:
+            return None
+        return next((one.identity for one in devices if one.name == name), None)
+
+    def _world(self, name: str) -> World:
+        """A world that is only looked at: nothing is claimed in it, and it never passes any time."""
+        if name not in self._worlds:
+            self._worlds[name] = open_world(name)
+        return self._worlds[name]
+
+    def _fault(self, code: Code, expected: str, wrong: Exception) -> Fault:
+        place = Place(code.path, line_in(code.path, wrong))
+        return Fault(place, expected, told(wrong), f"module {code.module} is not used")
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, np.ndarray | np.generic):
+        return value.tolist()
+    if isinstance(value, list | tuple):
+        return [_plain(one) for one in value]
+    return value

@@ -1,0 +1,70 @@
+"""Conditions of a plan against the variables they speak of: each has to name one number that will be there (D13)."""
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from onika.host.loading.plan_checks import NOT_RUN
+from onika.runtime.wiring import WiredTask
+from onika.wire.plan import Again, Choose, Do, PlannedFlow, Rest, Unless
+from onika.words.condition import Condition
+from onika.words.fault import Fault, Place
+from onika.words.shape import Shape
+
+Constants = Mapping[int, Mapping[str, Any]]
+"""By flow: the constants that shapes depend on, as far as they are known before the run."""
+
+
+def wrong_conditions(
+    flows: Sequence[PlannedFlow], wired: Sequence[Sequence[WiredTask]], constants: Constants
+) -> list[Fault]:
+    """Conditions of tests, branches and breakpoints that could never hold, or that are none."""
+    shapes = {
+        planned.subsystem: {
+            port.svar: _resolved(port.shape, constants.get(number, {})) for one in tasks for port in one.ports
+        }
+        for number, (planned, tasks) in enumerate(zip(flows, wired, strict=True))
+    }
+    return [
+        Fault(place, expected, text, NOT_RUN)
+        for flow in flows
+        for place, text in _conditions(flow)
+        if (expected := _expected(text, flow.subsystem, shapes))
+    ]
+
+
+def _conditions(flow: PlannedFlow) -> Iterator[tuple[Place, str]]:
+    """Every condition of a flow's program, and the action behind which it is judged."""
+    place = Place(flow.actions[0].place, flow.actions[0].line) if flow.actions else Place(flow.subsystem)
+    for one in flow.program:
+        match one:
+            case Do():
+                place = Place(flow.actions[one.action].place, flow.actions[one.action].line)
+            case Choose():
+                yield from ((place, text) for text in one.conditions)
+            case Again() | Unless() | Rest():
+                yield from ((place, text) for text in (one.condition,) if text)
+
+
+def _expected(text: str, home: str, shapes: Mapping[str, Mapping[str, Shape]]) -> str:
+    """What a condition should have been; empty: it is sound."""
+    try:
+        condition = Condition.parse(text)
+    except ValueError as wrong:
+        return str(wrong).partition(", found")[0].removeprefix("expected ")
+    subsystem, _, name = condition.address.rpartition("/")
+    known = shapes.get(subsystem or home, {})
+    if name not in known:
+        return f"a variable that a task of {subsystem or home} reads or writes"
+    shape = known[name]
+    if shape.type.is_text:
+        return f"a condition on numbers; {name} is {shape}"
+    fits = len(condition.index) == len(shape.dims) and all(
+        not isinstance(dim, int) or at < dim for at, dim in zip(condition.index, shape.dims, strict=False)
+    )
+    return "" if fits else f"one number of {name}, which is {shape} and counted from 0"
+
+
+def _resolved(shape: Shape, constants: Mapping[str, Any]) -> Shape:
+    """The shape with every dimension that is known by now."""
+    dims = tuple(int(constants[dim]) if isinstance(dim, str) and dim in constants else dim for dim in shape.dims)
+    return Shape(shape.type, dims)

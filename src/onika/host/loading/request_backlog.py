@@ -1,0 +1,37 @@
+"""The requests that wait until the loader has answered, and those that wait behind them, in the order they came."""
+
+from collections.abc import Callable
+from typing import get_args
+
+from onika.host.sessions.request_server import Call
+from onika.wire import holding, live, request
+
+_AT_ONCE = (
+    *(request.Stop, live.Reset, request.Abort, request.Quit, live.Survey, live.Read, live.Attend, live.Touch),
+    *get_args(holding.HoldingRequest),
+)
+"""What never waits behind another request."""
+
+Answer = Callable[[request.Response], None]
+
+
+class Backlog:
+    """What was asked and is not carried out yet, each with who is to be told."""
+
+    def __init__(self) -> None:
+        self._waiting: list[tuple[Call, Answer]] = []
+
+    def is_before(self, call: Call) -> bool:
+        """Whether something waits that this session asked earlier, but for descriptions: then this waits too."""
+        if isinstance(call.asked, _AT_ONCE):
+            return False
+        return any(one.session == call.session and not isinstance(one.asked, live.Describe) for one, _ in self._waiting)
+
+    def keep(self, call: Call, answer: Answer) -> None:
+        """It waits, behind all others."""
+        self._waiting.append((call, answer))
+
+    def take(self) -> list[tuple[Call, Answer]]:
+        """All that waits, to be tried again; what still cannot be carried out is kept anew."""
+        waiting, self._waiting = self._waiting, []
+        return waiting

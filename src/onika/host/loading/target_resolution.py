@@ -1,0 +1,216 @@
+"""Joint targets for another robot than the one they were made for: re-resolved by way of the tool's pose (law 26).
+
+The pose is what the replaced robot would bring its tool to. A target with whose values both robots come to one pose
+stays as it is, as from a robot to its kinematic mode; any other becomes the posture nearest to the one before it.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from msgspec.structs import replace
+
+from onika.host.loading.module_questions import Loading
+from onika.host.loading.plan_checks import NOT_RUN, at_action
+from onika.runtime.user_input import UserInput
+from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
+from onika.wire.request import Resolved, TargetValues
+from onika.wire.sheet import ModuleSheet
+from onika.words import argument
+from onika.words.fault import Fault, Place
+
+JOINT = "joint object"
+"""The type of target whose first NDOF values are those of joints (§A.7)."""
+_SAME = 1e-9
+"""Two poses that differ by no more, in m or in parts of a unit vector, are one."""
+
+Values = tuple[Any, ...]
+
+
+@dataclass(slots=True)
+class Resolution:
+    """A plan and its targets as the robots that stand in for others take them."""
+
+    plan: Plan
+    targets: list[TargetValues]
+    resolved: list[Resolved] = field(default_factory=list)
+    refused: set[tuple[int, int]] = field(default_factory=set)
+    """The actions of targets that are none for the robot."""
+    faults: list[Fault] = field(default_factory=list)
+
+
+def resolve(
+    plan: Plan, targets: Sequence[TargetValues], sheets: Mapping[str, ModuleSheet], loading: Loading
+) -> Resolution:
+    """The plan with every joint target of a redirected robot resolved anew; as it is where nothing is redirected."""
+    found = Resolution(plan, list(targets))
+    if not any(flow.replaced for flow in plan.flows):
+        return found
+    code = {one.digest: one for one in plan.code}
+    for number, flow in enumerate(plan.flows):
+        tasks = {task.name: task for task in flow.tasks}
+        for name, old in flow.replaced:
+            new = tasks.get(name)
+            if new is not None and new.digest in sheets and sheets[new.digest].hardware:
+                _Pair(number, flow, old, new, code, sheets, loading, found).resolve()
+    _rewrite(found)
+    return found
+
+
+class _Pair:
+    """One robot that stands for another one in a flow."""
+
+    def __init__(
+        self,
+        number: int,
+        flow: PlannedFlow,
+        old: PlannedTask,
+        new: PlannedTask,
+        code: Mapping[str, Code],
+        sheets: Mapping[str, ModuleSheet],
+        loading: Loading,
+        found: Resolution,
+    ) -> None:
+        self._number, self._flow, self._old, self._new = number, flow, old, new
+        self._sheets = sheets
+        self._code, self._loading, self._found = code, loading, found
+
+    def resolve(self) -> None:
+        """All its joint targets."""
+        aims = [
+            (at, one)
+            for at, one in enumerate(self._found.targets)
+            if one.flow == self._number and one.kind == JOINT and self._new.name in self._flow.actions[one.action].tasks
+        ]
+        ours = self._constants(self._new) if aims else None
+        if not ours:
+            return  # no robot that states anything, or told when its constants are looked at
+        theirs = self._constants(self._old)
+        if theirs is None:
+            code = f"the robot that they were made for, {self._old.name}, to know their poses"
+            self._refuse(aims, code, "none that states its constants")
+        elif theirs != ours:  # else it is the same robot, in another mode
+            self._transfer(aims, theirs, ours)
+
+    def _constants(self, task: PlannedTask) -> dict[str, Any] | None:
+        code = self._code.get(task.digest)
+        found = None if code is None else self._loading.constants(code, task.local)
+        return found if isinstance(found, dict) and found else None
+
+    def _transfer(self, aims: list[tuple[int, TargetValues]], theirs: dict[str, Any], ours: dict[str, Any]) -> None:
+        """By way of the poses; what both take in the same way stays."""
+        aims = list(self._counted(aims, theirs))
+        values = [list(one.values) for _, one in aims]
+        nines = self._poses(self._old, theirs, values)
+        if nines is None:
+            self._refuse(aims, f"poses of joint targets from module {self._old.module}", "none")
+            return
+        kept = self._kept(values, nines, ours) if theirs.get("NDOF") == ours.get("NDOF") else set()
+        changed = [k for k in range(len(aims)) if k not in kept]
+        postures = self._loading.postures(self._code[self._new.digest], ours, [nines[k] for k in changed])
+        if isinstance(postures, Fault):
+            self._found.faults.append(postures)
+        elif postures is None:
+            self._refuse([aims[k] for k in changed], f"postures for poses from module {self._new.module}", "none")
+        else:
+            for k, posture in zip(changed, postures, strict=True):
+                self._take(*aims[k], posture, theirs.get("NDOF", 0))
+
+    def _counted(
+        self, aims: list[tuple[int, TargetValues]], theirs: dict[str, Any]
+    ) -> Iterator[tuple[int, TargetValues]]:
+        """Those with as many values as the replaced robot takes; else a duration would be taken for a joint."""
+        for at, aim in aims:
+            wrong = self._miscounted(self._flow.actions[aim.action], theirs)
+            if wrong:
+                self._refuse([(at, aim)], f"values for {self._old.name}", wrong)
+            elif len(aim.values) >= theirs.get("NDOF", 0):
+                yield at, aim
+
+    def _miscounted(self, action: PlannedAction, theirs: dict[str, Any]) -> str:
+        """Why the argument line of an action has not as many values as its trigger takes for the replaced robot."""
+        digests = {task.name: task.digest for task in self._flow.tasks}
+        sheets = [self._sheets.get(digests.get(name, "")) for name in action.tasks]
+        trigger = next((one for one in sheets if one is not None and one.trigger), None)
+        if trigger is None or not action.arguments:
+            return ""
+        try:
+            known = UserInput(trigger.inputs, theirs)
+            if not known.takes(action.arguments):
+                known.parse(action.arguments)
+        except KeyError:
+            return ""  # a bound that only a running task supplies
+        except ValueError as wrong:
+            return str(wrong)
+        return ""
+
+    def _poses(self, task: PlannedTask, constants: dict[str, Any], values: list[list[Any]]) -> list[list[float]] | None:
+        found = self._loading.poses(self._code[task.digest], constants, values)
+        if isinstance(found, Fault):
+            self._found.faults.append(found)
+            return None
+        return found
+
+    def _kept(self, values: list[list[Any]], nines: list[list[float]], ours: dict[str, Any]) -> set[int]:
+        """The targets whose values bring the new robot to the same poses, within its limits."""
+        code = self._code[self._new.digest]
+        own = self._poses(self._new, ours, values)
+        why = self._loading.resolve(code, ours, [(JOINT, one) for one in values])
+        if own is None or isinstance(why, Fault):
+            return set()
+        return {
+            k
+            for k, (mine, theirs) in enumerate(zip(own, nines, strict=True))
+            if why[k] is None and max(abs(a - b) for a, b in zip(mine, theirs, strict=True)) <= _SAME
+        }
+
+    def _take(self, at: int, aim: TargetValues, posture: list[float] | str, joints: int) -> None:
+        if isinstance(posture, str):
+            self._refuse([(at, aim)], f"a posture of {self._new.name} where {self._old.name} would be", posture)
+            return
+        values = (*posture, *aim.values[joints:])
+        self._found.targets[at] = replace(aim, values=values)
+        told = Resolved(aim.flow, aim.action, aim.name, self._new.name, self._old.name, aim.values, values)
+        self._found.resolved.append(told)
+
+    def _refuse(self, aims: list[tuple[int, TargetValues]], expected: str, found: str) -> None:
+        for _, aim in aims:
+            self._found.refused.add((aim.flow, aim.action))
+            said = f"{aim.name}: {found}" if aim.name else found
+            self._found.faults.append(at_action(self._found.plan, aim.flow, aim.action, expected, said, NOT_RUN))
+
+
+def told(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[str]:
+    """In words, once for all uses of a target: what became of it."""
+    uses: dict[tuple[Any, ...], list[Resolved]] = {}
+    for one in resolved:
+        uses.setdefault((one.target, one.task, one.values), []).append(one)
+    for (target, task, values), found in uses.items():
+        first = plan.flows[found[0].flow].actions[found[0].action]
+        numbers = " ".join(f"{value:.4g}" if isinstance(value, float) else str(value) for value in values)
+        often = f", {len(found)} times" if len(found) > 1 else ""
+        yield (
+            f"{Place(first.place, first.line)}: {target} is re-resolved for {task}{often}, "
+            f"by the pose that it is for {found[0].instead_of}: {numbers}"
+        )
+
+
+def _rewrite(found: Resolution) -> None:
+    """The argument lines of the actions whose targets are others now."""
+    changed = {(one.flow, one.action) for one in found.resolved}
+    lines: dict[tuple[int, int], list[str]] = {one: [] for one in changed}
+    for target in found.targets:
+        if (target.flow, target.action) in changed:
+            lines[target.flow, target.action] += (_shown(one) for one in target.values)
+    flows = []
+    for number, flow in enumerate(found.plan.flows):
+        actions = tuple(
+            replace(one, arguments=argument.join(lines[number, index])) if (number, index) in changed else one
+            for index, one in enumerate(flow.actions)
+        )
+        flows.append(replace(flow, actions=actions))
+    found.plan = replace(found.plan, flows=tuple(flows))
+
+
+def _shown(value: Any) -> str:
+    return value if isinstance(value, str) else repr(value)

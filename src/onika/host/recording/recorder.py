@@ -1,0 +1,285 @@
+"""The recorder: what a run says, shows and is asked, taken to whoever writes it (law 29); one run at a time.
+
+It looks at nothing that is not there anyway. In wall time another process looks into the tables; here only what is
+told goes by, and the poses of worlds as the device server says them.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from datetime import UTC, datetime
+from time import monotonic_ns
+from typing import Protocol
+
+from msgspec.structs import replace
+
+from onika.host.loading.loader_client import NotYet
+from onika.host.loading.plan_preparation import Preparation
+from onika.host.recording.recorded_variable import Variable
+from onika.host.recording.recording_place import Beside, InPlace, Pen, complaints
+from onika.host.recording.recording_sink import Finish, Meet, Show, Start, Tell
+from onika.host.run.run import Performance
+from onika.host.sessions.request_server import Gate
+from onika.host.subsystems import Stage
+from onika.host.units.pose_stream import Posed
+from onika.host.units.process_socket import Post
+from onika.record import topics
+from onika.record.run import Run, ending
+from onika.runtime.bus import Poses
+from onika.wire import event, request
+
+_POSED_EVERY_NS = 33_000_000
+_LOOKS = 4
+"""Periods of the fastest task between two looks; an entry keeps fifteen values, so that looks may come late."""
+_FASTEST_NS, _SLOWEST_NS = 2_000_000, 20_000_000
+_END_NS = 5_000_000_000
+
+
+class Seen(Protocol):
+    """The driver, as far as it is recorded."""
+
+    options: tuple[str, ...]
+    """What the runtime was started with beside, which changes what happens."""
+
+    @property
+    def turn(self) -> int:
+        """In virtual time: how often everything due at the present instant has been carried out."""
+        ...
+
+    @property
+    def now(self) -> int:
+        """The runtime's time in ns."""
+        ...
+
+    @property
+    def is_virtual(self) -> bool:
+        """Whether time is virtual."""
+        ...
+
+    @property
+    def with_fifo(self) -> bool:
+        """Whether processes ask for real-time scheduling."""
+        ...
+
+    @property
+    def worlds(self) -> tuple[str, ...]:
+        """The worlds that are open."""
+        ...
+
+    def scene(self, world: str) -> dict[str, object] | None:
+        """What an open world consists of."""
+        ...
+
+    def poses(self, world: str) -> Poses | None:
+        """The newest poses of an open world."""
+        ...
+
+    def pose_to(self, world: str, inlet: int) -> None:
+        """Have whoever steps an open world say its poses at this socket, where that is another process."""
+        ...
+
+    def each_instant(self, look: Callable[[], None] | None) -> None:
+        """In virtual time: call this one at the end of every instant."""
+        ...
+
+
+class Recorder:
+    """`begin` raises NotYet until whoever writes is up; `has_come` says when to try again."""
+
+    def __init__(self, stage: Stage, seen: Seen, gate: Gate, rtpus: tuple[str, ...]) -> None:
+        self._stage = stage
+        self._seen = seen
+        self._gate = gate
+        self._rtpus = rtpus
+        self._asked: dict[str, request.Prepare] = {}
+        self._pen: Pen | None = None
+        self._session = self._path = ""
+        self._was_up = False
+        self._has_run = False
+        self._forget()
+
+    def _forget(self) -> None:
+        self._began = -1
+        self._names: tuple[str, ...] = ()
+        self._units: dict[str, dict[str, str]] = {}
+        self._met: dict[str, int] = {}
+        self._shown: dict[str, int] = {}
+        self._end_at = 0
+
+    def keep(self, session: str, asked: request.Prepare) -> None:
+        """The plan that a session has prepared, as it came."""
+        self._asked[session] = asked
+
+    def lost(self, session: str) -> None:
+        """A session is gone."""
+        self._asked.pop(session, None)
+        if self._pen is not None and self._session == session and self._began < 0:
+            self._close()  # it never began
+
+    def begin(self, session: str, asked: request.Begin, prepared: Preparation) -> str:
+        """Open the recording of a run that is to begin now; why that cannot be, or nothing."""
+        is_first, self._has_run = self._is_first(), True
+        if self._session == session and self._began < 0 and self._path != asked.record:
+            self._close()  # it was asked for once, and the run refused
+        if not asked.record:
+            return ""
+        if self._pen is None:
+            self._has_run = not is_first
+            refusal = self._open(session, asked, prepared, is_first)
+            if refusal:
+                return refusal
+        elif self._session != session or self._began >= 0:
+            return "another run is being recorded"
+        pen = self._pen
+        if pen is not None and pen.reason:
+            self._close()
+            return f"no recording can be made: {pen.reason}"
+        if pen is not None and not pen.is_up:
+            raise NotYet
+        self._names = tuple(flow.subsystem for flow in prepared.plan.flows)
+        self._units = {
+            flow.subsystem: {port.svar: port.unit for wired in tasks for port in wired.ports}
+            for flow, tasks in zip(prepared.plan.flows, prepared.flows, strict=True)
+        }
+        self._began = self._seen.now
+        self._has_run = True
+        if pen is not None:
+            pen.take(Start(monotonic_ns()))
+        self._gate.overhear(self._hear)
+        if self._seen.is_virtual:
+            self._seen.each_instant(self._look)
+        return ""
+
+    def has_come(self) -> bool:
+        """Whether whoever writes has come up, or failed, since the last call."""
+        if self._pen is None or self._was_up:
+            return False
+        self._pen.serve()
+        self._was_up = self._pen.is_up or bool(self._pen.reason)
+        return self._was_up
+
+    def readers(self) -> Sequence[Post]:
+        """What to wait for."""
+        return () if self._pen is None else self._pen.readers()
+
+    def command(self, session: str, asked: request.Request) -> None:
+        """Something was asked and carried out."""
+        if self._began >= 0 and isinstance(asked, topics.STEERING) and not self._end_at:
+            topic = topics.ANSWERS if isinstance(asked, request.Reply) else topics.COMMANDS
+            self._say(topic, topics.encode(topics.Wanted(self._seen.turn, session, asked)))
+
+    def serve(self) -> None:
+        """Look after it, now and then."""
+        if self._pen is not None and self._began >= 0:
+            self._look()
+            self._pen.serve()
+
+    def may_end(self, performance: Performance, result: event.Result) -> bool:
+        """Whether the end of a run may be told: its recording, if one is made, has to be finished by then."""
+        pen = self._pen
+        if pen is None or performance.session != self._session or self._began < 0:
+            return True
+        if not self._end_at:
+            self._look()
+            self._say(topics.EVENTS, topics.encode(topics.Happened("", result)))
+            self._end_at = monotonic_ns() + _END_NS
+            pen.take(Finish(ending(result), pen.untold))
+        pen.serve()
+        if not pen.is_done and monotonic_ns() < self._end_at:
+            return False
+        for text in complaints(pen):
+            performance.warn(text, round((self._seen.now - self._began) * 1e-9, 9))
+        self._close()
+        return True
+
+    # Inner
+
+    def _is_first(self) -> bool:
+        lives = not all(one.is_empty for one in self._stage.live.values())  # one that is only held changes nothing
+        return not (self._has_run or lives or self._seen.worlds) and (self._seen.now == 0 or not self._seen.is_virtual)
+
+    def _open(self, session: str, asked: request.Begin, prepared: Preparation, is_first: bool) -> str:
+        original = self._asked.get(session)
+        if original is None:
+            return "no plan is prepared"
+        bare = replace(asked, record="", repeat=(), repeat_until_ns=0, is_held=False)
+        began = datetime.now(UTC).isoformat(timespec="milliseconds")
+        run = Run(
+            original, bare, self._rtpus, self._seen.is_virtual, is_first, began, options=tuple(self._seen.options)
+        )
+        try:
+            if self._seen.is_virtual:
+                self._pen = InPlace(asked.record, run)
+            else:
+                self._pen = Beside(asked.record, run, _every_ns(prepared), self._seen.with_fifo)
+        except OSError as wrong:
+            return f"no recording can be made: {wrong}"
+        self._session, self._path, self._was_up = session, asked.record, False
+        return ""
+
+    def _close(self) -> None:
+        self._gate.overhear(None)
+        if self._seen.is_virtual:
+            self._seen.each_instant(None)
+        if self._pen is not None:
+            self._pen.close()
+        self._pen, self._session = None, ""
+        self._forget()
+
+    def _hear(self, one: event.Event, subsystem: str) -> None:
+        is_ours = not subsystem or subsystem in self._names
+        if is_ours and not self._end_at and not isinstance(one, event.Result | event.Stood):
+            self._say(topics.EVENTS, topics.encode(topics.Happened(subsystem, one)))
+
+    def _say(self, topic: str, body: bytes) -> None:
+        if self._pen is not None:
+            self._pen.take(Tell(topic, max(self._seen.now - self._began, 0), body))
+
+    def _look(self) -> None:
+        """What has come since the last time: variables, worlds; in virtual time the values too."""
+        pen, now = self._pen, self._seen.now - self._began
+        if pen is None or self._end_at:
+            return
+        for name in self._names:
+            table = self._stage.tables.get(name)
+            if table is not None and len(table.entries) != self._met.get(name, 0):
+                self._meet(pen, name)
+        pen.look(now)
+        for world in self._seen.worlds:
+            self._show(pen, world, now)
+
+    def _meet(self, pen: Pen, name: str) -> None:
+        table, known = self._stage.tables[name], self._met.get(name, 0)
+        new = list(table.entries.values())[known:]
+        self._met[name] = known + len(new)
+        units = self._units.get(name, {})
+        variables = tuple(Variable(one.name, str(one.shape), units.get(one.name, ""), one.offset) for one in new)
+        is_needed = not known or self._seen.is_virtual
+        pen.take(Meet(name, variables), table.segment if is_needed else None)
+
+    def _show(self, pen: Pen, world: str, now: int) -> None:
+        if world not in self._shown:
+            scene = self._seen.scene(world)
+            if scene is None:
+                return
+            pen.take(Show(world, _shapes(scene)))
+            self._shown[world] = now
+            if pen.inlet is not None:
+                self._seen.pose_to(world, pen.inlet)
+        if pen.inlet is None and now >= self._shown[world]:
+            self._shown[world] = now + _POSED_EVERY_NS
+            poses = self._seen.poses(world)
+            if poses is not None:
+                pen.take(Posed(world, now, poses[1], poses[2]))
+
+
+def _shapes(scene: Mapping[str, object]) -> tuple[dict[str, object], ...]:
+    shapes = scene.get("shapes")
+    return tuple(shapes) if isinstance(shapes, list | tuple) else ()
+
+
+def _every_ns(prepared: Preparation) -> int:
+    """How often the tables are looked at, in wall time."""
+    rates = [task.frequency for flow in prepared.plan.flows for task in flow.tasks if task.frequency]
+    fastest = max(
+        [*rates, *(hz for flow in prepared.plan.flows for one in flow.actions for _, hz in one.rates)], default=50.0
+    )
+    return min(max(round(_LOOKS * 1e9 / fastest), _FASTEST_NS), _SLOWEST_NS)

@@ -1,0 +1,236 @@
+"""Where a recording is written: beside the clock in virtual time, by a process of its own in wall time (law 29)."""
+
+import os
+import socket
+import subprocess
+from collections.abc import Sequence
+from time import monotonic_ns
+from typing import Protocol
+
+from onika.host.recording import recording_process
+from onika.host.recording.recording_sink import Order, Scribe, Tell, encode
+from onika.host.units.child_process import start
+from onika.host.units.process_socket import Post
+from onika.record.run import Run
+from onika.record.writer import Writer
+from onika.ring.segment import Segment
+
+_BUFFER = 1 << 18
+_MOST_WAITING = 2000
+"""Datagrams that may wait for a scribe that does not come to take them; more are counted and thrown away."""
+_PATIENCE_NS = 5_000_000_000
+_ENDED_NS = 2_000_000_000
+
+
+class Pen(Protocol):
+    """What writes one recording."""
+
+    @property
+    def reason(self) -> str:
+        """Why nothing more is written; empty: all is well."""
+        ...
+
+    @property
+    def missed(self) -> int:
+        """Values that were written over before anybody looked."""
+        ...
+
+    @property
+    def untold(self) -> int:
+        """Events and poses for which there was no room."""
+        ...
+
+    @property
+    def is_up(self) -> bool:
+        """Whether the run may begin."""
+        ...
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the file is finished, or never will be."""
+        ...
+
+    @property
+    def inlet(self) -> int | None:
+        """The socket at which it hears poses from whoever steps the worlds; None: they are to be given to it."""
+        ...
+
+    def take(self, order: Order, segment: Segment | None = None) -> None:
+        """Write this down; never waits for anything in wall time."""
+        ...
+
+    def look(self, now: int) -> None:
+        """Write down what variables have changed, where that is not done by itself."""
+        ...
+
+    def serve(self) -> None:
+        """Hear what became of it."""
+        ...
+
+    def readers(self) -> Sequence[Post]:
+        """What to wait for."""
+        ...
+
+    def close(self) -> None:
+        """Let go of it, finished or not."""
+        ...
+
+
+class InPlace:
+    """Beside the clock. Raises OSError where the file cannot be begun; later that is its `reason`."""
+
+    def __init__(self, path: str, run: Run) -> None:
+        self._stream = open(path, "wb", buffering=_BUFFER)  # noqa: SIM115, PTH123 - it stays open for the run
+        writer = Writer(self._stream)
+        run.write(writer)
+        self._scribe = Scribe(self._stream, writer)
+        self._scribe.flush()
+        self._flush_at = 0
+        self.reason = ""
+        self.untold = 0
+
+    is_up = True
+    inlet = None
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the file is finished, or never will be."""
+        return self._scribe.is_finished or bool(self.reason)
+
+    @property
+    def missed(self) -> int:
+        """Values that were written over before they were looked at: a task that writes four times in one cycle."""
+        return self._scribe.missed
+
+    def take(self, order: Order, segment: Segment | None = None) -> None:
+        """Write this down."""
+        if not self.reason:
+            try:
+                self._scribe.take(order, None if segment is None else segment.view)
+            except OSError as wrong:
+                self.reason = str(wrong)
+
+    def look(self, now: int) -> None:
+        """Write down what variables have changed."""
+        if not self.reason:
+            try:
+                self._scribe.look(now)
+            except OSError as wrong:
+                self.reason = str(wrong)
+
+    def serve(self) -> None:
+        """While the clock stands nothing else lets out what was seen."""
+        if not self.is_done and monotonic_ns() >= self._flush_at:
+            self._flush_at = monotonic_ns() + _BESIDES_NS
+            try:
+                self._scribe.flush()
+            except OSError as wrong:
+                self.reason = str(wrong)
+
+    def readers(self) -> Sequence[Post]:
+        """Nothing."""
+        return ()
+
+    def close(self) -> None:
+        """Let go of the file."""
+        try:
+            self._stream.close()
+        except OSError as wrong:
+            self.reason = self.reason or str(wrong)
+
+
+_BESIDES_NS = 500_000_000
+
+
+class Beside:
+    """A process of its own. Raises OSError where the file cannot be made."""
+
+    def __init__(self, path: str, run: Run, every_ns: int, with_fifo: bool) -> None:
+        body = recording_process.encode_run(run)
+        memory = Segment.create("recorded-run", len(body))
+        memory.view[:] = body
+        descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_CLOEXEC, 0o666)
+        self._post, theirs = Post.pair()
+        self._inlet, far = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        words = ("--every", str(every_ns), *(("--fifo",) if with_fifo else ()))
+        self._process = start("onika.host.recording.recording_process", theirs, words)
+        self._post.send(b"run", (memory.fd, descriptor, far.fileno()))
+        far.close()
+        os.close(descriptor)
+        memory.close()
+        self._since = monotonic_ns()
+        self._ending_since = 0
+        self._known: set[str] = set()
+        self._is_done = False
+        self.is_up = False
+        self.reason = ""
+        self.missed = 0
+        self.untold = 0
+
+    @property
+    def inlet(self) -> int | None:
+        """The socket at which the process hears poses; they do not go by way of the runner, whom each would wake."""
+        return self._inlet.fileno()
+
+    @property
+    def is_done(self) -> bool:
+        """Whether the file is finished, or never will be."""
+        return self._is_done or bool(self.reason)
+
+    def take(self, order: Order, segment: Segment | None = None) -> None:
+        """Send it over, unless too much waits already: then what can be missed is counted and left out."""
+        if self.reason:
+            return
+        if isinstance(order, Tell) and self._post.waiting >= _MOST_WAITING:
+            self.untold += 1
+            return
+        body = encode(order)
+        self._post.send(body, () if segment is None else (segment.fd,))
+
+    def look(self, now: int) -> None:
+        """It looks by itself."""
+
+    def serve(self) -> None:
+        """Hear whether it is up, and what became of it."""
+        self._post.flush()
+        while not self._post.is_closed and (received := self._post.receive()) is not None:
+            word = recording_process.decode_word(received[0])
+            if isinstance(word, recording_process.Up):
+                self.is_up = True
+            else:
+                self._is_done, self.missed, self.reason = True, word.missed, word.reason
+                self.untold += word.untold
+        if not self.is_done:
+            self._judge()
+
+    def _judge(self) -> None:
+        if self._post.is_closed or self._process.poll() is not None:
+            self.reason = f"the process that writes it ended with code {self._process.wait()}"
+        elif not self.is_up and monotonic_ns() - self._since > _PATIENCE_NS:
+            self.reason = f"the process that writes it is not up within {_PATIENCE_NS / 1e9:g} s"
+
+    def readers(self) -> Sequence[Post]:
+        """Its post, as long as it lives."""
+        return () if self._post.is_closed else (self._post,)
+
+    def close(self) -> None:
+        """Let go of it: without the post it writes what it has seen and ends."""
+        self._post.close()
+        self._inlet.close()
+        try:
+            self._process.wait(_ENDED_NS / 1e9)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+
+
+def complaints(pen: Pen) -> list[str]:
+    """What the user has to know of a recording that is not what was asked for."""
+    found = []
+    if pen.reason or not pen.is_done:
+        found.append(f"the recording is not whole: {pen.reason or 'whoever writes it does not come to an end'}")
+    if pen.missed:
+        found.append(f"{pen.missed} values of variables were written over before they could be recorded")
+    if pen.untold:
+        found.append(f"{pen.untold} events and poses had no room and are not in the recording")
+    return found

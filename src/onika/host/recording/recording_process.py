@@ -1,0 +1,127 @@
+"""The scribe as a process, in wall time: it looks into the tables by itself, and is never in anybody's way (law 29).
+
+It outlives the runtime for a moment: whatever kills that, what was seen is written before this process ends.
+"""
+
+import argparse
+import os
+import select
+import signal
+import socket
+import sys
+from time import monotonic_ns
+
+from msgspec import Struct, msgpack
+from msgspec.structs import replace
+
+from onika.host.recording.recording_sink import Finish, Meet, Scribe, Start, decode
+from onika.host.units.output_pipe import open_outlets
+from onika.host.units.pose_stream import Posed
+from onika.host.units.process_socket import Post
+from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out, still_garbage
+from onika.record.run import Run
+from onika.record.writer import Writer
+from onika.ring.segment import Segment
+
+PRIORITY = 1
+"""Below everything that moves something, above everything that is not real time: else it would look too late."""
+_BUFFER = 1 << 18
+
+
+class Up(Struct, frozen=True, tag=True):
+    """The file is begun; the run may begin."""
+
+
+class Ended(Struct, frozen=True, tag=True):
+    """The file is finished, or why it is not; values that were written over before they were looked at, and poses
+    that did not come for want of room."""
+
+    missed: int = 0
+    reason: str = ""
+    untold: int = 0
+
+
+encode_word = msgpack.Encoder().encode
+decode_word = msgpack.Decoder(Up | Ended).decode
+encode_run = msgpack.Encoder().encode
+_decode_run = msgpack.Decoder(Run).decode
+
+
+def record(post: Post, every_ns: int) -> None:
+    """From the first datagram, which brings the run and the file, until the run is over or nobody is there any more."""
+    select.select([post], [], [])
+    received = post.receive()
+    if received is None:
+        return
+    _, (run_fd, file_fd, inlet_fd) = received
+    memory, inlet = Segment.attach(run_fd), Post(socket.socket(fileno=inlet_fd))
+    scribe, reason = None, ""
+    try:
+        with os.fdopen(file_fd, "wb", buffering=_BUFFER) as stream:
+            writer = Writer(stream)
+            _decode_run(bytes(memory.view)).write(writer)
+            memory.close()
+            scribe = Scribe(stream, writer)
+            scribe.flush()
+            post.send(encode_word(Up()))
+            _follow(post, inlet, scribe, every_ns)
+    except OSError as wrong:
+        reason = str(wrong)
+    inlet.close()
+    post.send(encode_word(Ended(scribe.missed, reason, scribe.untold) if scribe else Ended(reason=reason)))
+
+
+def _follow(post: Post, inlet: Post, scribe: Scribe, every_ns: int) -> None:
+    memories: dict[str, memoryview] = {}
+    due, zero = 0, -1
+    while not (scribe.is_finished or post.is_closed):
+        wait = max(due - monotonic_ns(), 0) * 1e-9 if zero >= 0 else None
+        ready, _, _ = select.select([post], [], [], wait)
+        while ready and not post.is_closed and (received := post.receive()) is not None:
+            body, descriptors = received
+            order = decode(body)
+            if isinstance(order, Start):
+                due = zero = order.at_ns  # before the run there is no time to write down
+            if isinstance(order, Finish):
+                _look(inlet, scribe, zero)
+            if isinstance(order, Meet):
+                if descriptors:
+                    memories[order.subsystem] = Segment.attach(descriptors[0]).view
+                scribe.take(order, memories[order.subsystem])
+            else:
+                scribe.take(order)
+        now = monotonic_ns()
+        if now >= due and zero >= 0 and not scribe.is_finished:
+            _look(inlet, scribe, zero)
+            due = max(due + every_ns, now)
+    if not scribe.is_finished:
+        scribe.flush()  # the runtime is gone: what was seen is all there is
+
+
+def _look(inlet: Post, scribe: Scribe, zero: int) -> None:
+    """At the variables, and at what has come from the device server."""
+    scribe.look(monotonic_ns() - zero)
+    while not inlet.is_closed and (received := inlet.receive()) is not None:
+        order = decode(received[0])
+        if isinstance(order, Posed):
+            scribe.take(replace(order, at_ns=order.told_ns - zero))
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    for option in ("--fd", "--parent", "--every"):
+        parser.add_argument(option, type=int, required=True)
+    parser.add_argument("--fifo", action="store_true")
+    given = parser.parse_args(words)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    fine_timers()
+    still_garbage()
+    if given.fifo:
+        first_in_first_out(PRIORITY)
+    record(Post(socket.socket(fileno=given.fd)), given.every)
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

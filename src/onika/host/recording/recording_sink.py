@@ -1,0 +1,167 @@
+"""The scribe: writes a recording from what it is told and from the memory in which variables lie (law 29).
+
+In virtual time it sits beside the clock; in wall time it is a process of its own (`recording_process`), so that
+neither a slow disk nor compression stands between two jobs.
+"""
+
+import os
+import stat
+from typing import Any, BinaryIO
+
+from msgspec import Struct, msgpack
+
+from onika.host.recording.recorded_variable import Variable, Watched
+from onika.host.units.pose_stream import Posed
+from onika.record import foxglove, topics
+from onika.record.run import END
+from onika.record.writer import Writer
+
+FLUSHED_EVERY_NS = 500_000_000
+"""What is not written so long is lost where everything is killed."""
+
+
+class Start(Struct, frozen=True, tag=True):
+    """The run begins, at this time of the machine's clock."""
+
+    at_ns: int
+
+
+class Meet(Struct, frozen=True, tag=True):
+    """Variables that have come; the memory of the table comes with the first ones of a subsystem."""
+
+    subsystem: str
+    variables: tuple[Variable, ...]
+
+
+class Tell(Struct, frozen=True, tag=True):
+    """Something was said: a message as it is to stand there."""
+
+    topic: str
+    at_ns: int
+    body: bytes
+
+
+class Show(Struct, frozen=True, tag=True):
+    """What a world consists of."""
+
+    world: str
+    shapes: tuple[dict[str, Any], ...]
+
+
+class Finish(Struct, frozen=True, tag=True):
+    """The run is over; how it ended, and what was not told for want of room."""
+
+    words: dict[str, str]
+    untold: int = 0
+
+
+Order = Start | Meet | Tell | Show | Posed | Finish
+encode = msgpack.Encoder().encode
+decode = msgpack.Decoder(Order).decode
+
+
+class Scribe:
+    """Raises OSError where the file cannot take it, or is not the one any more that was begun."""
+
+    def __init__(self, stream: BinaryIO, writer: Writer) -> None:
+        self._stream = stream
+        self._writer = writer
+        self._watched: list[Watched] = []
+        self._counts: list[int] = []
+        self._looked_at = -1
+        self._turn = 0
+        self._written = 0
+        self._shapes: dict[str, tuple[dict[str, Any], ...]] = {}
+        self._lit: dict[str, tuple[str, ...]] = {}
+        self._flush_at = FLUSHED_EVERY_NS
+        self.untold = 0
+        """Poses that did not come here for want of room."""
+        self.is_finished = False
+
+    def take(self, order: Order, memory: memoryview | None = None) -> None:
+        """Write it down; variables need the memory in which they lie."""
+        match order:
+            case Meet() if memory is not None:
+                some = [Watched(order.subsystem, one, memory, self._writer) for one in order.variables]
+                self._watched += some
+                self._counts += [0] * len(some)
+            case Tell():
+                is_event = order.topic == topics.EVENTS
+                title = topics.HAPPENED if is_event else topics.WANTED
+                schema = topics.HAPPENED_SCHEMA if is_event else topics.WANTED_SCHEMA
+                self._writer.message(self._writer.channel(order.topic, title, schema), order.at_ns, order.body)
+            case Show():
+                self._shapes[order.world] = order.shapes
+                self._writer.attach(topics.shapes(order.world), "application/json", topics.encode(order.shapes))
+                self._draw(order.world, 0, ())
+            case Posed():
+                self._pose(order)
+            case Finish():
+                self._finish(order)
+
+    def look(self, now: int) -> None:
+        """Write down what has changed in the variables since the last call."""
+        counts = [one.words[0] for one in self._watched]
+        if counts != self._counts:
+            for one, count, before in zip(self._watched, counts, self._counts, strict=True):
+                if count != before:
+                    one.take(now, self._looked_at)
+            self._counts = counts
+        self._looked_at = now
+        if now >= self._flush_at:
+            self._flush_at = now + FLUSHED_EVERY_NS
+            self.flush()
+        elif self._watched:  # one at each look, so that none takes long
+            self._turn = (self._turn + 1) % len(self._watched)
+            self._watched[self._turn].settle()
+
+    @property
+    def missed(self) -> int:
+        """Values that were written over before anybody looked."""
+        return sum(one.missed for one in self._watched)
+
+    def flush(self) -> None:
+        """Let everything out."""
+        self._judge()
+        self._settle()
+        self._writer.flush()
+        self._out()
+
+    def _settle(self) -> None:
+        for one in self._watched:
+            one.settle()
+
+    def _out(self) -> None:
+        self._stream.flush()
+        self._written = self._writer.written
+
+    def _judge(self) -> None:
+        """Whether the file still is what it was: somebody may delete it, write over it, or cut it."""
+        about = os.fstat(self._stream.fileno())
+        if not about.st_nlink:
+            raise OSError("its file was deleted or replaced while it was written")
+        if stat.S_ISREG(about.st_mode) and about.st_size < self._written:
+            raise OSError("its file was cut while it was written")
+
+    def _finish(self, order: Finish) -> None:
+        self._judge()
+        self._settle()
+        self._writer.flush()
+        self._writer.note(END, {**order.words, "missed": str(self.missed), "untold": str(order.untold + self.untold)})
+        self._writer.finish()
+        self._out()
+        self.is_finished = True
+
+    def _pose(self, order: Posed) -> None:
+        self.untold += order.left_out
+        if self._lit.get(order.world) != order.lit and order.world in self._shapes:
+            self._draw(order.world, order.at_ns, order.lit)
+        topic = topics.frames(order.world)
+        channel = self._writer.channel(topic, foxglove.FRAMES, foxglove.FRAMES_SCHEMA, {"world": order.world})
+        self._writer.message(channel, order.at_ns, foxglove.frames(order.world, order.at_ns, order.rows))
+
+    def _draw(self, world: str, at_ns: int, lit: tuple[str, ...]) -> None:
+        self._lit[world] = lit
+        words = {"world": world, "lit": ""}
+        channel = self._writer.channel(topics.scene(world), foxglove.SCENE, foxglove.SCENE_SCHEMA, words)
+        self._writer.message(channel, at_ns, foxglove.scene(world, at_ns, self._shapes[world], lit))

@@ -1,0 +1,1 @@
+"""The run of an application beside the robot."""

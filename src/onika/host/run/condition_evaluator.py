@@ -1,0 +1,27 @@
+"""The judge: whether a condition on state variables holds at this moment, read from the tables of a run (law 8)."""
+
+from collections.abc import Mapping
+
+from onika.host.run.run_statistics import plain
+from onika.runtime.subsystem import Subsystem
+from onika.words.condition import Condition
+
+
+class Judge:
+    """An address without a subsystem means the asking flow's own; what is not there never holds."""
+
+    def __init__(self, subsystems: Mapping[int, Subsystem]) -> None:
+        self._subsystems = subsystems
+        self._by_name = {one.name: one for one in subsystems.values()}
+        self._known: dict[str, Condition] = {}
+
+    def holds(self, flow: int, text: str) -> bool:
+        """Whether it holds; raises ValueError for what is no condition."""
+        if text not in self._known:
+            self._known[text] = Condition.parse(text)
+        condition = self._known[text]
+        home, _, name = condition.address.rpartition("/")
+        subsystem = self._by_name.get(home) if home else self._subsystems[flow]
+        if subsystem is None or name not in subsystem.table.entries:
+            return False
+        return condition.holds({condition.address: plain(subsystem.table.value(name))})

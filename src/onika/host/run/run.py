@@ -1,0 +1,83 @@
+"""One run of an application: its runner, who began it, and when its result can be told."""
+
+from collections.abc import Callable, Mapping
+from time import monotonic_ns
+
+from msgspec import structs
+
+from onika.engine.news import Pause
+from onika.host.loading.plan_preparation import Preparation
+from onika.host.run.runner import Runner
+from onika.host.units.unit_registry import Units
+from onika.runtime import news
+from onika.runtime.subsystem import Member, Subsystem
+from onika.wire import event
+from onika.wire.request import Begin
+
+_REST_NS = 300_000_000
+"""How long the end of a run waits at most until every drive holds."""
+
+
+class Performance:
+    """A run from its beginning to its result."""
+
+    def __init__(
+        self,
+        session: str,
+        prepared: Preparation,
+        begin: Begin,
+        subsystems: Mapping[int, Subsystem],
+        units: Units,
+        tell: Callable[[event.Event, str, str], None],
+    ) -> None:
+        self.session = session
+        self.on_loss = begin.on_loss
+        self.application = prepared.plan.application
+        self.names = tuple(flow.subsystem for flow in prepared.plan.flows)
+        self.runner = Runner(prepared, begin, subsystems, units, self._tell)
+        self._tell_all = tell
+        self._subsystems = subsystems
+        self._actions = sum(len(flow.actions) for flow in prepared.plan.flows)
+        self._began_wall = monotonic_ns()
+        self._over_since = 0
+
+    def members(self, subsystem: str) -> Mapping[str, Member]:
+        """The tasks of one of its subsystems."""
+        return self._subsystems[self.names.index(subsystem)].members
+
+    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+        """Take in one piece of news of its tasks."""
+        self.runner.hear(rtpu, heard, now)
+
+    def abandon(self, cause: str, now: int) -> None:
+        """The session that began it is gone: it ends, finishes its actions and pauses, or runs on, as it was begun."""
+        if self.on_loss == "stop":
+            self.runner.abort(cause, now)
+        elif self.on_loss == "finish":
+            for flow in range(len(self.names)):
+                self.runner.steer(Pause(flow), now, lambda _refusal: None)
+
+    def is_through(self, is_at_rest: Callable[[], bool]) -> bool:
+        """Whether it is over, and every drive holds or had the time to."""
+        if not self.runner.is_over:
+            return False
+        self._over_since = self._over_since or monotonic_ns()
+        return is_at_rest() or monotonic_ns() - self._over_since > _REST_NS
+
+    def result(self, digest: str, outside: tuple[str, ...] = ()) -> event.Result:
+        """What came of it; `outside` are the tasks that make it one which may not repeat (law 15)."""
+        wall = (monotonic_ns() - self._began_wall) * 1e-9
+        result = self.runner.tally.result(self._actions, wall, digest)
+        return structs.replace(result, outside=tuple(one for one in outside if one.split("/")[0] in self.names))
+
+    def end(self, result: event.Result) -> None:
+        """Tell the result."""
+        self._tell(result)
+
+    def warn(self, text: str, at_s: float) -> None:
+        """Tell whoever watches what is worth knowing of the run as a whole."""
+        self._tell(event.Warned(self.names[0], "", text, at_s))
+
+    def _tell(self, one: event.Event) -> None:
+        flow = getattr(one, "flow", 0)
+        self._tell_all(one, getattr(one, "subsystem", "") or self.names[flow], self.session)

@@ -1,0 +1,110 @@
+"""The helm: what users ask of running applications, taken to the flows it is meant for (E07, E08, E13, X03)."""
+
+from collections.abc import Callable, Sequence
+
+from onika.engine import news as said
+from onika.host.run.run import Performance
+from onika.host.subsystems import Stage
+from onika.wire import request, steer
+from onika.words.condition import Condition
+
+Answer = Callable[[request.Response], None]
+
+
+class Helm:
+    """Of all applications of a runtime."""
+
+    def __init__(self, stage: Stage) -> None:
+        self._stage = stage
+
+    def refusal(self, session: str, asked: steer.Steering) -> str:
+        """Why this session may not ask it; empty: it may. A run whose session is gone is everybody's."""
+        performance = self._performance(session, asked)
+        if isinstance(performance, str):
+            return performance
+        if performance.session not in (session, ""):
+            return f"application {performance.application} was begun by {performance.session}; everybody can stop"
+        return ""
+
+    def carry_out(self, session: str, asked: steer.Steering, now: int, answer: Answer) -> None:
+        """Do it; answered once the engine has said that it does, or why not."""
+        performance = self._performance(session, asked)
+        if isinstance(performance, str):
+            answer(request.Refused(performance))
+            return
+        name = asked.subsystem
+        flows = [performance.names.index(name)] if name else list(range(len(performance.names)))
+        if len(flows) > 1 and not isinstance(asked, steer.Pause | steer.Resume | steer.Step | steer.Recover):
+            answer(request.Refused(f"expected one of the flows {', '.join(performance.names)}, found none"))
+            return
+        wrong = _wrong_condition(asked)
+        if wrong:
+            answer(request.Refused(wrong))
+            return
+        waits = _Answers(len(flows), answer)
+        for flow in flows:
+            performance.runner.steer(_news(flow, asked), now, waits.take)
+
+    def who(self, session: str) -> request.Response:
+        """Where every flow is: of the asker's applications, of all where it has none."""
+        own = [one for one in self._stage.performances if one.session == session]
+        runs: Sequence[Performance] = own or self._stage.performances
+        return steer.Positions(tuple(position for one in runs for position in one.runner.positions()))
+
+    def _performance(self, session: str, asked: steer.Steering) -> Performance | str:
+        """The application that is meant, or why there is none."""
+        if asked.subsystem:
+            named = self._stage.performance_in(asked.subsystem)
+            return named if named is not None else f"no application runs in subsystem {asked.subsystem}"
+        runs = self._stage.performances
+        found = [one for one in runs if one.session == session] or runs
+        if len(found) == 1:
+            return found[0]
+        names = ", ".join(name for one in found for name in one.names)
+        return f"expected one of the subsystems {names}, found none" if found else "no application runs"
+
+
+class _Answers:
+    """One answer for several flows: refused where all of them refuse, for the first reason."""
+
+    def __init__(self, count: int, answer: Answer) -> None:
+        self._left = count
+        self._refusals: list[str] = []
+        self._is_done = False
+        self._answer = answer
+
+    def take(self, refusal: str) -> None:
+        self._left -= 1
+        self._is_done = self._is_done or not refusal
+        self._refusals += [refusal] if refusal else []
+        if not self._left:
+            self._answer(request.Done() if self._is_done else request.Refused(self._refusals[0]))
+
+
+def _wrong_condition(asked: steer.Steering) -> str:
+    if isinstance(asked, steer.Mark) and asked.condition:
+        try:
+            Condition.parse(asked.condition)
+        except ValueError as wrong:
+            return str(wrong)
+    return ""
+
+
+def _news(flow: int, asked: steer.Steering) -> said.Steering:
+    match asked:
+        case steer.Pause():
+            return said.Pause(flow)
+        case steer.Resume():
+            return said.Resume(flow)
+        case steer.Step():
+            return said.Step(flow)
+        case steer.Skip():
+            return said.Skip(flow, asked.action)
+        case steer.Pass():
+            return said.Pass(flow)
+        case steer.Leave():
+            return said.Leave(flow)
+        case steer.Mark():
+            return said.Mark(flow, asked.action, asked.is_set, asked.condition)
+        case steer.Recover():
+            return said.Recover(flow)

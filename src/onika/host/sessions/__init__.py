@@ -1,0 +1,1 @@
+"""Who is connected with a runtime, what each may do, and what was done."""

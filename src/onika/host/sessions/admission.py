@@ -1,0 +1,131 @@
+"""The doorkeeper: who may come in, who has tried too often, who waits too long in the door. No I/O, no clock."""
+
+import ipaddress
+from collections import OrderedDict
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from onika.host.sessions.users import User, Users
+from onika.link.address import is_near, split_host
+from onika.link.channel import Channel
+
+IN_THE_DOOR = 256
+"""Connections without a greeting at most; the oldest has to go."""
+FROM_ONE_ADDRESS = 64
+WRONG_TOKENS = 10
+BACK_OFF_NS = 60 * 1_000_000_000
+
+_PATHS = {f"/{channel.value}": channel for channel in Channel}
+
+
+@dataclass(frozen=True, slots=True)
+class No:
+    """Turned away: an HTTP status and why."""
+
+    status: int
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class Yes:
+    """Let in."""
+
+    user: User
+    channel: Channel
+
+
+class Doorkeeper:
+    """Judges requests by address, name, origin, path and token, the cheap questions first."""
+
+    def __init__(self, users: Users, names: Iterable[str], is_private: bool) -> None:
+        self._users = users
+        self._names = {name.lower() for name in names}
+        self._is_private = is_private
+        self._waiting: OrderedDict[int, str] = OrderedDict()
+        self._wrong: OrderedDict[str, tuple[int, int]] = OrderedDict()
+        self._count = 0
+
+    def enter(self, address: str) -> tuple[int, int | None]:
+        """Somebody stands in the door: his number, and that of him who has to go for it (None: nobody).
+
+        Who stands there longest goes, so that however many idle, an honest one is served.
+        """
+        same = [number for number, other in self._waiting.items() if other == address]
+        evicted = None
+        if len(same) >= FROM_ONE_ADDRESS:
+            evicted = same[0]
+        elif len(self._waiting) >= IN_THE_DOOR:
+            evicted = next(iter(self._waiting))
+        if evicted is not None:
+            self.leave(evicted)
+        self._count += 1
+        self._waiting[self._count] = address
+        return self._count, evicted
+
+    def leave(self, number: int) -> None:
+        """He is in, or gone."""
+        self._waiting.pop(number, None)
+
+    def judge(self, path: str, headers: Iterable[tuple[str, str]], address: str, now_ns: int) -> Yes | No:
+        """Whether this request is let in, and as whom."""
+        asked: dict[str, list[str]] = {}
+        for name, value in headers:
+            asked.setdefault(name.lower(), []).append(value)
+        if self._is_barred(address, now_ns):
+            return No(429, "too many wrong tokens came from this address; try again in a minute")
+        wrong = self._wrong_name(asked) or self._wrong_origin(asked)
+        if wrong:
+            return No(403, wrong)
+        if path not in _PATHS:
+            return No(404, f"expected one of {', '.join(_PATHS)}")
+        user = self._user(asked.get("authorization", []))
+        if user is None:
+            self._note_wrong(address, now_ns)
+            return No(401, "the token is wrong or missing")
+        self._wrong.pop(address, None)
+        return Yes(user, _PATHS[path])
+
+    def _wrong_name(self, asked: dict[str, list[str]]) -> str:
+        """Against pages that have their own name resolved to this machine: a number cannot be resolved anew."""
+        hosts = asked.get("host", [])
+        try:
+            (host,) = [split_host(value)[0] for value in hosts]
+        except ValueError:
+            return "expected one Host header"
+        return "" if host in self._names or _is_number(host) else "this runtime is not called by that name"
+
+    def _wrong_origin(self, asked: dict[str, list[str]]) -> str:
+        """Against foreign pages in somebody's browser: only programs, which have none, or a page from here."""
+        own = f"{'https' if self._is_private else 'http'}://{asked['host'][0]}"
+        fine = all(origin == own for origin in asked.get("origin", []))
+        return "" if fine else "pages of another origin have no access"
+
+    def _user(self, values: list[str]) -> User | None:
+        if len(values) != 1:
+            return None
+        scheme, _, token = values[0].partition(" ")
+        return self._users.find(token.strip()) if scheme.lower() == "bearer" and token else None
+
+    def _is_barred(self, address: str, now_ns: int) -> bool:
+        count, last_ns = self._wrong.get(address, (0, 0))
+        return count >= WRONG_TOKENS and now_ns < last_ns + BACK_OFF_NS
+
+    def _note_wrong(self, address: str, now_ns: int) -> None:
+        count, last_ns = self._wrong.pop(address, (0, now_ns))
+        count = 0 if now_ns >= last_ns + BACK_OFF_NS else count
+        self._wrong[address] = (count + 1, now_ns)
+        while len(self._wrong) > 1024:
+            self._wrong.popitem(last=False)
+
+
+def _is_number(host: str) -> bool:
+    try:
+        ipaddress.ip_address(host)
+    except ValueError:
+        return False
+    return True
+
+
+def from_near(address: str) -> bool:
+    """Whether a connection comes from this machine."""
+    return is_near(address)

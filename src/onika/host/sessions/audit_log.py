@@ -1,0 +1,141 @@
+"""The witness: says to the audit trail who asked what from where, what came of it, and who holds what (X12).
+
+It looks at what sessions ask and at what is told, so that there is no command without a line. Looking is no command,
+and neither is letting virtual time pass. No token ever comes here: the porter keeps them.
+"""
+
+from collections.abc import Callable
+from typing import Any, Protocol
+
+from onika.host.sessions.permission import brings_code, changes_nothing
+from onika.host.sessions.request_server import Call
+from onika.link.sessions import Introduction
+from onika.wire import event, holding, live, request, steer
+from onika.wire.plan import Code, Plan, PlannedTask
+
+_PASSING = (steer.Onward, live.Advance)
+_MOST = 12
+"""Pieces of one field that are named."""
+
+
+class Book(Protocol):
+    """Where lines are written."""
+
+    @property
+    def trouble(self) -> str:
+        """Why that does not succeed; empty: it does."""
+        ...
+
+    def note(self, what: str, weighs: bool = False, **about: object) -> None:
+        """Write a line."""
+        ...
+
+
+class Witness:
+    """Writes to a book; `complain` is told once when that no longer succeeds."""
+
+    def __init__(self, book: Book, complain: Callable[[str], None] = lambda _text: None) -> None:
+        self._book = book
+        self._complain = complain
+        self._trouble = ""
+
+    def answered(self, call: Call, response: request.Response) -> None:
+        """A request was answered."""
+        asked = call.asked
+        is_look = changes_nothing(asked) and not isinstance(asked, request.Stop | holding.OnlyWatch)
+        if isinstance(asked, _PASSING) or (is_look and not brings_code(asked)):
+            return
+        self._note(
+            type(asked).__name__,
+            isinstance(asked, request.Stop | live.Reset) or brings_code(asked),
+            who=call.session,
+            role=call.role.word,
+            address=call.address,
+            on=getattr(asked, "subsystem", ""),
+            about=_words(asked),
+            code=[one.digest for one in _code(asked)],
+            result=_result(response),
+        )
+
+    def garbage(self, session: str, text: str) -> None:
+        """Something came that is no request."""
+        self._note("garbage", who=session, result=text)
+
+    def came(self, new: Introduction, why_not: str) -> None:
+        """Somebody has connected, or was turned away."""
+        if new.channel.asks:
+            caller = new.caller
+            result = f"refused: {why_not}" if why_not else "connected"
+            self._note("connect", who=caller.user, role=caller.role.word, result=result, address=caller.address)
+
+    def lost(self, session: str) -> None:
+        """A session is gone."""
+        self._note("gone", who=session)
+
+    def told(self, one: event.Event) -> None:
+        """Something was told: changes of holder, ends of what was accepted, stops, ends of runs."""
+        match one:
+            case event.Held():
+                self._note("held", True, on=one.subsystem, who=one.holder or "nobody", result=one.cause)
+            case event.Offered():
+                self._note("offered", on=one.subsystem, who=one.holder, about=f"to {one.to}", result=one.outcome)
+            case event.Stopped():
+                self._note("stopped" if one.is_stopped else "may move again", True, result=one.cause)
+            case event.Edited():
+                self._note("edited", on=one.subsystem, about=str(one.number), result=one.cause or "done")
+            case event.Result():
+                how = "completed" if one.completed else f"aborted: {one.cause}"
+                self._note("run over", about=f"{one.done} of {one.of} actions", result=how)
+            case event.Lost():
+                self._note("lost", who=one.name, result=one.cause)
+
+    def _note(self, what: str, weighs: bool = False, **about: object) -> None:
+        self._book.note(what, weighs, **about)
+        trouble = self._book.trouble
+        if trouble and not self._trouble:
+            self._trouble = trouble
+            self._complain(trouble)
+        self._trouble = trouble
+
+
+def _code(asked: request.Request) -> tuple[Code, ...]:
+    found = getattr(asked, "code", ())
+    if isinstance(asked, request.Prepare):
+        found = asked.plan.code
+    return (found,) if isinstance(found, Code) else tuple(found)
+
+
+def _words(asked: request.Request) -> str:
+    """What a request says, in short."""
+    fields = [one for one in asked.__struct_fields__ if one not in ("subsystem", "code")]
+    found = [(one, _piece(getattr(asked, one))) for one in fields]
+    return " ".join(f"{name}={text}" for name, text in found if text)
+
+
+def _piece(value: Any) -> str:
+    match value:
+        case bool():
+            return "yes" if value else ""
+        case str() | int() | float():
+            return str(value)
+        case live.Turn():
+            return f"{value.task}({value.arguments})"
+        case PlannedTask():
+            return value.name
+        case Plan():
+            return value.application
+        case tuple():
+            pieces = [_piece(one) for one in value[:_MOST]]
+            return ",".join(one for one in pieces if one) + (f" and {len(value) - _MOST} more" if value[_MOST:] else "")
+    return ""
+
+
+def _result(response: request.Response) -> str:
+    match response:
+        case request.Refused():
+            return f"refused: {response.reason}"
+        case live.Accepted():
+            return f"accepted as {response.number}"
+        case request.Prepared():
+            return f"{len(response.faults)} faults" if response.faults else "no faults"
+    return "done"

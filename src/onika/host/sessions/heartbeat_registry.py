@@ -1,0 +1,47 @@
+"""The beat book: whose datagram a beat is, and whether it counts. No I/O, no clock; strangers cost next to nothing."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from onika.link.heartbeat import Pact, name_in
+
+Came = Callable[[int], None]
+"""A beat of a connection has come, with its count."""
+
+
+@dataclass(slots=True)
+class _Line:
+    pact: Pact
+    came: Came
+    last: int = 0
+
+
+class BeatBook:
+    """The connections of a porter that may beat by datagram; `port` 0: none may."""
+
+    def __init__(self, port: int = 0) -> None:
+        self.port = port
+        self._lines: dict[bytes, _Line] = {}
+
+    def open(self, came: Came) -> Pact | None:
+        """For a new connection: what its other end is told; None where there are no datagrams."""
+        if not self.port:
+            return None
+        pact = Pact.drawn(self.port)
+        self._lines[pact.name] = _Line(pact, came)
+        return pact
+
+    def close(self, pact: Pact | None) -> None:
+        """The connection is no more, and its beats count no more."""
+        if pact is not None:
+            self._lines.pop(pact.name, None)
+
+    def take(self, datagram: bytes) -> bool:
+        """A datagram came; whether it is a beat that was not there before. A late one counts no more."""
+        line = self._lines.get(name_in(datagram))
+        count = None if line is None else line.pact.count_in(datagram)
+        if line is None or count is None or count <= line.last:
+            return False
+        line.last = count
+        line.came(count)
+        return True

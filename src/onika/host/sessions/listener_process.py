@@ -1,0 +1,119 @@
+"""The porter as the program sees it: a process that listens on the network, and what it says.
+
+It hands the program one end of a socket pair for each connection that it has let in (`host.sessions.listener_main`).
+"""
+
+import select
+import socket
+import subprocess
+from time import monotonic, monotonic_ns
+
+from msgspec import Struct, msgpack
+
+from onika.host.sessions.admission import from_near
+from onika.host.sessions.listen_options import Listening
+from onika.host.units.child_process import start
+from onika.host.units.process_socket import Post
+from onika.link.caller import Caller, Role
+from onika.link.channel import Channel
+from onika.link.sessions import Introduction
+
+_START_S = 20.0
+AWAKE_NS = 50_000_000
+"""How often it says that it listens."""
+
+
+class Ready(Struct, frozen=True, tag=True):
+    """It listens; on which port."""
+
+    port: int
+
+
+class Failed(Struct, frozen=True, tag=True):
+    """It cannot listen."""
+
+    reason: str
+
+
+class Arrived(Struct, frozen=True, tag=True):
+    """Somebody is let in; his end of the connection comes with it."""
+
+    channel: str
+    client: str
+    epoch: str
+    user: str
+    role: int
+    address: str
+
+
+class Awake(Struct, frozen=True, tag=True):
+    """It listens, and has passed on what came until now; said again and again while somebody is inside."""
+
+
+encode = msgpack.Encoder().encode
+_decode = msgpack.Decoder(Ready | Failed | Arrived | Awake).decode
+
+
+class Porter:
+    """The porter as the program sees it."""
+
+    def __init__(self, listening: Listening) -> None:
+        self._listening = listening
+        self._post, theirs = Post.pair()
+        self._process: subprocess.Popen[bytes] = start("onika.host.sessions.listener_main", theirs)
+        self._post.send(encode(listening))
+        self._awake_ns = 0
+
+    @property
+    def post(self) -> Post:
+        """Readable when somebody has come, or at its end."""
+        return self._post
+
+    def open(self) -> str:
+        """Wait until it listens; the address. Raises OSError with the reason why it cannot."""
+        until = monotonic() + _START_S
+        while not self._post.is_closed and (left := until - monotonic()) > 0:
+            select.select([self._post], [], [], left)
+            came = self._post.receive()
+            match _decode(came[0]) if came else None:
+                case Ready(port):
+                    return self._listening.address(port)
+                case Failed(reason):
+                    raise OSError(reason)
+        raise OSError("the porter did not start")
+
+    def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
+        """Who has come since the last call."""
+        came = []
+        while (one := self._post.receive()) is not None:
+            body, descriptors = one
+            arrived = _decode(body)
+            if isinstance(arrived, Awake):
+                self._awake_ns = monotonic_ns()
+            elif isinstance(arrived, Arrived) and descriptors:
+                caller = Caller(arrived.user, Role(arrived.role), arrived.address, from_near(arrived.address))
+                new = Introduction(Channel(arrived.channel), arrived.client, arrived.epoch, caller)
+                came.append((new, socket.socket(fileno=descriptors[0])))
+        return came
+
+    def deaf_ns(self) -> int:
+        """For how long it has passed nothing on, though something may have come: it was not its turn on the machine."""
+        return max(0, monotonic_ns() - self._awake_ns - 2 * AWAKE_NS) if self._awake_ns else 0
+
+    def ending(self) -> str:
+        """How it ended; empty while it lives."""
+        if not self._post.is_closed:
+            return ""
+        code = self._process.poll()
+        if code is None:
+            return ""  # it is just ending; how, is known in a moment
+        return f"was killed by signal {-code}" if code < 0 else f"ended with code {code}"
+
+    def close(self) -> None:
+        """End it."""
+        self._post.close()
+        try:
+            self._process.wait(2.0)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()

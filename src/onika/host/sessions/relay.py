@@ -1,0 +1,185 @@
+"""A relay: one connection from outside; its HTTP and WebSocket end here, whole frames go on to the program."""
+
+import asyncio
+import contextlib
+import socket
+import sys
+from time import monotonic_ns
+
+from websockets.http11 import Request, Response
+from websockets.protocol import Event, State
+from websockets.server import ServerProtocol
+
+from onika.host.sessions.admission import Doorkeeper, No, Yes
+from onika.host.sessions.heartbeat_registry import BeatBook
+from onika.link.heartbeat import HEADER, Pact
+from onika.link.websocket_messages import SILENT, Messages
+from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
+from onika.wire.packet import Beat, Bye, Hello, decode, encode
+
+TAKING_S = 10.0
+"""How long somebody may take nothing of what is sent to him."""
+_CHUNK = 64 * 1024
+_TURN = 8 * 1024
+"""Bytes from outside that are looked at before it is somebody else's turn: some hundred of the smallest frames."""
+_MIN_RTT = 148
+"""Where it stands in the `tcp_info` of Linux, in us."""
+
+
+class Unwelcome(Exception):
+    """There will be no link on this connection; he has been told, as far as he can be."""
+
+
+class Relay:
+    """One connection, given as the streams of its outside."""
+
+    def __init__(
+        self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str, book: BeatBook | None = None
+    ) -> None:
+        self._book = book or BeatBook()
+        self._pact: Pact | None = None
+        self._inside: asyncio.StreamWriter | None = None
+        self._reader = reader
+        self._writer = writer
+        self._address = address
+        self._protocol = ServerProtocol(max_size=FRAME_LIMIT, logger=SILENT)
+        self._messages = Messages()
+
+    async def greet(self, doorkeeper: Doorkeeper, number: int) -> tuple[Yes, Hello, list[bytes]]:
+        """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome.
+
+        From the moment his token is known to be right, nobody else's crowding in the door puts him out again.
+        """
+        answer = self._answer(await self._request(), doorkeeper)
+        doorkeeper.leave(number)
+        payloads: list[bytes] = []
+        while not payloads:
+            payloads = await self._receive()
+        try:
+            hello = decode(payloads[0])
+        except ValueError:
+            hello = Bye("garbage", "")
+        if not isinstance(hello, Hello):
+            self._protocol.send_binary(encode(Bye("garbage", "an environment begins with hello")))
+            await self._send()
+            raise Unwelcome("no hello")
+        return answer, hello, payloads
+
+    async def carry(self, payloads: list[bytes], inside: socket.socket) -> None:
+        """Copy whole frames both ways until one side ends it; each waits for the other, never for more than that."""
+        reader, writer = await asyncio.open_unix_connection(sock=inside, limit=_CHUNK)
+        inward = asyncio.create_task(self._inward(payloads, writer))
+        outward = asyncio.create_task(self._outward(reader))
+        try:
+            await asyncio.wait((inward, outward), return_when=asyncio.FIRST_COMPLETED)
+        finally:
+            for task in (inward, outward):
+                task.cancel()
+            await asyncio.gather(inward, outward, return_exceptions=True)
+            self._inside = None
+            writer.close()
+
+    async def end(self, reason: str = "") -> None:
+        """Close, politely where the other side still listens."""
+        self._book.close(self._pact)
+        with contextlib.suppress(OSError, TimeoutError):
+            if self._protocol.state is State.OPEN:
+                self._protocol.send_close(1000, reason)
+                await self._send()
+        self._writer.close()
+
+    async def _request(self) -> Request:
+        while True:
+            for event in await self._events():
+                if isinstance(event, Request):
+                    return event
+            if self._protocol.handshake_exc is not None:
+                await self._send()
+                raise Unwelcome("no HTTP")
+
+    def _answer(self, request: Request, doorkeeper: Doorkeeper) -> Yes:
+        response = self._protocol.accept(request)  # 400, 405, 426: no WebSocket at all
+        answer: Yes | No | None = None
+        if response.status_code == 101:
+            answer = doorkeeper.judge(request.path, request.headers.raw_items(), self._address, monotonic_ns())
+            if isinstance(answer, No):
+                response = self._protocol.reject(answer.status, answer.reason + "\n")
+            elif answer.channel.asks:
+                self._agree(response)
+        self._protocol.send_response(response)
+        for data in self._protocol.data_to_send():
+            self._writer.write(data)
+        if not isinstance(answer, Yes):
+            raise Unwelcome(f"status {response.status_code}")
+        return answer
+
+    def _agree(self, response: Response) -> None:
+        """Tell the other end, and nobody else, how it may beat beside this connection."""
+        self._pact = self._book.open(self._beat)
+        if self._pact is not None:
+            response.headers[HEADER] = self._pact.header()
+
+    def _beat(self, count: int) -> None:
+        """Hand a beat to the program, unless it has enough to read anyway."""
+        writer = self._inside
+        if writer is None or writer.transport.is_closing():
+            return
+        if writer.transport.get_write_buffer_size() < _CHUNK:
+            connected = self._writer.get_extra_info("socket")
+            writer.write(frame(encode(Beat(count, 0, round_trip_us(connected)))))
+
+    async def _inward(self, payloads: list[bytes], writer: asyncio.StreamWriter) -> None:
+        while True:
+            writer.write(b"".join(map(frame, payloads)))
+            self._inside = writer  # from now on: nothing may come before the hello
+            await writer.drain()
+            await asyncio.sleep(
+                0
+            )  # where more is there already, nothing else would wait: whoever floods holds up nobody
+            payloads = await self._receive()
+
+    async def _outward(self, reader: asyncio.StreamReader) -> None:
+        frames = FrameReader()
+        while data := await reader.read(_CHUNK):
+            for payload in frames.feed(data):
+                self._protocol.send_binary(payload)
+            await self._send()
+
+    async def _receive(self) -> list[bytes]:
+        """The payloads that came next; raises Unwelcome at the end."""
+        while True:
+            try:
+                payloads = self._messages.feed(await self._events())
+            except ValueError as wrong:
+                self._protocol.fail(1003, str(wrong))
+                payloads = []
+            await self._send()
+            if payloads:
+                return payloads
+            if self._protocol.state is not State.OPEN:
+                raise Unwelcome("closed")
+
+    async def _events(self) -> list[Event]:
+        data = await self._reader.read(_TURN)
+        if data:
+            self._protocol.receive_data(data)
+        else:
+            self._protocol.receive_eof()
+        events = self._protocol.events_received()
+        if not data and not events and self._protocol.state is State.CONNECTING:
+            raise Unwelcome("gone")
+        return events
+
+    async def _send(self) -> None:
+        """Send what waits; raises TimeoutError for somebody who takes nothing."""
+        for data in self._protocol.data_to_send():
+            if data:
+                self._writer.write(data)
+        async with asyncio.timeout(TAKING_S):
+            await self._writer.drain()
+
+
+def round_trip_us(connected: socket.socket) -> int:
+    """The shortest round trip of a connection within the last minutes, as the system has measured it; 0: unknown."""
+    info = connected.getsockopt(socket.IPPROTO_TCP, socket.TCP_INFO, 256)
+    return int.from_bytes(info[_MIN_RTT : _MIN_RTT + 4], sys.byteorder) if len(info) >= _MIN_RTT + 4 else 0

@@ -1,0 +1,289 @@
+"""The gate: the runtime's end of all links; requests in, replies, events and readings out (house decision 7)."""
+
+import select
+import socket
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Protocol
+
+from onika.host.sessions.leases import Heard
+from onika.host.sessions.permission import refusal
+from onika.link.caller import Role
+from onika.link.carrier import Carrier, SocketCarrier
+from onika.link.link_events import Asked
+from onika.link.link_terms import CHILD, Terms
+from onika.link.runtime_port import ServerPort
+from onika.link.session import Session
+from onika.link.sessions import Guests, Introduction
+from onika.wire import event, holding, request
+from onika.wire.packet import Bye, encode
+
+_EVERY = "*"
+_WAITING = 4 * 1024 * 1024
+"""Bytes that may wait for a guest who reads slowly before he is cut."""
+_PACKETS, _BYTES = 16, 256 * 1024
+"""What one connection of a guest may bring in one turn; the rest waits, so that a flood takes nobody's time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """One request of one session."""
+
+    ticket: int
+    session: str
+    role: Role
+    asked: request.Request
+    address: str = ""
+
+
+class Descriptor(Protocol):
+    """What `select` can wait for."""
+
+    def fileno(self) -> int:
+        """Its number."""
+        ...
+
+
+class Door(Protocol):
+    """Where guests come from: the porter, or a test's."""
+
+    @property
+    def post(self) -> Descriptor:
+        """Readable when somebody has come, or at its end."""
+        ...
+
+    def arrivals(self) -> list[tuple[Introduction, socket.socket]]:
+        """Who has come since the last call."""
+        ...
+
+    def deaf_ns(self) -> int:
+        """For how long it has passed nothing on, though something may have come."""
+        ...
+
+    def ending(self) -> str:
+        """How it ended; empty while it lives."""
+        ...
+
+
+class Watcher(Protocol):
+    """Sees what is asked and told, and what came of it; see `host.sessions.audit_log`."""
+
+    def answered(self, call: Call, response: request.Response) -> None:
+        """A request was answered."""
+        ...
+
+    def garbage(self, session: str, text: str) -> None:
+        """Something came that is no request."""
+        ...
+
+    def came(self, new: Introduction, why_not: str) -> None:
+        """Somebody has connected, or was turned away."""
+        ...
+
+    def lost(self, session: str) -> None:
+        """A session is gone."""
+        ...
+
+    def told(self, one: event.Event) -> None:
+        """Something was told."""
+        ...
+
+
+class Gate:
+    """All sessions of a runtime; every request gets exactly one response, now or later."""
+
+    def __init__(
+        self, guests: Guests, clock: Callable[[], int], porter: Door | None = None, accepts_code: bool = False
+    ) -> None:
+        self._guests = guests
+        self._porter = porter
+        self._clock = clock
+        self._accepts_code = accepts_code
+        self._parent: Session | None = None
+        self._told: list[tuple[event.Event, str, str]] = []
+        self._ear: Callable[[event.Event, str], None] | None = None
+        self._tickets: dict[int, tuple[Session, int]] = {}
+        self._calls: dict[int, Call] = {}
+        self.watcher: Watcher | None = None
+        """Who writes down what happens here."""
+        self._count = 0
+        self._turn = 0
+
+    @property
+    def is_open(self) -> bool:
+        """Whether somebody may still ask: as long as the launching program is there; for ever where there is none."""
+        return self._parent is None or bool(self._parent.ports)
+
+    @property
+    def is_waiting(self) -> bool:
+        """Whether something still waits to be sent."""
+        return bool(self._told) or bool(self.writers())
+
+    def adopt(self, carrier: Carrier, terms: Terms = CHILD) -> str:
+        """Serve the program that launched this one; the name of its session."""
+        self._parent = self._guests.adopt(carrier, self._clock(), terms)
+        return self._parent.name
+
+    def readers(self) -> list[Descriptor]:
+        """What to wait for reading."""
+        return [*self._ports(), *([] if self._porter is None else [self._porter.post])]
+
+    def writers(self) -> list[Descriptor]:
+        """What to wait for writing."""
+        return [port for port in self._ports() if port.want_write()]
+
+    def due_s(self) -> float | None:
+        """How long `requests` may be left alone, in s; None: until something can be read or written."""
+        if self._told:
+            return 0.0
+        now = self._clock()
+        times = [due for one in self._guests.sessions if (due := one.due_ns(now)) is not None]
+        return min(times) * 1e-9 if times else None
+
+    def wait_s(self, most_s: float) -> float:
+        """How long to wait at most, where nothing else is to be done for so long."""
+        due_s = self.due_s()
+        return most_s if due_s is None else min(most_s, due_s)
+
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+        """Say an event to every session that attends the subsystem (empty: to all), and to the named one in any case.
+
+        Numbered, acknowledged, never lost. It goes out at the next `flush`, so that telling never stands between a
+        trigger's finish and the next job.
+        """
+        self._told.append((one, subsystem, session))
+        if self.watcher is not None:
+            self.watcher.told(one)
+        if self._ear is not None:
+            self._ear(one, subsystem)
+
+    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+        """From now on this one hears every event as it is told, and the subsystem it is about; none: nobody does."""
+        self._ear = ear
+
+    def flush(self) -> None:
+        """Send what was told."""
+        if self._told:
+            told, self._told = self._told, []
+            now = self._clock()
+            for one, subsystem, name in told:
+                self._say(event.encode(one), subsystem, name, now)
+
+    def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
+        """From now on the session hears these subsystems, in place of what it heard before; `*`: all."""
+        self.flush()  # what was told before was told to those who attended then
+        found = self._guests.find(session)
+        if found is not None:
+            found.attends = frozenset(subsystems)
+
+    def show(self, session: str, key: str, body: bytes) -> None:
+        """The newest reading under a key, to one session; dropped where there is no room."""
+        found = self._guests.find(session)
+        if found is not None:
+            found.show(key, body, self._clock())
+
+    def requests(self) -> list[Call]:
+        """What was asked since the last call; what is no request, or is not allowed, is refused at once."""
+        self.flush()
+        self._welcome()
+        now = self._clock()
+        sessions = self._guests.sessions
+        self._turn += 1
+        first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
+        stirring = self._stirring(sessions[first:] + sessions[:first], now)
+        asked = [(one, each) for one in stirring for each in one.service(now)]
+        calls = [self._judge(session, each) for session, each in asked if isinstance(each, Asked)]
+        return [call for call in calls if call is not None]
+
+    def reply(self, ticket: int, response: request.Response) -> None:
+        """Answer a request; what was told before goes first."""
+        self.flush()
+        session, number = self._tickets.pop(ticket)
+        call = self._calls.pop(ticket, None)
+        if self.watcher is not None and call is not None:
+            self.watcher.answered(call, response)
+        session.reply(number, request.encode(response), self._clock())
+
+    def close(self, reason: str) -> None:
+        """Say good-bye to everybody; `requests` and `is_waiting` go on until it is out."""
+        self.flush()
+        for session in self._guests.sessions:
+            session.close(reason, self._clock())
+
+    def sessions(self) -> tuple[holding.SessionStanding, ...]:
+        """Who is known; here is who is heard at present."""
+        known = self._guests.sessions
+        return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_heard) for one in known)
+
+    def hearing(self, session: str) -> Heard | None:
+        """How a session is heard; None: it is not known, or the launching program, whose end is told."""
+        found = self._guests.find(session)
+        if found is None or found is self._parent:
+            return None
+        now, rhythm = self._clock(), found.rhythm
+        return Heard(now - found.heard_ns, rhythm.beats, now - rhythm.last_ns, rhythm.round_trip_us)
+
+    def deaf_ns(self) -> int:
+        """For how long nothing could be heard, whoever spoke."""
+        return 0 if self._porter is None else self._porter.deaf_ns()
+
+    def lost(self) -> list[str]:
+        """The sessions given up since the last call: good-bye, or silence for too long; each loss once."""
+        lost = self._guests.lost(self._clock())
+        if self.watcher is not None:
+            for session in lost:
+                self.watcher.lost(session)
+        return lost
+
+    def _stirring(self, sessions: list[Session], now: int) -> list[Session]:
+        """Those with something to take in or to do; the system is asked once for all, so that idle ones cost little."""
+        poller = select.poll()
+        for port in self._ports():
+            if port.fileno() >= 0:
+                poller.register(port.fileno(), select.POLLIN | (select.POLLOUT if port.want_write() else 0))
+        ready = {-1, *(descriptor for descriptor, _ in poller.poll(0))}
+        return [one for one in sessions if one.due_ns(now) == 0 or any(port.fileno() in ready for port in one.ports)]
+
+    def _welcome(self) -> None:
+        """Take in who has come, and notice when nobody can come any more."""
+        if self._porter is None:
+            return
+        for new, connected in self._porter.arrivals():
+            carrier = SocketCarrier(connected, buffer_limit=_WAITING, turn=_PACKETS, turn_bytes=_BYTES)
+            why = self._guests.admit(new, carrier, self._clock())
+            if self.watcher is not None:
+                self.watcher.came(new, why)
+            if why:
+                carrier.send(encode(Bye("refused", why)))
+                carrier.close()
+        ending = self._porter.ending()
+        if ending:
+            self._porter = None
+            self.tell(event.Lost("porter", f"the porter {ending}; nobody new can connect", self._clock() * 1e-9))
+
+    def _judge(self, session: Session, each: Asked) -> Call | None:
+        self._count += 1
+        self._tickets[self._count] = (session, each.ticket)
+        try:
+            asked = request.decode_request(each.body)
+        except ValueError as wrong:
+            if self.watcher is not None:
+                self.watcher.garbage(session.name, str(wrong))
+            self.reply(self._count, request.Refused(f"expected a request, found something else: {wrong}"))
+            return None
+        call = Call(self._count, session.name, session.caller.role, asked, session.caller.address)
+        self._calls[self._count] = call
+        why = refusal(session.caller, asked, self._accepts_code)
+        if why:
+            self.reply(self._count, request.Refused(why))
+            return None
+        return call
+
+    def _say(self, body: bytes, subsystem: str, name: str, now: int) -> None:
+        for session in self._guests.sessions:
+            hears = not subsystem or not session.attends.isdisjoint((subsystem, _EVERY))
+            if hears or session.name == name:
+                session.signal(body, now)
+
+    def _ports(self) -> list[ServerPort]:
+        return [port for session in self._guests.sessions for port in session.ports]

@@ -1,0 +1,85 @@
+"""The users of a runtime: a file of lines `NAME ROLE SHA256-OF-TOKEN`; as a program it makes such a line."""
+
+import hmac
+import re
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+
+from onika.link.caller import Role
+from onika.link.token import digest, new_token
+from onika.words.fault import Fault, Place
+
+_ROLES = {role.word: role for role in Role}
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,31}")
+_DIGEST = re.compile(r"[0-9a-f]{64}")
+
+
+@dataclass(frozen=True, slots=True)
+class User:
+    """One user; of his token only the SHA-256 is known."""
+
+    name: str
+    role: Role
+    digest: str
+
+    def __str__(self) -> str:
+        return f"{self.name} {self.role.word} {self.digest}"
+
+
+class Users:
+    """All users of a runtime."""
+
+    def __init__(self, users: tuple[User, ...]) -> None:
+        self.users = users
+
+    def find(self, token: str) -> User | None:
+        """The user whose token this is; takes as long for a wrong one as for a right one."""
+        asked = digest(token)
+        found = [user for user in self.users if hmac.compare_digest(user.digest, asked)]
+        return found[0] if found else None
+
+
+def read(text: str, place: str) -> tuple[tuple[User, ...], list[Fault]]:
+    """The users in a file's text and what is wrong with it; empty lines and those with a `#` first do not count."""
+    users: list[User] = []
+    faults: list[Fault] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if not words or words[0].startswith("#"):
+            continue
+        user = _user(words)
+        if user is None:
+            # the line is not shown: somebody may have written a token there
+            expected = f"NAME ROLE SHA256-OF-TOKEN with a role of {', '.join(_ROLES)}"
+            faults.append(Fault(Place(place, number), expected, f"{len(words)} other words", "nobody is let in"))
+        elif any(user.name == other.name and user.role is not other.role for other in users):
+            expected = f"one role for {user.name}"
+            faults.append(Fault(Place(place, number), expected, f"a second, {user.role.word}", "nobody is let in"))
+        else:
+            users.append(user)
+    return tuple(users), faults
+
+
+def main(words: list[str]) -> int:
+    """`python -m onika.host.sessions.users NAME ROLE [FILE]`: print a new token once and add its line to the file."""
+    if len(words) not in (2, 3) or not _NAME.fullmatch(words[0]) or words[1] not in _ROLES:
+        sys.stderr.write(f"expected NAME {'|'.join(_ROLES)} [FILE]\n")
+        return 2
+    token = new_token()
+    line = str(User(words[0], _ROLES[words[1]], digest(token)))
+    if len(words) == 3:
+        with Path(words[2]).open("a", encoding="ascii") as file:
+            file.write(line + "\n")
+    sys.stdout.write(f"{token}\n" if len(words) == 3 else f"{line}\n{token}\n")
+    return 0
+
+
+def _user(words: list[str]) -> User | None:
+    if len(words) != 3 or not _NAME.fullmatch(words[0]) or words[1] not in _ROLES or not _DIGEST.fullmatch(words[2]):
+        return None
+    return User(words[0], _ROLES[words[1]], words[2])
+
+
+if __name__ == "__main__":
+    raise SystemExit(main(sys.argv[1:]))

@@ -1,0 +1,263 @@
+"""The stage: every subsystem of a runtime, held by hand or by an application; news finds its way here."""
+
+from collections.abc import Callable, Collection, Mapping
+from typing import Protocol
+
+from onika.host.edit.live_subsystem import LiveSubsystem
+from onika.host.edit.load_forecast import Forecast
+from onika.host.run.clock_gate import Hold
+from onika.host.run.replay import Repeat
+from onika.host.run.run import Performance
+from onika.host.run.status_poll import Roll
+from onika.host.units.unit_registry import Units
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.subsystem import Member
+from onika.runtime.table import SIZE, Table
+from onika.wire import event
+
+_LOADS_EVERY_NS = 1_000_000_000
+
+Tell = Callable[[event.Event, str, str], None]
+"""An event, the subsystem whose listeners hear it (empty: everybody), a session that hears it in any case."""
+
+
+class Tables(Units, Protocol):
+    """Units that can be shown memory, and told the time."""
+
+    @property
+    def now(self) -> int:
+        """The runtime's time in ns since its start."""
+        ...
+
+    @property
+    def is_virtual(self) -> bool:
+        """Whether time is virtual."""
+        ...
+
+    @property
+    def turn(self) -> int:
+        """In virtual time: how often everything due at the present instant has been carried out."""
+        ...
+
+    def share(self, name: str, segment: Segment) -> None:
+        """Let the RTPUs see a table."""
+        ...
+
+    def unshare(self, name: str) -> None:
+        """The table is not used any more."""
+        ...
+
+
+class Stage:
+    """Who lives where. It is the driver's listener."""
+
+    def __init__(self, units: Tables, tell: Tell, rtpus: Collection[str]) -> None:
+        self.live: dict[str, LiveSubsystem] = {}
+        self.tables: dict[str, Table] = {}
+        self.performances: list[Performance] = []
+        self.lost_units: dict[str, str] = {}
+        self.roll = Roll(units, self._alive)
+        self.forecast = Forecast()
+        self.hold = Hold(tell)
+        self.repeat = Repeat()
+        self._asked_loads_at = 0
+        self.until = 0
+        """Up to when the clock goes on in virtual time though no application runs."""
+        self._units = units
+        self._tell = tell
+        self._rtpus = tuple(rtpus)
+        self._reached: list[tuple[int, Callable[[], None]]] = []
+
+    # Who lives where
+
+    def table(self, name: str) -> Table:
+        """A new zeroed table for a subsystem, in place of any old one (law 4)."""
+        if name in self.tables:
+            self.tables[name].segment.close()
+        table = self.tables[name] = Table(Segment.create(f"table-{name}", SIZE))
+        self._units.share(f"table:{name}", table.segment)
+        return table
+
+    def by_hand(self, name: str) -> LiveSubsystem:
+        """The subsystem of this name as it is held by hand; it is made with its first task."""
+        if name not in self.live:
+
+            def tell(one: event.Event) -> None:
+                self._tell(one, name, self.live[name].holder if name in self.live else "")
+
+            self.live[name] = LiveSubsystem(
+                name,
+                self.table(name),
+                self._units,
+                tell,
+                lambda: self._units.now,
+                self.lost_units,
+                lambda: self.drop(name),
+            )
+        return self.live[name]
+
+    def drop(self, name: str) -> None:
+        """An empty subsystem is no more, and nobody holds it."""
+        holder = self.live.pop(name).holder
+        if holder:
+            self._tell(event.Held(name, ""), name, holder)
+        self._units.unshare(f"table:{name}")
+        self.tables.pop(name).segment.close()
+
+    def unit(self, wanted: str) -> str:
+        """The unit a task runs on: the named one, else the first that lives (decision 12)."""
+        if wanted in self._rtpus:
+            return wanted
+        return next(iter(self._alive()), self._rtpus[0])
+
+    def gone(self, wanted: str) -> str:
+        """Why no task can run on the unit it would be on; empty: it can."""
+        return self.lost_units.get(self.unit(wanted), "")
+
+    def performance_in(self, subsystem: str) -> Performance | None:
+        """The application that runs in a subsystem."""
+        return next((one for one in self.performances if subsystem in one.names), None)
+
+    def perform(self, performance: Performance) -> None:
+        """An application begins."""
+        self.performances.append(performance)
+        performance.runner.start(self._units.now)
+
+    def when(self, at: int, then: Callable[[], None]) -> None:
+        """In virtual time: let the clock go on to this time, then do this."""
+        self.until = max(self.until, at)
+        self._reached.append((at, then))
+
+    # As the driver's listener
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the virtual clock goes on: not while a task of an application asks, or nothing wants it to."""
+        if self._stands:
+            return False
+        is_running = False
+        for one in self.performances:  # asked at every instant of virtual time
+            if not one.runner.is_over and one.runner.is_asking:
+                return False
+            is_running = is_running or one.runner.is_moving
+        return is_running or self._is_let_pass
+
+    @property
+    def is_asking(self) -> bool:
+        """Whether a task of an application waits for user input."""
+        return any(one.runner.is_asking and not one.runner.is_over for one in self.performances)
+
+    @property
+    def is_still(self) -> bool:
+        """Whether scaled time stands still: nothing lives, or an application's task waits for user input."""
+        lives = any(live.members for live in self.live.values()) or self._is_let_pass
+        if self.is_asking or self._stands:
+            return True
+        return not (lives or any(one.runner.is_moving for one in self.performances))
+
+    @property
+    def is_hurried(self) -> bool:
+        """Whether scaled time goes as fast as it can: while a recorded run is repeated."""
+        return self.repeat.is_on(self._units.now)
+
+    @property
+    def is_repeat_due(self) -> bool:
+        """Whether something is to be asked anew, at this instant, of a run that is repeated."""
+        return self.repeat.is_due(self._units.now, self._units.turn, self.is_asking)
+
+    @property
+    def _stands(self) -> bool:
+        """Whether the clock waits: for whoever holds it, or for what is asked anew."""
+        if self.repeat.session and self.repeat.is_on(self._units.now):
+            return self.is_repeat_due
+        return self.hold.stands(self._units.now)
+
+    @property
+    def _is_let_pass(self) -> bool:
+        """Whether somebody lets time pass that no run needs: `advance`, or who holds the clock of a run that rests."""
+        return self._units.now < max(self.until, self._let_to or 0)
+
+    @property
+    def _let_to(self) -> int | None:
+        """Up to when the clock goes on in any case: for what is repeated, and only then for who holds the clock."""
+        now = self._units.now
+        return self.repeat.wake_at(now) if self.repeat.is_on(now) else self.hold.wake_at()
+
+    def hear(self, rtpu: str, heard: news.News, now: int) -> None:
+        """Tell whose task it is."""
+        if isinstance(heard, news.Loads):
+            self.forecast.hear(heard.rtpu, [(load, self._digest(load.subsystem, load.task)) for load in heard.tasks])
+            return
+        if isinstance(heard, news.Statuses):
+            self.roll.hear(heard)
+            for one in self.performances:
+                one.hear(rtpu, heard, now)
+            return
+        if isinstance(heard, news.Got) or (isinstance(heard, news.Refused) and heard.command == "get or set"):
+            self.roll.answered(heard)
+            return
+        performance = self.performance_in(heard.subsystem)
+        if performance is not None:
+            performance.hear(rtpu, heard, now)
+        elif heard.subsystem in self.live:
+            self.live[heard.subsystem].hear(rtpu, heard, now)
+
+    def lost(self, rtpu: str, reason: str, now: int) -> None:
+        """A process is gone, and with a unit its tasks."""
+        if rtpu:
+            self.lost_units[rtpu] = reason
+        self._tell(event.Lost(rtpu or "device server", reason, round(now * 1e-9, 9)), "", "")
+        for performance in self.performances:
+            performance.runner.lost(rtpu, reason, now)
+        for live in list(self.live.values()):
+            live.lost(rtpu, reason, now)
+        self.roll.lost()
+
+    def run_began(self, device: str) -> int:
+        """When the run began that uses a device; 0 where none does."""
+        return max((one.runner.run_began(device) for one in self.performances), default=0)
+
+    def wake_at(self) -> int | None:
+        """The next time somebody has something to do."""
+        earliest = self._let_to
+        for one in self.performances:
+            wake = one.runner.wake_at()
+            if wake is not None and (earliest is None or wake < earliest):
+                earliest = wake
+        for at, _ in self._reached:
+            if earliest is None or at < earliest:
+                earliest = at
+        return earliest
+
+    def tick(self, now: int) -> None:
+        """Let time pass."""
+        for performance in self.performances:
+            performance.runner.tick(now)
+        reached = [then for at, then in self._reached if at <= now]
+        self._reached = [(at, then) for at, then in self._reached if at > now]
+        for then in reached:
+            then()
+        self._ask_loads(now)
+
+    def _ask_loads(self, now: int) -> None:
+        """What everything costs, once a second; in virtual time nothing may depend on it."""
+        if not self._units.is_virtual and (self.live or self.performances) and now >= self._asked_loads_at:
+            self._asked_loads_at = now + _LOADS_EVERY_NS
+            for rtpu in self._alive():
+                self._units.send(rtpu, command.Load())
+
+    def _digest(self, subsystem: str, task: str) -> str:
+        member = self.members(subsystem).get(task)
+        return member.wired.task.digest if member is not None else ""
+
+    def members(self, subsystem: str) -> Mapping[str, Member]:
+        """The tasks of a subsystem, whoever holds it."""
+        performance = self.performance_in(subsystem)
+        if performance is not None:
+            return performance.members(subsystem)
+        by_hand = self.live.get(subsystem)
+        return by_hand.members if by_hand is not None else {}
+
+    def _alive(self) -> list[str]:
+        return [name for name in self._rtpus if name not in self.lost_units]

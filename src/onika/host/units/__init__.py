@@ -1,0 +1,1 @@
+"""The processes and clocks in which tasks and worlds run."""

@@ -1,0 +1,290 @@
+"""The device server as a process: steps every world of a runtime on its own absolute grid of wall time (law 16)."""
+
+import argparse
+import select
+import signal
+import socket
+import sys
+from time import monotonic_ns
+from typing import Any
+
+from msgspec import Struct, msgpack
+
+from onika.host.units.heartbeat import Heartbeat
+from onika.host.units.output_pipe import open_outlets
+from onika.host.units.pose_stream import Posed, Posing
+from onika.host.units.process_socket import Post
+from onika.host.units.realtime_scheduling import become_real_time
+from onika.host.units.rtpu import preload
+from onika.host.units.world_registry import open_world, split
+from onika.link.launcher import die_with_parent
+from onika.ring.device import DriveEvent
+from onika.ring.segment import Segment
+from onika.runtime.bus import Bus
+from onika.runtime.command import DeviceGrant
+
+_LONGEST_SLEEP_S = 0.02
+_MOST_BEHIND_NS = 50_000_000
+"""Further behind, a world loses time instead of running after it: a stall stretches a motion and never jumps."""
+
+
+class Open(Struct, frozen=True, tag=True):
+    """Open a world; the memory of its bus comes with this datagram."""
+
+    world: str
+
+
+class Claim(Struct, frozen=True, tag=True):
+    """Grant `world:device` to the writer of this epoch."""
+
+    device: str
+    epoch: int
+
+
+class Release(Struct, frozen=True, tag=True):
+    """The claim ends."""
+
+    device: str
+    epoch: int
+
+
+class Fence(Struct, frozen=True, tag=True):
+    """The writer of this epoch is dead."""
+
+    epoch: int
+
+
+class StopAll(Struct, frozen=True, tag=True):
+    """Every drive in hold, latched (law 27)."""
+
+
+class GoOn(Struct, frozen=True, tag=True):
+    """After a stop: commands are heard again; nothing moves by itself."""
+
+
+class Touch(Struct, frozen=True, tag=True):
+    """A hand touches a part of a world."""
+
+    world: str
+    part: str
+    value: float
+
+
+class Draw(Struct, frozen=True, tag=True):
+    """Ask for the worlds as they stand."""
+
+
+class Show(Struct, frozen=True, tag=True):
+    """Ask what a world consists of."""
+
+    world: str
+
+
+class Pose(Struct, frozen=True, tag=True):
+    """From now on tell the poses of a world, 30 times a second; to the socket that comes with this datagram, if any."""
+
+    world: str
+
+
+class Granted(Struct, frozen=True, tag=True):
+    """The answer to a Claim."""
+
+    grant: DeviceGrant
+
+
+class Denied(Struct, frozen=True, tag=True):
+    """The answer to an Open, a Claim or a Touch that cannot be."""
+
+    reason: str
+
+
+class Opened(Struct, frozen=True, tag=True):
+    """The world is there and steps."""
+
+    world: str
+
+
+class Touched(Struct, frozen=True, tag=True):
+    """The answer to a Touch."""
+
+
+class Driven(Struct, frozen=True, tag=True):
+    """A drive has changed its state."""
+
+    world: str
+    device: str
+    state: int
+    at_ns: int
+    previous_step_ns: int
+    last_command_ns: int
+    cause: str
+    behind_ns: int = 0
+    """How far the world's time is behind the runtime's."""
+
+
+class Drawn(Struct, frozen=True, tag=True):
+    """The answer to Draw."""
+
+    snapshots: dict[str, bytes]
+
+
+class Shown(Struct, frozen=True, tag=True):
+    """The answer to Show."""
+
+    scene: dict[str, Any]
+
+
+class Up(Struct, frozen=True, tag=True):
+    """The process is up; what the operating system granted it."""
+
+    granted: dict[str, bool]
+
+
+Order = Open | Claim | Release | Fence | StopAll | GoOn | Touch | Draw | Show | Pose
+Word = Granted | Denied | Opened | Touched | Driven | Drawn | Shown | Posed | Up
+
+encode = msgpack.Encoder().encode
+decode_order = msgpack.Decoder(Order).decode
+decode_word = msgpack.Decoder(Word).decode
+
+
+class DeviceServer:
+    """The loop around the buses."""
+
+    def __init__(self, post: Post, heartbeat: Heartbeat, zero_ns: int) -> None:
+        self._post = post
+        self._heartbeat = heartbeat
+        self._zero = zero_ns
+        self._buses: dict[str, Bus] = {}
+        self._behind: dict[str, int] = {}
+        self._posing: dict[str, Posing] = {}
+        self._is_stopped = False
+        self._segments: list[Segment] = []
+
+    def run(self) -> None:
+        """Until the runtime is gone."""
+        while not self._post.is_closed:
+            self._heartbeat.beat()
+            self._rest()
+            self._take_orders()
+            for name, bus in self._buses.items():
+                self._step(name, bus)
+        for one in self._posing.values():
+            one.close()
+
+    def _now(self) -> int:
+        return monotonic_ns() - self._zero
+
+    def _rest(self) -> None:
+        now = self._now()
+        wait = _LONGEST_SLEEP_S
+        for name, bus in self._buses.items():
+            due = bus.world.now_ns + bus.world.step_ns + self._behind[name]
+            wait = min(wait, (due - now) * 1e-9)
+        if wait > 0:
+            select.select([self._post], [self._post] if self._post.is_waiting else [], [], wait)
+
+    def _step(self, name: str, bus: Bus) -> None:
+        world = bus.world
+        now = self._now()
+        late = now - self._behind[name] - world.now_ns
+        if late > _MOST_BEHIND_NS:
+            self._behind[name] += late - world.step_ns
+        until = now - self._behind[name]
+        if until >= world.now_ns + world.step_ns:
+            bus.step(until)
+        for one in world.take_events():
+            self._post.send(encode(_driven(name, one, self._behind[name])))
+        if name in self._posing and self._posing[name].is_due(now):
+            self._posing[name].tell(now, *bus.poses())
+
+    def _take_orders(self) -> None:
+        if self._post.is_waiting:
+            self._post.flush()
+        while (received := self._post.receive()) is not None:
+            answer = self._carry_out(decode_order(received[0]), received[1])
+            if answer is not None:
+                self._post.send(encode(answer))
+
+    def _carry_out(self, order: Order, descriptors: list[int]) -> Word | None:
+        match order:
+            case Open():
+                return self._open(order.world, descriptors[0])
+            case Claim():
+                world, device = split(order.device)
+                try:
+                    return Granted(self._buses[world].grant(device, order.epoch))
+                except ValueError as wrong:
+                    return Denied(str(wrong))
+            case Release():
+                world, device = split(order.device)
+                self._buses[world].release(device, order.epoch)
+            case Fence() | StopAll() | GoOn():
+                self._tell_all(order)
+            case Touch():
+                try:
+                    self._buses[order.world].touch(order.part, order.value)
+                except ValueError as wrong:
+                    return Denied(str(wrong))
+                return Touched()
+            case Show():
+                return Shown(self._buses[order.world].scene()) if order.world in self._buses else Denied("not open")
+            case Pose():
+                post = Post(socket.socket(fileno=descriptors[0])) if descriptors else self._post
+                self._posing.setdefault(order.world, Posing(order.world)).add(post)
+            case Draw():
+                return Drawn({name: bus.world.snapshot() for name, bus in self._buses.items()})
+        return None
+
+    def _tell_all(self, order: Fence | StopAll | GoOn) -> None:
+        self._is_stopped = isinstance(order, StopAll) or (self._is_stopped and not isinstance(order, GoOn))
+        for bus in self._buses.values():
+            match order:
+                case Fence():
+                    bus.world.fence(order.epoch)
+                case StopAll():
+                    bus.world.stop()
+                case GoOn():
+                    bus.world.go_on()
+
+    def _open(self, name: str, descriptor: int) -> Word:
+        segment = Segment.attach(descriptor)
+        self._segments.append(segment)
+        try:
+            world = open_world(name)
+        except ValueError as wrong:
+            return Denied(str(wrong))
+        if self._is_stopped:
+            world.stop()
+        self._buses[name] = Bus(name, world, segment)
+        self._behind[name] = self._now() - world.now_ns
+        return Opened(name)
+
+
+def _driven(world: str, one: DriveEvent, behind_ns: int) -> Driven:
+    times = one.at_ns, one.previous_step_ns, one.last_command_ns
+    return Driven(world, one.device, int(one.state), *times, one.cause, behind_ns)
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    for option in ("--fd", "--beat-fd", "--zero", "--parent"):
+        parser.add_argument(option, type=int, required=True)
+    parser.add_argument("--fifo", action="store_true")
+    given = parser.parse_args(words)
+    die_with_parent(given.parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    preload()
+    post = Post(socket.socket(fileno=given.fd))
+    heartbeat = Heartbeat(Segment.attach(given.beat_fd))
+    server = DeviceServer(post, heartbeat, given.zero)
+    granted = become_real_time(given.fifo)
+    heartbeat.beat()  # before it is said to be up: from then on silence counts
+    post.send(encode(Up(granted)))
+    server.run()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

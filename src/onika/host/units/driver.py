@@ -1,0 +1,54 @@
+"""The driver of a runtime, as its program sees it: where everything happens, in wall or in virtual time."""
+
+from typing import Protocol
+
+from onika.host.inspection import Seen
+from onika.host.recording.recorder import Seen as Recorded
+from onika.host.subsystems import Tables
+from onika.host.units.unit_listener import Listener
+
+
+class Driver(Tables, Seen, Recorded, Protocol):
+    """What a program asks of the units and worlds that it drives."""
+
+    @property
+    def digest(self) -> str:
+        """Of everything that happened since `begin`, where that is the same every time; else empty."""
+        ...
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """The tasks that had to do with the outside since `begin`, where without them it were the same every time."""
+        ...
+
+    def listen(self, listener: Listener) -> None:
+        """Tell this one what happens."""
+        ...
+
+    def begin(self) -> None:
+        """A run starts now."""
+        ...
+
+    def advance(self, wall_ns: int) -> bool:
+        """Let everything go on; False if nothing happens until somebody says something."""
+        ...
+
+    def stop(self) -> None:
+        """Every drive in hold, latched."""
+        ...
+
+    def reset(self) -> None:
+        """Motion is allowed again; nothing moves by itself."""
+        ...
+
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of a world; raises ValueError with the reason why not."""
+        ...
+
+    def is_at_rest(self) -> bool:
+        """Whether every drive holds."""
+        ...
+
+    def snapshots(self) -> dict[str, bytes]:
+        """The worlds as they stand."""
+        ...

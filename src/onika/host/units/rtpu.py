@@ -1,0 +1,206 @@
+"""One RTPU as a process: an executive in one thread, woken by its own grid or by a command (house decision 3)."""
+
+import argparse
+import contextlib
+import importlib
+import select
+import signal
+import socket
+import sys
+from collections.abc import Sequence
+from time import monotonic_ns
+
+from msgspec import Struct, msgpack
+
+from onika.host.loading.memory_limit import bound
+from onika.host.units.heartbeat import Heartbeat
+from onika.host.units.output_pipe import open_outlets
+from onika.host.units.process_socket import Post
+from onika.host.units.realtime_scheduling import become_real_time
+from onika.link.launcher import die_with_parent
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.executive import Executive
+
+PRELOADED = ("numpy", "mujoco", "ruckig")
+"""Big libraries that modules use; importing them later would cost missed cycles (law 21)."""
+
+_LONGEST_SLEEP_S = 0.02
+
+_KEPT_NS = 500_000
+"""So long, at most, may the outcome of a switch wait to be told, while the first cycles after it are due."""
+
+
+class Share(Struct, frozen=True, tag=True):
+    """Shared memory by this name comes with this datagram."""
+
+    name: str
+
+
+class Unshare(Struct, frozen=True, tag=True):
+    """The shared memory of this name is not used any more."""
+
+    name: str
+
+
+class Ready(Struct, frozen=True, tag=True):
+    """The process is up; what the operating system granted it."""
+
+    granted: dict[str, bool]
+
+
+encode = msgpack.Encoder().encode
+decode_command = msgpack.Decoder(Share | Unshare | command.Command).decode
+decode_news = msgpack.Decoder(list[Ready | news.News]).decode
+"""News come as lists: what one command or cycle led to is one datagram."""
+
+
+class Rtpu:
+    """The loop around an executive."""
+
+    def __init__(self, name: str, post: Post, heartbeat: Heartbeat, zero_ns: int) -> None:
+        self._post = post
+        self._heartbeat = heartbeat
+        self._zero = zero_ns
+        self._views: dict[str, memoryview] = {}
+        self._segments: dict[str, Segment] = {}
+        self._executive = Executive(name, self._views, heartbeat.watch)
+        self._over = False
+        self._untold: list[news.News] = []
+        self._untold_since = 0
+
+    def run(self) -> None:
+        """Until told to quit, or until the runtime is gone: then devices are put in hold."""
+        while not (self._over or self._post.is_closed):
+            self._heartbeat.beat()
+            heard = self._executive.run_next(self._now())
+            if heard is None:
+                self._tell()
+                if not self._rest():
+                    continue  # nothing was said meanwhile: to look would only make the next cycle later
+            else:
+                self._note(heard)
+                self._take_events(0.0)
+            self._take_commands()
+        self._executive.handle(command.Stop("the runtime ends"), self._now())
+
+    def _now(self) -> int:
+        return monotonic_ns() - self._zero
+
+    def _rest(self) -> bool:
+        """Nothing is due: what was put aside for a gap, then sleep; whether there may be commands."""
+        self._heartbeat.is_slow(True)
+        self._tell(self._executive.work(self._now()))
+        self._heartbeat.is_slow(False)
+        due = self._executive.next_release()
+        wait = _LONGEST_SLEEP_S if due is None else min((due - self._now()) * 1e-9, _LONGEST_SLEEP_S)
+        if wait > 0:
+            writable = [self._post] if self._post.is_waiting else []
+            return self._take_events(wait, [self._post], writable)
+        return True
+
+    def _take_events(self, wait_s: float, readers: Sequence[Post] = (), writable: Sequence[Post] = ()) -> bool:
+        """Wait for commands and for the events of synchronous tasks, and run the tasks whose event has come.
+
+        Says whether something came by post, or waits to be sent and can be.
+        """
+        events = self._executive.events()
+        if not (events or readers):
+            return True
+        waiting: list[Post | int] = [*readers, *events]
+        ready, free, _ = select.select(waiting, writable, [], wait_s)
+        for one in ready:
+            if isinstance(one, int):
+                self._tell(self._executive.event(events[one], self._now()))
+        return bool(free) or self._post in ready
+
+    def _note(self, heard: Sequence[news.News]) -> None:
+        """Tell what a cycle led to; what nobody has to answer only when the cycles that are due now have begun.
+
+        To send it takes about as long as a cycle, and would part a finish from the job that follows, or the first
+        cycles of flows that have met.
+        """
+        if heard and not self._untold:
+            self._untold_since = self._now()
+        self._untold += heard
+        if not all(map(_may_wait, heard)) or (self._untold and self._now() - self._untold_since > _KEPT_NS):
+            self._tell()
+
+    def _tell(self, heard: Sequence[news.News] = ()) -> None:
+        """Tell this, after whatever is still to be told."""
+        self._untold += heard
+        if self._untold:
+            self._post.send(encode(self._untold))
+            self._untold.clear()
+
+    def _take_commands(self) -> None:
+        if self._post.is_waiting:
+            self._post.flush()
+        while (received := self._post.receive()) is not None:
+            body, descriptors = received
+            order = decode_command(body)
+            if isinstance(order, Share | Unshare):
+                self._share(order, descriptors)
+                continue
+            slow = isinstance(order, command.Spawn | command.Swap | command.Reinit)
+            if slow:
+                self._heartbeat.is_slow(True)
+            self._tell(self._executive.handle(order, self._now()))
+            if slow:
+                self._heartbeat.is_slow(False)
+            self._over = self._over or isinstance(order, command.Quit)
+            self._heartbeat.beat()
+
+    def _share(self, order: Share | Unshare, descriptors: list[int]) -> None:
+        """See other memory under a name, or none; the old one is given back."""
+        self._views.pop(order.name, None)
+        if order.name in self._segments:
+            self._segments.pop(order.name).close()
+        if isinstance(order, Share):
+            segment = self._segments[order.name] = Segment.attach(descriptors[0])
+            self._views[order.name] = segment.view
+
+
+def _may_wait(one: news.News) -> bool:
+    """Whether it is the outcome of what was wanted, so that nobody waits for it to decide what follows."""
+    match one:
+        case news.Cycled() | news.Stepped():
+            return True
+        case news.Changed():
+            return not one.signal
+        case news.Finished():
+            return one.switched > 0
+    return False
+
+
+def preload() -> None:
+    """Import the big libraries that are installed."""
+    for name in PRELOADED:
+        with contextlib.suppress(ImportError):  # a module that needs it will say so
+            importlib.import_module(name)
+
+
+def main(words: list[str]) -> None:
+    """The process."""
+    parser = argparse.ArgumentParser()
+    for option in ("--fd", "--beat-fd", "--zero", "--parent"):
+        parser.add_argument(option, type=int, required=True)
+    parser.add_argument("--name", required=True)
+    parser.add_argument("--fifo", action="store_true")
+    given = parser.parse_args(words)
+    die_with_parent(given.parent)
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    open_outlets()
+    preload()
+    post = Post(socket.socket(fileno=given.fd))
+    heartbeat = Heartbeat(Segment.attach(given.beat_fd))
+    bound()
+    rtpu = Rtpu(given.name, post, heartbeat, given.zero)
+    granted = become_real_time(given.fifo)
+    heartbeat.beat()  # before it is said to be up: from then on silence counts
+    post.send(encode([Ready(granted)]))
+    rtpu.run()
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

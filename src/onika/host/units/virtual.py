@@ -1,0 +1,305 @@
+"""The virtual driver: all RTPUs and worlds of a runtime, stepped in one process by one clock (law 1)."""
+
+import select
+from collections import deque
+from collections.abc import Callable, Sequence
+from time import monotonic_ns
+
+from msgspec import structs
+
+from onika.host.units.realtime_factor import Pace
+from onika.host.units.run_digest import Digest
+from onika.host.units.unit_listener import Listener
+from onika.host.units.world_buses import Buses
+from onika.host.units.world_registry import open_world
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.bus import Poses, World
+from onika.runtime.executive import Executive
+from onika.wire import event
+
+_AT_ONCE = 1000  # cycles without news that are run before anybody is asked
+
+
+class VirtualDriver:
+    """As fast as the processor allows, and bit for bit the same every time: nothing here depends on wall time.
+
+    The tasks of all RTPUs are carried out by one executive, so that at one instant the order of law 1 holds among them
+    all, whichever unit they are on.
+    """
+
+    def __init__(
+        self,
+        rtpus: Sequence[str],
+        tell: Callable[[event.Event], None],
+        worlds: Callable[[str], World] = open_world,
+        watch: Callable[[str], None] = lambda _task: None,
+        scale: float | None = None,
+    ) -> None:
+        self._now = 0
+        self._pace = None if scale is None else Pace(scale, 0, monotonic_ns())
+        self._views: dict[str, memoryview] = {}
+        self._rtpus = frozenset(rtpus)
+        self._executive = Executive("", self._views, watch)
+        self._homes: dict[tuple[str, str], str] = {}
+        self._statuses: dict[str, news.Statuses] = {}
+        self._commands: deque[tuple[str, command.Command]] = deque()
+        self._buses = Buses(self._views, worlds, self._dated(tell))
+        self._listener: Listener | None = None
+        self._digest = Digest()
+        self.with_fifo = False
+        self.options: tuple[str, ...] = ()
+        """What the runtime was started with beside, which changes what happens."""
+        self._look: Callable[[], None] | None = None
+        self.turn = 0
+        """How often everything that was due at the present instant has been carried out."""
+
+    @property
+    def now(self) -> int:
+        """Virtual nanoseconds since this runtime's start."""
+        return self._now
+
+    # Units, as the runner sees them
+
+    def send(self, rtpu: str, order: command.Command) -> None:
+        """Give an RTPU a command; it is carried out before the next cycle."""
+        if isinstance(order, command.Spawn):
+            order = structs.replace(order, cost_ns=0)  # it takes no virtual time
+        elif isinstance(order, command.Swap):
+            order = command.Swap(structs.replace(order.spawn, cost_ns=0))
+        self._commands.append((rtpu, order))
+
+    def grant(self, rtpu: str, device: str) -> command.DeviceGrant:
+        """Claim a device for a task; the world is opened with its first device."""
+        return self._buses.grant(device, self._now)
+
+    def release(self, device: str) -> None:
+        """Give a device back."""
+        self._buses.release(device)
+
+    # A run
+
+    @property
+    def is_virtual(self) -> bool:
+        """Yes."""
+        return True
+
+    @property
+    def worlds(self) -> tuple[str, ...]:
+        """The worlds that are open."""
+        return self._buses.names
+
+    def scene(self, world: str) -> dict[str, object] | None:
+        """What an open world consists of."""
+        return self._buses.scene(world)
+
+    def poses(self, world: str) -> Poses | None:
+        """Where the bodies of an open world are."""
+        return self._buses.poses(world)
+
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of an open world; raises ValueError with the reason why not."""
+        self._buses.touch(world, part, value)
+
+    def unshare(self, name: str) -> None:
+        """The table is not used any more."""
+        self._views.pop(name, None)
+
+    def share(self, name: str, segment: Segment) -> None:
+        """Let the RTPUs see a table."""
+        self._views[name] = segment.view
+
+    def listen(self, listener: Listener) -> None:
+        """Tell this one what happens."""
+        self._listener = listener
+
+    def _dated(self, tell: Callable[[event.Event], None]) -> Callable[[event.Drive], None]:
+        """Drives are told in the time of the run that uses them, as all else of it."""
+
+        def dated(told: event.Drive) -> None:
+            began = self._listener.run_began(told.device) if self._listener is not None else 0
+            tell(structs.replace(told, at_s=round((told.at_ns - began) * 1e-9, 9)))
+
+        return dated
+
+    def begin(self) -> None:
+        """A run starts now: what happens from here on is its digest."""
+        self._digest = Digest(self._now)
+
+    def pose_to(self, world: str, inlet: int) -> None:
+        """Nobody says them: here whoever wants to know them can look."""
+
+    def each_instant(self, look: Callable[[], None] | None) -> None:
+        """Call this one at the end of every instant; none: nobody."""
+        self._look = look
+
+    def advance(self, wall_ns: int) -> bool:
+        """Run for about so much wall time; False when there is nothing to do until somebody says something."""
+        listener, until = self._listener, monotonic_ns() + wall_ns
+        self._deliver()
+        if listener is None:
+            return False
+        if self._pace is not None and not listener.is_hurried:
+            return self._keep_pace(self._pace, listener)
+        while listener.is_moving and (self._pace is None or listener.is_hurried):
+            if not self._answered(until):
+                return True
+            if not self._instant(listener):
+                return False
+            if self._commands:
+                self._deliver()
+            if monotonic_ns() > until:
+                return True
+        return False
+
+    def wait_s(self) -> float:
+        """How long the loop may sleep before `advance` has something to do."""
+        if self._pace is None or self._listener is None:
+            return 0.1
+        if self._executive.owed():
+            return 0.001
+        following = self._next(self._listener)
+        return 0.02 if following is None else min(0.02, self._pace.wait_s(following))
+
+    def stop(self) -> None:
+        """Everything off and every drive in hold, latched (law 27)."""
+        self._buses.stop()
+        for name in sorted(self._rtpus):
+            self.send(name, command.Stop("stop"))
+        self._deliver()
+
+    def reset(self) -> None:
+        """After a stop: motion is allowed again; nothing moves by itself."""
+        self._buses.go_on()
+        for name in sorted(self._rtpus):
+            self.send(name, command.Reset())
+        self._deliver()
+
+    @property
+    def digest(self) -> str:
+        """Of everything that happened in this run: the worlds every 50 ms and every word to the runner."""
+        return self._digest.hexdigest()
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """The tasks that had to do with the outside since `begin`: with them no run repeats (law 15)."""
+        return tuple(sorted(self._digest.outside))
+
+    def is_at_rest(self) -> bool:
+        """Steps the worlds once, so that the last commands act; then every drive holds."""
+        self._buses.step_once()
+        return True
+
+    def snapshots(self) -> dict[str, bytes]:
+        """The worlds as they stand."""
+        return self._buses.snapshots()
+
+    # Inner
+
+    def _keep_pace(self, pace: Pace, listener: Listener) -> bool:
+        """Everything that is due as far as the clock may go; the worlds go all the way."""
+        pace.follow(self._now, monotonic_ns())
+        answered = self._answered(0)
+        allowed = pace.allowed(monotonic_ns(), stands=listener.is_still or not answered)
+        while answered and not listener.is_still:
+            following = self._next(listener)
+            if following is None or following > allowed:
+                break
+            self._instant(listener)
+            self._deliver()
+            answered = self._answered(0)
+        if answered and not listener.is_still and allowed > self._now:
+            self._step_worlds(allowed)
+        return False
+
+    def _next(self, listener: Listener) -> int | None:
+        """The next instant at which something happens."""
+        wake, release = listener.wake_at(), self._executive.next_release()
+        return min((at for at in (wake, release) if at is not None), default=None)
+
+    def _instant(self, listener: Listener) -> bool:
+        """Worlds step to the next instant, then everything that is due at it runs; False when nothing ever is."""
+        wake = listener.wake_at()
+        release = now = self._executive.next_release()
+        if now is None or (wake is not None and wake < now):
+            now = wake
+        if now is None:
+            return False
+        if now > self._now:
+            self._step_worlds(now)
+            if release == now:  # at the times of tasks only: it must not matter when somebody looks, or stops the clock
+                self._digest.look(now, self._buses.worlds)
+        if now == wake:
+            listener.tick(now)
+            self._deliver()
+        self._take_events()
+        while (heard := self._executive.run_due(now, _AT_ONCE)) is not None:
+            self._hear(heard)
+            self._deliver()
+        self.turn += 1
+        if self._look is not None:
+            self._look()
+        return True
+
+    def _answered(self, until: int) -> bool:
+        """Whether no outside partner owes an answer; waits for it up to this time of the wall. The clock stands."""
+        executive = self._executive
+        if not executive.speaks:
+            return True
+        self._digest.outside.update("/".join(address) for address in executive.speaking)
+        while owed := executive.owed():
+            left = until - monotonic_ns()
+            if left <= 0:
+                return False
+            select.select(owed, [], [], left * 1e-9)
+        for address in executive.settled():
+            self._hear(executive.event(address, self._now))
+            self._deliver()
+        return True
+
+    def _take_events(self) -> None:
+        """Events of synchronous tasks from outside, as they are there at this instant; they repeat with no seed."""
+        events = self._executive.events()
+        if events:
+            for descriptor in select.select(list(events), [], [], 0)[0]:
+                self._digest.outside.add("/".join(events[descriptor]))
+                self._hear(self._executive.event(events[descriptor], self._now))
+                self._deliver()
+
+    def _step_worlds(self, now: int) -> None:
+        self._now, self.turn = now, 0
+        self._buses.step(now)
+
+    def _deliver(self) -> None:
+        """Carry out commands until none is left; what they lead to is heard at the same instant."""
+        while self._commands:
+            rtpu, order = self._commands.popleft()
+            if isinstance(order, command.Spawn):
+                self._homes[order.subsystem, order.task] = rtpu
+            if isinstance(order, command.Report):
+                self._hear([self._statuses_of(rtpu)])
+            else:
+                self._hear(self._executive.handle(order, self._now))
+
+    def _hear(self, heard: Sequence[news.News]) -> None:
+        for one in heard:
+            if isinstance(one, news.Statuses | news.Loads):  # its times are of the wall
+                rtpu = one.rtpu
+            else:
+                rtpu = self._homes.get((one.subsystem, getattr(one, "task", "")), "")
+                if not isinstance(one, news.Stepped):  # it tells of what was looked at, and nothing has happened
+                    self._digest.hear(one)
+            if self._listener is not None:
+                self._listener.hear(rtpu, one, self._now)
+
+    def _statuses_of(self, rtpu: str) -> news.Statuses:
+        """One unit's share of the statuses, which are taken of all units at once."""
+        if rtpu not in self._statuses:
+            for one in self._executive.handle(command.Report(), self._now):
+                if isinstance(one, news.Statuses):
+                    self._statuses = {name: self._share(one, name) for name in self._rtpus}
+        return self._statuses.pop(rtpu)
+
+    def _share(self, statuses: news.Statuses, rtpu: str) -> news.Statuses:
+        own = tuple(one for one in statuses.tasks if self._homes.get((one.subsystem, one.task)) == rtpu)
+        return news.Statuses(rtpu, statuses.load, own)

@@ -1,0 +1,293 @@
+"""The wall driver: RTPUs and the device server as processes, the runner between them, in wall time (law 30)."""
+
+import select
+from collections import deque
+from collections.abc import Callable, Sequence
+from time import monotonic_ns
+
+from onika.host.units import device_server, rtpu
+from onika.host.units.pose_stream import Posed
+from onika.host.units.supervisor import Supervised, Supervisor
+from onika.host.units.unit_listener import Listener
+from onika.host.units.world_registry import refuse_unknown, split
+from onika.ring.device import Drive
+from onika.ring.segment import Segment
+from onika.runtime import command, news
+from onika.runtime.bus import SEGMENT_SIZE, Poses
+from onika.wire import event
+
+DEVICES = "device server"
+_PATIENCE_S = 15.0
+
+
+class WallDriver:
+    """Waits for nothing but grants of devices, before anything moves."""
+
+    def __init__(self, rtpus: Sequence[str], tell: Callable[[event.Event], None], with_fifo: bool) -> None:
+        self._zero = monotonic_ns()
+        self._tell = tell
+        self.with_fifo = with_fifo
+        self.turn = 0
+        self.options: tuple[str, ...] = ()
+        self._supervisor = Supervisor(self._zero, with_fifo)
+        self._segments: list[Segment] = []
+        self._opened: set[str] = set()
+        self._shown: set[str] = set()
+        self._poses: dict[str, Poses] = {}
+        self._claims: dict[str, tuple[int, str]] = {}
+        self._epoch = 0
+        self._listener: Listener | None = None
+        self._answers: deque[device_server.Word] = deque()
+        self._heard: deque[tuple[str, news.News]] = deque()
+        self._drives: dict[str, int] = {}
+        self.granted: dict[str, dict[str, bool]] = {}
+        self._devices = self._supervisor.launch(DEVICES, "onika.host.units.device_server")
+        self._rtpus = {
+            name: self._supervisor.launch(name, "onika.host.units.rtpu", ("--name", name)) for name in sorted(rtpus)
+        }
+        self._await(lambda: all(one.is_up for one in self._supervisor.processes.values()), "the processes to start")
+
+    @property
+    def digest(self) -> str:
+        """Nothing: wall time never repeats."""
+        return ""
+
+    @property
+    def outside(self) -> tuple[str, ...]:
+        """Nobody: wall time never repeats in any case."""
+        return ()
+
+    @property
+    def now(self) -> int:
+        """Nanoseconds since this runtime's start."""
+        return monotonic_ns() - self._zero
+
+    def posts(self) -> list[Supervised]:
+        """What to wait for in `select`."""
+        return [one for one in self._supervisor.processes.values() if not one.is_lost]
+
+    # Units, as the runner sees them
+
+    def send(self, name: str, order: command.Command) -> None:
+        """Give an RTPU a command."""
+        self._rtpus[name].post.send(rtpu.encode(order))
+
+    def grant(self, name: str, device: str) -> command.DeviceGrant:
+        """Claim a device; raises ValueError with the reason."""
+        world, _ = split(device)
+        if world not in self._opened:
+            self._open(world)
+        self._epoch += 1
+        answer = self._ask_devices(device_server.Claim(device, self._epoch))
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
+        if not isinstance(answer, device_server.Granted):
+            raise ValueError(f"the device server does not grant {device}")
+        self._claims[device] = (self._epoch, name)
+        return answer.grant
+
+    def release(self, device: str) -> None:
+        """Give a device back."""
+        epoch, _ = self._claims.pop(device)
+        self._devices.post.send(device_server.encode(device_server.Release(device, epoch)))
+
+    # A run
+
+    @property
+    def is_virtual(self) -> bool:
+        """No."""
+        return False
+
+    @property
+    def worlds(self) -> tuple[str, ...]:
+        """The worlds that are open."""
+        return tuple(sorted(self._opened))
+
+    def scene(self, world: str) -> dict[str, object] | None:
+        """What an open world consists of; from then on its poses are told."""
+        if world not in self._opened or self._devices.is_lost:
+            return None
+        answer = self._ask_devices(device_server.Show(world))
+        return answer.scene if isinstance(answer, device_server.Shown) else None
+
+    def poses(self, world: str) -> Poses | None:
+        """Where the bodies of an open world are, as the device server said last; from then on it says so."""
+        if world in self._opened and world not in self._shown:
+            self._shown.add(world)
+            self._devices.post.send(device_server.encode(device_server.Pose(world)))
+        return self._poses.get(world)
+
+    def pose_to(self, world: str, inlet: int) -> None:
+        """From now on the device server says the same at this socket too."""
+        self._devices.post.send(device_server.encode(device_server.Pose(world)), (inlet,))
+
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of an open world; raises ValueError with the reason why not."""
+        refuse_unknown(world, self.worlds)
+        answer = self._ask_devices(device_server.Touch(world, part, value))
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
+
+    def unshare(self, name: str) -> None:
+        """The table is not used any more."""
+        for one in self._rtpus.values():
+            one.post.send(rtpu.encode(rtpu.Unshare(name)))
+
+    def share(self, name: str, segment: Segment) -> None:
+        """Let the RTPUs see a table, in place of an old one of this name."""
+        for one in self._rtpus.values():
+            one.post.send(rtpu.encode(rtpu.Share(name)), (segment.fd,))
+
+    def listen(self, listener: Listener) -> None:
+        """Tell this one what happens."""
+        self._listener = listener
+
+    def begin(self) -> None:
+        """A run starts now; wall time has no digest."""
+
+    def each_instant(self, look: Callable[[], None] | None) -> None:
+        """Nobody is called: instants of wall time have no end."""
+
+    def advance(self, wall_ns: int) -> bool:
+        """Let time pass; never waits. False: nothing has to be done before somebody says something."""
+        del wall_ns
+        self.look_after()
+        if self._listener is not None:
+            self._listener.tick(self.now)
+        return False
+
+    def look_after(self) -> None:
+        """Take in what the processes say; end those that fail."""
+        self._receive()
+        while self._heard and self._listener is not None:
+            name, heard = self._heard.popleft()
+            self._listener.hear(name, heard, self.now)
+        for one, reason in self._supervisor.troubles():
+            self._lost(one, reason)
+
+    def wait_s(self) -> float:
+        """How long the loop may sleep before `advance` has something to do."""
+        wake = self._listener.wake_at() if self._listener is not None else None
+        if wake is None:
+            return 0.05
+        return min(max((wake - self.now) * 1e-9, 0.0), 0.05)
+
+    def stop(self) -> None:
+        """Every drive in hold and everything off, straight to the processes (law 27)."""
+        self._devices.post.send(device_server.encode(device_server.StopAll()))
+        for name in self._rtpus:
+            self.send(name, command.Stop("stop"))
+
+    def reset(self) -> None:
+        """After a stop: motion is allowed again; nothing moves by itself."""
+        self._devices.post.send(device_server.encode(device_server.GoOn()))
+        for name in self._rtpus:
+            self.send(name, command.Reset())
+
+    def is_at_rest(self) -> bool:
+        """Whether every drive holds, as far as the device server lives to say so."""
+        return self._devices.is_lost or Drive.DRIVEN not in self._drives.values()
+
+    def snapshots(self) -> dict[str, bytes]:
+        """The worlds as they stand."""
+        if self._devices.is_lost:
+            return {}
+        try:
+            answer = self._ask_devices(device_server.Draw())
+        except ValueError:
+            return {}  # it does not answer any more: there is nothing to draw
+        return answer.snapshots if isinstance(answer, device_server.Drawn) else {}
+
+    def close(self) -> None:
+        """End every process."""
+        self._supervisor.end()
+        for segment in self._segments:
+            segment.close()
+
+    # Inner
+
+    def _receive(self) -> None:
+        for one in self.posts():
+            one.post.flush()
+            while (received := one.post.receive()) is not None:
+                if one is self._devices:
+                    self._word(device_server.decode_word(received[0]))
+                else:
+                    for heard in rtpu.decode_news(received[0]):
+                        self._news(one, heard)
+
+    def _news(self, one: Supervised, heard: rtpu.Ready | news.News) -> None:
+        if isinstance(heard, rtpu.Ready):
+            one.is_up = True
+            self.granted[one.name] = heard.granted
+        else:
+            self._heard.append((one.name, heard))  # heard by the runner in its turn, never in the midst of an order
+
+    def _word(self, word: device_server.Word) -> None:
+        match word:
+            case device_server.Up():
+                self._devices.is_up = True
+                self.granted[DEVICES] = word.granted
+            case device_server.Driven():
+                self._drives[f"{word.world}:{word.device}"] = word.state
+                self._tell(self._driven(word))
+            case Posed():
+                self._poses[word.world] = (word.at_ns, word.rows, word.lit)
+            case _:
+                self._answers.append(word)
+
+    def _driven(self, word: device_server.Driven) -> event.Drive:
+        """In the world's time, and in that of the run that uses the drive."""
+        device = f"{word.world}:{word.device}"
+        began = self._listener.run_began(device) if self._listener is not None else 0
+        at_s = round((word.at_ns + word.behind_ns - began) * 1e-9, 9)
+        times = word.at_ns, word.previous_step_ns, word.last_command_ns
+        return event.Drive(device, Drive(word.state).name, *times, word.cause, at_s)
+
+    def _lost(self, one: Supervised, reason: str) -> None:
+        """A process is gone: fence its claims, let hardware tasks know, name the cause."""
+        if one is self._devices:
+            for name in self._rtpus:
+                self.send(name, command.Fail(f"the {reason}"))
+        else:
+            for epoch, holder in self._claims.values():
+                if holder == one.name:
+                    self._devices.post.send(device_server.encode(device_server.Fence(epoch)))
+        if self._listener is not None:
+            if one is self._devices:
+                self._listener.lost("", f"the {reason}", self.now)
+            else:
+                self._listener.lost(one.name, f"processing unit {reason}", self.now)
+
+    def _open(self, world: str) -> None:
+        segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+        self._segments.append(segment)
+        self._devices.post.send(device_server.encode(device_server.Open(world)), (segment.fd,))
+        answer = self._answer_of_devices()
+        if isinstance(answer, device_server.Denied):
+            raise ValueError(answer.reason)
+        self._opened.add(world)
+        for one in self._rtpus.values():
+            one.post.send(rtpu.encode(rtpu.Share(f"bus:{world}")), (segment.fd,))
+
+    def _ask_devices(self, order: device_server.Order) -> device_server.Word:
+        self._devices.post.send(device_server.encode(order))
+        return self._answer_of_devices()
+
+    def _answer_of_devices(self) -> device_server.Word:
+        self._await(lambda: bool(self._answers), "the device server to answer")
+        return self._answers.popleft()
+
+    def _await(self, is_done: Callable[[], bool], what: str) -> None:
+        """Serve the posts until something is there; raises ValueError when it does not come."""
+        until = monotonic_ns() + round(_PATIENCE_S * 1e9)
+        while not is_done():
+            if self._devices.is_lost:
+                raise ValueError(f"the {DEVICES} is gone, waiting for {what} is in vain")
+            if monotonic_ns() > until:
+                raise ValueError(f"waited {_PATIENCE_S:g} s for {what}")
+            select.select([one.post for one in self.posts()], [], [], 0.02)
+            self._receive()
+            failed = next((one for one in self._supervisor.processes.values() if one.process.poll() is not None), None)
+            if failed is not None:
+                raise ValueError(f"{failed.name} ended while waiting for {what}")

@@ -1,0 +1,108 @@
+"""The worlds of a virtual runtime, each with its bus: opened with their first device, stepped where they stand."""
+
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from onika.host.units.world_registry import refuse_unknown, split
+from onika.ring.device import Drive
+from onika.ring.segment import Segment
+from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
+from onika.runtime.command import DeviceGrant
+from onika.wire import event
+
+
+class Buses:
+    """Every world that is open; what its drives do is told after each step and touch."""
+
+    def __init__(
+        self, views: dict[str, memoryview], worlds: Callable[[str], World], tell: Callable[[event.Drive], None]
+    ) -> None:
+        self._views = views
+        self._open = worlds
+        self._tell = tell
+        self._buses: dict[str, Bus] = {}
+        self._claims: dict[str, int] = {}
+        self._epoch = 0
+        self._is_stopped = False
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The worlds that are open."""
+        return tuple(self._buses)
+
+    @property
+    def worlds(self) -> Iterator[World]:
+        """The worlds themselves, in the order they were opened."""
+        return (bus.world for bus in self._buses.values())
+
+    def grant(self, device: str, now: int) -> DeviceGrant:
+        """Claim `world:device`; raises ValueError with the reason."""
+        world, name = split(device)
+        bus = self._bus(world, now)
+        self._epoch += 1
+        grant = bus.grant(name, self._epoch)
+        self._claims[device] = self._epoch
+        return grant
+
+    def release(self, device: str) -> None:
+        """Give a device back."""
+        world, name = split(device)
+        self._buses[world].release(name, self._claims.pop(device))
+
+    def scene(self, world: str) -> dict[str, Any] | None:
+        """What an open world consists of."""
+        return self._buses[world].scene() if world in self._buses else None
+
+    def poses(self, world: str) -> Poses | None:
+        """Where the bodies of an open world are."""
+        return self._buses[world].poses() if world in self._buses else None
+
+    def snapshots(self) -> dict[str, bytes]:
+        """The worlds as they stand."""
+        return {name: bus.world.snapshot() for name, bus in self._buses.items()}
+
+    def touch(self, world: str, part: str, value: float) -> None:
+        """Touch a part of an open world; raises ValueError with the reason why not."""
+        refuse_unknown(world, self._buses)
+        self._buses[world].touch(part, value)
+        self._tell_drives(world)
+
+    def step(self, now: int) -> None:
+        """All go on to this instant."""
+        for name, bus in self._buses.items():
+            bus.step(now)
+            self._tell_drives(name)
+
+    def step_once(self) -> None:
+        """Each makes one step, so that the last commands act."""
+        for name, bus in self._buses.items():
+            bus.step(bus.world.now_ns + bus.world.step_ns)
+            self._tell_drives(name)
+
+    def stop(self) -> None:
+        """Every drive in hold, latched; also those of worlds that are opened from now on."""
+        self._is_stopped = True
+        for world in self.worlds:
+            world.stop()
+
+    def go_on(self) -> None:
+        """Motion is allowed again; nothing moves by itself."""
+        self._is_stopped = False
+        for world in self.worlds:
+            world.go_on()
+
+    def _bus(self, world: str, now: int) -> Bus:
+        if world not in self._buses:
+            segment = Segment.create(f"bus-{world}", SEGMENT_SIZE)
+            self._views[f"bus:{world}"] = segment.view
+            bus = Bus(world, self._open(world), segment)
+            bus.step(now)
+            if self._is_stopped:
+                bus.world.stop()
+            self._buses[world] = bus
+        return self._buses[world]
+
+    def _tell_drives(self, world: str) -> None:
+        for one in self._buses[world].world.take_events():
+            device, state = f"{world}:{one.device}", Drive(one.state).name
+            self._tell(event.Drive(device, state, one.at_ns, one.previous_step_ns, one.last_command_ns, one.cause))

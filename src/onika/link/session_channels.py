@@ -1,0 +1,200 @@
+"""A bundle: the ends of an environment's session, one for everything or one for each channel. No I/O, no clock.
+
+The asking channel comes first and leads: the others are opened when it is there and follow it into a new epoch.
+"""
+
+from collections.abc import Callable, Sequence
+from random import random
+
+from onika.link import lost
+from onika.link.carrier import Carrier
+from onika.link.channel import Channel
+from onika.link.client import ClientEnd
+from onika.link.link_events import EpochChanged, Happening, Resumed, Turned
+from onika.link.link_terms import LOCAL, Terms
+from onika.link.lost import LinkLost
+from onika.link.pump import Pump
+from onika.link.state import LinkState
+
+_MS = 1_000_000
+_FIRST_NS = 250 * _MS
+_LONGEST_NS = 2_000 * _MS
+_THERE = (LinkState.LINKED, LinkState.SUSPECT)
+
+MakeClient = Callable[[str, Terms, Channel], ClientEnd]
+"""Makes the end that decides."""
+
+
+class _Strand:
+    """One channel: its end, its connection, and when to try for another one."""
+
+    def __init__(self, end: ClientEnd) -> None:
+        self.end = end
+        self.pump = Pump(end)
+        self.is_dialling = False
+        self.dial_ns = 0
+        self.wait_ns = _FIRST_NS
+
+    def wants(self, now_ns: int) -> bool:
+        waits = self.pump.carrier is None and self.end.state is LinkState.APART and not self.is_dialling
+        return waits and now_ns >= self.dial_ns
+
+    def rest(self, now_ns: int, jitter: float) -> None:
+        """Try again after a while, a longer one each time, and not when everybody else does."""
+        self.dial_ns = now_ns + round(self.wait_ns * (0.5 + jitter / 2))
+        self.wait_ns = min(2 * self.wait_ns, _LONGEST_NS)
+
+
+class Bundle:
+    """One session with one runtime; what it promises is what `ClientEnd` promises."""
+
+    def __init__(
+        self,
+        client: str,
+        terms: Terms = LOCAL,
+        channels: Sequence[Channel] = (Channel.ALL,),
+        make: MakeClient = ClientEnd,
+        jitter: Callable[[], float] = random,
+    ) -> None:
+        self._jitter = jitter
+        self._strands = {channel: _Strand(make(client, terms, channel)) for channel in channels}
+        (self._first,) = (strand for channel, strand in self._strands.items() if channel.asks)
+        self._happenings: list[Happening] = []
+
+    @property
+    def state(self) -> LinkState:
+        """How the environment stands to the runtime; GREETING as long as one channel is missing."""
+        states = [strand.end.state for strand in self._strands.values()]
+        if self._first.end.state in _THERE and not all(state in _THERE for state in states):
+            return LinkState.GREETING
+        suspects = LinkState.SUSPECT in states and self._first.end.state is LinkState.LINKED
+        return LinkState.SUSPECT if suspects else self._first.end.state
+
+    @property
+    def epoch(self) -> str:
+        """The name of this life of the session, "" before the first greeting."""
+        return self._first.end.epoch
+
+    def states(self) -> dict[Channel, LinkState]:
+        """How the environment stands to the runtime on each channel."""
+        return {channel: strand.end.state for channel, strand in self._strands.items()}
+
+    @property
+    def carriers(self) -> list[Carrier]:
+        """The present connections."""
+        return [strand.pump.carrier for strand in self._strands.values() if strand.pump.carrier is not None]
+
+    def wants(self, now_ns: int) -> list[Channel]:
+        """The channels to open a connection for now; for each say `attach` or `failed` later."""
+        is_led = self._first.end.state in _THERE
+        wanted = [
+            c for c, strand in self._strands.items() if (is_led or strand is self._first) and strand.wants(now_ns)
+        ]
+        for channel in wanted:
+            self._strands[channel].is_dialling = True
+        return wanted
+
+    def attach(self, channel: Channel, carrier: Carrier, now_ns: int) -> None:
+        """There is a connection for this channel, in place of any old one."""
+        strand = self._strands[channel]
+        strand.is_dialling = False
+        if strand.end.state is LinkState.ENDED or (strand is not self._first and not self.epoch):
+            carrier.close()
+            return
+        strand.pump.attach(carrier, now_ns)
+        self._gather(now_ns)
+
+    def failed(self, channel: Channel, now_ns: int) -> None:
+        """No connection came about; it is wanted again after a while."""
+        strand = self._strands[channel]
+        strand.is_dialling = False
+        strand.rest(now_ns, self._jitter())
+
+    def request(
+        self, body: bytes, now_ns: int, begin_within_ns: int = 0, once: bool = False, urgent: bool = False
+    ) -> int:
+        """Ask for something; its number. See `ClientEnd.request`."""
+        number = self._first.end.request(body, now_ns, begin_within_ns, once, urgent)
+        self.push(now_ns)
+        return number
+
+    @property
+    def asked(self) -> int:
+        """The number of the latest request."""
+        return self._first.end.asked
+
+    def forget(self, number: int) -> None:
+        """The answer to this request is not wanted any more."""
+        self._first.end.forget(number)
+
+    def service(self, now_ns: int, channel: Channel | None = None) -> None:
+        """Take in, let time pass, send, on this channel (None: on all)."""
+        for strand in self._strands.values() if channel is None else (self._strands[channel],):
+            strand.pump.service(now_ns)
+        self._gather(now_ns)
+
+    def push(self, now_ns: int) -> None:
+        """Send what is to be sent."""
+        for strand in self._strands.values():
+            strand.pump.push(now_ns)
+        self._gather(now_ns)
+
+    def due_ns(self, now_ns: int) -> int | None:
+        """How long until `service` or `wants` has something to do; None: not before something else happens."""
+        times = [due for strand in self._strands.values() if (due := strand.end.due_ns(now_ns)) is not None]
+        if any(carrier.held for carrier in self.carriers):
+            return 0
+        is_led = self._first.end.state in _THERE
+        for strand in self._strands.values():
+            waits = strand.pump.carrier is None and strand.end.state is LinkState.APART and not strand.is_dialling
+            if waits and (is_led or strand is self._first):
+                times.append(max(0, strand.dial_ns - now_ns))
+        return min(times, default=None)
+
+    def close(self, reason: str, now_ns: int) -> None:
+        """End the session for good; the good-byes are still to be sent."""
+        for strand in reversed(self._strands.values()):
+            strand.end.close(reason)
+        self.push(now_ns)
+
+    def cut(self, why: LinkLost) -> None:
+        """Let all connections go."""
+        for strand in self._strands.values():
+            strand.end.cut(why)
+            strand.pump.drop()
+
+    def take_happenings(self) -> list[Happening]:
+        """What the owner has not been told yet; signals in order."""
+        taken = self._happenings.copy()
+        self._happenings.clear()
+        return taken
+
+    def _gather(self, now_ns: int) -> None:
+        for channel, strand in self._strands.items():
+            for happening in strand.end.take_happenings():
+                if isinstance(happening, Resumed | EpochChanged):
+                    strand.wait_ns = _FIRST_NS
+                    if strand is self._first:
+                        self._lead(now_ns)
+                elif isinstance(happening, Turned) and happening.lost is not None:
+                    strand.rest(now_ns, self._jitter())
+                if self._is_news(channel, happening):
+                    self._happenings.append(happening)
+
+    def _is_news(self, channel: Channel, happening: Happening) -> bool:
+        """The asking channel speaks for all; another one tells of what it carries, and of a gap in it."""
+        if channel.asks:
+            return True
+        return not isinstance(happening, Turned | Resumed)
+
+    def _lead(self, now_ns: int) -> None:
+        """The others follow into the epoch of the first, or go on in it; what is of an older one is void."""
+        for strand in self._strands.values():
+            if strand is self._first or strand.end.epoch == self.epoch:
+                continue
+            if strand.end.state is not LinkState.APART:
+                strand.end.cut(lost.closed("the runtime was started anew"))
+                strand.pump.drop()
+            strand.end.take_happenings()
+            strand.end.follow(self.epoch)
+            strand.dial_ns = now_ns

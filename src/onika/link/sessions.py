@@ -1,0 +1,137 @@
+"""The guests of a runtime: all its sessions, who is new, who came back, who is lost and who is forgotten."""
+
+from dataclasses import dataclass
+
+from onika.link.caller import PARENT, Caller
+from onika.link.carrier import Carrier
+from onika.link.channel import Channel
+from onika.link.link_terms import CHILD, LOCAL, Terms
+from onika.link.runtime_port import MakeServer
+from onika.link.server import ServerEnd
+from onika.link.session import Session
+from onika.link.signal_journal import Journal
+
+_FORGET_NS = 600 * 1_000_000_000
+_KEEP = 32
+_SIGNALS = 4 * 1024 * 1024
+"""Bytes of signals that are kept for each guest."""
+
+
+@dataclass(frozen=True, slots=True)
+class Introduction:
+    """A new connection: on which channel, by whom, and what its greeting says."""
+
+    channel: Channel
+    client: str
+    epoch: str
+    caller: Caller
+
+
+class Guests:
+    """Sessions by name; a slow, dead or talkative one costs the others nothing but its share."""
+
+    def __init__(
+        self,
+        epoch: str,
+        terms: Terms = LOCAL,
+        keep: int = _KEEP,
+        forget_ns: int = _FORGET_NS,
+        make: MakeServer = ServerEnd,
+        session: type[Session] = Session,
+    ) -> None:
+        self._epoch = epoch
+        self._terms = terms
+        self._keep = keep
+        self._forget_ns = forget_ns
+        self._make = make
+        self._session = session
+        self._count = 0
+        self._sessions: dict[str, Session] = {}
+        self._by_client: dict[str, Session] = {}
+        self._turned_away: list[str] = []
+
+    @property
+    def sessions(self) -> list[Session]:
+        """All that are known, here or not."""
+        return list(self._sessions.values())
+
+    def find(self, name: str) -> Session | None:
+        """The session of that name."""
+        return self._sessions.get(name)
+
+    def adopt(self, carrier: Carrier, now_ns: int, terms: Terms = CHILD) -> Session:
+        """The session of the program that launched this one, which ends with its connection."""
+        self._count += 1
+        name = f"{PARENT.user}#{self._count}"
+        session = self._session(name, "", PARENT, Journal(self._life), terms, False, self._make)
+        self._sessions[name] = session
+        session.attach(Channel.ALL, carrier, now_ns)
+        return session
+
+    def admit(self, new: Introduction, carrier: Carrier, now_ns: int) -> str:
+        """Take a connection to its session, which is made where there is none; else why it is turned away."""
+        known = self._by_client.get(new.client)
+        if known is not None and known.caller.user != new.caller.user:
+            return "this session is another user's"
+        if known is not None and self._begins_anew(known, new):
+            self._part(known)
+            known = None
+        if known is None and not new.channel.asks:
+            return "there is no such session; greet on the session channel first"
+        if known is not None and not known.fits(new.channel):
+            return "a session has one connection for everything, or one for each channel"
+        if known is None:
+            if not self._has_room():
+                return f"there are {self._keep} sessions already"
+            known = self._begin(new)
+        known.caller = new.caller
+        known.attach(new.channel, carrier, now_ns)
+        return ""
+
+    def lost(self, now_ns: int) -> list[str]:
+        """The sessions given up since the last call; those that are away for long are forgotten too."""
+        gone = self._turned_away + [one.name for one in self._sessions.values() if one.is_lost(now_ns)]
+        self._turned_away = []
+        for session in self.sessions:
+            if session.has_left or (not session.ports and now_ns - session.heard_ns >= self._forget_ns):
+                self._forget(session)
+        return gone
+
+    @property
+    def _life(self) -> str:
+        return f"{self._epoch}-{self._count}"
+
+    def _begins_anew(self, known: Session, new: Introduction) -> bool:
+        """Whether a program that knows nothing of its session has come under the old name.
+
+        Not if nothing was asked: then the same program may have missed the first welcome.
+        """
+        is_other = known.has_asked or not known.fits(new.channel)
+        return new.channel.asks and is_other and new.epoch != known.epoch
+
+    def _begin(self, new: Introduction) -> Session:
+        self._count += 1
+        name = f"{new.caller.user}#{self._count}"
+        journal = Journal(self._life, keep_bytes=_SIGNALS)
+        session = self._session(name, new.client, new.caller, journal, self._terms, True, self._make)
+        self._sessions[name] = self._by_client[new.client] = session
+        return session
+
+    def _has_room(self) -> bool:
+        """Whether one more fits, if need be in place of the one that has been away longest."""
+        if len(self._by_client) < self._keep:
+            return True
+        away = [one for one in self._by_client.values() if not one.ports]
+        if away:
+            self._part(min(away, key=lambda one: one.heard_ns))
+        return bool(away)
+
+    def _part(self, session: Session) -> None:
+        session.drop()
+        if session.leave():
+            self._turned_away.append(session.name)
+        self._forget(session)
+
+    def _forget(self, session: Session) -> None:
+        self._sessions.pop(session.name, None)
+        self._by_client.pop(session.client, None)

@@ -1,0 +1,116 @@
+"""The opening of a WebSocket to a runtime: it waits, within limits, and says distinctly what went wrong."""
+
+import socket
+import ssl
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from time import monotonic
+
+from websockets.client import ClientProtocol
+from websockets.exceptions import InvalidStatus
+from websockets.http11 import Response
+from websockets.protocol import State
+from websockets.uri import parse_uri
+
+from onika.link.address import Address
+from onika.link.channel import Channel
+from onika.link.heartbeat import HEADER, Beater, Pact
+from onika.link.lost import Cause, LinkLost
+from onika.link.websocket import WebSocketCarrier
+from onika.link.websocket_messages import SILENT
+from onika.wire.frame import FRAME_LIMIT
+
+CONNECT_S = 1.5
+"""How long a machine may take to answer at all."""
+OPEN_S = 5.0
+"""How long the whole opening may take."""
+
+_REFUSED = {
+    401: (Cause.TOKEN, "the token is wrong or missing"),
+    403: (Cause.FORBIDDEN, "not allowed"),
+    429: (Cause.FORBIDDEN, "too many wrong tokens came from here"),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Opening:
+    """Where to, with which token, and whose certificates are trusted beside the system's (None: only those)."""
+
+    address: Address
+    token: str
+    authority: Path | None = None
+
+    def __call__(self, channel: Channel) -> WebSocketCarrier:
+        """Open a connection for a channel; raises LinkLost."""
+        until = monotonic() + OPEN_S
+        try:
+            connected = socket.create_connection((self.address.host, self.address.port), CONNECT_S)
+        except TimeoutError:
+            raise LinkLost(Cause.TIMEOUT, f"{self.address} did not answer within {CONNECT_S:g} s") from None
+        except OSError as fault:
+            raise LinkLost(Cause.UNREACHABLE, f"nobody can be reached at {self.address}: {fault.strerror}") from None
+        try:
+            return self._open(connected, channel, until)
+        except BaseException:
+            connected.close()
+            raise
+
+    def _open(self, connected: socket.socket, channel: Channel, until: float) -> WebSocketCarrier:
+        connected.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        connected.settimeout(OPEN_S)
+        protocol = ClientProtocol(parse_uri(f"{self.address}/{channel.value}"), max_size=FRAME_LIMIT, logger=SILENT)
+        request = protocol.connect()
+        request.headers["Authorization"] = f"Bearer {self.token}"
+        protocol.send_request(request)
+        try:
+            private = self._secure(connected)
+            self._shake(private, protocol, until)
+        except ssl.SSLCertVerificationError as fault:
+            text = f"the certificate of {self.address} is not trusted: {fault.verify_message}"
+            raise LinkLost(Cause.CERTIFICATE, text) from None
+        except TimeoutError:
+            raise LinkLost(Cause.TIMEOUT, f"{self.address} did not open a link within {OPEN_S:g} s") from None
+        except ssl.SSLError as fault:
+            raise LinkLost(Cause.CERTIFICATE, f"no private link with {self.address}: {fault.reason}") from None
+        except OSError as fault:
+            raise LinkLost(Cause.UNREACHABLE, f"{self.address} ended the opening: {fault.strerror}") from None
+        return WebSocketCarrier(private, protocol, beater=_beater(private, protocol))
+
+    def _secure(self, connected: socket.socket) -> socket.socket:
+        if not self.address.is_private:
+            return connected
+        context = ssl.create_default_context()
+        context.minimum_version = ssl.TLSVersion.TLSv1_2
+        if self.authority is not None:
+            try:
+                context.load_verify_locations(self.authority)
+            except (OSError, ssl.SSLError) as fault:
+                raise LinkLost(Cause.CERTIFICATE, f"{self.authority} holds no certificates: {fault}") from None
+        return context.wrap_socket(connected, server_hostname=self.address.host)
+
+    def _shake(self, connected: socket.socket, protocol: ClientProtocol, until: float) -> None:
+        connected.sendall(b"".join(protocol.data_to_send()))
+        while protocol.state is State.CONNECTING and protocol.handshake_exc is None:
+            connected.settimeout(max(0.001, until - monotonic()))
+            data = connected.recv(4096)
+            protocol.receive_data(data) if data else protocol.receive_eof()
+        fault = protocol.handshake_exc
+        if isinstance(fault, InvalidStatus):
+            status = fault.response.status_code
+            cause, text = _REFUSED.get(status, (Cause.REFUSED, "no link there"))
+            said = bytes(fault.response.body or b"").decode("utf-8", "replace").strip()[:500]
+            raise LinkLost(cause, f"{self.address} refused ({status}): {said or text}")
+        if fault is not None:
+            raise LinkLost(Cause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
+
+
+def _beater(connected: socket.socket, protocol: ClientProtocol) -> Beater | None:
+    """What beats beside the connection, where the runtime has told how."""
+    answers = [one for one in protocol.events if isinstance(one, Response)]
+    pact = Pact.told(answers[0].headers.get(HEADER, "")) if answers else None
+    return None if pact is None else Beater(pact, connected.getpeername()[0], connected.family)
+
+
+Open = Callable[[Channel], WebSocketCarrier]
+"""What opens a connection: an `Opening`, or a test's."""

@@ -1,0 +1,115 @@
+"""The calls into modules, and what follows where they raise: mended, ERROR or refused (requirements A09, A18)."""
+
+from collections.abc import Callable
+
+from onika.model.lifecycle import Step
+from onika.model.signal import Signal
+from onika.runtime import news
+from onika.runtime.binding_guard import Strayed
+from onika.runtime.code import showable, told, where
+from onika.runtime.error import AskAgain, LawBroken
+from onika.runtime.running_task import RunningTask
+from onika.runtime.statistics import values_of
+from onika.runtime.unit import Unit
+
+RAISED = (Exception, SystemExit, KeyboardInterrupt)
+"""What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
+
+
+class Calls:
+    """Runs code of modules on a unit. `watch` is told the task before its code runs; the executive says "" after."""
+
+    def __init__(self, unit: Unit, watch: Callable[[str], None] | None = None) -> None:
+        self._unit = unit
+        self.is_watched = watch is not None
+        self.watch: Callable[[str], None] = watch or (lambda _task: None)
+
+    def attempt(
+        self,
+        task: RunningTask,
+        entry: str,
+        now: int,
+        call: Callable[[], None],
+        passing: type[Exception] | None = None,
+    ) -> bool:
+        """Call into a module; what it raises puts the task in ERROR and gives False, but for the kind that passes."""
+        self.watch(task.slot.key[2])
+        task.module.now = now * 1e-9
+        try:
+            call()
+        except RAISED as wrong:
+            if passing is not None and isinstance(wrong, passing):
+                raise
+            self.fail(task, entry, wrong, now)
+            return False
+        if task.warnings:
+            self.warn(task, now)
+        return True
+
+    def trial(self, task: RunningTask, entry: str, now: int, call: Callable[[], None]) -> str:
+        """Call into a module that does not live yet, or no more: what it raised as a sentence, empty if nothing."""
+        self.watch(task.slot.key[2])
+        task.module.now = now * 1e-9
+        try:
+            call()
+        except AskAgain as again:
+            return f"{entry}: it asks for other input: {told(again)}"
+        except RAISED as wrong:
+            path, line, _ = where(task.spawn.path, wrong)
+            return f"{entry}: {told(wrong)}" + (f" ({path}:{line})" if line else "")
+        finally:
+            self.watch("")
+        return ""
+
+    def event(self, task: RunningTask, now: int) -> Signal | None:
+        """The one run of a synchronous task that its event leads to."""
+        self.watch(task.slot.key[2])
+        try:
+            return task.event(now)
+        except RAISED as wrong:
+            self.fail(task, "cycle", wrong, now)
+            return None
+        finally:
+            self.watch("")
+
+    def warn(self, task: RunningTask, now: int) -> None:
+        """Pass on what the module warned of."""
+        if task.warnings:
+            task.counters.warnings += len(task.warnings)
+            for text in task.warnings:
+                self._unit.tell(news.Warned(*task.address, showable(str(text)), now))
+            task.warnings.clear()
+
+    def fail(self, task: RunningTask, entry: str, wrong: BaseException, now: int) -> None:
+        """The module's `error` entry first: it mends, and nobody is told, or the task goes to ERROR (A09).
+
+        A device holds either way: this cycle has not commanded it.
+        """
+        task.hold()
+        if entry == "cycle" and not isinstance(wrong, LawBroken) and self._mended(task, wrong):
+            return
+        self._unit.leave(task, now)
+        self._unit.prepared.drop(task.address[0])
+        task.step(Step.FAIL)
+        path, line, trace = where(task.spawn.path, wrong)
+        text = told(wrong) + (self._source_of(task, wrong) if isinstance(wrong, LawBroken) else "")
+        values = values_of(task.binding)
+        self._unit.tell(news.Failed(*task.address, entry, text, path, line, trace, now, task.activation, values))
+
+    def _mended(self, task: RunningTask, wrong: BaseException) -> bool:
+        try:
+            return bool(task.module.error(wrong))
+        except RAISED:
+            return False
+
+    def _source_of(self, task: RunningTask, wrong: LawBroken) -> str:
+        """The task on this unit that first wrote what is not finite, in the order of data flow; empty if none did."""
+        if isinstance(wrong, Strayed):
+            return ""
+        home = task.spawn.subsystem
+        others = [one for one in self._unit.tasks.values() if one.spawn.subsystem == home and one is not task]
+        for one in sorted(others, key=lambda other: other.spawn.rank):
+            found = one.binding.not_finite_outputs()
+            if found:
+                return f"; first written by task {one.spawn.task}, in {found[0]}"
+        return ""

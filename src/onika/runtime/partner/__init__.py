@@ -1,0 +1,1 @@
+"""A program outside Onika with which a task talks."""

@@ -1,0 +1,306 @@
+"""The partner: a program outside Onika with which a task talks directly, without ever waiting for it (F04, §5.8.3).
+
+A question is sent, and its outcome comes within the partner's patience: an answer, or the reason why there is none.
+Nothing here blocks: the descriptor of `fileno` can be read when something has come, be it only the end of patience.
+Connections are made when a question needs one, again and again until patience ends. Patience is wall time, in virtual
+time too, where the clock stands meanwhile (law 15).
+"""
+
+import contextlib
+import os
+import select
+import shlex
+import socket
+from time import monotonic_ns
+from typing import Any
+
+from onika.runtime.alarm import Alarm
+from onika.runtime.error import ModuleError
+from onika.runtime.partner.address import PartnerAddress
+from onika.runtime.partner.answer import Answer
+from onika.runtime.partner.guarded_child import Started
+from onika.runtime.partner.protocol import Dialogue
+
+_RETRY_NS = 50_000_000
+_AT_ONCE = 1 << 16
+"""Bytes that are read at once: a partner that floods takes no more of anybody's time than that."""
+
+
+class Partner:
+    """Made by a module in `init`, from its LOCAL lines; `at` is where the partner listens, `starts` what starts it.
+
+    With `starts` alone the program talks over its standard input and output. With both it listens at `at`, which it
+    finds in ONIKA_PARTNER. It is started with `init`, again with `on` if it has ended, and ends with the task. Raises
+    ModuleError for words that cannot be used. `patience_s` is how long an answer may take.
+    """
+
+    def __init__(self, at: str = "", starts: str = "", patience_s: float = 1.0) -> None:
+        if not 0.001 <= patience_s <= 3600.0:
+            raise ModuleError(f"expected a patience of 0.001 to 3600 s, found {patience_s:g}")
+        try:
+            self._address = PartnerAddress.parse(at) if at else None
+            self._command = shlex.split(starts)
+        except ValueError as wrong:
+            raise ModuleError(f"partner: {wrong}") from None
+        if not (at or self._command):
+            raise ModuleError("expected where a partner listens or what starts it, found neither")
+        self.name = at or self._command[0]
+        self.task = ""
+        self.patience_s = patience_s
+        self._dialogue = Dialogue()
+        self._epoll = select.epoll()
+        self._alarm = Alarm()
+        self._epoll.register(self._alarm, select.EPOLLIN)
+        self._line: socket.socket | None = None
+        self._stands = False
+        self._started: Started | None = None
+        self._until = 0
+        self._out = b""
+        self._sent = 0
+        self._why = ""
+        self._fault = ""
+        self._is_told = True
+        if self._command:
+            self._start()
+
+    # What a module may call
+
+    def ask(self, what: str, **fields: Any) -> None:
+        """Ask something; arrays go as lists, numbers that are not finite as null. Never waits.
+
+        One question at a time: raises ModuleError where one is open still.
+        """
+        if self.is_awaited:
+            raise ModuleError(f"partner {self.name}: expected one question at a time, found a second one")
+        self._hear()  # a connection that has ended meanwhile is found now
+        try:
+            self._out = self._dialogue.ask(self.task, what, fields)
+        except ValueError as wrong:
+            raise ModuleError(f"partner {self.name}: {wrong}") from None
+        self._sent, self._why, self._is_told = 0, "", False
+        self._until = monotonic_ns() + round(self.patience_s * 1e9)
+        self._pursue()
+
+    @property
+    def is_awaited(self) -> bool:
+        """Whether an answer is owed."""
+        return self._dialogue.is_open
+
+    def has_answered(self) -> bool:
+        """Whether the answer has come since the question; true once. Raises ModuleError where none will come."""
+        self.hear()
+        if self._fault:
+            fault, self._fault = self._fault, ""
+            raise ModuleError(fault)
+        if self._is_told or self._dialogue.answer is None:
+            return False
+        self._is_told = True
+        return True
+
+    @property
+    def answer(self) -> Answer:
+        """The answer to the last question; raises ModuleError where there is none."""
+        if self._dialogue.answer is None:
+            raise ModuleError(f"partner {self.name}: expected an answer, found none yet")
+        return Answer(self._dialogue.answer)
+
+    # What the runtime calls
+
+    @property
+    def questions(self) -> int:
+        """How many were asked."""
+        return self._dialogue.questions
+
+    @property
+    def late(self) -> int:
+        """How many answers came too late, and were passed over."""
+        return self._dialogue.late
+
+    @property
+    def is_settled(self) -> bool:
+        """Whether there is something that `has_answered` has not told yet."""
+        return bool(self._fault) or not (self._is_told or self._dialogue.answer is None)
+
+    def fileno(self) -> int:
+        """Can be read when something has come; the same through all connections."""
+        return self._epoll.fileno()
+
+    def hear(self) -> None:
+        """Take in what has come, and let time pass; whatever it is, it is told by `has_answered`."""
+        self._hear()
+        if self.is_awaited:
+            self._pursue()
+
+    def begin(self) -> None:
+        """The task comes on: nothing is asked; a program that has ended is started again."""
+        self.rest()
+        self._fault, self._is_told = "", True
+        gone = self._started is not None and (self._started.how_ended or not (self._address or self._line))
+        if gone:
+            self._drop()
+            self._stop()
+            self._start()
+
+    def rest(self) -> None:
+        """The task is off: the question is given up. The connection stays, and the program that was started."""
+        self._hear()
+        self._give_up()
+
+    def close(self) -> None:
+        """The task ends: so do connection and program. Harmless if it was closed already."""
+        if not self._epoll.closed:
+            self._drop()
+            self._stop()
+            self._alarm.close()
+            self._epoll.close()
+
+    def __del__(self) -> None:
+        if hasattr(self, "_is_told"):
+            self.close()
+
+    # Inner: a question
+
+    def _hear(self) -> None:
+        ready = {descriptor for descriptor, _ in self._epoll.poll(0)}
+        if self._alarm.fileno() in ready:
+            self._alarm.stop()
+        if self._line is not None and self._line.fileno() in ready:
+            self._converse(self._line)
+        if self._started is not None and self._started.fileno() in ready:
+            self._look_after(self._started)
+
+    def _pursue(self) -> None:
+        """Go on with the open question: call, send, or give up when patience is at its end."""
+        left = self._until - monotonic_ns()
+        if left <= 0:
+            self._fail(self._why or f"no answer within {self.patience_s:g} s")
+            return
+        if self._line is None and self._address is not None:
+            self._call(self._address)
+        elif self._line is None and self._started is not None and self._started.how_ended:
+            self._fail(f"its program {self._started.how_ended}")
+        elif self._line is not None and self._stands and self._sent < len(self._out):
+            self._send(self._line)
+        if self.is_awaited:
+            self._alarm.set(left if self._line is not None else min(left, _RETRY_NS))
+
+    def _fail(self, why: str) -> None:
+        self._give_up()
+        self._fault = f"partner {self.name}: {why}"
+
+    def _give_up(self) -> None:
+        self._dialogue.give_up()
+        self._alarm.stop()
+        if 0 < self._sent < len(self._out):
+            self._drop()  # half a question would spoil the next one
+        self._out, self._sent = b"", 0
+
+    # Inner: the connection
+
+    def _call(self, address: PartnerAddress) -> None:
+        try:
+            line, self._stands = address.call()
+        except OSError as wrong:
+            self._why = f"nobody listens ({wrong.strerror})"
+            if self._started is not None and self._started.how_ended:
+                self._fail(f"its program {self._started.how_ended}")
+            return
+        self._connect(line)
+        if self._stands:
+            self._send(line)
+
+    def _connect(self, line: socket.socket) -> None:
+        self._line = line
+        self._dialogue.begin()
+        self._epoll.register(line, select.EPOLLIN | select.EPOLLOUT)
+
+    def _send(self, line: socket.socket) -> None:
+        try:
+            while self._sent < len(self._out):
+                self._sent += line.send(self._out[self._sent :])
+        except BlockingIOError:
+            self._epoll.modify(line, select.EPOLLIN | select.EPOLLOUT)
+            return
+        except OSError as wrong:
+            self._lose(f"the connection broke ({wrong.strerror})")
+            return
+        self._epoll.modify(line, select.EPOLLIN)
+
+    def _converse(self, line: socket.socket) -> None:
+        if not self._stands:
+            code = line.getsockopt(socket.SOL_SOCKET, socket.SO_ERROR)
+            if code:
+                self._why = f"nobody listens ({os.strerror(code)})"
+                self._drop()
+                return
+            self._stands = True
+        with contextlib.suppress(BlockingIOError):
+            try:
+                said = line.recv(_AT_ONCE)
+            except ConnectionError:
+                said = b""
+            if not said:
+                self._lose("it ended the connection before it answered")
+                return
+            self._take(said)
+        if self._line is not None:
+            self._send(line)
+
+    def _take(self, said: bytes) -> None:
+        was_open = self._dialogue.is_open
+        try:
+            self._dialogue.take(said)
+        except ValueError as wrong:
+            self._drop()
+            self._fail(str(wrong))
+            return
+        answer = self._dialogue.answer
+        if was_open and answer is not None:
+            self._alarm.stop()
+            if "error" in answer:
+                self._dialogue.answer = None
+                self._fail(f"it says: {' '.join(str(answer['error'])[:200].split())}")  # it writes no lines of its own
+
+    def _lose(self, why: str) -> None:
+        """The connection is gone: so is a question that was sent on it; one that was not is sent on the next one."""
+        was_sent = self._sent > 0
+        self._drop()
+        if not self.is_awaited:
+            return
+        self._why = why
+        if was_sent and self._address is not None:
+            self._fail(why)  # where its program was started for the task alone, the keeper says more in a moment
+
+    def _drop(self) -> None:
+        if self._line is not None:
+            self._epoll.unregister(self._line)
+            self._line.close()
+        self._line, self._stands, self._sent = None, False, 0
+
+    # Inner: the program
+
+    def _start(self) -> None:
+        if self._address is None:
+            ours, theirs = socket.socketpair()
+            ours.setblocking(False)
+            self._started = Started(self._command, theirs.fileno())
+            theirs.close()
+            self._stands = True
+            self._connect(ours)
+        else:
+            self._started = Started(self._command, None, self._address.words)
+        self._epoll.register(self._started, select.EPOLLIN)
+
+    def _look_after(self, started: Started) -> None:
+        started.look()
+        if started.how_ended:
+            self._epoll.unregister(started)
+            if self.is_awaited:
+                self._fail(f"its program {started.how_ended}")
+
+    def _stop(self) -> None:
+        if self._started is not None:
+            if not self._started.how_ended:
+                self._epoll.unregister(self._started)
+            self._started.close()
+        self._started = None

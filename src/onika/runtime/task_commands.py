@@ -1,0 +1,96 @@
+"""What is changed about one task while it lives: out of ERROR, constants, ports, places, values by name (law 11)."""
+
+from msgspec import structs
+
+from onika.model.lifecycle import State, Step, refusal
+from onika.runtime import command, news
+from onika.runtime.code import told
+from onika.runtime.entry_points import RAISED, Calls
+from onika.runtime.running_task import RunningTask
+from onika.runtime.unit import Address, Unit
+
+
+class Alterations:
+    """Carries out the commands that are neither its birth, its coming on and going off, nor its end."""
+
+    def __init__(self, unit: Unit, calls: Calls) -> None:
+        self._unit = unit
+        self._calls = calls
+
+    def clear(self, order: command.Clear, now: int) -> None:
+        """Out of ERROR."""
+        task = self._unit.tasks.get((order.subsystem, order.task))
+        if task is None or task.state is not State.ERROR:
+            self._unit.refuse((order.subsystem, order.task), "clear", "the task is not in ERROR")
+            return
+        was_initialised = task.is_initialised
+        if self._calls.attempt(task, "clear", now, task.clear):
+            task.step(Step.CLEAR)
+            off = news.Changed(*task.address, task.state.value, now, activation=task.activation)
+            self._unit.tell(off if was_initialised else news.Initialised(*task.address))
+
+    def reinit(self, order: command.Reinit, now: int) -> None:
+        """Constants in, `reinit`, constants out."""
+        task = self._living((order.subsystem, order.task), "reinit", Step.REINIT)
+        if task is not None and self._calls.attempt(task, "reinit", now, task.reinit):
+            task.step(Step.REINIT)
+            self._unit.tell(news.Reinitialised(*task.address))
+
+    def rebind(self, order: command.Rebind) -> None:
+        """Ports to other entries, other parameters; no entry point is called."""
+        task = self._living((order.subsystem, order.task), "rebind", Step.REBIND)
+        if task is None:
+            return
+        try:
+            task.rebind(order.ports, order.local)
+        except RAISED as wrong:
+            self._unit.refuse(task.address, "rebind", told(wrong))
+            return
+        task.step(Step.REBIND)
+        self._unit.know_rings(task)
+        self._unit.tell(news.Rebound(*task.address))
+
+    def rank(self, order: command.Rank) -> None:
+        """Other places among tasks with the same deadline."""
+        for name, rank in order.ranks:
+            task = self._unit.tasks.get((order.subsystem, name))
+            if task is None:
+                self._unit.refuse((order.subsystem, name), "rank", "no such task")
+                continue
+            task.spawn = structs.replace(task.spawn, rank=rank)
+            self._unit.agenda.rekey(task.slot, task.key)
+
+    def get_or_set(self, order: command.Get | command.Set, now: int) -> None:
+        """Ask or tell a module something by name; a Set runs an aperiodic task that is ON once more."""
+        address = (order.subsystem, order.task)
+        task = self._unit.tasks.get(address)
+        if task is None:
+            self._unit.refuse(address, "get or set", "no such task")
+            return
+        self._calls.watch(task.slot.key[2])
+        try:
+            if isinstance(order, command.Set):
+                task.module.set(order.name, order.value)
+                self._unit.watch(task, now)
+            value = task.module.get(order.name) if isinstance(order, command.Get) else order.value
+            got = news.Got(*address, order.name, value)
+            news.encode(got)  # a module may hand out what cannot travel
+        except RAISED as wrong:
+            self._unit.refuse(address, "get or set", told(wrong))
+            return
+        finally:
+            self._calls.watch("")
+        self._unit.tell(got)
+        if task.spawn.task_type == "aperiodic" and task.is_on and isinstance(order, command.Set):
+            self._unit.agenda.enter(task.slot, now)
+
+    # Inner
+
+    def _living(self, address: Address, entry: str, step: Step) -> RunningTask | None:
+        """The task, if it is there and its state allows the step."""
+        task = self._unit.tasks.get(address)
+        reason = "no such task" if task is None else refusal(task.state, step)
+        if reason:
+            self._unit.refuse(address, entry, reason)
+            return None
+        return task

@@ -1,0 +1,253 @@
+"""The lives of the tasks on one processing unit: spawned, turned on, asked, turned off, killed (law 11)."""
+
+from collections.abc import Sequence
+from functools import partial
+from types import CodeType
+
+from onika.model.lifecycle import State, Step, refusal
+from onika.model.signal import Signal, SignalKind
+from onika.runtime import command, news
+from onika.runtime.code import load, told
+from onika.runtime.cycle_result import signal_of
+from onika.runtime.entry_points import RAISED, Calls
+from onika.runtime.error import AskAgain, ModuleError
+from onika.runtime.prepared_switches import lines
+from onika.runtime.running_task import RunningTask
+from onika.runtime.unit import Address, Unit
+from onika.words.fault import Fault
+
+_ON, _OFF = State.ON.value, State.OFF.value
+
+
+class Life:
+    """Carries out the commands that change what a task is in; what it led to is told to the unit."""
+
+    def __init__(self, unit: Unit, calls: Calls) -> None:
+        self._unit = unit
+        self._calls = calls
+
+    # To life and to its end
+
+    def spawn(self, order: command.Spawn, now: int) -> None:
+        """Load, make, initialise."""
+        task = self.make(order)
+        if task is not None:
+            self.initialise(task, now)
+
+    def make(
+        self, order: command.Spawn, entry: str = "spawn", code: CodeType | Fault | None = None
+    ) -> RunningTask | None:
+        """Load a module and make a task of it, which does not live yet; None where that is refused."""
+        address = (order.subsystem, order.task)
+        if self._unit.is_stopped:
+            self._unit.refuse(address, entry, "this unit was stopped")
+            return None
+        if entry == "spawn" and address in self._unit.tasks:
+            self._unit.refuse(address, entry, "a task of this name lives here already")
+            return None
+        self._calls.watch(f"{order.subsystem}/{order.task}")
+        try:
+            cls = load(order.source, order.path, order.module, code)
+            if not isinstance(cls, Fault):
+                return RunningTask(order, cls, self._unit.views)
+            self._unit.refuse(address, entry, str(cls))
+        except RAISED as wrong:
+            self._unit.refuse(address, entry, told(wrong))
+        finally:
+            self._calls.watch("")
+        return None
+
+    def initialise(self, task: RunningTask, now: int) -> None:
+        """The task lives from now on; `init`."""
+        self._unit.admit(task)
+        if self._calls.attempt(task, "init", now, task.init):
+            task.step(Step.INITIALISED)
+            self._unit.tell(news.Initialised(*task.address))
+
+    def kill(self, address: Address, now: int) -> None:
+        """`off` where it is ON, `kill`, gone."""
+        self._unit.prepared.drop(address[0])
+        task = self._unit.tasks.get(address)
+        if task is None:
+            self._unit.tell(news.Changed(*address, State.KILLED.value, now))
+            return
+        if task.state in (State.ON, State.ASKING):
+            self._leave(task, Step.OFF, now)
+        self._unit.dismiss(address)
+        self._calls.attempt(task, "kill", now, task.module.kill)
+        task.part()
+        task.hold()
+        task.step(Step.KILL)
+        self._unit.tell(news.Changed(*address, State.KILLED.value, now, activation=task.activation))
+
+    def stop(self, now: int) -> None:
+        """Every device in hold, everything off, nothing comes on any more."""
+        self._unit.is_stopped = True
+        self._unit.prepared.drop_all()
+        for task in self._unit.tasks.values():
+            task.hold()  # first every device, then the modules' own words
+        for address in list(self._unit.tasks):
+            self._off(address, now)
+
+    def fail_devices(self, cause: str, now: int) -> None:
+        """Every task that has a device and is ON goes to ERROR."""
+        self._unit.prepared.drop_all()
+        for task in self._unit.tasks.values():
+            if task.device is not None and task.is_on:
+                self._calls.fail(task, "device", ModuleError(cause), now)
+
+    # On and off
+
+    def switch(self, orders: Sequence[command.Switch], now: int) -> None:
+        """Off, forget, rates of all subsystems, then on; no cycle comes in between."""
+        for order in orders:
+            self._unit.prepared.drop(order.subsystem)
+            for name in order.off:
+                self._off((order.subsystem, name), now)
+            self._unit.forget(order.subsystem, order.forget)
+            for name, frequency in order.rates:
+                self._rate((order.subsystem, name), frequency, now)
+        for order in orders:
+            for launch in order.on:
+                self._on((order.subsystem, launch.task), launch, now)
+
+    def prepare(self, order: command.Prepared) -> None:
+        """Hold switches for a finish; the argument lines of what may come on are read now, as far as they can be."""
+        self._unit.prepared.keep(order)
+        if not order.cases:
+            self._unit.tell(news.Unprepared(order.subsystem))
+        for name, foreseen in lines(order.cases).items():
+            task = self._unit.tasks.get((order.subsystem, name))
+            if task is not None and task.input is not None:
+                task.input.foresee(foreseen)
+
+    def answer(self, order: command.Answer, now: int) -> None:
+        """The user's answer: on, or ask again."""
+        task = self._unit.tasks.get((order.subsystem, order.task))
+        if task is None or task.state is not State.ASKING:
+            self._unit.refuse((order.subsystem, order.task), "answer", "the task asks for nothing")
+            return
+        self._begin(task, order.line, now)
+
+    def signalled(self, task: RunningTask, returned: object, now: int) -> command.Switch | None:
+        """What a cycle returned: Table 9, as far as it is the unit's; the 0 of a C function is nothing.
+
+        The switch that was prepared for such a finish is to be carried out next.
+        """
+        if type(returned) is int and not returned:
+            return None
+        try:
+            signal = signal_of(returned, is_trigger=task.trigger)
+        except TypeError as wrong:
+            self._calls.fail(task, "cycle", wrong, now)
+            return None
+        address, run = task.address, task.activation
+        if signal.kind is SignalKind.FINISH:
+            return self._finish(task, signal, now)
+        if signal.kind is SignalKind.OFF:
+            self._unit.prepared.drop(address[0])  # it counts on who is ON
+            if self._leave(task, Step.OFF, now):
+                self._unit.tell(news.Changed(*address, _OFF, now, "OFF", run))
+        else:
+            self._unit.tell(news.Signalled(*address, signal.kind.value, signal.number, signal.text, now, run))
+        return None
+
+    # Inner
+
+    def _finish(self, task: RunningTask, signal: Signal, now: int) -> command.Switch | None:
+        if not self._leave(task, Step.FINISH, now):
+            return None
+        case = self._unit.prepared.take(*task.address, task.activation, signal)
+        number = case.number if case else 0
+        self._unit.tell(news.Finished(*task.address, signal.flow, signal.loop, now, task.activation, number))
+        return case.switch if case else None
+
+    def _rate(self, address: Address, frequency: float, now: int) -> None:
+        task = self._unit.tasks.get(address)
+        if task is None:
+            self._unit.refuse(address, "rate", "no such task")
+            return
+        try:
+            self._unit.agenda.change(task.slot, task.change_rate(frequency), now)
+        except ValueError as wrong:
+            self._unit.refuse(address, "rate", str(wrong))
+            return
+        if task.is_on:
+            self._unit.watch(task, now)
+
+    def _on(self, address: Address, launch: command.Launch, now: int) -> None:
+        task = self._unit.tasks.get(address)
+        reason = self._why_not_on(task)
+        if task is None or reason:
+            self._unit.refuse(address, "on", reason)
+            return
+        if launch.frequency is not None and launch.frequency != task.frequency:
+            self._rate(address, launch.frequency, now)
+        task.activation = launch.activation
+        self._begin(task, launch.arguments, now)
+
+    def _why_not_on(self, task: RunningTask | None) -> str:
+        if self._unit.is_stopped:
+            return "this unit was stopped"
+        if task is None:
+            return "no such task"
+        if task.state is not State.OFF:
+            return refusal(task.state, Step.ON)
+        return "" if task.is_initialised else "it was bound anew and waits to be reinitialised"
+
+    def _begin(self, task: RunningTask, line: str, now: int) -> None:
+        """`on` with an argument line, or ask: what the line lacks, or what the module says of it."""
+        try:
+            inputs = task.parse(line)
+        except ValueError as wrong:
+            self._ask(task, str(wrong) if line else "", now)
+            return
+        try:
+            began = self._calls.attempt(task, "on", now, partial(task.begin, now, inputs), passing=AskAgain)
+        except AskAgain as again:
+            self._ask(task, str(again), now)
+            return
+        if not began or self._steps_too_far(task, now):
+            return
+        task.publish()
+        task.line, task.goes_on = line, False
+        task.step(Step.ANSWERED if task.state is State.ASKING else Step.ON)
+        self._unit.enter(task, now)
+        self._unit.watch(task, now)
+        if task.is_synchronous:
+            self._calls.attempt(task, "fileno", now, partial(self._unit.await_event, task))
+        state = _ON if task.state is State.ON else task.state.value
+        self._unit.tell(news.Changed(*task.address, state, now, "", task.activation))
+
+    def _steps_too_far(self, task: RunningTask, now: int) -> bool:
+        """Whether a device cannot be given what `on` has left and nobody has seen yet: then it is OFF, and refused."""
+        reason = self._unit.objection(task)
+        if not reason:
+            return False
+        if self._calls.attempt(task, "off", now, task.off):
+            if task.state is State.ASKING:
+                task.step(Step.OFF)
+                self._unit.tell(news.Changed(*task.address, _OFF, now, "", task.activation))
+            self._unit.refuse(task.address, "on", reason)
+        return True
+
+    def _ask(self, task: RunningTask, reason: str, now: int) -> None:
+        task.step(Step.ASK)
+        items = task.input.items if task.input else ()
+        self._unit.tell(news.Asked(*task.address, reason, items, now, task.activation))
+
+    def _off(self, address: Address, now: int) -> None:
+        task = self._unit.tasks.get(address)
+        if task is None or not (task.state is State.ON or task.state is State.ASKING):
+            return  # off already: turning off what is off harms nothing
+        if self._leave(task, Step.OFF, now):
+            self._unit.tell(news.Changed(*address, _OFF, now, "", task.activation))
+
+    def _leave(self, task: RunningTask, step: Step, now: int) -> bool:
+        """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
+        self._unit.leave(task, now)
+        self._unit.watch(task, now)
+        if task.is_on and not self._calls.attempt(task, "off", now, task.off):
+            return False
+        task.step(step)
+        return True

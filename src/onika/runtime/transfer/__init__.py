@@ -1,0 +1,1 @@
+"""What a hardware task is given: fresh, finite, and without jumps."""

@@ -1,0 +1,93 @@
+"""The intake of a hardware task: what it is given is fresh, finite, and goes over into what follows (laws 4, 5, 33)."""
+
+from onika.runtime.binding import Binding
+from onika.runtime.device import SILENCE_NS
+from onika.runtime.error import LawBroken
+from onika.runtime.module import Module
+from onika.runtime.transfer.bumpless_channel import BLENDED_NS
+from onika.runtime.transfer.bumpless_transfer import Continuity, crossings
+
+
+class Intake:
+    """Takes the inputs in, in place of the task; `table` is the memory in which they lie."""
+
+    def __init__(self, subsystem: str, task: str, module: Module, period_ns: int, table: memoryview) -> None:
+        self.continuity = Continuity(subsystem, task, (), period_ns)
+        self.is_waiting = False
+        """Whether it holds: until every input was written anew, and does not tear the device out of its hold."""
+        self._address = subsystem, task
+        self._module = module
+        self._period_ns = period_ns
+        self._watched_until = table[:8].cast("q")
+        self._marks: list[int] = []
+        self._patient_until = 0
+
+    def bind(self, binding: Binding) -> None:
+        """Take in the inputs of this binding."""
+        self._binding = binding
+        self._reads = binding.copies("in")
+        self._rings = binding.input_rings
+
+    def prepare(self) -> None:
+        """After `init`: how far inputs may step is known; raises ValueError where it is no positive number."""
+        tell = self.continuity.tell
+        found = crossings(self._module, self._binding)
+        self.continuity = Continuity(*self._address, found, self._period_ns)
+        self.continuity.tell = tell
+
+    def change_rate(self, period_ns: int) -> None:
+        """Another rate from the next cycle on."""
+        self._period_ns = period_ns
+        self.continuity.change_rate(self._module, period_ns)
+
+    def begin(self, now: int) -> None:
+        """The task comes on: it holds until every input was written anew."""
+        device = self._module.device
+        self._marks = [ring.count for ring in self._rings]
+        self.is_waiting, self._patient_until = bool(self._marks), 0
+        device.holding(self.is_waiting)
+        device.listen_from(now)
+
+    def take_in(self, now: int) -> bool:
+        """Copy in; False where the task has to hold. Raises LawBroken for what it cannot be given."""
+        continuity, was_waiting = self.continuity, self.is_waiting
+        is_fresh = was_waiting and self._are_fresh()
+        is_watched = not was_waiting and now <= self._watched_until[0]
+        if is_watched or continuity.is_open:
+            continuity.keep()
+        for read in self._reads:
+            read()
+        self._module.now = now * 1e-9
+        device = self._module.device
+        if device.silent_ns(now) > SILENCE_NS:
+            raise LawBroken(f"device {device.sheet.name} has published nothing for {SILENCE_NS // 1_000_000} ms")
+        if was_waiting and not is_fresh:
+            return False
+        bad = self._binding.not_finite()
+        if bad:
+            raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
+        if was_waiting and not self._begins(now):
+            return False
+        if is_watched or was_waiting or continuity.is_open:
+            continuity.pass_on(now, is_watched or was_waiting)
+        return True
+
+    def rest(self) -> None:
+        """The task holds: what was watched is over."""
+        if self.continuity.is_open:
+            self.continuity.close()
+
+    def _are_fresh(self) -> bool:
+        """Before the inputs are copied in: a value written meanwhile may only be newer than what is counted here."""
+        return all(ring.count != mark for ring, mark in zip(self._rings, self._marks, strict=True))
+
+    def _begins(self, now: int) -> bool:
+        """Whether the hold is over: inputs are near to what holds the device, or have had the time to come there.
+
+        What measures speeds sees a jump where the device has moved while nobody read it.
+        """
+        self._patient_until = self._patient_until or now + BLENDED_NS
+        is_near = self.continuity.come_from_hold(self._module)
+        self.is_waiting = not is_near and now < self._patient_until
+        self._module.device.holding(self.is_waiting)
+        return not self.is_waiting

@@ -1,0 +1,67 @@
+"""A site that remembers what it has read: a file is read again only when it has changed."""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from onika.files.rmod import RmodText
+from onika.model.application import Application
+from onika.model.configuration import Configuration
+from onika.model.syntax import Syntax
+from onika.store.opened_text import Faults
+from onika.store.site import Site
+
+Stamp = tuple[int, int] | None
+"""When a file was written last, in ns, and its length; None: there is none."""
+
+
+@dataclass(frozen=True, slots=True)
+class RememberingSite(Site):
+    """Used by one thread at a time. What is not asked for any more is kept, for it may be asked for again."""
+
+    memory: dict[tuple[str, Path], tuple[Stamp, Any]] = field(default_factory=dict, compare=False, repr=False)
+
+    @classmethod
+    def of(cls, site: Site) -> "RememberingSite":
+        """The same site, with nothing read yet."""
+        return cls(site.directories, site.prefs, site.home)
+
+    def task(self, name: str) -> tuple[RmodText | None, Faults]:
+        """The task `name`, from the first base directory that holds it."""
+        read = super(RememberingSite, self).task  # `super()` alone does not know a class with slots
+        home = self.home_of_task(name)
+        return self._once("task", home.task_file(name), lambda: read(name)) if home else (None, ())
+
+    def configuration(self, name: str) -> tuple[Configuration | None, Faults]:
+        """The configuration `name`, from the first base directory that holds it."""
+        read = super(RememberingSite, self).configuration
+        file = self.configuration_file(name)
+        return self._once("configuration", file, lambda: read(name)) if file else (None, ())
+
+    def application(self, name: str, types: Syntax) -> tuple[Application | None, Faults]:
+        """The application `name`, from the first base directory that holds it."""
+        read = super(RememberingSite, self).application
+        file = self.application_file(name)
+        return self._once(f"application {id(types)}", file, lambda: read(name, types)) if file else (None, ())
+
+    def stamps(self, files: Iterable[Path | None]) -> tuple[Stamp, ...]:
+        """What tells whether files have changed."""
+        return tuple(None if one is None else _stamp(one) for one in files)
+
+    def _once(self, kind: str, path: Path, read: Callable[[], Any]) -> Any:
+        stamp = _stamp(path)
+        known = self.memory.get((kind, path))
+        if known is not None and known[0] == stamp:
+            return known[1]
+        found = read()
+        self.memory[kind, path] = (stamp, found)
+        return found
+
+
+def _stamp(path: Path) -> Stamp:
+    try:
+        found = path.stat()
+    except OSError:
+        return None
+    return found.st_mtime_ns, found.st_size

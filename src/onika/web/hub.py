@@ -1,0 +1,157 @@
+"""All browsers that look at one environment: what one does, all see."""
+
+import time
+from collections import deque
+from collections.abc import Callable, Iterable
+from dataclasses import replace
+from typing import Any, Protocol
+
+import msgspec
+
+from onika import __version__
+from onika.desk.environment.environment import Answer, Environment
+from onika.desk.environment.outcome.outcome import Done
+from onika.web.outbox import Outbox
+from onika.wire import act, page
+
+_REMEMBERED = 200
+"""Lines of the log that a browser is told when it comes."""
+
+
+class Watched(Protocol):
+    """Whatever has the newest values of the running system."""
+
+    def watch(self, variables: frozenset[str], worlds: frozenset[str], figures: bool, hz: float) -> None:
+        """What somebody wants to see from now on, variables as `DOC/NAME`."""
+        ...
+
+    def frame(self) -> page.Frame | None:
+        """What has come since the last call; None: nothing."""
+        ...
+
+
+class Guest:
+    """One browser."""
+
+    def __init__(self, name: str, snapshot: Callable[[], bytes]) -> None:
+        self.name = name
+        self.outbox = Outbox(snapshot)
+        self.watch = act.Watch()
+
+
+class Hall:
+    """Brings acts to the environment, and its answers, patches, lines and frames to the browsers.
+
+    clock   seconds since 1970
+    """
+
+    def __init__(self, environment: Environment, watched: Watched, clock: Callable[[], float] = time.time) -> None:
+        self._clock = clock
+        self._environment = environment
+        self._watched = watched
+        self._guests: list[Guest] = []
+        self._came = 0
+        self._remembered: deque[bytes] = deque(maxlen=_REMEMBERED)
+        environment.listeners.append(self)
+
+    @property
+    def is_watching(self) -> bool:
+        """Whether anybody wants frames."""
+        return any(one.watch.variables or one.watch.worlds or one.watch.figures for one in self._guests)
+
+    def come(self) -> Guest:
+        """A browser comes in; the first it is sent is a snapshot."""
+        self._came += 1
+        name = f"browser {self._came}"
+        guest = Guest(name, lambda: self._snapshot(name))
+        for said in self._remembered:
+            guest.outbox.put(said)
+        self._guests.append(guest)
+        self._count()
+        return guest
+
+    def leave(self, guest: Guest) -> None:
+        """A browser is gone."""
+        self._guests.remove(guest)
+        self._rewatch()
+        self._count()
+
+    def take(self, guest: Guest, body: str | bytes) -> None:
+        """Carry out what a browser sends; raises ValueError for what is no act."""
+        ordered = page.decode(body)
+        if isinstance(ordered.act, act.Watch):
+            guest.watch = ordered.act
+            self._rewatch()
+            guest.outbox.put(page.encode(page.Ok(ordered.cid, self._environment.revision)))
+            return
+        self._environment.do(ordered.act, guest.name, lambda given: self._answer(guest, ordered.cid, given))
+
+    def patch(self, patch: page.Patch) -> None:
+        """Something has changed: all are told, in words made once."""
+        message = page.encode(patch)
+        for guest in self._guests:
+            guest.outbox.patch(message)
+
+    def remember(self, says: Iterable[page.Say]) -> None:
+        """Lines that everybody who comes is shown."""
+        self._remembered.extend(page.encode(self._stamped(said)) for said in says)
+
+    def say(self, said: page.Say) -> None:
+        """Something is worth a line; whoever comes later reads it in the log."""
+        message = page.encode(self._stamped(said))
+        self._remembered.append(message)
+        for guest in self._guests:
+            guest.outbox.put(message)
+
+    def pump(self) -> None:
+        """Bring the newest values to those who watch them."""
+        frame = self._watched.frame()
+        if frame is None:
+            return
+        made: dict[tuple[Any, ...], bytes] = {}
+        for guest in self._guests:
+            wish = guest.watch
+            if not (wish.variables or wish.worlds or wish.figures):
+                continue
+            key = (wish.variables, wish.worlds, wish.figures)
+            if key not in made:
+                made[key] = _part(frame, wish)
+            if made[key]:
+                guest.outbox.frame(made[key])
+
+    def _answer(self, guest: Guest, cid: int, given: Answer) -> None:
+        revision = self._environment.revision
+        no = given.no
+        message = (
+            page.Ok(cid, revision, given.value) if no is None else page.Refused(cid, no.reason, no.remedies, no.fields)
+        )
+        guest.outbox.put(page.encode(message))
+
+    def _snapshot(self, name: str) -> bytes:
+        environment = self._environment
+        return page.encode(page.Snapshot(environment.revision, environment.tree, __version__, name))
+
+    def _stamped(self, said: page.Say) -> page.Say:
+        """With the time: a page tells what is new from what it is only reminded of."""
+        return said if said.at_s else msgspec.structs.replace(said, at_s=self._clock())
+
+    def _rewatch(self) -> None:
+        wishes = [one.watch for one in self._guests]
+        variables = frozenset(name for one in wishes for name in one.variables)
+        worlds = frozenset(name for one in wishes for name in one.worlds)
+        fastest = max((one.hz for one in wishes), default=0.0)
+        self._watched.watch(variables, worlds, any(one.figures for one in wishes), fastest)
+
+    def _count(self) -> None:
+        self._environment.become(lambda model: Done(replace(model, people=len(self._guests))))
+
+
+def _part(frame: page.Frame, wish: act.Watch) -> bytes:
+    """What one browser wants of a frame; empty where nothing of it has come."""
+    wanted = frozenset(wish.variables)
+    values = {name: value for name, value in frame.values.items() if name in wanted}
+    poses = {name: frame.poses[name] for name in wish.worlds if name in frame.poses}
+    figures = frame.figures if wish.figures else {}
+    if not (values or poses or figures):
+        return b""
+    return page.encode(page.Frame(frame.at_s, values, figures, poses))

@@ -1,0 +1,35 @@
+import os
+import signal
+
+import pytest
+
+from onika.cli.orderly_exit import in_order
+
+
+@pytest.fixture
+def usual():
+    """What stands where no `nohup` has hidden a signal from the tests themselves."""
+    former = {told: signal.signal(told, signal.SIG_DFL) for told in (signal.SIGTERM, signal.SIGHUP)}
+    yield signal.SIG_DFL
+    for told, handler in former.items():
+        signal.signal(told, handler)
+
+
+@pytest.mark.parametrize("told", [signal.SIGTERM, signal.SIGHUP])
+def test_to_be_told_to_end_is_an_end_like_any_other(usual, told):  # law 27
+    is_left = []
+    with pytest.raises(SystemExit) as ended, in_order():
+        try:
+            os.kill(os.getpid(), told)
+        finally:
+            is_left.append(True)
+    assert ended.value.code == 128 + told
+    assert is_left == [True]
+    assert signal.getsignal(told) is usual
+
+
+def test_what_is_to_be_ignored_stays_ignored(usual):  # as `nohup` has it
+    signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    with in_order():
+        os.kill(os.getpid(), signal.SIGHUP)
+    assert signal.getsignal(signal.SIGHUP) is signal.SIG_IGN

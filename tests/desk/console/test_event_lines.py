@@ -1,0 +1,80 @@
+import pytest
+
+from onika.desk.console.display import Tone
+from onika.desk.console.event_lines import lines
+from onika.wire import event
+
+
+@pytest.mark.parametrize(
+    ("one", "line", "tone"),
+    [
+        (event.Began(0, 1, 4, "jmoveC home", 2.5), "     2.50 s  2/4  jmoveC home", Tone.PLAIN),
+        (event.TaskState("main", "puma", "ON", 1.0), "     1.00 s  main/puma ON", Tone.GOOD),
+        (event.TaskState("main", "puma", "OFF", 1.0), "     1.00 s  main/puma OFF", Tone.DIM),
+        (event.Warned("main", "puma", "late", 1.0), "     1.00 s  note: main/puma: late", Tone.NOTE),
+        (event.Warned("", "", "late", 1.0), "     1.00 s  note: late", Tone.NOTE),
+        (
+            event.Stepped("main", "puma", "TAU_REF", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0),
+            "     1.00 s  note: main/puma: TAU_REF[1] stepped by 40 N m at a switch, more than 9.76 N m a cycle: "
+            "blended over 6 cycles",
+            Tone.NOTE,
+        ),
+        (
+            event.Drive("boxes:arm", "PRESSED", 9, 0, 0, "panic button pressed", 1.0),
+            "     1.00 s  drive boxes:arm PRESSED: panic button pressed",
+            Tone.FAULT,
+        ),
+        (
+            event.Drive("boxes:arm", "TRIPPED", 9, 0, 0, "silent", 1.0),
+            "     1.00 s  drive boxes:arm TRIPPED: silent",
+            Tone.FAULT,
+        ),
+        (event.Drive("boxes:arm", "HELD", 9, 0, 0, "", 1.0), "     1.00 s  drive boxes:arm HELD", Tone.DIM),
+        (event.Signalled("main", "jtraj", "FINISH", 1, "", 1.0), "     1.00 s  main/jtraj signals FINISH 1", Tone.NOTE),
+        (event.Signalled("main", "x", "ILLEGAL", 0, "why", 1.0), "     1.00 s  main/x signals ILLEGAL: why", Tone.NOTE),
+        (event.Lost("rt1", "killed", 1.0), "     1.00 s  LOST rt1: killed", Tone.FAULT),
+        (event.Held("main", ""), "main is held by nobody", Tone.NOTE),
+        (event.Held("main", "", "silent"), "main is held by nobody: silent", Tone.NOTE),
+        (event.Offered("main", "a", "b", "accepted"), "a offers main to b: accepted", Tone.NOTE),
+        (event.Stopped(True, "smoke"), "STOPPED: smoke; every drive holds until `reset`", Tone.FAULT),
+        (event.Stopped(False, ""), "motion is allowed again", Tone.GOOD),
+        (
+            event.Result(False, "why", 1, 4, 2.0, 2.0, {}, (), ""),
+            "     2.00 s  run aborted, 1 of 4 actions: why",
+            Tone.FAULT,
+        ),
+    ],
+)
+def test_an_event_is_a_line(one, line, tone):
+    assert list(lines(one)) == [(line, tone)]
+
+
+@pytest.mark.parametrize("one", [event.Done(0, 1, 2.0), event.Edited("main", 1, "", 2.0)])
+def test_what_only_machines_want_is_not_told(one):
+    assert list(lines(one)) == []
+
+
+def test_a_failure_shows_place_traceback_source_line_and_values():  # R-A18
+    trace = "  File pd.py, line 7, in cycle\n    return 1 / 0\n"
+    told = [
+        line
+        for line, _ in lines(event.Failed("main", "pd", "ZeroDivisionError", "pd.py", 7, trace, 1.0, "cycle", {"K": 2}))
+    ]
+    assert told[0] == "     1.00 s  ERROR main/pd: ZeroDivisionError (pd.py:7)"
+    assert [line.strip() for line in told[1:]] == ["File pd.py, line 7, in cycle", "return 1 / 0", "K = 2"]
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "default", "end"),
+    [
+        ((0.0,), (1.0,), None, "how high, from 0 to 1"),
+        ((0.0,), None, (2,), "how high, at least 0, else 2"),
+        (None, (1.0,), None, "how high, at most 1"),
+        (None, None, None, "how high"),
+    ],
+)
+def test_a_question_names_type_unit_bounds_and_default(low, high, default, end):  # R-A10
+    item = event.Item("level", "double", 1, "m", "how high", default, low, high)
+    told = list(lines(event.Asked("main", "gauge", "too high", (item,), 1.0)))
+    assert told[0] == ("     1.00 s  main/gauge: too high", Tone.ASK)
+    assert told[1] == (f"     1.00 s  main/gauge asks for level double in m, {end}", Tone.ASK)

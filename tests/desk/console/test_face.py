@@ -1,5 +1,0 @@
-from onika.desk.console.face import Tone
-
-
-def test_every_tone_has_a_name_of_its_own():
-    assert len({tone.value for tone in Tone}) == len(Tone)

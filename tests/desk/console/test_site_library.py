@@ -1,0 +1,53 @@
+import pytest
+
+from onika.desk.console.site_library import Library, altered
+from onika.store.site import open_site
+from onika.testing.build import task
+from onika.words.fault import Place
+
+
+@pytest.fixture
+def library(tmp_path):
+    return Library(open_site([tmp_path], {}, tmp_path), Place("line"))
+
+
+def test_a_task_comes_with_its_code_from_the_search_path(library):  # R-A14
+    planned, code, faults = library.planned("pd", "rt1")
+    assert (planned.name, planned.rtpu, planned.digest, faults) == ("pd", "rt1", code.digest, ())
+    assert "class" in code.source
+
+
+def test_a_task_without_code_names_its_file(library, tmp_path):
+    (tmp_path / "module").mkdir()
+    text = (
+        "MODULE lost\nDESC x\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE periodic\nFREQ 9\n\nEOF\n"
+    )
+    (tmp_path / "module" / "lost.rmod").write_text(text)
+    planned, code, (fault,) = library.planned("lost")
+    assert (planned, code) == (None, None)
+    assert fault.expected == "lost.py on the search path, as MODULE says"
+
+
+def test_what_is_not_there_is_told_with_what_is_near_it(library):
+    _, (fault,) = library.configuration("jmovC")
+    assert "near it: jmoveC" in fault.expected
+    _, (fault,) = library.task("qqq")
+    assert f"there are {len(library.tasks)}" in fault.expected
+
+
+def test_names_are_offered_in_order_and_once(library):
+    for names in (library.tasks, library.configurations, library.applications):
+        assert list(names) == sorted(set(names))
+        assert names
+
+
+def test_a_syntax_that_cannot_be_read_is_a_fault_of_the_target(library, monkeypatch):
+    assert library.arguments("1 2") == ("1 2", ())
+    line, faults = library.arguments("@none")
+    assert (line, len(faults)) == ("", 1)
+
+
+def test_name_and_rate_are_altered_only_where_they_are_given():
+    one = task("pd", 100.0)
+    assert altered(one, "", None) == one
+    assert (altered(one, "x", 5.0).name, altered(one, "x", 5.0).frequency) == ("x", 5.0)

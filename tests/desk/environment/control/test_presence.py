@@ -1,0 +1,65 @@
+import pytest
+
+from onika.desk.environment.control.presence import you
+from onika.model.task import Task
+from onika.testing.duet import Duet
+from onika.wire import act, event, holding
+
+
+@pytest.fixture
+def duet(tmp_path):
+    duet = Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    duet.runtime.sessions = (
+        holding.SessionStanding("you", "owner"),
+        holding.SessionStanding("anna#2", "operator", is_here=False),
+    )
+    return duet
+
+
+def test_who_is_there_is_shown_as_soon_as_it_is_connected(duet):  # R-X12
+    duet.connected("a")
+    sessions = duet.environment.tree.runtime.sessions
+    assert {name: (one.role, one.is_here, one.is_you) for name, one in sessions.items()} == {
+        "you": ("owner", True, True),
+        "anna#2": ("operator", False, False),
+    }
+    assert you(duet.environment.model) == "you"
+
+
+def test_who_comes_and_goes_is_shown(duet):  # R-X12
+    duet.connected("a")
+    duet.tell(event.Company((holding.SessionStanding("you", "owner"), holding.SessionStanding("bob#3", "viewer"))))
+    assert list(duet.environment.tree.runtime.sessions) == ["you", "bob#3"]
+    assert you(duet.environment.model) == "you"
+    duet.do(act.Release(next(iter(duet.environment.tree.documents))))
+    assert list(duet.environment.tree.runtime.sessions) == ["you", "bob#3"]
+
+
+def test_what_is_offered_here_is_shown_and_said_and_gone_with_its_end(duet):  # R-X12
+    doc = duet.connected("a")
+    duet.tell(event.Held("Untitled-1", "anna#2"))
+    duet.tell(event.Offered("Untitled-1", "anna#2", "you"))
+    shown = duet.environment.tree.documents[doc]
+    assert (shown.offered_by, shown.offered_to, shown.is_offered_here) == ("anna#2", "you", True)
+    assert "anna#2 offers Untitled-1: take it, or decline" in [one.text for one in duet.says]
+    duet.tell(event.Offered("Untitled-1", "anna#2", "you", "withdrawn"))
+    assert duet.environment.tree.documents[doc].offered_by == ""
+
+
+def test_what_is_offered_to_others_is_shown_and_not_said(duet):  # R-X12
+    doc = duet.connected("a")
+    before = len(duet.says)
+    duet.tell(event.Held("Untitled-1", "anna#2"))
+    duet.tell(event.Offered("Untitled-1", "anna#2", "bob#3"))
+    shown = duet.environment.tree.documents[doc]
+    assert (shown.offered_to, shown.is_offered_here) == ("bob#3", False)
+    duet.tell(event.Held("Untitled-1", "bob#3"))
+    assert duet.environment.tree.documents[doc].offered_to == ""
+    assert len(duet.says) == before
+
+
+def test_who_offered_it_is_told_that_it_was_declined_and_is_offered_no_longer(duet):  # R-X12
+    duet.connected("a")
+    duet.tell(event.Offered("Untitled-1", "you", "bob#3"))
+    duet.tell(event.Offered("Untitled-1", "you", "bob#3", "bob#3 declines"))
+    assert duet.says[-1].text == "Untitled-1 is no longer offered to bob#3: bob#3 declines"

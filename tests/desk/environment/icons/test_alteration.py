@@ -1,0 +1,42 @@
+import pytest
+
+from onika.desk.environment.icons.alteration import altered, flow_at, found, place_behind, reflowed
+from onika.desk.environment.outcome.outcome import No
+from onika.model.application import AppFlow
+from onika.testing.gallery import Gallery
+
+
+@pytest.fixture
+def gallery(tmp_path):
+    return Gallery(tmp_path)
+
+
+def test_a_change_is_a_step_with_its_label_and_new_steps_get_numbers(gallery):  # R-D05
+    doc = gallery.begun("grip")
+    opened = gallery.environment.model.applications[doc]
+    steps = (*opened.application.flows[0].steps, gallery.application(gallery.begun("open")).flows[0].steps[0])
+    bare = AppFlow((steps[0], type(steps[1])(steps[1].onikon)))
+    done = reflowed(gallery.environment.model, opened, {"0": bare}, "doing", "value")
+    assert (done.label, done.doc, done.value) == ("doing", doc, "value")
+    after = done.model.applications[doc]
+    assert [one.number for one in after.application.flows[0].steps] == [1, 2]
+    assert after.last_number == 2
+    same = altered(gallery.environment.model, opened, opened.application, "nothing")
+    assert same.model.applications[doc].application is opened.application
+
+
+def test_a_place_is_found_behind_a_step_or_at_the_beginning(gallery):  # R-D05
+    doc = gallery.begun("grip", "open", flows=2)
+    application = gallery.application(doc)
+    assert place_behind(application, "1", 0) == ("1", -1)
+    assert place_behind(application, "1", gallery.number(doc, "open")) == ("0", 1)
+    assert isinstance(place_behind(application, "2", 0), No)
+    assert isinstance(place_behind(application, "0", 99), No)
+    assert flow_at(application, "5") is None
+
+
+def test_steps_are_found_in_their_order_and_those_that_are_gone_passed_over(gallery):
+    doc = gallery.begun("grip", "open")
+    one, other = gallery.number(doc, "grip"), gallery.number(doc, "open")
+    assert [spot.step.number for spot in found(gallery.application(doc), (other, 99, one))] == [one, other]
+    assert found(gallery.application(doc), (99,)).reason == "what was selected is no longer there"

@@ -1,0 +1,17 @@
+from onika.desk.environment.icons.measured_variables import measures_of
+from onika.desk.environment.icons.measuring_remedies import ways_to_measure
+from onika.testing.cabinet import Cabinet
+from onika.wire import act
+
+
+def test_configurations_that_measure_it_could_be_opened_the_smallest_first(tmp_path):  # R-X01
+    cabinet = Cabinet(tmp_path)
+    kind = cabinet.environment.model.syntax.find("Cartesian object")
+    measures = measures_of(cabinet.environment.model, kind)
+    ways = ways_to_measure(cabinet.environment.model, measures)
+    assert 0 < len(ways) <= 3
+    assert all(isinstance(one.act, act.Open) for one in ways)
+    assert any(one.label == "Open cmoveC" for one in ways)
+    doc = cabinet.do(ways[0].act)
+    ways = ways_to_measure(cabinet.environment.model, measures)
+    assert ways[0].act == act.Connect(doc)

@@ -1,0 +1,34 @@
+from onika.desk.environment.icons.membership import Belonging, icons
+from onika.files import appl
+from onika.model.flow_path import numbered
+from onika.store.site import open_site
+from onika.testing.laboratory import HOLE, job, joints
+
+SYNTAX, _ = open_site([], {}, None).syntax()
+
+
+def application(*steps):
+    text = "\n".join(["VERSION     2.0\n", "APPLTYPE    conditional\n", "FLOW\n", *steps, "ENDFLOW\n", "EOF\n"])
+    read, faults = appl.read(text, "play", "play.appl", SYNTAX)
+    assert faults == ()
+    return numbered(read, 0)[0]
+
+
+def test_a_target_or_the_hole_for_one_belongs_to_its_action():
+    there = joints("there", *[0.0] * 6)
+    found = Belonging.of(application(job("aC"), job("jC", "Joint job"), there, job("jC", "Joint job"), HOLE), SYNTAX)
+    assert found.owners == {3: 2, 5: 4}
+    assert found.meant(1) == {(1,)} and found.meant(3) == {(2,)}
+
+
+def test_a_branch_means_all_that_stands_in_it():  # R-D13
+    inner = ["BRANCH\nFLOW\n", job("cC"), "ENDFLOW\nFLOW\n", job("dC"), "ENDFLOW\nENDBRANCH\n"]
+    outer = ["BRANCH\nFLOW\n", job("aC"), *inner, "ENDFLOW\nFLOW\n", job("bC"), "ENDFLOW\nENDBRANCH\n"]
+    here = application(*outer)
+    numbers = {icon.onikon.name: icon.number for icon in icons(here)}
+    found = Belonging.of(here, SYNTAX)
+    branch = here.flows[0].steps[0].number
+    assert list(numbers) == ["aC", "cC", "dC", "bC"]
+    (inner_branch,) = (one for one in found.inside if one != branch)
+    assert found.meant(branch) == {(one,) for one in (*numbers.values(), inner_branch)}
+    assert found.meant(numbers["cC"]) == {(numbers["cC"],)}

@@ -1,0 +1,44 @@
+from onika.desk.environment.outcome.remedy import overwriting, plain, reasons, unreadable
+from onika.model.rules import placement
+from onika.model.task import Task
+from onika.wire import act
+from onika.words.fault import Fault, Place, Refusal
+
+CUBIC = Task("cubic", "cubic", outvar=("Q_REF",))
+TRAPEZ = Task("trapez", "trapez", outvar=("Y",), aliases=(("Y", "Q_REF"),))
+
+
+def test_a_refusal_becomes_a_sentence_with_buttons():  # R-X01
+    (reason,) = reasons(placement.refusals(TRAPEZ, [CUBIC]), "c1", TRAPEZ)
+    assert reason.text == "writes Q_REF, which cubic already writes"
+    replaces, alias, shows = reason.remedies
+    assert (replaces.label, replaces.act) == ("Replace cubic", act.Exchange("c1", "cubic", "trapez"))
+    assert (alias.label, alias.act, alias.show) == ("Alias Q_REF…", None, "pin:trapez/Y")
+    assert (shows.label, shows.show) == ("Show cubic", "task:cubic")
+
+
+def test_marks_for_terminals_are_left_out():
+    assert plain("its module `x` runs") == "its module x runs"
+
+
+def test_another_alias_is_given_at_its_pin():  # R-X01, decision 9
+    task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
+    (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
+    assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", "pin:t/B")]
+
+
+def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
+    again = act.Save("a1", overwrites=True)
+    assert overwriting(Refusal("the disk is full", ("save it elsewhere",)), again) == ()
+    (removed,) = overwriting(Refusal("it was removed", ("save it all the same", "save it elsewhere")), again)
+    (there,) = overwriting(Refusal("it is there", ("save it elsewhere", "overwrite it")), again)
+    assert (removed.label, there.label) == ("Save it all the same", "Overwrite it")
+    assert removed.act == there.act == again
+
+
+def test_a_file_with_a_thousand_faults_is_refused_in_a_few_sentences():  # R-X01
+    faults = [Fault(Place("many.appl", line), "a keyword", "none", "it is left out") for line in range(1, 1001)]
+    said = unreadable("many.appl", faults)
+    assert "many.appl:4: expected a keyword" in said
+    assert said.endswith("; and 996 more, see onika check")
+    assert "more" not in unreadable("many.appl", faults[:4])

@@ -1,0 +1,37 @@
+from dataclasses import replace
+
+from onika.desk.environment.outcome.unread_faults import not_run, told
+from onika.model.application import AppFlow, Application, Icon
+from onika.testing.gallery import ONIKONS, Gallery
+from onika.wire import act
+from onika.words.fault import Fault, Place
+
+
+def test_a_fault_is_told_at_the_step_in_whose_lines_it_stands():
+    first, second = (replace(Icon(ONIKONS[0]), line=line, number=number) for line, number in ((5, 1), (40, 2)))
+    application = Application("a", False, (AppFlow((first, second)),))
+    faults = (
+        Fault(Place("a.appl", 3), "conditional", "odd", "left out"),
+        Fault(Place("a.appl", 39), "`x`", "y", "left out"),
+        Fault(Place("a.appl", 41), "a type", "Warp job", "it acts as Complete job", is_note=True),
+    )
+    head, one, two = told(application, faults, is_partial=True)
+    assert (head.step, one.step, two.step) == (0, 1, 2)
+    assert (head.text, head.level) == ("line 3 of its file: expected conditional, found odd", "fault")
+    assert one.text.startswith("line 39 of its file: expected x")
+    assert (two.level, two.text.endswith("it acts as Complete job")) == ("warning", True)
+    assert {one.level for one in told(application, faults, is_partial=False)} == {"warning"}
+
+
+def test_what_could_be_read_only_in_part_is_not_run(tmp_path):  # issue: bad input
+    gallery = Gallery(tmp_path)
+    doc = gallery.begun("grip", "open")
+    path = gallery.base.application_file("job1")
+    gallery.do(act.Save(doc, "job1", str(gallery.base.path)))
+    assert not_run(gallery.environment.model.applications[doc]) is None
+    gallery.do(act.Close(doc))
+    path.write_text(path.read_text().replace("MARKER      no", "MARKER      odd", 1))
+    doc = gallery.do(act.Open(str(path)))
+    no = gallery.no(act.Run(doc))
+    assert no.reason.startswith("job1 could not be read whole: line ")
+    assert no.remedies[0].show == f"step:{gallery.number(doc, 'grip')}"

@@ -1,0 +1,92 @@
+import pytest
+
+from onika.desk.environment.outcome.outcome import Order
+from onika.desk.environment.reconcile.multiplexer import Talk
+from onika.desk.run.runtime import Reply
+from onika.link.lost import Cause, LinkLost
+from onika.wire import event, live, request
+
+FIGURES = live.Figures((), {"rt0": 0.5})
+
+
+class Wire:
+    """A runtime whose words are planned; `sent` is what it was asked."""
+
+    def __init__(self):
+        self.sent = []
+        self.words = []
+
+    def send(self, asked):
+        self.sent.append(asked)
+        return len(self.sent)
+
+    def told(self, timeout_s=0.0):
+        words, self.words = self.words, []
+        for one in words:
+            if isinstance(one, LinkLost):
+                raise one
+            yield one
+
+    def readings(self):
+        return {"main/X": b"1"}
+
+
+@pytest.fixture
+def wire():
+    return Wire()
+
+
+@pytest.fixture
+def now():
+    return [0.0]
+
+
+@pytest.fixture
+def talk(wire, now):
+    return Talk(wire, lambda: now[0])
+
+
+def test_orders_and_events_are_told_in_the_order_in_which_they_came(talk, wire):
+    first, second = Order(live.Survey()), Order(request.Stop("now"))
+    talk.ask(first)
+    talk.ask(second)
+    turned = event.TaskState("main", "a", "ON", 1.0)
+    wire.words = [Reply(2, request.Done()), turned, Reply(1, request.Refused("no"))]
+    assert talk.hear() == [(second, request.Done()), turned, (first, request.Refused("no"))]
+    assert talk.readings() == {"main/X": b"1"}
+
+
+def test_the_same_wish_is_said_once(talk, wire):
+    wish = live.Attend(("*",))
+    talk.attend(wish)
+    talk.attend(live.Attend(("*",)))
+    talk.attend(live.Attend(("*",), ("main/X",)))
+    wire.words = [Reply(1, request.Done())]
+    assert len(wire.sent) == 2 and talk.hear() == []
+
+
+def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(talk, wire, now):  # R-A11
+    assert talk.poll_figures(is_wanted=False) is None and wire.sent == []
+    talk.poll_figures(is_wanted=True)
+    now[0] = 9.0
+    talk.poll_figures(is_wanted=True)
+    assert wire.sent == [live.Status()]
+    wire.words = [Reply(1, FIGURES)]
+    assert talk.hear() == [] and talk.figures is FIGURES
+    assert talk.poll_figures(is_wanted=True) is None and len(wire.sent) == 2
+    wire.words = [Reply(2, request.Refused("no"))]
+    talk.hear()
+    assert talk.figures is None
+    assert talk.poll_figures(is_wanted=True) == pytest.approx(0.5)
+    now[0] = 9.5
+    assert talk.poll_figures(is_wanted=True) is None and len(wire.sent) == 3
+
+
+def test_orders_that_get_no_reply_any_more_are_refused_with_the_reason(talk, wire):  # R-E10
+    order = Order(live.Survey())
+    talk.ask(order)
+    wire.words = [LinkLost(Cause.CLOSED, "it is gone")]
+    with pytest.raises(LinkLost):
+        talk.hear()
+    assert talk.orphans("it is gone") == [(order, request.Refused("it is gone"))]
+    assert talk.orphans("it is gone") == []

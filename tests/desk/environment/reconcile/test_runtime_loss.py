@@ -1,0 +1,62 @@
+import pytest
+
+from onika.desk.environment.reconcile.runtime_loss import lost, with_loads
+from onika.model.task import Task
+from onika.testing.duet import Duet
+from onika.testing.laboratory import job
+from onika.testing.live_runtime import LiveRuntime
+from onika.testing.rehearsal import Rehearsal
+from onika.wire import act
+
+
+@pytest.fixture
+def duet(tmp_path):
+    return Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+
+
+def test_a_lost_runtime_leaves_the_layout_and_no_state(duet):  # R-E10
+    doc, plain = duet.connected("a"), duet.new()
+    duet.do(act.Toggle(doc, "a"))
+    duet.environment.become(lambda model: lost(model, "it was killed"))
+    tree = duet.environment.tree
+    assert tree.runtime.state == "lost" and tree.runtime.text == "it was killed" and tree.runtime.units == {}
+    assert tree.documents[doc].connection == "lost" and tree.documents[doc].tasks["a"].state == ""
+    assert tree.documents[plain].connection == "none"
+    assert duet.says[-1].text == "The runtime has ended. Run starts a new one."
+    duet.do(act.Remove(doc, ("a",)))
+    duet.do(act.Undo(doc))
+
+
+def test_connecting_again_merges_with_what_runs_there_then(duet):  # R-E10, R-C12
+    doc = duet.connected("a")
+    duet.environment.become(lambda model: lost(model, "it was killed"))
+    duet.runtime = LiveRuntime()
+    duet.do(act.Connect(doc))
+    assert duet.state(doc, "a") == "OFF" and duet.document(doc).live.subsystem == "Untitled-1"
+
+
+def test_what_a_runtime_printed_last_is_told_at_its_side_and_nowhere_else(tmp_path):  # R-E10, R-X01
+    play = Rehearsal(tmp_path)
+    play.run(play.open([job("aC")]))
+    play.lose("the runtime is gone: it ended; it printed last: Traceback (most recent call last):")
+    assert not any("Traceback" in one.text for one in play.says) and "Traceback" not in play.view.cause
+    assert "Traceback" in play.environment.tree.runtime.text
+
+
+def test_loads_are_shown_and_only_what_has_changed(duet):  # R-A11
+    duet.connected("a")
+    model = with_loads(duet.environment.model, {"rt0": 0.5012}).model
+    assert model.runtime.units["rt0"].load == 0.5 and model.runtime.units["rt1"].load == 0.25
+    assert with_loads(model, {"rt0": 0.4999}).model is model
+
+
+def test_what_runs_is_aborted_and_says_so_once(tmp_path):  # R-E10
+    play = Rehearsal(tmp_path)
+    play.run(play.open([job("aC")]))
+    play.lose("the cable")
+    assert play.view.state == "over" and not play.view.is_completed
+    assert [one.text for one in play.says if "aborted" in one.text] == [
+        "play was aborted after 0 actions: the runtime is lost: the cable"
+    ]
+    play.lose("again")
+    assert play.view.cause == "the runtime is lost: the cable"

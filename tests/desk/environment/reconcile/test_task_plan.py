@@ -1,0 +1,62 @@
+import pytest
+
+from onika.desk.environment.reconcile.task_plan import Birth, birth, code_of, is_hardware, rate_of
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.files.rmod import RmodText
+from onika.model.configuration import Placed
+from onika.model.task import LocalLine, Task, TaskType
+from onika.store.base_directory import BaseDirectory
+from onika.store.library import open_libraries
+
+MOVE = Task("move", "mover", outvar=("Q",), frequency=100.0)
+LONE = Task("lone", "loner", outvar=("P",), type=TaskType.APERIODIC)
+
+
+@pytest.fixture
+def shelf(tmp_path):
+    bases = [BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")]
+    for task in (MOVE, LONE):
+        bases[0].save_task(RmodText(task))
+    (tmp_path / "two" / "module").mkdir(parents=True)
+    (tmp_path / "two" / "module" / "mover.py").write_text("far\n")
+    return Shelf(open_libraries(bases))
+
+
+def test_a_task_is_born_with_its_code_and_the_rate_of_its_place(shelf, tmp_path):  # R-C11, reading 10
+    (tmp_path / "one" / "module" / "mover.py").write_text("near\n")
+    born = birth(Placed("move", frequency=40.0, rtpu="rt1"), shelf, ("rt0", "rt1"))
+    assert isinstance(born, Birth)
+    assert (born.task.frequency, born.task.rtpu, born.code.source) == (40.0, "rt1", "near\n")
+    assert born.task.digest == born.code.digest and born.task.place.endswith("one/module/move.rmod")
+
+
+def test_code_is_looked_for_in_the_other_libraries_too(shelf):  # R-C19
+    assert code_of("mover", shelf, "move").source == "far\n"
+
+
+def test_a_unit_that_the_runtime_lacks_means_its_first_one(shelf):  # reading 12
+    assert birth(Placed("move", rtpu="elsewhere"), shelf, ("rt0",)).task.rtpu == "unknown"
+
+
+def test_why_a_task_cannot_live_is_said(shelf, tmp_path):  # R-X01
+    assert birth(Placed("lone"), shelf, ()) == (
+        "lone cannot live: there is no loner.py beside it or in another open library"
+    )
+    assert birth(Placed("stranger"), shelf, ()) == "no open library has a task stranger"
+    (tmp_path / "one" / "module" / "loner.py").write_bytes(b"\xff\xfe")
+    assert "loner.py cannot be read" in birth(Placed("lone"), shelf, ())
+
+
+def test_a_task_without_a_rate_has_none_wherever_it_is_placed():
+    assert rate_of(Placed("lone", frequency=50.0), LONE) is None
+    assert rate_of(Placed("move"), MOVE) == 100.0
+
+
+def test_whoever_names_a_device_moves_one_until_its_module_says_otherwise(shelf):  # law 22
+    arm = Task("arm", "arm", local=(LocalLine("DEVICE", ("boxes:arm",)),))
+    assert is_hardware(arm, shelf) and not is_hardware(MOVE, shelf)
+
+    class Sheet:
+        hardware = False
+
+    assert not is_hardware(arm, Shelf(sheets={"arm": Sheet()}))

@@ -1,0 +1,23 @@
+from onika.desk.environment.review.recordings_folder import recordings_folder
+from onika.testing.laboratory import job
+from onika.wire import act
+
+
+def test_recordings_are_listed_newest_first_and_nothing_else(cinema):  # R-X05
+    doc = cinema.open([job("aC")])
+    folder = recordings_folder(cinema.surroundings.state)
+    assert cinema.later(act.Recordings()).value.files == ()
+    folder.mkdir(parents=True)
+    whole, cut = cinema.film(doc), cinema.film(doc, "cut", ends=False)
+    whole.rename(folder / "whole.mcap")
+    cut.rename(folder / "cut.mcap")
+    (folder / "odd.mcap").write_text("nothing")
+    found = cinema.later(act.Recordings()).value
+    assert found.folder == str(folder)
+    by_name = {one.path.rpartition("/")[2]: one for one in found.files}
+    assert sorted(by_name) == ["cut.mcap", "whole.mcap"]
+    one = by_name["whole.mcap"]
+    assert (one.name, one.took_s, one.is_whole) == ("play", 1.0, True)
+    assert not by_name["cut.mcap"].is_whole
+    assert one.bytes == (folder / "whole.mcap").stat().st_size
+    assert one.began_at_s > 1.7e9

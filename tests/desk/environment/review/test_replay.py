@@ -1,0 +1,33 @@
+from onika.desk.environment.icons.membership import Belonging
+from onika.desk.environment.review.replay import Replay
+from onika.desk.environment.runs import flow_progress
+from onika.desk.environment.state.run import begun
+from onika.testing.tape import run
+from onika.wire import event
+
+PLAN = run().prepare.plan
+NAMES = [one.name for one in PLAN.flows[0].actions]
+
+
+def told(count):
+    """Both actions, one after the other, many times."""
+    for k in range(count):
+        yield round(k * 1e9), "flow0", event.Began(0, k % 2, 2, NAMES[k % 2], float(k))
+        yield round((k + 0.5) * 1e9), "flow0", event.Done(0, k % 2, k + 0.5)
+
+
+def test_any_instant_is_what_was_told_up_to_it():  # R-X05
+    first, events = begun("a1", PLAN, 0, 0.0, Belonging({}, {})), list(told(200))
+    replay = Replay(first, events)
+    for at_s in (0.0, 0.49, 0.5, 31.9, 32.0, 63.7, 99.25, 199.0, 199.5, 1e6):
+        expected = first
+        for at, _, one in events:
+            expected = flow_progress.after(expected, one) if at <= at_s * 1e9 else expected
+        assert replay.at(at_s) == expected.view
+
+
+def test_nothing_can_be_chosen_at_a_standstill_of_the_past():  # R-X05
+    stop = event.Explained("flow0", "servo", "", 0, "", "it failed", "", 0, (), (), (("retry", "again"),), 1.0, "error")
+    replay = Replay(begun("a1", PLAN, 0, 0.0, Belonging({}, {})), [(1_000_000_000, "flow0", stop)])
+    assert replay.at(0.5).stops == {}
+    assert (replay.at(1.0).stops["flow0"].text, replay.at(1.0).stops["flow0"].choices) == ("it failed", ())

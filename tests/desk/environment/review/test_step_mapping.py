@@ -1,0 +1,70 @@
+import pytest
+from msgspec import structs
+
+from onika.desk.environment.icons.membership import Belonging
+from onika.desk.environment.review.step_mapping import Present, recast
+from onika.desk.environment.runs.messages import Speech
+from onika.testing.tape import run
+from onika.wire.plan import Plan, PlannedAction, PlannedFlow
+
+
+def plan(*flows, spots=False):
+    """Of flows of actions, each a letter; now they have spots of their own."""
+    number = iter(range(1, 99))
+
+    def action(name):
+        return PlannedAction(name, name, None, "p.appl", (), (), "", spot=(next(number),) if spots else (77,))
+
+    return Plan("p", tuple(PlannedFlow(f"flow{n}", (), tuple(map(action, one))) for n, one in enumerate(flows)), ())
+
+
+def found(recorded, now):
+    present = Present("a1", "p", now, Belonging({}, {}), Speech())
+    return recast(recorded, present)
+
+
+def spots(made):
+    return ["".join(str(one.spot[0]) if one.spot else "." for one in flow.actions) for flow in made.plan.flows]
+
+
+@pytest.mark.parametrize(
+    ("then", "now", "expected"),
+    [
+        (["abc"], ["abc"], ["123"]),
+        (["aaba"], ["aaba"], ["1234"]),
+        (["abc"], ["ac"], ["1.2"]),
+        (["abc"], ["abxc"], ["124"]),
+        (["abc"], ["xyz"], ["..."]),
+        (["ab", "cd"], ["cd", "ab"], ["34", "12"]),
+        (["ab", "ab"], ["ab", "ab"], ["12", "34"]),
+        (["ab", "cd"], ["cd"], ["..", "12"]),
+        (["abcd"], ["xx", "abd"], ["34.5"]),
+    ],
+)
+def test_actions_are_found_again_by_their_names(then, now, expected):  # R-X05
+    assert spots(found(plan(*then), plan(*now, spots=True))) == expected
+
+
+def test_what_is_as_it_was_needs_no_word():
+    assert found(plan("abc"), plan("abc", spots=True)).notes == ()
+
+
+def test_what_has_changed_since_is_told():  # R-X05: icons that are others now
+    (lost,) = found(plan("abcde"), plan("a", spots=True)).notes
+    assert lost == "p has changed since it was recorded: 4 of 5 recorded actions have no icon now: b, c, d, …"
+    (more,) = found(plan("ab"), plan("abc", spots=True)).notes
+    assert more == "p has changed since it was recorded: 1 action of it now was not there"
+    (broken,) = found(plan("ab"), None).notes
+    assert "cannot be compiled" in broken
+
+
+def test_without_an_application_there_are_no_steps():
+    made = recast(plan("ab"), None)
+    assert (spots(made), made.doc, made.notes) == ([".."], "", ())
+
+
+def test_a_redirection_of_that_run_is_told():  # R-E09, R-X05
+    servo = run().prepare.plan.flows[0].tasks[0]
+    flow = structs.replace(plan("a").flows[0], replaced=(("other", servo),))
+    assert recast(Plan("p", (flow,), ()), None).notes == ("other stood for mass",)
+    assert recast(Plan("p", (plan("b").flows[0], flow), ()), None).notes == ("other stood for mass in flow 1",)

@@ -1,0 +1,136 @@
+import os
+import random
+from dataclasses import replace
+from functools import partial
+
+import pytest
+
+from onika.desk.environment.runs.readiness import Case, Judge, judged
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.model.application import AppFlow, Application, Branch, Hole, Icon
+from onika.model.flow_path import numbered, spots
+from onika.store.site import open_site
+from onika.testing.laboratory import HOLE, job
+from onika.testing.rehearsal import Rehearsal
+from onika.testing.sitting import Sitting
+from onika.wire import act
+
+
+@pytest.fixture
+def play(tmp_path):
+    return Rehearsal(tmp_path)
+
+
+def look(play, judge, cases):
+    for case in cases:
+        play.environment.become(partial(judged, doc=case.opened.id, judgement=judge.judge(case)))
+    return len(cases)
+
+
+def shown(play, doc):
+    return sorted(one.text for one in play.environment.tree.applications[doc].faults.values())
+
+
+def test_what_is_open_is_judged_once_and_again_after_a_change(play):  # R-E01
+    judge = Judge(play.site)
+    doc = play.open([job("aC"), HOLE, job("bC")])
+    assert look(play, judge, judge.cases(play.environment.model)) == 1
+    assert play.environment.tree.applications[doc].is_judged
+    assert shown(play, doc) == ["an action is missing here"]
+    assert judge.cases(play.environment.model) == ()
+    play.do(act.RemoveIcons(doc, (3,)))
+    assert not play.environment.tree.applications[doc].is_judged
+    assert look(play, judge, judge.cases(play.environment.model)) == 1
+    assert judge.cases(play.environment.model) == ()
+
+
+def test_files_that_change_or_come_are_seen(play):  # R-E01
+    judge = Judge(play.site)
+    doc = play.open([job("aC"), job("newC")])
+    look(play, judge, judge.cases(play.environment.model))
+    assert shown(play, doc) == ["there is no configuration newC"]
+    assert judge.stale(play.environment.model) == ()
+    play.files.configuration("newC", "c 100")
+    assert look(play, judge, judge.stale(play.environment.model)) == 1
+    assert shown(play, doc) == []
+    path = play.files.configuration("newC", "nobody 100")
+    os.utime(path, ns=(1, 1))
+    look(play, judge, judge.stale(play.environment.model))
+    assert shown(play, doc) == ["there is no task nobody"]
+
+
+def test_what_is_changed_here_and_not_saved_is_a_warning(play, tmp_path):  # R-E12
+    judge = Judge(play.site)
+    doc = play.open([job("aC")])
+    conf = play.do(act.Open(str(tmp_path / "conf" / "aC.conf")))
+    look(play, judge, judge.cases(play.environment.model))
+    play.do(act.Rate(conf, "a", 50.0))
+    look(play, judge, judge.cases(play.environment.model))
+    (fault,) = play.environment.tree.applications[doc].faults.values()
+    assert fault.level == "warning" and fault.step == 1 and fault.remedies[0].act == act.Save(conf)
+
+
+def test_a_judgement_that_says_the_same_changes_nothing(play):
+    judge = Judge(play.site)
+    doc = play.open([HOLE, job("aC")])
+    (case,) = judge.cases(play.environment.model)
+    look(play, judge, (case,))
+    before = play.environment.model
+    look(play, judge, (case,))
+    assert play.environment.model is before
+    assert judged(before, "a9", judge.judge(case)).model is before
+    assert play.environment.tree.applications[doc].is_judged
+
+
+def test_without_a_syntax_nothing_is_judged(tmp_path):
+    sitting = Sitting(tmp_path)
+    judge = Judge(sitting.site)
+    assert judge.cases(sitting.environment.model) == judge.stale(sitting.environment.model) == ()
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_whatever_stands_in_an_application_it_is_judged(seed):  # R-E01
+    rng = random.Random(seed)
+    site = open_site([], {}, None)
+    syntax, _ = site.syntax()
+    judge = Judge(site)
+    pool = [icon for base in site.directories for name in base.onikons if (icon := base.onikon(name, syntax)[0])]
+
+    def some_icon():
+        icon = rng.choice(pool)
+        icon = replace(icon, type=rng.choice(["Odd job", "Odd object", "Odd"])) if rng.random() < 0.1 else icon
+        icon = replace(icon, name="goneC") if rng.random() < 0.1 else icon
+        icon = replace(icon, values=((1.0,),)) if rng.random() < 0.1 else icon
+        tags = {"synch_tag": rng.choice([None, None, "a", "b"]), "while_tag": rng.choice([None, None, "l", "m"])}
+        conditions = {"marker_if": rng.choice(["", "Q > 1", "bad("]), "while_if": rng.choice(["", "X < 2"])}
+        return Icon(icon, rng.random() < 0.2, while_test=rng.random() < 0.5, **tags, **conditions)
+
+    def some_flow(depth=0):
+        return AppFlow(tuple(some_step(depth) for _ in range(rng.randrange(6))))
+
+    def some_step(depth):
+        dice = rng.random()
+        if dice < 0.15:
+            return Hole()
+        if dice < 0.3 and depth < 3:
+            conditions = tuple(rng.choice(["Q > 1", "nonsense"]) for _ in range(rng.randrange(3)))
+            return Branch(tuple(some_flow(depth + 1) for _ in range(rng.randrange(4))), conditions)
+        return some_icon()
+
+    for _ in range(20):
+        flows = tuple(some_flow() for _ in range(rng.randrange(4)))
+        application, last = numbered(Application("odd", rng.random() < 0.5, flows), 0)
+        found = judge.judge(Case(OpenApplication("a1", application, last), syntax, ()))
+        assert found.of is application
+        known = {0, *spots(application)}
+        assert all(fault.step in known and fault.text for fault in found.faults)
+
+
+def test_flows_that_nothing_chooses_are_told_with_what_would_choose(play):  # R-D04, R-X01
+    judge = Judge(play.site)
+    doc = play.open([job("aC")], [job("bC")])
+    look(play, judge, judge.cases(play.environment.model))
+    (told,) = play.environment.tree.applications[doc].faults.values()
+    assert told.text == "run by itself, only flow 0 runs: nothing before it chooses another" and told.level == "warning"
+    play.do(told.remedies[0].act)
+    assert any(one.kind == "branch" for one in play.environment.tree.applications[doc].steps.values())

@@ -1,0 +1,76 @@
+import pytest
+
+from onika.desk.environment.runs.run_view import is_question, left_for, loops, stop_view, tag
+from onika.testing.laboratory import job
+from onika.testing.rehearsal import Rehearsal
+from onika.wire import act, event
+
+WHERE = ("flow0", "b", "bC", 1, "play.appl:2", "cycle: no glass", "b.py", 7)
+
+
+@pytest.fixture
+def play(tmp_path):
+    return Rehearsal(tmp_path)
+
+
+@pytest.fixture
+def run(play):
+    play.run(play.open([job("aC"), job("bC")]))
+    play.began(1)
+    play.tell(event.Failed("flow0", "b", "cycle: no glass", "b.py", 7, "Traceback …", 2.0, "cycle"))
+    return play.environment.model.run
+
+
+def explained(choices=(), courses=()):
+    return event.Explained(*WHERE, (("flow1", "meet"),), courses, choices, 2.0, "error", "a")
+
+
+def test_a_standstill_leads_to_its_step_and_its_code(run):  # R-X06
+    shown = stop_view(run, explained())
+    assert (shown.step, shown.index, shown.task, shown.suspect) == (2, 1, "b", "a")
+    assert (shown.path, shown.line, shown.traceback) == ("b.py", 7, "Traceback …")
+    assert shown.waiting == (("flow1", "meet"),)
+
+
+def test_choices_are_words_of_steering_and_one_that_leaves_something_open_is_none_yet(run):  # R-E08
+    shown = stop_view(run, explained((("clear", "repeats it"), ("skip flow9 N", "goes elsewhere"))))
+    assert [(one.label, one.act) for one in shown.choices] == [("clear", act.Steer("clear")), ("skip flow9 N", None)]
+    assert shown.meanings == ("repeats it", "goes elsewhere")
+
+
+def test_of_long_courses_the_newest_value_is_kept(run):  # R-X06
+    times = tuple(float(one) for one in range(1000))
+    (course,) = stop_view(run, explained(courses=(event.Course("Q", "rad", times, times),))).courses
+    assert len(course.at_s) <= 120 and course.at_s[-1] == course.values[-1] == 999.0
+
+
+def test_a_choice_of_one_other_action_needs_no_choosing(run):  # R-E13
+    skips = [explained(((words, "the same"),)) for words in ("skip N", "skip flow0 N", "skip flow7 N")]
+    found = [stop_view(run, one).choices[0].act for one in skips]
+    assert found == [act.Steer("skip flow0 1"), act.Steer("skip flow0 1"), None]
+
+
+def test_a_stop_is_told_in_the_words_of_the_icons(play):  # R-X06
+    play.run(play.open([job("bC").replace("a job", "hold still")]))
+    choices = (("clear", "clears b and repeats bC with the same target"),)
+    shown = stop_view(play.environment.model.run, event.Explained(*WHERE[:3], 0, *WHERE[4:], (), (), choices, 2.0))
+    assert (shown.action, shown.meanings) == ("hold still", ("clears b and repeats “hold still” with the same target",))
+
+
+def test_that_a_task_asks_is_no_news_of_its_own():  # R-E15
+    assert is_question("play.appl:2 (bC): b asks") and is_question("x: b asks: too far")
+    assert not is_question("b: it asks a lot of the arm")
+
+
+def test_who_waits_for_ever_for_whom(play):  # R-X03
+    play.run(play.open([job("aC")], [job("bC")], [job("cC")], parallel=True))
+    for flow, other in (("flow1", "flow0"), ("flow2", "flow1")):
+        play.tell(event.Moved(flow, "waiting", 0, 1.0, "play meet", (other,)))
+        play.tell(event.Explained(flow, "", "", 0, "", "waits", "", 0, (), (), (("abort", "ends"),), 2.0, "deserted"))
+    run = play.environment.model.run
+    assert (left_for(run, "flow0"), left_for(run, "flow2")) == ({"flow1", "flow2"}, {"flow2"})
+
+
+def test_tags_and_loops_are_called_as_in_the_file():
+    assert (tag("play/inner#2 meet"), tag("meet"), tag("")) == ("meet", "meet", "")
+    assert loops(("inner/round", "twice#2")) == ("round", "twice")

@@ -1,0 +1,35 @@
+from onika.desk.environment.show.tree import Projector
+from onika.model.task import Task
+from onika.testing.sitting import Sitting
+from onika.wire import act
+
+TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0), Task("b", "b", invar=("Q",), frequency=1.0))
+
+
+def test_what_has_not_changed_is_the_same_object_again(tmp_path):
+    sitting = Sitting(tmp_path, TASKS)
+    doc = sitting.new("a", "b")
+    before = sitting.environment.tree
+    sitting.do(act.Move(doc, {"a": (5, 5)}))
+    after = sitting.environment.tree
+    assert after.tasks is before.tasks
+    assert after.documents[doc].greyed is before.documents[doc].greyed
+    assert after.documents[doc].tasks["b"] is before.documents[doc].tasks["b"]
+    assert after.documents[doc].tasks["a"] != before.documents[doc].tasks["a"]
+
+
+def test_a_tree_remembered_is_the_tree_made_anew(tmp_path):
+    sitting = Sitting(tmp_path, TASKS)
+    doc = sitting.new("a", "b")
+    sitting.do(act.Flip(doc, ("a",)))
+    assert sitting.environment.tree == Projector().project(sitting.environment.model)
+
+
+def test_nothing_of_a_closed_document_is_kept(tmp_path):  # R-C06
+    sitting = Sitting(tmp_path, TASKS)
+    projector, docs = Projector(), [sitting.new("a"), sitting.new("b"), sitting.new("a", "b")]
+    projector.project(sitting.environment.model)
+    sitting.do(act.Close(docs[0], discards=True))
+    assert projector.project(sitting.environment.model) == sitting.environment.tree
+    assert docs[0] not in repr(vars(projector).keys() | projector._made.keys() | projector._seen.keys())
+    assert docs[1] in sitting.environment.tree.documents

@@ -1,0 +1,131 @@
+import runpy
+import time
+from dataclasses import replace
+from pathlib import Path
+
+from hypothesis import given, settings, strategies as st
+
+from onika.desk.environment.show.tree import Projector
+from onika.desk.environment.show.wiring import Seen, group_views, locus_views, placed_views
+from onika.desk.environment.state.content import Content
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.live import Live, TaskFacts
+from onika.desk.environment.state.open_libraries import Shelf
+from onika.files.rmod import RmodText
+from onika.model.configuration import Configuration, Group, Placed
+from onika.model.rules import loci
+from onika.model.task import Task
+from onika.store.base_directory import BaseDirectory
+from onika.store.library import Library
+from onika.wire import act
+from onika.wire.view import DocumentView, GroupView
+
+BENCH = runpy.run_path(str(Path(__file__).parents[4] / "tools" / "bench" / "canvas.py"))
+
+TASKS = (
+    Task("a", "a", outvar=("P",), outconst=("K",)),
+    Task("b", "b", invar=("P",), inconst=("K",), outvar=("Q",)),
+    Task("c", "c", inconst=("P",), invar=("P", "Q")),
+    Task("d", "d", invar=("Q",), aliases=(("Q", "P"),)),
+)
+SHELF = Shelf((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS}, ()),))
+OTHER = SHELF.edited({"d": replace(TASKS[3], aliases=())})
+FEWER = Shelf((Library(BaseDirectory("x"), {one.name: RmodText(one) for one in TASKS[:3]}, ()),))
+
+facts = st.dictionaries(st.sampled_from("abcd"), st.sampled_from(["ON", "OFF", "ERROR"]).map(TaskFacts))
+lives = st.none() | st.builds(Live, st.just("s"), st.sampled_from(["connecting", "live", "lost"]), facts)
+spots = st.permutations("abcde").flatmap(
+    lambda names: st.lists(st.tuples(st.integers(0, 2), st.booleans()), max_size=5).map(
+        lambda found: tuple(Placed(name, 300 * x, 0, left) for name, (x, left) in zip(names, found, strict=False))
+    )
+)
+shelves = st.sampled_from([SHELF, OTHER, FEWER])
+
+
+def document(placed, live, shelf, former=None):
+    """A document after `former`, whose tasks and loci are the same objects where they are the same."""
+    before = former.content.configuration if former else Configuration("c")
+    known = {one: one for one in before.placed}
+    configuration = replace(before, placed=tuple(known.get(one, one) for one in placed))
+    boxes = shelf.boxes(tuple(one.task for one in placed))
+    return Document("c1", Content(loci.settled(configuration, boxes, before)), live=live)
+
+
+def cpu_s(work):
+    """How long this process computes: what else the machine does is no part of it."""
+    began = time.process_time()
+    work()
+    return time.process_time() - began
+
+
+@given(st.lists(st.tuples(spots, lives, shelves), min_size=1, max_size=5))
+@settings(max_examples=150, deadline=None)
+def test_what_is_shown_is_what_it_would_be_made_anew(states):  # R-C09, R-C25
+    seen = None
+    for placed, live, shelf in states:
+        now = document(placed, live, shelf, seen and seen.document)
+        tasks, lines = placed_views(now, shelf, seen), locus_views(now, shelf, seen)
+        assert tasks == placed_views(now, shelf, None)
+        assert lines == locus_views(now, shelf, None)
+        seen = Seen(now, shelf, DocumentView("c", 0, tasks=tasks, loci=lines))
+
+
+def test_a_line_is_live_where_its_writer_is_on_and_stale_where_it_failed():  # R-C25
+    placed = (Placed("a"), Placed("b"), Placed("gone"))
+    states = {"a": TaskFacts("ON"), "b": TaskFacts("ERROR")}
+    live = document(placed, Live("s", "live", states), SHELF)
+    found = locus_views(live, SHELF, None)
+    assert {svar: one.line for svar, one in found.items()} == {"K": "live", "P": "live", "Q": "stale"}
+    assert (found["P"].writers, found["P"].readers, found["K"].is_constant) == (("a",), ("b",), True)
+    assert placed_views(live, SHELF, None)["gone"].is_missing
+    idle = locus_views(document(placed, Live("s", "lost", states), SHELF), SHELF, None)
+    assert {one.line for one in idle.values()} == {"idle"}
+
+
+def test_one_task_that_moves_is_the_only_new_object():
+    before = document((Placed("a"), Placed("b")), None, SHELF)
+    tasks, lines = placed_views(before, SHELF, None), locus_views(before, SHELF, None)
+    seen = Seen(before, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
+    configuration = before.content.configuration
+    moved = replace(configuration, placed=(Placed("a", 50), configuration.placed[1]))
+    now = before.having(Content(moved))
+    assert locus_views(now, SHELF, seen) is lines
+    found = placed_views(now, SHELF, seen)
+    assert found["a"].x == 50
+    assert found["b"] is tasks["b"]
+    assert placed_views(before, SHELF, seen) is tasks
+
+
+def test_acts_are_quick_on_a_large_canvas(tmp_path):  # R-C07: a thousand tasks in the library, 500 placed
+    large = BENCH["Large"](tmp_path, 1_000)
+    rounds = range(7)
+    place, undo = act.Place("c1", large.free, 37, 41), act.Undo("c1")
+    both = min(cpu_s(lambda: (large.do(place), large.do(undo))) for _ in rounds)
+    anew = min(cpu_s(lambda: Projector().project(large.environment.model)) for _ in rounds)
+    assert 2 * both < anew, "an act and what takes it back make nearly everything anew"
+
+
+@given(st.lists(lives, min_size=2, max_size=5))
+@settings(max_examples=60, deadline=None)
+def test_lines_follow_the_states_of_their_writers(states):  # R-C25
+    placed, seen = tuple(Placed(name) for name in "abcd"), None
+    for live in states:
+        now = document(placed, live, SHELF, seen and seen.document)
+        tasks, lines = placed_views(now, SHELF, seen), locus_views(now, SHELF, seen)
+        assert (tasks, lines) == (placed_views(now, SHELF, None), locus_views(now, SHELF, None))
+        seen = Seen(now, SHELF, DocumentView("c", 0, tasks=tasks, loci=lines))
+
+
+def test_supermodules_are_shown_and_those_that_stay_are_the_same_objects():  # R-C17
+    plain = document((Placed("a"), Placed("b"), Placed("c")), None, SHELF)
+
+    def grouped(*groups):
+        return plain.having(replace(plain.content, configuration=replace(plain.content.configuration, groups=groups)))
+
+    first = grouped(Group("one", ("b", "a")))
+    shown = group_views(first, None)
+    assert shown == {"one": GroupView(("b", "a"))}
+    seen = Seen(first, SHELF, DocumentView("c", 0, groups=shown))
+    assert group_views(first, seen) is shown
+    more = group_views(grouped(Group("one", ("b", "a")), Group("two", ("c",))), seen)
+    assert more["one"] is shown["one"] and more["two"] == GroupView(("c",))

@@ -1,0 +1,66 @@
+import pytest
+
+from onika.desk.environment.runs.readiness import Case, Judge, judged
+from onika.desk.environment.state.open_application import Looked
+from onika.desk.environment.state.preflight_result import worth_noting
+from onika.testing.laboratory import job, target
+from onika.testing.rehearsal import Rehearsal
+from onika.wire import act, request
+
+
+@pytest.fixture
+def play(tmp_path):
+    return Rehearsal(tmp_path)
+
+
+def found(play, doc):
+    opened = play.environment.model.applications[doc]
+    return opened.looked_at(play.environment.model.runtime.address)
+
+
+def test_what_was_found_is_of_the_content_the_redirections_and_the_runtime_of_then(play):  # R-X02
+    doc = play.open([job("aC")])
+    assert found(play, doc) is None
+    play.do(act.Preflight(doc))
+    assert isinstance(found(play, doc), Looked)
+    opened = play.environment.model.applications[doc]
+    assert opened.looked_at("ws://elsewhere") is None
+
+
+def test_what_was_found_in_files_that_have_changed_is_forgotten(play, tmp_path):  # R-X02
+    doc = play.open([job("aC")])
+    play.runtime.faults = (request.FaultText(str(tmp_path / "module" / "a.rmod"), 0, "a device", "DEVICE arm", "x"),)
+    play.do(act.Preflight(doc))
+    model, judge = play.environment.model, Judge(play.site)
+    before = Case(model.applications[doc], model.syntax, ())
+    play.environment.become(lambda model: judged(model, doc, judge.judge(before)))
+    assert found(play, doc) is not None
+    (tmp_path / "module" / "a.rmod").write_text((tmp_path / "module" / "a.rmod").read_text() + "# mended\n")
+    (case,) = judge.stale(play.environment.model)
+    play.environment.become(lambda model: judged(model, doc, judge.judge(case)))
+    assert found(play, doc) is None
+
+
+def test_a_target_is_named_by_its_icon_and_marked_there(play, tmp_path):  # R-X02
+    doc = play.open([job("aC", "Joint job"), target("home", "Joint object", "0 0", "1.0"), job("bC")])
+    file = str(tmp_path / "appl" / "play.appl")
+    far = request.FaultText(file, 1, "a target within reach", "home: joint 3 at 9.00 rad is beyond 3.93", "x")
+    play.runtime.faults = (far,)
+    play.do(act.Preflight(doc))
+    fault = next(one for one in play.environment.tree.applications[doc].faults.values() if one.is_of_runtime)
+    assert (fault.step, fault.text) == (2, "“a target” cannot be reached: joint 3 at 9.00 rad is beyond 3.93")
+    assert fault.remedies[0].show == "values:2"
+
+
+def test_a_run_counts_the_targets_that_are_re_resolved_and_names_no_joint_values(play):  # R-E09
+    def resolved(name, task="scara", at=0):
+        return request.Resolved(0, at, name, task, "puma", (0.1, 0.2), (0.3,))
+
+    notes = ("play.appl:4: near is re-resolved for scara, 2 times, by the pose that it is for puma: 0.3", "other")
+    twice = request.Prepared((), notes, resolved=(resolved("near"), resolved("near", at=1), resolved("far")))
+    assert list(worth_noting(twice)) == [
+        "other",
+        "2 targets are re-resolved for scara, by the poses that they are for puma",
+    ]
+    once = request.Prepared((), (), resolved=(resolved("near"),))
+    assert list(worth_noting(once)) == ["1 target is re-resolved for scara, by the pose that it is for puma"]

@@ -1,0 +1,21 @@
+from onika.desk.environment.state.review_session import Looking
+from onika.testing.laboratory import job
+from onika.wire import act
+
+
+def test_one_is_looked_at_and_perhaps_another_beside_it(cinema):  # R-X05
+    cinema.look(cinema.film(cinema.open([job("aC")])))
+    subject = cinema.environment.model.looking.subject
+    alone, both = Looking(subject), Looking(subject, subject)
+    assert (alone.one(of_other=False), alone.one(of_other=True)) == (subject, None)
+    docs = cinema.environment.model.applications
+    assert (alone.view(docs).other, both.view(docs).other) == (None, subject.view)
+
+
+def test_an_application_that_was_closed_meanwhile_is_not_named(cinema):  # R-X05
+    cinema.look(cinema.film(cinema.open([job("aC")])))
+    doc = cinema.environment.tree.review.recording.doc
+    assert doc in cinema.environment.model.applications
+    cinema.do(act.Close(doc, discards=True))
+    assert cinema.environment.tree.review.recording.doc == ""
+    assert cinema.glance(0.5).run.name == "play"

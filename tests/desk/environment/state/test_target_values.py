@@ -1,0 +1,46 @@
+from onika.desk.environment.state.target_values import checked, shown, told
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+from onika.store.site import open_site
+from onika.wire.view import ItemView
+
+SYNTAX, _ = open_site([], {}, None).syntax()
+PLACE = ItemView("place", "double", 3, "m", low=(0.0, 0.0, -1.0), high=(1.0, 1.0, 1.0))
+TIMES = ItemView("times", "int", 1)
+WORD = ItemView("word", "string", 1)
+SIGN = ItemView("sign", "char", 1)
+
+
+def test_values_are_shown_as_words_and_read_back():  # R-D08
+    onikon = Onikon("there", "Joint object", "", ((0.0, -1.5, 1e-7, 2.0, 3.0, 0.1), (2.0,)), blank())
+    words = shown(onikon, SYNTAX)
+    assert words == (("0", "-1.5", "1e-07", "2", "3", "0.1"), ("2",))
+    items = [ItemView("endpoint", "double", 6), ItemView("duration", "double", 1)]
+    assert checked(items, words) == onikon.values
+    assert shown(Onikon("odd", "Weld job", "", ((1,),), blank()), SYNTAX) == (("1",),)
+
+
+def test_every_value_is_typed_and_within_its_bounds():  # R-D08
+    assert checked([PLACE, TIMES, WORD, SIGN], (("0", " 1 ", "-1"), ("3",), ("two words",), (" ",))) == (
+        (0.0, 1.0, -1.0),
+        (3,),
+        ("two words",),
+        (" ",),
+    )
+    wrong = checked([PLACE, TIMES, WORD], (("2", "-0.5", ""), ("1.5",), ("two\nlines",)))
+    assert wrong == {
+        "place[0]": "2 is above 1 m",
+        "place[1]": "-0.5 is below 0 m",
+        "place[2]": "a value is missing: expected -1 to 1 m",
+        "times": "expected a whole number (int), found '1.5'",
+        "word": "expected text that fits on a line, found 'two\\nlines'",
+    }
+    assert told({"a": "b", "c": "d"}) == "a: b; c: d"
+
+
+def test_there_are_as_many_values_as_the_type_has():  # R-D08
+    assert checked([TIMES], ()) == {"values": "expected times, found 0 values"}
+    assert checked([], (("1",),)) == {"values": "expected no values, found 1 values"}
+    assert checked([PLACE], (("1",),)) == {"place": "expected 3 values, found 1"}
+    assert checked([TIMES], (("",),)) == {"times": "a value is missing"}
+    assert checked([], ()) == ()

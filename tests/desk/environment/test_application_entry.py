@@ -1,0 +1,69 @@
+import pytest
+
+from onika.desk.environment.application_entry import Names, things
+from onika.desk.environment.diary_entry import entry
+from onika.testing.gallery import Gallery
+from onika.wire import act
+
+
+@pytest.fixture
+def gallery(tmp_path):
+    return Gallery(tmp_path)
+
+
+def said(gallery, asked):
+    """The line of an act, after it was carried out; names as they were known then."""
+    doc = getattr(asked, "doc", "")
+    names = Names()
+    names.look(gallery.environment.model, (doc,))
+    answer = gallery.answer(asked)
+    names.look(gallery.environment.model, (doc, str(answer.value)))
+    return entry(asked, answer, names.known).line(1.0).split("\t")[1:]
+
+
+def test_an_insertion_names_the_icon_and_what_it_was_put_behind(gallery):  # R-H01, §E.2
+    doc = gallery.begun()
+    assert said(gallery, act.InsertIcon(doc, "grip")) == ["insert_icon", "grip", "a1/1", "Start", "a1/0", "appl"]
+    assert said(gallery, act.InsertIcon(doc, "open", "0", 1)) == ["insert_icon", "open", "a1/2", "grip", "a1/1", "appl"]
+    refused = said(gallery, act.InsertIcon(doc, "there", "0", 1))
+    assert refused == ["try_insert_icon", "there", "there", "grip", "a1/1", "appl"]
+
+
+def test_what_is_done_to_icons_names_them(gallery):  # R-H01
+    doc = gallery.begun("grip", "open")
+    one, two = gallery.number(doc, "grip"), gallery.number(doc, "open")
+    ids = f"{doc}/{one},{doc}/{two}"
+    assert said(gallery, act.SetBreakpoint(doc, (one, two)))[:3] == ["set_marker", "grip,open", ids]
+    assert said(gallery, act.SetLoop(doc, two, one)) == ["set_whiletag", "open", "a1/2", "grip", "a1/1", "appl"]
+    assert said(gallery, act.MoveIcons(doc, (one,), "0", two)) == ["move_icon", "grip", "a1/1", "open", "a1/2", "appl"]
+    gallery.do(act.CopyIcons(doc, (one, two)))
+    assert said(gallery, act.PasteIcons(doc))[:3] == ["paste_icon", "open,grip", "a1/3,a1/4"]
+    assert said(gallery, act.EditIcon(doc, one, "x")) == ["edit_icon", "grip", "a1/1", "Untitled-1", "a1", "appl"]
+    assert said(gallery, act.RemoveIcons(doc, (one, two)))[:3] == ["delete_icon", "grip,open", ids]
+
+
+def test_documents_of_both_kinds_are_told_apart(gallery):  # R-H01
+    doc = gallery.begun("grip")
+    assert said(gallery, act.Undo(doc)) == ["undo", "Untitled-1", "a1", "none", "0", "appl"]
+    assert said(gallery, act.Save(doc, "mine"))[0] == "save_appl"
+    assert said(gallery, act.Close(doc)) == ["close_appl", "mine", "a1", "none", "0", "appl"]
+    assert said(gallery, act.Open("mine"))[:3] == ["try_open_conf", "mine", "0"]
+    assert said(gallery, act.NewApplication()) == ["new_appl", "Untitled-1", "a2", "none", "0", "appl"]
+
+
+def test_an_act_on_an_application_alone_is_about_that():
+    assert things(act.AddFlow("a1"), "1", {}) is None
+    assert things(act.Stop(), None, {}) is None
+
+
+def test_of_what_is_gone_the_name_is_still_known_and_a_flow_is_read_once(gallery):  # R-H01, G07
+    doc = gallery.begun("grip", "open")
+    names, model = Names(), gallery.environment.model
+    names.look(model, (doc,))
+    one = gallery.number(doc, "grip")
+    gallery.do(act.RemoveIcons(doc, (one,)))
+    names.look(gallery.environment.model, (doc,))
+    assert names.known[f"{doc}/{one}"] == "grip"
+    names.known[f"{doc}/{gallery.number(doc, 'open')}"] = "as it was read"
+    names.look(gallery.environment.model, (doc,))
+    assert "as it was read" in names.known.values()

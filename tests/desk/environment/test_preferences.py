@@ -1,0 +1,129 @@
+from dataclasses import asdict
+
+import pytest
+
+from onika.desk.environment.preferences import leave
+from onika.desk.environment.state import settings
+from onika.files import preferences as file
+from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
+from onika.model.task import Task
+from onika.testing.sitting import Sitting
+from onika.wire import act
+
+
+@pytest.fixture
+def sitting(tmp_path):
+    return Sitting(tmp_path, (Task("pd", "pd", invar=("Q",), outvar=("TAU",), frequency=100.0),))
+
+
+def preferred(sitting):
+    return sitting.environment.model.preferences
+
+
+def test_a_page_sees_every_preference_by_its_name(sitting):  # R-G01
+    assert sitting.environment.tree.preferences == asdict(Preferences()) | {
+        "shows_warnings": True,
+        "keeps_diary": True,
+        "shows_lower": True,
+    }
+
+
+def test_preferences_of_every_kind_are_changed(sitting):  # R-G01
+    values = {
+        "pin_length": 20,
+        "shows_period": True,
+        "canvas": {"x": -5, "width": 700},
+        "main": {"y": 9},
+        "status_columns": ["rmod", "tick"],
+        "keeps_diary": False,
+    }
+    sitting.do(act.Prefer(values))
+    now = preferred(sitting)
+    assert (now.pin_length, now.shows_period, now.main) == (20, True, Spot(0, 9))
+    assert now.canvas == Window(-5, 0, 640, 700)
+    assert now.status_columns == ("rmod", "tick")
+    assert sitting.environment.model.habits.keeps_diary is False
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("pin_length", 0),
+        ("pin_length", 10_001),
+        ("pin_length", 1.5),
+        ("pin_length", float("nan")),
+        ("pin_length", float("inf")),
+        ("pin_length", True),
+        ("pin_length", "12"),
+        ("shows_period", 1),
+        ("shows_warnings", "yes"),
+        ("canvas", {"x": 1, "depth": 2}),
+        ("canvas", {"width": 0}),
+        ("canvas", [1, 2, 3, 4]),
+        ("main", {"x": 10**10}),
+        ("status_columns", ["rmod", "rmod"]),
+        ("status_columns", ["colour"]),
+        ("status_columns", [3]),
+        ("status_columns", [["rmod"]]),
+        ("status_columns", "rmod"),
+        ("theme", "1994"),
+    ],
+)
+def test_what_cannot_be_is_named_by_its_field_and_nothing_is_changed(sitting, name, value):  # R-G01, R-B12
+    no = sitting.no(act.Prefer({"line_length": 30, name: value}))
+    assert set(no.fields) == {name}
+    assert no.fields[name].startswith("expected")
+    assert preferred(sitting) == Preferences()
+
+
+def test_icons_take_their_new_sizes_at_once_and_loci_stay(sitting):  # R-G01, R-C02
+    doc = sitting.new("pd")
+    loci = sitting.environment.tree.documents[doc].loci
+    sitting.do(act.Prefer({"min_size": 300}))
+    assert sitting.environment.tree.tasks["pd"].height == 300
+    assert sitting.environment.tree.documents[doc].loci == loci
+    assert sitting.environment.tree.documents[doc].undo == "placing pd"
+
+
+def test_the_users_file_is_written_at_once_where_there_is_one(sitting):  # R-B12
+    sitting.home.mkdir()
+    path = sitting.home / file.NAME
+    path.write_text("LINELEN 20\n# mine\nEOF\n")
+    sitting.do(act.Prefer({"pin_length": 20, "shows_warnings": False}))
+    kept, _ = file.read(path.read_text(), "p", "p")
+    assert (kept.line_length, kept.pin_length) == (20, 20)
+    assert "# mine" in path.read_text()
+    assert settings.read(sitting.surroundings.state, {})[0].shows_warnings is False
+
+
+def test_without_a_file_it_is_written_at_the_end(sitting):  # R-B12
+    sitting.do(act.Prefer({"pin_length": 20}))
+    assert not (sitting.home / file.NAME).exists()
+    assert leave(sitting.environment.model, sitting.surroundings) == ""
+    kept, _ = file.read((sitting.home / file.NAME).read_text(), "p", "p")
+    assert kept.pin_length == 20
+
+
+def test_a_file_with_faults_is_left_as_it_is_and_the_change_holds_for_the_session(sitting):  # R-B12, R-B07
+    sitting.home.mkdir()
+    path = sitting.home / file.NAME
+    path.write_text("PINLENGTH twelve\nEOF\n")
+    sitting.do(act.Prefer({"line_length": 30}))
+    assert path.read_text() == "PINLENGTH twelve\nEOF\n"
+    assert preferred(sitting).line_length == 30
+    (said,) = sitting.says
+    assert said.level == "warning"
+    assert "PINLENGTH" in said.text
+
+
+def test_where_nothing_can_be_written_it_is_said(sitting):  # R-B12
+    sitting.home.write_text("no directory")
+    sitting.surroundings.state.write_text("no directory")
+    sitting.do(act.Prefer({"keeps_diary": False}))
+    assert ["holds for this session" in said.text for said in sitting.says] == [True]
+    assert "cannot be saved" in leave(sitting.environment.model, sitting.surroundings)
+
+
+def test_every_column_may_be_shown(sitting):  # R-G01
+    sitting.do(act.Prefer({"status_columns": list(STATUS_COLUMNS)}))
+    assert preferred(sitting).status_columns == STATUS_COLUMNS

@@ -1,0 +1,45 @@
+from dataclasses import replace
+
+import pytest
+
+from onika.desk.environment.outcome.outcome import Done
+from onika.testing.gallery import Gallery
+from onika.wire import act
+
+
+@pytest.fixture
+def shared(tmp_path):
+    """An application that two browsers look at."""
+    found = Gallery(tmp_path)
+    found.environment.become(lambda model: Done(replace(model, people=2)))
+    return found
+
+
+def said(sitting):
+    return [one.text for one in sitting.says if "another page" in one.text]
+
+
+def test_taking_back_what_another_did_is_told_to_both(shared):  # R-X10
+    doc = shared.begun()
+    shared.do(act.InsertIcon(doc, "open", "0", 0), by="first")
+    shared.do(act.Undo(doc), by="second")
+    (taken_back,) = said(shared)
+    assert "was done on another page, and is taken back here; Redo does it again" in taken_back
+    shared.do(act.Redo(doc), by="second")
+    assert said(shared)[1].endswith("was done on another page, and is done again here")
+
+
+def test_taking_back_what_one_did_oneself_needs_no_word(shared):  # R-X10
+    doc = shared.begun()
+    shared.add(doc, "open")
+    shared.do(act.Undo(doc))
+    shared.do(act.Redo(doc))
+    assert not said(shared)
+
+
+def test_who_is_alone_has_nobody_to_tell(shared):
+    doc = shared.begun()
+    shared.add(doc, "open")
+    shared.environment.become(lambda model: Done(replace(model, people=1)))
+    shared.do(act.Undo(doc), by="the same, with the page loaded anew")
+    assert not said(shared)

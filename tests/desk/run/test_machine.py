@@ -1,0 +1,56 @@
+import subprocess
+from importlib import metadata
+
+import pytest
+
+from onika.desk.run import machine
+from onika.desk.run.machine import Offer, offers
+
+
+def test_every_offer_says_what_was_found_and_what_lacking_it_costs():  # law 31
+    found = list(offers())
+    names = [one.name for one in found]
+    assert names[:5] == ["system", "python", "processors", "SCHED_FIFO", "memory lock"]
+    assert {"numpy", "msgspec", "mujoco", "ruckig", "rich", "graphics"} <= set(names)
+    for one in found:
+        assert one.found
+        assert "\n" not in one.found
+        assert one.is_there or one.cost
+
+
+def test_a_library_that_is_missing_is_told_with_its_cost(monkeypatch):  # law 31
+    def missing(name):
+        raise metadata.PackageNotFoundError(name)
+
+    monkeypatch.setattr(machine.metadata, "version", missing)
+    assert machine._library("numpy", "nothing runs") == Offer("numpy", False, "not installed", "nothing runs")
+
+
+@pytest.mark.parametrize(("code", "there", "said"), [(0, True, "granted"), (1, False, "refused")])
+def test_real_time_is_what_the_operating_system_grants_a_child(monkeypatch, code, there, said):  # law 31
+    done = subprocess.CompletedProcess([], code, "", "")
+    monkeypatch.setattr(machine.subprocess, "run", lambda *_, **__: done)
+    offer = machine._fifo()
+    assert (offer.is_there, offer.found) == (there, said)
+    assert "rtprio" in offer.cost
+
+
+@pytest.mark.parametrize(
+    ("done", "there", "found"),
+    [
+        ((0, "egl\n", ""), True, "egl"),
+        ((3, "", "one\nInstall libegl1\n"), False, "Install libegl1"),
+        ((1, "", ""), False, "no answer"),
+    ],
+)
+def test_graphics_is_what_the_drawing_program_says(monkeypatch, done, there, found):  # law 31
+    monkeypatch.setattr(machine.subprocess, "run", lambda *_, **__: subprocess.CompletedProcess([], *done))
+    offer = machine._graphics()
+    assert (offer.is_there, offer.found) == (there, found)
+
+
+def test_one_processor_is_too_few(monkeypatch):  # law 31
+    monkeypatch.setattr(machine.os, "sched_getaffinity", lambda _pid: {0})
+    assert not machine._processors().is_there
+    monkeypatch.setattr(machine.os, "sched_getaffinity", lambda _pid: {0, 1})
+    assert machine._processors() == Offer("processors", True, "2", machine._processors().cost)

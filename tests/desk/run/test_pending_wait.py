@@ -1,0 +1,69 @@
+import pytest
+
+from onika.desk.plan.flow_index import Cast, Part
+from onika.desk.run.flow_tracker import Whereabouts
+from onika.desk.run.pending_wait import Vigil
+from onika.desk.run.steering import Wait
+from onika.desk.run.wait_condition import Moment
+from onika.wire import event
+from onika.words.fault import Place
+
+HERE = Place("s", 3)
+
+
+class Run:
+    """A run at a time."""
+
+    def __init__(self):
+        self.whereabouts = Whereabouts(Cast((Part("flow0", ("a", "b")),)))
+        self.now_s = 10.0
+        self.is_over = False
+        self.stuck = False
+
+    def is_stuck(self):
+        return self.stuck
+
+
+@pytest.fixture
+def run():
+    return Run()
+
+
+def test_seconds_are_over_when_they_have_passed(run):  # R-E07
+    vigil = Vigil(run, Wait(Moment("seconds", seconds=2.0)))
+    assert vigil.until_s == 12.0
+    assert not vigil.is_over
+    run.now_s, run.stuck = 11.999, True
+    assert not vigil.is_over
+    run.now_s = 12.0
+    assert vigil.is_over
+    assert vigil.faults(HERE) == ()
+
+
+def test_a_moment_is_over_when_it_has_come_and_stays_so(run):  # R-E07
+    vigil = Vigil(run, Wait(Moment("done", "flow0", 0)))
+    assert not vigil.is_over
+    run.whereabouts.hear(event.Done(0, 0, 10.5))
+    run.is_over = True
+    assert vigil.is_over
+    assert vigil.is_over
+    assert vigil.faults(HERE) == ()
+
+
+@pytest.mark.parametrize(
+    ("change", "found"),
+    [
+        ({"now_s": 15.0}, "it not so within 5 s"),
+        ({"is_over": True}, "the end of the run before"),
+        ({"stuck": True}, "that nothing goes on: flow0 is paused after action 1"),
+    ],
+)
+def test_a_moment_that_does_not_come_is_a_fault_at_its_line(run, change, found):  # R-E07, R-X03
+    run.whereabouts.hear(event.Moved("flow0", "paused", 0, 9.0))
+    vigil = Vigil(run, Wait(Moment("began", "flow0", 1), 5.0))
+    assert not vigil.is_over
+    for name, value in change.items():
+        setattr(run, name, value)
+    assert vigil.is_over
+    (fault,) = vigil.faults(HERE)
+    assert (fault.place, fault.expected, fault.found) == (HERE, "action 2 of flow0 has begun", found)

@@ -1,0 +1,381 @@
+import signal
+from typing import ClassVar, NamedTuple
+
+import pytest
+
+from onika.desk.run import run as room
+from onika.desk.run.run import run, start
+from onika.desk.run.settings import RunSettings
+from onika.link.lost import closed
+from onika.store.site import open_site
+from onika.wire import event, request, steer
+from onika.words.condition import Condition
+from onika.words.fault import Fault, Place
+
+SITE = open_site([], {}, None)
+GOOD = event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
+ASKED = event.Asked("flow0", "gauge", "", (), 0.5)
+
+
+class After(NamedTuple):
+    """Something that happens once this was asked."""
+
+    asked: request.Request
+    one: event.Event
+
+
+class FakeRuntime:
+    """Says what it is told to; keeps what it was asked."""
+
+    script = ()
+    faults = ()
+    refuses = ""
+    begins = request.Done()
+    snapshots = request.Worlds({"boxes": b"drawn"})
+    positions = ()
+    refusals: ClassVar = {}
+    made = None
+
+    def __init__(self, rtpus, is_virtual, with_fifo, options=()):
+        self.given = (rtpus, is_virtual, with_fifo)
+        self.options = options
+        self.asked = []
+        self.pid = 4711
+        self.left = list(self.script)
+        type(self).made = self
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.asked.append("closed")
+
+    def ask(self, asked):
+        self.asked.append(asked)
+        match asked:
+            case request.Prepare():
+                return request.Refused(self.refuses) if self.refuses else request.Prepared(self.faults, ("a note",))
+            case request.Begin():
+                return self.begins
+            case request.Snapshot():
+                return self.snapshots
+            case steer.Who():
+                return steer.Positions(self.positions)
+        reason = self.refusals.get(type(asked).__name__)
+        return request.Done() if reason is None else request.Refused(reason)
+
+    def events(self, _timeout_s):
+        if isinstance(self.left[0], After) and self.left[0].asked not in self.asked:
+            return
+        one = self.left.pop(0)
+        one = one.one if isinstance(one, After) else one
+        if isinstance(one, Exception):
+            raise one
+        if callable(one):
+            one()
+        else:
+            yield one
+
+    def printed(self):
+        return "it printed this"
+
+
+class Watcher:
+    def __init__(self):
+        self.seen = []
+
+    def begins(self, prepared, runtime_pid):
+        self.seen.append((prepared.name, runtime_pid))
+
+    def happens(self, one):
+        self.seen.append(one)
+
+    def answer(self, asked):
+        return f"an answer for {asked.task}"
+
+    can_steer = False
+    looks_now = False
+    wanted = ()
+
+    def wishes(self):
+        taken, self.wanted = self.wanted, ()
+        return taken
+
+    def looks(self):
+        return self.looks_now
+
+    def placed(self, positions):
+        self.seen.append(positions)
+
+    def steered(self, line, faults, positions):
+        self.seen.append((line, [one.found for one in faults], positions))
+
+
+@pytest.fixture
+def runtime(monkeypatch):
+    """The class to set up; each run makes a new one."""
+
+    class Fresh(FakeRuntime):
+        pass
+
+    monkeypatch.setattr(room, "Runtime", Fresh)
+    return Fresh
+
+
+def go(watcher=None, **settings):
+    watcher = watcher or Watcher()
+    return run(RunSettings("go_home", **settings), SITE, watcher), watcher
+
+
+def test_a_run_is_prepared_begun_and_followed_to_its_end(runtime):  # R-E03, R-E14
+    runtime.script = (event.Done(0, 0, 1.0), GOOD)
+    outcome, watcher = go(is_virtual=True, with_fifo=False, settle_s=0.25, seed=3, answers=(("gauge", "level", "1"),))
+    assert (outcome.state, outcome.exit_code, outcome.result, outcome.notes) == ("completed", 0, GOOD, ["a note"])
+    assert watcher.seen == [("go_home", 4711), event.Done(0, 0, 1.0), GOOD]
+    prepare, begin, closing = runtime.made.asked
+    assert isinstance(prepare, request.Prepare)
+    assert begin == request.Begin((), 0.25, 3, (("gauge", "level", "1"),), False)
+    assert closing == "closed"
+    assert runtime.made.given == (("rt0",), True, False)
+
+
+def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X07
+    runtime.script = (GOOD,)
+    expectations = tuple(Condition.parse(text) for text in ("LAMP == 1", "LAMP > 5", "Q_MEZ[9] == 1"))
+    outcome, _ = go(expectations=expectations)
+    assert runtime.made.asked[1].watch == ("LAMP", "Q_MEZ")
+    assert [(value, holds) for _, value, holds in outcome.expectations] == [(1, True), (1, False), (None, False)]
+    assert (outcome.state, outcome.exit_code) == ("completed", 1)
+
+
+def test_an_expectation_of_a_variable_that_nobody_knows_refuses_the_run(runtime):  # R-E01
+    outcome, watcher = go(expectations=(Condition.parse("NOBODY == 1"), Condition.parse("flow7/LAMP == 1")))
+    assert [one.found for one in outcome.faults] == ["NOBODY", "flow7/LAMP"]
+    assert (outcome.exit_code, watcher.seen) == (2, [])
+
+
+def test_faults_of_the_runtime_refuse_the_run_and_nothing_begins(runtime):  # R-E01
+    runtime.faults = (request.FaultText("a.rmod", 3, "one", "two", "left out"),)
+    outcome, watcher = go()
+    assert outcome.faults == [Fault(Place("a.rmod", 3), "one", "two", "left out")]
+    assert (outcome.state, outcome.exit_code, watcher.seen) == ("refused", 2, [])
+    assert len(runtime.made.asked) == 2
+
+
+PAUSED = event.Moved("flow0", "paused", 0, 0.5)
+STOOD = event.Stood(0.5)
+
+
+def test_a_script_steers_the_run(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("wait began 1\npause\nwait paused\ncontinue\n")
+    runtime.script = (
+        event.Began(0, 0, 1, "jmoveC home", 0.1),
+        After(steer.Pause("flow0"), PAUSED),
+        After(steer.Resume("flow0"), GOOD),
+    )
+    outcome, watcher = go(script=path, on_error="wait")
+    assert outcome.exit_code == 0
+    assert [one for one in runtime.made.asked if isinstance(one, steer.Pause | steer.Resume)] == [
+        steer.Pause("flow0"),
+        steer.Resume("flow0"),
+    ]
+    lines = [one[0] for one in watcher.seen if isinstance(one, tuple) and len(one) == 3]
+    assert lines == ["wait began 1", "pause", "wait paused", "continue"]
+    begin = runtime.made.asked[1]
+    assert (begin.on_error, begin.is_held) == ("wait", False)
+
+
+def test_in_virtual_time_the_clock_waits_for_the_script(runtime, tmp_path):  # R-E07, law 15
+    path = tmp_path / "s"
+    path.write_text("wait 0.5\npause\n")
+    runtime.script = (
+        event.Stood(0.0),
+        After(steer.Onward(0.5), STOOD),
+        After(steer.Pause("flow0"), STOOD),
+        After(steer.Onward(None), GOOD),
+    )
+    go(script=path, is_virtual=True)
+    asked = runtime.made.asked[1:-1]
+    assert asked[0].is_held
+    assert asked[1:] == [
+        steer.Onward(0.0), steer.Onward(0.5), steer.Pause("flow0"), steer.Onward(0.5), steer.Onward(None),
+    ]  # fmt: skip
+
+
+def test_all_faults_of_a_script_refuse_the_run(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("dance\npause\nskip 9\n")
+    outcome, watcher = go(script=path)
+    assert [str(one.place) for one in outcome.faults] == [f"{path}:1", f"{path}:3"]
+    assert (outcome.exit_code, watcher.seen) == (2, [])
+
+
+def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("pass\nnext\n")
+    runtime.refusals = {"Pass": "expected flow 0 to be waiting, found it running"}
+    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    outcome, watcher = go(script=path)
+    assert [one.found for one in outcome.failed] == ["it running"]
+    assert request.Abort(f"the script fails at {path}:1") in runtime.made.asked
+    assert not any(isinstance(one, steer.Skip) for one in runtime.made.asked)
+    assert ("pass", ["it running"], ()) in watcher.seen
+
+
+def test_lines_that_are_left_at_a_good_end_are_a_failure(runtime, tmp_path):  # R-E07
+    path = tmp_path / "s"
+    path.write_text("wait began 1 within 5\npause\n")
+    runtime.script = (GOOD,)
+    outcome, _ = go(script=path)
+    assert outcome.failed[0].found == "the end of the run before"
+    assert (outcome.state, outcome.exit_code) == ("completed", 1)
+
+
+def test_what_keys_want_is_done_at_once_and_told(runtime):  # R-E07
+    watcher = Watcher()
+    watcher.can_steer, watcher.looks_now, watcher.wanted = True, True, ("pause", "who", "dance")
+    runtime.positions = (steer.Position("flow0", "running", 0),)
+    runtime.script = (event.Done(0, 0, 0.1), GOOD)
+    go(watcher)
+    assert steer.Pause("flow0") in runtime.made.asked
+    assert ("pause", [], ()) in watcher.seen
+    assert ("who", [], runtime.positions) in watcher.seen
+    assert runtime.positions in watcher.seen
+    assert ("dance", ["'dance'"], ()) in watcher.seen
+
+
+@pytest.mark.parametrize(("can_steer", "aborts"), [(False, 1), (True, 0)])
+def test_where_nobody_could_go_on_a_run_that_stands_still_is_aborted(runtime, can_steer, aborts):  # R-X03
+    watcher = Watcher()
+    watcher.can_steer = can_steer
+    runtime.positions = (steer.Position("flow0", "paused", 0),)
+    runtime.script = (PAUSED, event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    go(watcher)
+    cause = request.Abort("nobody is there to go on: flow0 is paused after action 1")
+    assert runtime.made.asked.count(cause) == aborts
+
+
+def test_a_run_is_begun_and_steered_from_a_program(runtime):  # R-E07
+    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), PAUSED, After(steer.Resume("flow0"), GOOD))
+    with start(RunSettings("go_home"), SITE) as running:
+        assert running.steer("pause") == ()
+        assert running.wait("paused") == ()
+        assert running.steer("continue") == ()
+        seen = list(running.events())
+        assert seen == [event.Began(0, 0, 1, "jmoveC home", 0.1), PAUSED, GOOD]
+        assert running.result() is GOOD
+    assert running.outcome.exit_code == 0
+    assert not any(isinstance(one, request.Abort) for one in runtime.made.asked)
+
+
+def test_a_run_that_its_program_leaves_is_aborted(runtime):  # R-E10
+    runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
+    with pytest.raises(RuntimeError), start(RunSettings("go_home"), SITE):
+        raise RuntimeError("something else")
+    assert request.Abort("the program that began it has left it") in runtime.made.asked
+
+
+def test_a_program_is_told_every_fault_of_an_application_that_it_cannot_begin(runtime):  # R-E01
+    runtime.faults = (request.FaultText("a.rmod", 3, "one", "two", "left out"),)
+    with pytest.raises(ValueError, match=r"a\.rmod:3: expected one, found two"), start(RunSettings("go_home"), SITE):
+        pass
+
+
+def test_an_application_that_cannot_be_read_starts_no_runtime(runtime):  # R-E01
+    outcome = run(RunSettings("nothing_like_it"), SITE, Watcher())
+    assert (outcome.exit_code, runtime.made) == (2, None)
+
+
+def test_a_question_is_answered_by_the_watcher(runtime):  # law 25
+    runtime.script = (ASKED, GOOD)
+    outcome, _ = go(may_ask=True)
+    assert request.Reply("flow0", "gauge", "an answer for gauge") in runtime.made.asked
+    assert outcome.exit_code == 0
+
+
+def test_where_nobody_answers_the_run_is_aborted(runtime, monkeypatch):  # law 25
+    runtime.script = (ASKED, GOOD)
+    monkeypatch.setattr(Watcher, "answer", lambda *_: None)
+    go(may_ask=True)
+    assert runtime.made.asked[2] == request.Abort("task gauge asks for input and nobody answers")
+
+
+def control_c():
+    signal.raise_signal(signal.SIGINT)
+
+
+def test_control_c_stops_the_run_and_its_end_is_still_heard(runtime):  # R-E07
+    aborted = event.Result(False, "stopped", 0, 1, 0.5, 0.5, {}, (), "")
+    runtime.script = (event.Done(0, 0, 0.1), control_c, event.Done(0, 0, 0.2), aborted)
+    outcome, watcher = go()
+    assert runtime.made.asked[2] == request.Stop("stopped by the user (Ctrl-C)")
+    assert len(watcher.seen) == 4
+    assert (outcome.state, outcome.exit_code, outcome.printed) == ("aborted", 1, "it printed this")
+
+
+def test_a_second_control_c_ends_everything(runtime):  # R-E07
+    runtime.script = (control_c, control_c)
+    with pytest.raises(KeyboardInterrupt):
+        go()
+    assert runtime.made.asked[-1] == "closed"
+
+
+def test_a_lost_runtime_is_an_aborted_run_that_tells_what_was_done(runtime):  # R-E10
+    runtime.script = (event.Done(0, 0, 1.0), closed("the other side is gone"))
+    outcome, _ = go()
+    assert (outcome.state, outcome.exit_code) == ("aborted", 1)
+    assert (outcome.result.done, outcome.result.of) == (1, 1)
+    assert "the other side is gone" in outcome.result.cause
+
+
+@pytest.mark.parametrize("fault", [closed("never came up"), TimeoutError("no greeting")])
+def test_a_runtime_that_does_not_come_up_is_an_aborted_run(runtime, monkeypatch, fault):  # R-E10
+    def refuse(_self):
+        raise fault
+
+    monkeypatch.setattr(runtime, "__enter__", refuse)
+    outcome, watcher = go()
+    assert (outcome.exit_code, watcher.seen) == (1, [])
+    assert str(fault) in outcome.result.cause
+
+
+def test_a_run_that_the_runtime_will_not_begin_is_aborted(runtime):
+    runtime.begins = request.Refused("an application runs already")
+    outcome, _ = go()
+    assert (outcome.result.cause, outcome.exit_code) == ("an application runs already", 1)
+
+
+def test_a_picture_is_asked_for_only_where_it_is_wanted(runtime):
+    runtime.script = (GOOD,)
+    assert go()[0].snapshots == {}
+    assert request.Snapshot() not in runtime.made.asked
+    runtime.script = (GOOD,)
+    assert go(wants_picture=True)[0].snapshots == {"boxes": b"drawn"}
+
+
+def test_scaled_time_and_other_subsystems_are_the_runtimes_business(runtime):  # R-A06, R-X08
+    runtime.script = (GOOD,)
+    outcome, _ = go(is_virtual=True, scale=10.0, subsystems=("left",))
+    assert outcome.exit_code == 0
+    assert runtime.made.options == ("--scale", "10")
+    assert runtime.made.asked[0].plan.flows[0].subsystem == "left"
+
+
+def test_too_many_names_of_subsystems_are_refused_before_anything_runs(runtime):
+    outcome, _ = go(subsystems=("left", "right"))
+    assert outcome.exit_code == 2
+    assert "1 different names" in outcome.faults[0].expected
+
+
+def test_the_seed_of_shaken_worlds_is_the_runtimes_business(runtime):  # R-X07
+    runtime.script = (GOOD,)
+    go(is_virtual=True, shake=7)
+    assert runtime.made.options == ("--shake", "7")
+
+
+def test_a_runtime_that_will_not_take_the_plan_refuses_the_run(runtime):  # law 23
+    runtime.refuses = "code from another machine is not accepted"
+    outcome, _ = go()
+    assert outcome.exit_code == 2
+    assert outcome.faults[0].found == "code from another machine is not accepted"

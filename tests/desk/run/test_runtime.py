@@ -1,0 +1,136 @@
+import os
+import signal
+import sys
+from itertools import islice
+
+import pytest
+
+from onika.desk.run import runtime as room
+from onika.desk.run.runtime import Reply, Runtime
+from onika.link.launcher import launch
+from onika.link.lost import LinkLost
+from onika.testing.rail import rail
+from onika.testing.workshop import Workshop, action
+from onika.wire import event, live, request
+
+pytestmark = pytest.mark.site
+
+BELL = """
+import sys
+from onika.module import Module, finish
+
+class Bell(Module):
+    trigger = True
+
+    def cycle(self):
+        print("ding", self.now)
+        return finish()
+"""
+
+
+@pytest.fixture
+def puppet(monkeypatch):
+    """A runtime that is a few lines of Python."""
+
+    def use(code):
+        monkeypatch.setattr(room, "launch", lambda words: launch(words, (sys.executable, "-c", code)))
+
+    return use
+
+
+def bell():
+    shop = Workshop()
+    shop.task("bell", BELL)
+    return shop.plan([action("bell")])
+
+
+def events_of(runtime):
+    while True:
+        for one in runtime.events(1.0):
+            yield one
+            if isinstance(one, event.Result):
+                return
+
+
+def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, house decision 1
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        assert runtime.ask(request.Prepare(bell(), ())) == request.Prepared(())
+        assert runtime.ask(request.Begin()) == request.Done()
+        *_, result = events_of(runtime)
+        assert result.completed
+        pid = runtime.pid
+    assert "ding" in runtime.printed()
+    with pytest.raises(ProcessLookupError):
+        os.kill(pid, 0)
+
+
+def test_whoever_stops_listening_hears_the_rest_next_time():  # R-F01
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        runtime.ask(request.Prepare(bell(), ()))
+        runtime.ask(request.Begin())
+        heard = []
+        while not (heard and isinstance(heard[-1], event.Result)):
+            heard += islice(runtime.events(1.0), 1)
+    kinds = [type(one) for one in heard]
+    assert kinds.count(event.Began) == kinds.count(event.Done) == kinds.count(event.Result) == 1
+
+
+def test_names_and_kind_of_time_are_passed_on(puppet):
+    puppet("import sys; print(sys.argv[1:], flush=True)")
+    runtime = Runtime(("rt0", "rt1"), is_virtual=True, with_fifo=False)
+    with pytest.raises(LinkLost, match=r"'--rtpu', 'rt0', '--rtpu', 'rt1', '--virtual', '--no-fifo'"), runtime:
+        pass
+
+
+@pytest.mark.parametrize(
+    ("code", "said"),
+    [
+        ("raise SystemExit('nothing works here')", r"ended with code 1; it printed last: nothing works here"),
+        ("import os; os.kill(os.getpid(), 9)", r"was killed by signal 9"),
+    ],
+)
+def test_a_runtime_that_ends_tells_how_and_what_it_printed_last(puppet, code, said):  # R-E10
+    puppet(code)
+    with pytest.raises(LinkLost, match=said), Runtime(("rt0",), is_virtual=True):
+        pass
+
+
+def test_a_runtime_lost_in_the_middle_is_told(puppet):  # R-E10
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        os.kill(runtime.pid, signal.SIGKILL)
+        with pytest.raises(LinkLost, match=r"the runtime is gone.*killed by signal 9"):
+            for _ in events_of(runtime):
+                pass
+        with pytest.raises(LinkLost, match="the runtime is gone"):
+            runtime.ask(request.Snapshot())
+
+
+def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
+    plan = rail().plan([action("mass", "servo", arguments="99")])
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        faults = runtime.ask(request.Prepare(plan, ())).faults
+    assert any("expected -9..9 m, found 99" in fault.found for fault in faults)
+    assert any(fault.found == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
+
+
+def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():  # house decision 3
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        asked = [runtime.send(one) for one in (live.Survey(), live.Take("main"), live.Scene("moon"))]
+        told = []
+        while sum(isinstance(one, Reply) for one in told) < len(asked):
+            assert runtime.readers() and runtime.due_s() is not None and runtime.writers() == []
+            told += runtime.told(1.0)
+        replies = {one.number: one.response for one in told if isinstance(one, Reply)}
+    assert isinstance(replies[asked[0]], live.Standing)
+    assert replies[asked[1]] == request.Done()
+    assert replies[asked[2]] == request.Refused("no world moon is open")
+
+
+def test_what_is_sent_to_nobody_is_refused_and_the_end_is_told(puppet):  # R-E10
+    with Runtime(("rt0",), is_virtual=True) as runtime:
+        os.kill(runtime.pid, signal.SIGKILL)
+        number, told = runtime.send(live.Take("main")), []
+        with pytest.raises(LinkLost, match="killed by signal 9"):
+            while True:
+                told += runtime.told(1.0)
+    assert [one.number for one in told] in ([], [number])

@@ -1,0 +1,133 @@
+import pytest
+
+from onika.desk.plan.flow_index import Cast, Part
+from onika.desk.run.steering import VERBS, Expect, Look, Order, Wait, act
+from onika.desk.run.wait_condition import Moment
+from onika.wire import live, request, steer
+
+ONE = Cast((Part("flow0", ("lift", "turn home"), frozenset({"LAMP"})),))
+TWO = Cast((*ONE.parts, Part("flow1", ("wait", "lift"), frozenset({"X"}))))
+
+
+@pytest.mark.parametrize(
+    ("line", "asked"),
+    [
+        ("pause", steer.Pause("flow0")),
+        ("continue", steer.Resume("flow0")),
+        ("step 0", steer.Step("flow0")),
+        ("next", steer.Skip("flow0")),
+        ("skip 2", steer.Skip("flow0", 1)),
+        ("skip turn home", steer.Skip("flow0", 1)),
+        ("skip flow0 turn home", steer.Skip("flow0", 1)),
+        ("pass", steer.Pass("flow0")),
+        ("leave", steer.Leave("flow0")),
+        ("break 2", steer.Mark("flow0", 1)),
+        ("break 2 if LAMP == 1", steer.Mark("flow0", 1, True, "LAMP == 1")),
+        ("break turn home IF flow0/LAMP == 1", steer.Mark("flow0", 1, True, "flow0/LAMP == 1")),
+        ("unbreak 1", steer.Mark("flow0", 0, False)),
+        ("clear", steer.Recover("flow0")),
+        ("abort", request.Abort("aborted by the user")),
+        ("abort too slow", request.Abort("too slow")),
+        ("touch boxes panic_left 1", live.Touch("boxes", "panic_left", 1.0)),
+    ],
+)
+def test_a_line_becomes_a_request_for_the_only_flow(line, asked):  # R-E07, R-E08, R-E13
+    found = act(line, ONE)
+    assert isinstance(found, Order)
+    assert found.asked == asked
+
+
+@pytest.mark.parametrize(
+    ("line", "asked"),
+    [
+        ("pause", steer.Pause("")),
+        ("continue", steer.Resume("")),
+        ("clear", steer.Recover("")),
+        ("pause flow1", steer.Pause("flow1")),
+        ("skip 1 2", steer.Skip("flow1", 1)),
+        ("skip flow1 lift", steer.Skip("flow1", 1)),
+        ("break 1 lift if X > 2", steer.Mark("flow1", 1, True, "X > 2")),
+    ],
+)
+def test_where_there_are_several_some_words_mean_all_and_others_one(line, asked):  # R-E07
+    assert act(line, TWO).asked == asked
+
+
+@pytest.mark.parametrize("line", ["next", "skip 2", "pass", "leave", "break 1", "unbreak 1", "wait began 2"])
+def test_where_there_are_several_the_others_want_to_know_which(line):  # R-E07
+    with pytest.raises(ValueError, match=r"expected which flow \(flow0, flow1\), found none"):
+        act(line, TWO)
+
+
+@pytest.mark.parametrize(
+    ("line", "moment", "within_s"),
+    [
+        ("wait 2.5", Moment("seconds", seconds=2.5), 60.0),
+        ("wait began 2", Moment("began", "flow0", 1), 60.0),
+        ("wait done turn home within 5", Moment("done", "flow0", 1), 5.0),
+        ("wait done", Moment("done", "flow0"), 60.0),
+        ("wait done flow0", Moment("done", "flow0"), 60.0),
+        ("wait paused within 0.5", Moment("paused", "flow0"), 0.5),
+        ("wait stopped", Moment("stopped", "flow0"), 60.0),
+    ],
+)
+def test_a_script_waits_for_times_actions_and_states(line, moment, within_s):  # R-E07
+    assert act(line, ONE) == Wait(moment, within_s)
+
+
+@pytest.mark.parametrize(
+    ("line", "moment"),
+    [
+        ("wait done 1", Moment("done", "flow1")),
+        ("wait done 1 2", Moment("done", "flow1", 1)),
+        ("wait waiting", Moment("waiting", "")),
+        ("wait began flow1 lift", Moment("began", "flow1", 1)),
+    ],
+)
+def test_where_there_are_several_a_lone_number_is_a_flow(line, moment):  # R-E07
+    assert act(line, TWO) == Wait(moment)
+
+
+def test_an_expectation_knows_where_its_variable_is():  # R-X07
+    found = act("expect X < 3", TWO)
+    assert isinstance(found, Expect)
+    assert (found.subsystem, found.name, found.condition.text) == ("flow1", "X", "X < 3")
+
+
+def test_who_asks_where_the_flows_are():  # R-X03
+    assert act("who", TWO) == Look()
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("", "expected one of pause, .* found ''"),
+        ("dance", "expected one of pause, .* found 'dance'"),
+        ("pause here", r"expected a flow \(flow0\) or its number, found 'here'"),
+        ("pause 0 1", r"expected `pause \[FLOW\]`, found `pause 0 1`"),
+        ("skip", r"expected `skip \[FLOW\] N`"),
+        ("skip 3", "from 1 to 2, found 3"),
+        ("break 1 if", "an address, a comparison and a number"),
+        ("break 1 if NOBODY == 1", "found NOBODY"),
+        ("touch boxes panic_left hard", "expected a number as the value, found 'hard'"),
+        ("touch boxes", "expected `touch WORLD PART VALUE`"),
+        ("who there", "expected `who`"),
+        ("wait", "expected `wait SECONDS"),
+        ("wait long", "expected `wait SECONDS"),
+        ("wait -1", "seconds from 0"),
+        ("wait nan", "seconds from 0"),
+        ("wait 1 2", "expected `wait SECONDS"),
+        ("wait began", "expected `wait SECONDS"),
+        ("wait paused within soon", "expected `wait SECONDS"),
+        ("expect LAMP", "an address, a comparison and a number"),
+    ],
+)
+def test_what_is_not_written_as_it_should_be_is_named(line, said):  # R-E07
+    with pytest.raises(ValueError, match=said):
+        act(line, ONE)
+
+
+def test_every_word_says_how_it_is_written_and_what_it_does():
+    for name, verb in VERBS.items():
+        assert verb.usage.split()[0] == name
+        assert verb.text

@@ -1,0 +1,68 @@
+from collections.abc import Callable
+
+import pytest
+
+from onika.files.al.logical_line import sentences
+from onika.files.al.token import KEYWORDS
+from onika.files.al.token_stream import Phrase, halves
+from onika.files.line import Reading
+
+
+def phrase(text: str, at: int = 0) -> Phrase:
+    (sentence,), _ = sentences(text, Reading("f", "nothing"))
+    return Phrase(sentence, at)
+
+
+def test_words_are_read_from_left_to_right() -> None:
+    one = phrase("DRIVE jmoveC #2 TO")
+    assert one.takes("MOVE", "DRIVE") == "DRIVE"
+    assert one.takes("DRIVE") == ""
+    assert one.name("a name", KEYWORDS) == "jmoveC"
+    assert (one.variant(), one.variant(), one.variant(default=0)) == (2, 1, 0)
+    assert not one.is_over
+    assert one.rest() == "'TO'"
+    assert one.takes("TO")
+    assert one.is_over
+    one.end()
+
+
+def test_a_name_that_is_a_word_of_the_language_stands_in_quotes() -> None:
+    assert phrase('"TO"').name("a name", KEYWORDS) == "TO"
+    with pytest.raises(ValueError, match="expected a name, found 'TO'"):
+        phrase("TO").name("a name", KEYWORDS)
+
+
+@pytest.mark.parametrize(
+    ("text", "end", "found"),
+    [
+        ("LAMP  ==  1", "", "LAMP == 1"),
+        ("flow0/Q_MEZ[2,3]>=-1.5e3", "", "flow0/Q_MEZ[2,3]>=-1.5e3"),
+        ("THEN != 1 THEN", "THEN", "THEN != 1"),
+        ('"LAMP  == 1" THEN', "THEN", "LAMP  == 1"),
+    ],
+)
+def test_a_condition_is_the_rest_of_a_sentence(text: str, end: str, found: str) -> None:
+    assert phrase(text).condition(end) == found  # R-D13
+
+
+READS: list[tuple[str, Callable[[Phrase], object], str]] = [
+    ("DO", lambda one: one.end(), "expected the end of the line, found 'DO'"),
+    ("DO", lambda one: phrase("DO", 1).tag(), "expected a tag of one word, found the end of the line"),
+    ('"a b"', lambda one: one.tag(), "expected a tag of one word, found 'a b'"),
+    ("2x", lambda one: one.name("a name", KEYWORDS), "expected a name, found '2x'"),
+    ("LAMP", lambda one: one.condition(), "expected an address, a comparison"),
+    ("LAMP == 1", lambda one: one.condition("THEN"), "expected THEN behind the condition, found 'LAMP == 1'"),
+]
+
+
+@pytest.mark.parametrize(("text", "read", "told"), READS)
+def test_what_does_not_fit_is_told_as_expected_and_found(
+    text: str, read: Callable[[Phrase], object], told: str
+) -> None:
+    with pytest.raises(ValueError, match=told.replace("(", r"\(")):
+        read(phrase(text))
+
+
+def test_a_sentence_of_an_error_has_two_halves() -> None:
+    assert halves(ValueError("expected a, found b, found c")) == ("a, found b", "c")
+    assert halves(ValueError("odd")) == ("odd", "something else")

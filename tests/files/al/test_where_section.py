@@ -1,0 +1,101 @@
+from dataclasses import replace
+
+import pytest
+from tests.files.models import TYPES
+
+from onika.files.al.where_section import Glossary, read
+from onika.files.line import Reading
+from onika.model.onikon import Onikon
+from onika.model.picture import blank
+
+HOME = Onikon("home", "Joint object", "up", ((1.0, 2.0), ("x",)), blank())
+OTHER = replace(HOME, values=((3.0, 4.0), ("y",)))
+DOWN = replace(HOME, description="down")
+KEPT = "ROUTINE     push\nMARKER      no\nONIKON      Force object\n"
+
+
+def again(text: str, known: dict[str, Onikon] | None = None) -> tuple[Glossary, list[str]]:
+    """The glossary of a section alone, and its faults."""
+    reading = Reading("f", "nothing")
+    found = read("WHERE\n" + text, len("WHERE\n"), TYPES, (known or {}).get, reading)
+    return found, [f"{one.place.line}: {one.expected} / {one.found}" for one in reading.faults]
+
+
+def test_an_icon_the_dictionary_holds_alike_is_named_only() -> None:
+    glossary = Glossary({"home": OTHER}.get)  # R-D14
+    assert glossary.refer(HOME) == "home"
+    assert glossary.write() == ""
+    assert glossary.find("home", 1) == OTHER
+
+
+def test_icons_of_one_name_that_differ_are_numbered() -> None:
+    glossary = Glossary({"home": HOME}.get)
+    assert glossary.refer(DOWN) == "home #2"
+    assert glossary.refer(HOME) == "home"
+    assert glossary.refer(replace(DOWN, values=OTHER.values)) == "home #2"
+    assert glossary.write().startswith("WHERE\n\nICON        home #2\nONIKON      Joint object\nDESC        down\n")
+    alone = Glossary(lambda _: None)
+    assert [alone.refer(one) for one in (HOME, DOWN, OTHER)] == ["home", "home #2", "home"]
+
+
+def test_a_name_that_is_a_word_of_the_language_is_quoted_in_the_program_only() -> None:
+    glossary = Glossary(lambda _: None)
+    assert glossary.refer(replace(HOME, name="END")) == '"END"'
+    assert "ICON        END\n" in glossary.write()
+
+
+def test_what_is_written_is_read_again() -> None:
+    glossary = Glossary(lambda _: None)
+    timed = Onikon("go", "Joint job", "{ }", (), blank(), ("Any object",))
+    for one in (HOME, DOWN, timed):
+        glossary.refer(one)
+    assert [glossary.refer_hole(one) for one in (KEPT, KEPT + "UI 1\n", KEPT, "")] == [" #1", " #2", " #1", ""]
+    found, faults = again(glossary.write().removeprefix("WHERE\n"))
+    assert faults == []
+    assert found.icons == {("home", 1): HOME, ("home", 2): DOWN, ("go", 1): timed}
+    assert found.holes[1] == KEPT
+    assert found.find("home", 2) == DOWN
+    assert found.find("home", 3) is None
+
+
+def test_without_the_line_where_there_is_nothing_in_it() -> None:
+    assert read("END", -1, TYPES, {"home": HOME}.get, Reading("f", "")).find("home", 1) == HOME
+
+
+ICON = Glossary(lambda _: None)
+ICON.refer(HOME)
+LINES = ICON.write().removeprefix("WHERE\n").removesuffix("END WHERE\n")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("", "1: END WHERE / the end of the text"),
+        ("x\nEND WHERE\n", "2: ICON or HOLE / 'x'"),
+        ("END WHERE\nx\n", "3: nothing after END WHERE / 'x'"),
+        (LINES, "39: END WHERE / the end of the text"),
+        (LINES + LINES + "END WHERE\n", "42: every icon once / 'ICON home' again"),
+        ("HOLE #1\nEND WHERE\n", "2: ROUTINE and the lines of a target behind it / none"),
+        (
+            "HOLE #1\nROUTINE x\nENDFLOW\nEND WHERE\n",
+            "2: ROUTINE and the lines of a target behind it / ROUTINE ENDFLOW",
+        ),
+        ("HOLE x\nUI 1\nEND WHERE\n", "2: a number such as #1 after HOLE / 'HOLE x'"),
+        ("HOLE #1\nROUTINE x\nHOLE #1\nROUTINE x\nEND WHERE\n", "4: every hole once / 'HOLE #1' again"),
+        (LINES.replace("ICON        home", "ICON 2") + "END WHERE\n", "3: the name of an icon after ICON / 'ICON 2'"),
+        (
+            LINES.replace("Joint object", "Application end") + "END WHERE\n",
+            "4: an action or a target / 'ONIKON Application end'",
+        ),
+    ],
+)
+def test_what_is_wrong_is_told_with_its_line(text: str, told: str) -> None:
+    assert told in again(text)[1]
+
+
+def test_a_placed_icon_is_named_though_its_dictionary_says_it_in_other_languages_too() -> None:
+    spoken = replace(HOME, words=(("es", "casa"),))  # R-D14, R-X11
+    glossary = Glossary({HOME.name: spoken}.get)
+    assert glossary.refer(HOME) == HOME.name
+    assert glossary.write() == ""
+    assert glossary.find(HOME.name, 1) == HOME

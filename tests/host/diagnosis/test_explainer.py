@@ -1,0 +1,261 @@
+"""Faults planted in flows that the real engine executes: the cause that is named is the planted one (X06)."""
+
+import struct
+
+import pytest
+from msgspec import structs
+
+from onika.engine import news as said
+from onika.engine.engine import Engine
+from onika.host.diagnosis.explainer import Explainer
+from onika.host.diagnosis.stop_cause import Cause, Kind
+from onika.host.loading.plan_preparation import prepare
+from onika.ring.segment import Segment
+from onika.runtime import news
+from onika.runtime.table import Table
+from onika.runtime.user_input import AskedItem
+from onika.testing.rail import YardLoading
+from onika.testing.workshop import Workshop, action
+from onika.words.shape import Shape
+
+MS = 1_000_000
+ARM = """
+from onika.module import InVar, Module, OutVar
+
+class Arm(Module):
+    hardware = True
+    TAU = InVar("double", "N m", "wanted torque")
+    Q = OutVar("double", "rad", "where it is")
+"""
+GO = """
+from onika.module import Module, InVar, OutVar
+
+class Go(Module):
+    trigger = True
+    Q = InVar("double", "rad", "where it is")
+    TAU = OutVar("double", "N m", "wanted torque")
+"""
+SHOW = "from onika.module import Module\nclass Show(Module):\n    passive = True\n"
+TASKS = ("arm", "go", "show")
+
+
+class Run:
+    """Flows of actions, each with a tag or none, under the real engine and an explainer; no task really lives."""
+
+    def __init__(self, *flows, stands_still=True):
+        shop = Workshop()
+        shop.task("arm", ARM, local={"DEVICE": "yard:m0"})
+        shop.task("go", GO)
+        shop.task("show", SHOW)
+        plan = shop.plan(*([action(*TASKS) for _ in tags] for tags in flows))
+        marked = (
+            structs.replace(one, actions=tuple(
+                structs.replace(act, synch_tag=tag) for act, tag in zip(one.actions, tags, strict=True)
+            ))
+            for one, tags in zip(plan.flows, flows, strict=True)
+        )  # fmt: skip
+        self.plan = structs.replace(plan, flows=tuple(marked))
+        self.prepared = prepare(self.plan, (), YardLoading())
+        passive = {(number, "show") for number in range(len(flows))}
+        ranks = {(number, name): rank for number in range(len(flows)) for rank, name in enumerate(TASKS)}
+        triggers = self.prepared.triggers
+        self.engine = Engine(self.plan, triggers, passive, ranks, stands_still=stands_still)
+        self.tables = {one.subsystem: Table(Segment.create("explained", 1 << 16)) for one in self.plan.flows}
+        self.told = []
+        self.now = 1000 * MS
+        self.explainer = Explainer(self.prepared, self.tables, self.engine.positions, self.told.append)
+        self.explainer.begin(self.now)
+        self.feed(said.Run())
+        self.feed(*(said.Spawned(number, task) for number in range(len(flows)) for task in TASKS))
+        self.feed(*(said.TurnedOn(number, task) for number in range(len(flows)) for task in TASKS))
+
+    def feed(self, *heard):
+        """As the runner does it: what has moved is looked at after each news."""
+        for one in heard:
+            self.engine.feed(one)
+            self.explainer.moved()
+            self.explainer.look(self.now)
+        return self
+
+    def finish(self, flow=0):
+        return self.feed(said.Finished(flow, "go"), said.TurnedOn(flow, "go"))
+
+    def write(self, name, value, subsystem="flow0"):
+        table = self.tables[subsystem]
+        table.entry(name, Shape.parse("double"))
+        table.ring(name).write(struct.pack("=d", value))
+        return self
+
+    def fails(self, task, text="ValueError: no", flow=0, values=None):
+        heard = news.Failed(f"flow{flow}", task, "cycle", text, f"{task}.py", 7, "", self.now, values=values or {})
+        with self.explainer.watch(heard, self.now):
+            self.feed(said.Failed(flow, task, text))
+        return self
+
+    def ends(self, why, one):
+        with self.explainer.watch(why, self.now):
+            self.feed(one)
+        return self
+
+    @property
+    def explained(self):
+        (one,) = self.told
+        return one
+
+
+def test_a_task_in_error_is_named_with_its_job_its_flow_and_who_waits():  # R-X06, R-E08
+    run = Run([None, "meet"], [None, "meet"]).finish(1).fails("arm")
+    one = run.explained
+    assert (one.kind, one.subsystem, one.task, one.suspect) == ("error", "flow0", "arm", "")
+    assert (one.action, one.index, one.place) == ("action 0", 0, "test.appl:1")
+    assert (one.text, one.path, one.line) == ("cycle: ValueError: no", "arm.py", 7)
+    assert one.waiting == (("flow1", "meet"),)
+    assert [command for command, _ in one.choices] == [
+        "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
+    ]  # fmt: skip
+
+
+def test_where_nobody_is_there_to_decide_the_run_ends_and_there_is_no_choice():  # R-E08, R-X06
+    one = Run([None], stands_still=False).fails("arm").explained
+    assert (one.task, one.action, one.choices) == ("arm", "action 0", ())
+
+
+def test_a_passive_task_in_error_stops_nothing_and_is_not_explained():  # R-X06
+    assert Run([None]).fails("show").told == []
+
+
+def test_the_writer_upstream_of_what_is_no_number_is_suspected():  # R-X06, law 5
+    run = Run([None]).write("TAU", float("nan")).write("Q", 1.0)
+    one = run.fails("arm", "LawBroken: NaN or infinity in TAU", values={"TAU": float("nan")}).explained
+    assert (one.task, one.suspect) == ("arm", "go")
+    assert one.text.endswith("; TAU is no number: made by go, of proper numbers")
+
+
+def test_whom_the_processing_unit_saw_write_it_first_is_suspected():  # R-X06, law 5
+    run = Run([None]).write("TAU", float("nan")).write("Q", float("nan"))
+    one = run.fails("arm", "NaN or infinity in TAU; first written by task show, in Q").explained
+    assert (one.suspect, one.text) == ("show", "cycle: NaN or infinity in TAU; first written by task show, in Q")
+    run = Run([None]).write("TAU", float("nan")).write("Q", 1.0)
+    one = run.fails("arm", "NaN in TAU; first written by task go, in TAU").explained
+    assert (one.suspect, "made by" in one.text) == ("go", False)
+    assert Run([None]).fails("arm", "first written by task nobody, in Q").explained.suspect == ""
+
+
+def test_what_a_task_read_counts_even_if_the_table_says_something_else_by_now():  # R-X06
+    run = Run([None]).write("TAU", 1.0).write("Q", 1.0)
+    assert run.fails("arm", values={"TAU": float("inf")}).explained.suspect == "go"
+    run = Run([None]).write("TAU", float("inf")).write("Q", 1.0)
+    assert run.fails("arm", values={"TAU": 2.0}).explained.suspect == ""
+
+
+def test_the_last_seconds_of_its_variables_are_told_with_their_units():  # R-X06
+    run = Run([None])
+    for value in (1.0, 2.0, 3.0):
+        run.write("TAU", value).write("Q", -value).explainer.tick(run.now)
+        run.now += 50 * MS
+    run.write("TAU", 4.0)
+    tau, q = run.fails("arm").explained.courses
+    assert (tau.variable, tau.unit, tau.values, tau.at_s) == ("TAU", "N m", (1.0, 2.0, 3.0, 4.0), (0, 0.05, 0.1, 0.15))
+    assert (q.variable, q.unit, q.values[-1]) == ("Q", "rad", -3.0)
+
+
+@pytest.mark.parametrize(
+    ("text", "kind", "first"),
+    [
+        ("ModuleError: panic button pressed; the drive holds", "pressed", "once the panic button is let go"),
+        ("ModuleError: the drive has tripped", "tripped", "once the way is free"),
+    ],
+)
+def test_a_drive_that_holds_is_told_with_what_must_be_done_first(text, kind, first):  # R-X06, R-K06
+    one = Run([None]).fails("arm", text).explained
+    assert (one.kind, one.task) == (kind, "arm")
+    assert dict(one.choices)["clear"].startswith(first)
+
+
+@pytest.mark.parametrize("kind", ["ILLEGAL", "SHUTDOWN"])
+def test_a_task_that_may_not_go_on_ends_the_run(kind):  # R-A08, R-X06
+    heard = news.Signalled("flow0", "arm", kind, 0, "too hot", 0)
+    one = Run([None]).ends(heard, said.Illegal(0, "arm", "too hot")).explained
+    assert (one.kind, one.task, one.text, one.choices) == (kind.lower(), "arm", f"{kind}: too hot", ())
+
+
+def test_a_question_that_nobody_answers_ends_the_run():  # R-X06, law 25
+    items = (AskedItem("goal", "double", 1, "rad", "", None, None, None),)
+    heard = news.Asked("flow0", "go", "7 is beyond 2.6", items, 0)
+    one = Run([None]).ends(heard, said.Abort("nobody")).explained
+    assert (one.kind, one.task) == ("asking", "go")
+    assert "asks for goal (7 is beyond 2.6)" in one.text
+
+
+def test_a_lost_process_names_the_task_in_whose_call_it_was():  # R-A16, R-X06
+    reason = "processing unit rt0 ended with code 3 in a call of task flow0/go"
+    one = Run([None]).ends(Cause(Kind.LOST, reason), said.Abort(reason)).explained
+    assert (one.kind, one.subsystem, one.task, one.action) == ("lost", "flow0", "go", "action 0")
+
+
+def test_what_the_user_wanted_blames_nobody():  # R-X06
+    one = Run([None]).ends(Cause(Kind.USER, "stopped (Ctrl-C)"), said.Abort("stopped")).explained
+    assert (one.kind, one.subsystem, one.task, one.text) == ("user", "", "", "stopped (Ctrl-C)")
+
+
+def test_an_end_is_explained_once():  # R-X06
+    run = Run([None], stands_still=False).fails("arm").fails("go")
+    run.ends(Cause(Kind.USER, "enough"), said.Abort("enough"))
+    assert run.explained.task == "arm"
+    assert run.explainer.wake_at() is None
+
+
+def test_of_two_causes_one_within_the_other_the_inner_one_counts():  # R-X06
+    run = Run([None], stands_still=False)
+    with run.explainer.watch(Cause(Kind.USER, "outer"), run.now):
+        run.fails("arm")
+    assert run.explained.task == "arm"
+
+
+def test_flows_that_wait_in_a_circle_are_told_once():  # R-X03, R-X06
+    run = Run([None, "a", "b"], [None, "b", "a"]).finish(0)
+    assert run.told == []
+    run.finish(1)
+    assert (run.explained.kind, run.explained.subsystem) == ("deadlock", "flow0")
+    assert run.explained.text.startswith("flow0 waits at a for flow1, flow1 waits at b for flow0")
+    assert [command for command, _ in run.explained.choices] == ["pass flow0", "pass flow1", "abort"]
+    run.feed(said.TurnedOn(0, "show"))
+    assert len(run.told) == 1
+
+
+def test_a_flow_that_waits_for_one_that_has_ended_is_told():  # R-X03, R-X06
+    run = Run(["a", None], ["a", "a"])  # the first visit of both is one meeting; flow0 makes no second one
+    run.finish(0).finish(0)
+    run.finish(1)
+    one = run.explained
+    assert (one.kind, one.subsystem) == ("deserted", "flow1")
+    assert one.text == "flow1 waits at a for flow0, which has ended"
+    assert [command for command, _ in one.choices] == ["pass flow1", "abort"]
+
+
+def test_whoever_comes_to_wait_for_a_flow_that_stands_is_told_then():  # R-X06
+    run = Run([None, "a"], [None, "a"]).fails("arm")
+    run.finish(1)
+    stop, waits = run.told
+    assert (stop.kind, stop.waiting) == ("error", ())
+    assert (waits.kind, waits.subsystem) == ("deserted", "flow1")
+    assert waits.text == "flow1 waits at a for flow0, which stands still at an error"
+    assert [command for command, _ in waits.choices] == [
+        "clear flow0", "next flow0", "skip flow0 N", "pass flow1", "abort",
+    ]  # fmt: skip
+
+
+def test_whoever_waited_before_is_told_with_the_stop_only():  # R-X06
+    run = Run([None, "a"], [None, "a"]).finish(1).fails("arm")
+    assert run.explained.kind == "error"
+
+
+def test_a_flow_that_would_not_be_cleared_is_explained_anew():  # R-E08, R-X06
+    run = Run([None]).fails("arm")
+    run.feed(said.Recover(0))
+    heard = news.Refused("flow0", "arm", "clear", "ModuleError: panic button pressed")
+    run.ends(heard, said.Refused(0, "arm", "clear: ModuleError: panic button pressed"))
+    _, again = run.told
+    assert (again.kind, again.task) == ("refused", "arm")
+    assert again.text == "clear is refused: ModuleError: panic button pressed"
+    assert dict(again.choices)["clear"].startswith("once the panic button is let go: clears arm and repeats")

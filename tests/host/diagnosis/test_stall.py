@@ -1,0 +1,108 @@
+import pytest
+from hypothesis import given, strategies as st
+
+from onika.engine.flow import FlowState
+from onika.host.diagnosis.stall import causes, last_of, tag_of, waiting_for
+from onika.host.diagnosis.stop_cause import Kind
+from onika.wire.steer import Position
+
+
+def at(subsystem, state="running", tag="", *waits_for):
+    return Position(subsystem, state, 0, tag, waits_for)
+
+
+def waits(subsystem, tag, *others):
+    return at(subsystem, "waiting", tag, *others)
+
+
+CIRCLE = (waits("flow0", "a", "flow1"), waits("flow1", "b", "flow0"))
+
+
+def test_a_circle_of_flows_is_a_deadlock_named_once():  # R-X03, R-X06
+    (cause,) = causes(CIRCLE)
+    assert (cause.kind, cause.subsystem, cause.task, cause.ends) == (Kind.DEADLOCK, "flow0", "", False)
+    assert cause.text == "flow0 waits at a for flow1, flow1 waits at b for flow0: none of them can go on"
+
+
+def test_whoever_waits_for_a_flow_of_a_circle_is_no_cause_and_does_not_turn_it():  # R-X06
+    early = waits("early", "c", "flow1")
+    assert causes((early, *CIRCLE)) == causes(CIRCLE)
+    assert causes((*CIRCLE, early)) == causes(CIRCLE)
+
+
+@pytest.mark.parametrize("state", ["ready", "spawning", "running", "paused", "clearing"])
+def test_whoever_waits_for_a_flow_that_can_go_on_waits_rightly(state):  # R-X06
+    assert causes((waits("flow0", "a", "flow1"), at("flow1", state))) == ()
+
+
+@pytest.mark.parametrize(
+    ("state", "words"), [("done", "which has ended"), ("stopped", "which stands still at an error")]
+)
+def test_whoever_waits_for_one_that_comes_no_more_is_deserted(state, words):  # R-X06
+    (cause,) = causes((waits("flow0", "assemble a", "flow1"), at("flow1", state)))
+    assert (cause.kind, cause.subsystem) == (Kind.DESERTED, "flow0")
+    assert cause.text == f"flow0 waits at a for flow1, {words}"
+
+
+def test_a_flow_is_deserted_through_others_too():  # R-X06
+    flows = (at("flow0", "done"), waits("flow1", "a", "flow0"), at("flow2", "joining", "", "flow1"))
+    near, far = causes(flows)
+    assert near.subsystem == "flow1"
+    assert far.text == "flow2 waits for flow1, which waits at a for flow0, which has ended"
+    assert last_of("flow2", flows) == "flow0"
+
+
+def test_of_several_awaited_flows_the_one_that_stands_is_named():  # R-X06
+    (cause,) = causes((waits("flow0", "a", "flow1", "flow2"), at("flow1"), at("flow2", "stopped")))
+    assert "for flow2" in cause.text
+
+
+@pytest.mark.parametrize("state", ["killing", "ended"])
+def test_a_run_that_is_over_stands_still_by_no_cause(state):  # R-X06
+    assert causes((*CIRCLE, at("flow2", state))) == ()
+
+
+def test_who_waits_is_told_with_tags_nearest_first():  # R-X06
+    flows = (
+        at("flow0", "stopped"),
+        waits("flow3", "later", "flow2"),
+        waits("flow2", "assemble lift", "flow0", "flow1"),
+        at("flow1"),
+    )
+    assert waiting_for("flow0", flows) == (("flow2", "lift"), ("flow3", "later"))
+    assert waiting_for("flow3", flows) == ()
+    assert waiting_for("flow0", CIRCLE) == (("flow1", "b"),)
+
+
+def test_a_flow_that_waits_for_nested_flows_has_no_tag():
+    assert tag_of(at("flow0", "joining", "", "flow0.1")) == ""
+
+
+@st.composite
+def situations(draw):
+    names = [f"flow{number}" for number in range(draw(st.integers(1, 5)))]
+    states = [one.value for one in FlowState if one not in (FlowState.KILLING, FlowState.ENDED)]
+    flows = []
+    for name in names:
+        state = draw(st.sampled_from(states))
+        others = [one for one in names if one != name]
+        wanted = draw(st.lists(st.sampled_from(others), unique=True)) if others and state == "waiting" else []
+        flows.append(at(name, state, "t", *wanted))
+    return flows
+
+
+@given(situations())
+def test_what_is_called_stuck_stays_stuck_and_nothing_else_does(flows):  # R-X03, R-X06
+    """An oracle that plays: flows that are not waiting come to every tag; those that stand never do."""
+    come = {one.subsystem for one in flows if one.state not in ("waiting", "joining", "done", "stopped")}
+    for _ in flows:
+        come |= {one.subsystem for one in flows if one.state in ("waiting", "joining") and come >= set(one.waits_for)}
+    stuck = {one.subsystem for one in flows if one.state in ("waiting", "joining")} - come
+    told = causes(flows)
+    named = {one.subsystem for one in told if one.kind is Kind.DESERTED}
+    for one in told:
+        if one.kind is Kind.DEADLOCK:
+            hanging = {name for name, _ in waiting_for(one.subsystem, flows)} | {one.subsystem}
+            named |= hanging & stuck
+    assert named >= stuck
+    assert {one.subsystem for one in told} <= stuck

@@ -1,0 +1,42 @@
+import pytest
+
+from onika.host.loading import loader_messages as room
+from onika.host.loading.loader import decode_answer, decode_question, encode
+from onika.wire.plan import Code
+from onika.wire.request import FaultText
+
+CODE = Code("digest", "arm", "arm.py", "# arm")
+
+
+@pytest.mark.parametrize(
+    "asked",
+    [
+        room.AskSheet(CODE),
+        room.AskConstants(CODE, (("BASE", ("0", "1")),)),
+        room.AskReach(CODE, {"N": 2}, [("joint object", [0.1, 2])]),
+        room.AskPoses(CODE, {"N": 2}, [[0.1, 0.2]]),
+        room.AskPostures(CODE, {"N": 2}, [[0.0] * 9]),
+        room.AskFit(CODE, {"N": 2}, "w:d"),
+        room.AskCompany("w", ("d", "e")),
+        room.AskDevices("w"),
+    ],
+)
+def test_every_question_arrives_as_it_was_asked(asked):  # law 21
+    assert decode_question(encode(asked)) == asked
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        room.Constants({"N": 2}),
+        room.Reach([None, "too far"]),
+        room.Poses([[0.5] * 9]),
+        room.Poses(None),
+        room.Postures([[0.1], "too far"]),
+        room.Objections(("another robot",)),
+        room.Devices(("d",)),
+        room.Wrong(FaultText("a.py", 3, "one", "two", "three", "flow0", ("mend it",))),
+    ],
+)
+def test_every_answer_arrives_as_it_was_given(said):  # law 21
+    assert decode_answer(encode(said)) == said

@@ -1,0 +1,21 @@
+import inspect
+
+import pytest
+
+from onika.host.loading.loader_client import Inquiry
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.module_questions import Loading
+from onika.testing.rail import YardLoading
+
+QUESTIONS = sorted(name for name, one in vars(Loading).items() if inspect.isfunction(one) and not name.startswith("_"))
+
+
+@pytest.mark.parametrize("name", QUESTIONS)
+@pytest.mark.parametrize("answerer", [DirectLoading, Inquiry, YardLoading])
+def test_whoever_answers_is_asked_alike(answerer, name):  # law 21
+    wanted, given = (inspect.signature(getattr(one, name)).parameters for one in (Loading, answerer))
+    assert list(given) == list(wanted)
+
+
+def test_there_is_something_to_ask():
+    assert {"sheet", "constants", "devices", "resolve"} <= set(QUESTIONS)

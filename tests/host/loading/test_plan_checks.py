@@ -1,0 +1,85 @@
+import pytest
+
+from onika.host.loading.plan_checks import (
+    absent_devices,
+    conflicts,
+    cycles,
+    shapeless,
+    shared_devices,
+    task_of,
+    wrong_rates,
+)
+from onika.module import InConst, InVar, Module, OutConst, OutVar
+from onika.runtime.sheet import sheet_of
+from onika.runtime.wiring import wire
+from onika.testing.hand import SOURCE
+from onika.testing.rail import YardLoading
+from onika.testing.workshop import Workshop
+from onika.words.fault import Place
+
+
+def wired(name, module="", hardware=False, device=None, **ports):
+    planned = Workshop().task(name, SOURCE, module=module, local={"DEVICE": device} if device else None)
+    return wire(planned, sheet_of(type(name, (Module,), {"hardware": hardware, **ports})))
+
+
+def found(faults):
+    return [one.found for one in faults]
+
+
+def test_one_module_lives_once():  # law 9
+    assert found(conflicts([wired("a", "ramp"), wired("b", "ramp"), wired("c")])) == ["also in task a"]
+
+
+def test_one_constant_has_one_supplier():  # law 9
+    tasks = [wired("a", N=OutConst("int")), wired("b", N=OutConst("int"))]
+    assert found(conflicts(tasks)) == ["also task a"]
+
+
+def test_what_is_written_at_every_cycle_is_no_constant():  # law 9
+    tasks = [wired("a", N=OutVar("int")), wired("b", N=InConst("int"))]
+    assert found(conflicts(tasks)) == ["task a writes it at every cycle"]
+    assert conflicts([wired("a", N=OutVar("int")), wired("b", N=InVar("int"))]) == []
+
+
+def test_constants_that_wait_for_each_other_are_named_as_a_ring():  # law 10
+    tasks = [wired("a", N=OutConst("int"), M=InConst("int")), wired("b", M=OutConst("int"), N=InConst("int"))]
+    assert found(cycles(tasks)) == ["a → b"]
+    assert cycles(tasks[:1]) == []
+
+
+def test_a_device_is_claimed_by_one_hardware_task():  # law 16
+    one, two = (wired(name, hardware=True, device="yard:m0") for name in "ab")
+    listener = wired("c", device="yard:m0")
+    assert found(shared_devices([one, two, listener])) == ["task a claims it too"]
+    assert shared_devices([one, listener]) == []
+
+
+@pytest.mark.parametrize(("device", "count"), [("yard:m0", 0), ("yard:m7", 1), ("no:m0", 1), (None, 0)])
+def test_a_device_is_one_of_a_world(device, count):  # law 16
+    assert len(absent_devices([wired("a", device=device)], YardLoading())) == count
+
+
+def test_who_shapes_itself_states_the_dimension_before_it_lives():  # law 7
+    one = wired("a", N=OutConst("int"), ROW=OutVar("double[N]"))
+    assert len(shapeless([one], {})) == 1
+    assert shapeless([one], {"N": 3}) == []
+    assert shapeless([wired("b", N=InConst("int"), ROW=OutVar("double[N]"))], {}) == []
+
+
+@pytest.mark.parametrize(("hz", "is_wrong"), [(1e-3, False), (1e6, False), (9e-4, True), (1.1e6, True), (-5.0, True)])
+def test_a_rate_has_a_period(hz, is_wrong):  # R-A04
+    assert bool(wrong_rates([(Place("x.conf", 3), " in JOB", "a", hz)], (), "no")) is is_wrong
+
+
+def test_hardware_is_not_slower_than_its_drive_allows():  # law 17
+    given = [(Place("x.conf", 3), " in JOB", "a", 39.0), (Place("x.conf", 4), " in JOB", "b", 39.0)]
+    (fault,) = wrong_rates(given, {"a"}, "no")
+    assert (fault.place.line, fault.found) == (3, "39 Hz")
+
+
+def test_a_planned_task_is_what_its_file_says():
+    planned = Workshop().task("source", SOURCE, local={"SIZE": "2"}, frequency=25.0)
+    one = task_of(planned)
+    assert (one.name, one.frequency, one.outconst) == ("source", 25.0, ("N",))
+    assert [(line.key, line.words) for line in one.local] == [("SIZE", ("2",))]

@@ -1,0 +1,48 @@
+import pytest
+
+from onika.host.loading.request_backlog import Backlog
+from onika.host.sessions.request_server import Call
+from onika.link.caller import Role
+from onika.wire import holding, live, request
+
+
+def call(asked, session="me"):
+    return Call(1, session, Role.OWNER, asked)
+
+
+def answered(_response):
+    pass
+
+
+@pytest.fixture
+def backlog():
+    kept = Backlog()
+    kept.keep(call(live.Clear("arm", "pd")), answered)
+    return kept
+
+
+def test_a_session_is_answered_in_the_order_it_asked(backlog):  # law 21
+    assert backlog.is_before(call(live.Clear("arm", "grav")))
+    assert not Backlog().is_before(call(live.Clear("arm", "grav")))
+
+
+def test_nobody_waits_behind_another_session(backlog):  # law 21
+    assert not backlog.is_before(call(live.Clear("arm", "grav"), "other"))
+
+
+@pytest.mark.parametrize("asked", [request.Stop(""), live.Reset(), live.Survey(), holding.Sessions()])
+def test_what_is_urgent_waits_behind_nothing(backlog, asked):  # law 27
+    assert not backlog.is_before(call(asked))
+
+
+def test_a_description_holds_up_nobody():  # law 21
+    backlog = Backlog()
+    backlog.keep(call(live.Describe(())), answered)
+    assert not backlog.is_before(call(live.Clear("arm", "pd")))
+
+
+def test_what_waits_is_taken_once_in_order(backlog):
+    later = call(live.Clear("arm", "grav"))
+    backlog.keep(later, answered)
+    assert [one.asked.task for one, _ in backlog.take()] == ["pd", "grav"]
+    assert backlog.take() == []

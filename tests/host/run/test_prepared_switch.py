@@ -1,0 +1,134 @@
+"""What follows an action lies ready on its unit, and what the user wants waits until it does not."""
+
+import pytest
+
+from onika.engine import news as said, orders
+from onika.engine.engine import Engine
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
+from onika.host.run.prepared_switch import Outlook
+from onika.host.run.switch_dispatch import Switchboard
+from onika.model.lifecycle import State
+from onika.ring.segment import Segment
+from onika.runtime import command
+from onika.runtime.subsystem import Subsystem
+from onika.runtime.table import SIZE, Table
+from onika.testing.workshop import Workshop, action
+
+
+class Units:
+    def __init__(self):
+        self.sent = []
+
+    def send(self, rtpu, order):
+        self.sent.append((rtpu, order))
+
+    def take(self, kind):
+        found = [order for _, order in self.sent if isinstance(order, kind)]
+        self.sent = [(rtpu, order) for rtpu, order in self.sent if not isinstance(order, kind)]
+        return found
+
+
+class View:
+    """One flow: `go` and `bell`, then `ring` and `bell`; `bell` and `ring` end them."""
+
+    def __init__(self, homes=("rt0", "rt0", "rt0")):
+        shop = Workshop()
+        trigger = "from onika.module import Module\nclass Bell(Module):\n    trigger = True\n"
+        plain = "from onika.module import Module, OutVar\nclass Go(Module):\n    A = OutVar('double')\n"
+        shop.task("go", plain)
+        shop.task("bell", trigger)
+        shop.task("ring", trigger + "    # another\n")
+        plan = shop.plan([action("go", "bell"), action("go", "ring"), action("go", "bell")])
+        prepared = prepare(plan, (), DirectLoading())
+        rtpus = dict(zip(("go", "bell", "ring"), homes, strict=True))
+        self.subsystem = Subsystem("flow0", Table(Segment.create("table", SIZE)), prepared.flows[0], rtpus)
+        ranks = {(0, name): rank for name, rank in self.subsystem.ranks.items()}
+        self.engine = Engine(plan, prepared.triggers, frozenset(), ranks)
+        self.units = Units()
+        board = Switchboard({0: self.subsystem}, self.units)
+        self.outlook = Outlook(self.engine, {0: self.subsystem}, board)
+        self.feed(said.Run(), *(said.Spawned(0, name) for name in rtpus))
+        self.on("go", "bell")
+
+    def feed(self, *news):
+        found = [order for one in news for order in self.engine.feed(one)]
+        self.outlook.look()
+        return found
+
+    def on(self, *names):
+        for name in names:
+            self.subsystem.members[name].state = State.ON
+            self.feed(said.TurnedOn(0, name))
+
+
+def test_the_next_switch_is_prepared_as_soon_as_everybody_is_on():
+    (prepared,) = View().units.take(command.Prepared)
+    assert (prepared.subsystem, prepared.task) == ("flow0", "bell")
+    (case,) = prepared.cases
+    assert (case.choice, case.loop, case.number) == (None, None, 1)
+    assert ([one.task for one in case.switch.on], case.switch.off) == (["ring"], ())
+
+
+def test_nothing_is_prepared_for_tasks_on_several_units():  # law 3: only one unit keeps the order by itself
+    assert View(("rt0", "rt0", "rt1")).units.take(command.Prepared) == []
+
+
+def test_what_was_carried_out_is_not_ordered_again():
+    view = View()
+    view.units.take(command.Prepared)
+    switches = [one for one in view.feed(said.Finished(0, "bell", switched=1)) if isinstance(one, orders.Switch)]
+    assert [one.number for one in switches] == [1]
+    assert view.outlook.switched(0, switches[0]) is None
+
+
+def test_what_was_missing_in_it_is_still_to_be_done():
+    view = View()
+    order = orders.Switch(0, ("go",), (orders.Start("ring"), orders.Start("bell")), (), 1)
+    assert view.outlook.switched(0, order) == orders.Switch(0, ("go",), (orders.Start("bell"),))
+
+
+def test_the_user_waits_until_nothing_is_prepared():  # R-E07
+    view = View()
+    view.units.take(command.Prepared)
+    done = []
+    view.outlook.when_free(0, lambda: done.append("pause"))
+    view.outlook.when_free(0, lambda: done.append("again"))
+    assert done == []
+    assert [one.cases for one in view.units.take(command.Prepared)] == [()]  # asked to forget once
+    view.outlook.freed(0)
+    assert done == ["pause", "again"]
+    view.outlook.when_free(0, lambda: done.append("at once"))
+    assert done[-1] == "at once"
+
+
+def test_nothing_is_prepared_while_the_user_waits():
+    view = View()
+    view.outlook.when_free(0, lambda: None)
+    view.units.take(command.Prepared)
+    view.outlook.look()
+    assert view.units.take(command.Prepared) == []
+    view.outlook.freed(0)
+    view.outlook.look()
+    assert len(view.units.take(command.Prepared)) == 1
+
+
+def test_a_flow_that_is_to_pause_has_nothing_prepared():  # R-E07
+    view = View()
+    view.outlook.freed(0)
+    view.units.take(command.Prepared)
+    view.feed(said.Pause(0))
+    assert view.units.take(command.Prepared) == []
+
+
+@pytest.mark.parametrize("end", ["free_all", "finished"])
+def test_at_the_end_nobody_waits_any_more(end):
+    view = View()
+    done = []
+    view.outlook.when_free(0, lambda: done.append(1))
+    if end == "free_all":
+        view.outlook.free_all()
+    else:
+        view.outlook.finished(0)
+        view.outlook.freed(0)
+    assert done == [1]

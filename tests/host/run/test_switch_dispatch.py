@@ -1,0 +1,130 @@
+import pytest
+
+from onika.engine.orders import Start, Switch
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
+from onika.host.run.switch_dispatch import Switchboard
+from onika.ring.segment import Segment
+from onika.runtime.subsystem import Subsystem
+from onika.runtime.table import SIZE, Table
+from onika.testing.workshop import Workshop, action
+
+HOMES = {"a": "rt0", "b": "rt1", "c": "rt0", "d": "rt1", "e": "rt2"}
+
+
+class Units:
+    def __init__(self):
+        self.sent = []
+
+    def send(self, rtpu, order):
+        self.sent.append((rtpu, order))
+
+    def take(self):
+        """What went out since: the unit, who goes off, who comes on."""
+        taken, self.sent = self.sent, []
+        return [(rtpu, order.off, tuple(one.task for one in order.on)) for rtpu, order in taken]
+
+
+@pytest.fixture
+def units():
+    return Units()
+
+
+@pytest.fixture
+def board(units):
+    shop = Workshop()
+    for name in HOMES:
+        shop.task(name, f"from onika.module import Module\nclass {name.upper()}(Module):\n    trigger = True\n")
+    flow = [action(*HOMES)]
+    prepared = prepare(shop.plan(flow, flow), (), DirectLoading())
+    subsystems = {
+        number: Subsystem(f"flow{number}", Table(Segment.create("table", SIZE)), prepared.flows[number], HOMES)
+        for number in range(2)
+    }
+    return Switchboard(subsystems, units)
+
+
+def switch(*on, off=(), flow=0, rates=()):
+    return Switch(flow, tuple(off), tuple(Start(name) for name in on), tuple(rates))
+
+
+def test_neighbours_on_one_unit_come_on_together(board, units):  # law 6
+    board.put(switch("a", "c", "b"), ())
+    assert units.take() == [("rt0", (), ("a", "c"))]
+
+
+def test_a_group_goes_out_when_the_whole_group_before_it_is_through(board, units):  # law 3, decision 14
+    board.put(switch("a", "c", "b", "d", "e", "a"), ())
+    assert units.take() == [("rt0", (), ("a", "c"))]
+    board.settled(0, "a")
+    assert units.take() == []
+    board.settled(0, "c")
+    assert units.take() == [("rt1", (), ("b", "d"))]
+    board.settled(0, "d")
+    board.settled(0, "b")
+    assert units.take() == [("rt2", (), ("e",))]
+
+
+def test_tasks_go_off_on_every_unit_before_any_comes_on(board, units):  # law 6
+    board.put(switch("b", off=("a", "e")), ())
+    assert units.take() == [("rt0", ("a",), ()), ("rt2", ("e",), ()), ("rt1", (), ("b",))]
+
+
+def test_off_and_on_of_one_unit_are_one_command(board, units):  # law 6
+    board.put(switch("c", off=("a",)), ())
+    assert units.take() == [("rt0", ("a",), ("c",))]
+
+
+def test_rates_reach_the_unit_of_their_task_even_where_nothing_goes_off(board, units):  # decision 13
+    board.put(switch("a", rates=[("e", 5.0)]), ())
+    sent = dict(units.sent)
+    assert sent["rt2"].rates == (("e", 5.0),)
+    assert [one.task for one in sent["rt0"].on] == ["a"]
+
+
+def test_what_is_forgotten_is_said_with_the_first_group(board, units):  # law 3
+    board.put(switch("a", "b"), ("X_REF",))
+    board.settled(0, "a")
+    assert [order.forget for _, order in units.sent] == [("X_REF",), ()]
+
+
+def test_a_second_switch_waits_for_the_first(board, units):  # law 6
+    board.put(switch("a"), ())
+    board.put(switch("b"), ())
+    assert units.take() == [("rt0", (), ("a",))]
+    board.settled(0, "a")
+    assert units.take() == [("rt1", (), ("b",))]
+
+
+def test_flows_do_not_wait_for_each_other(board, units):  # R-E04
+    board.put(switch("a"), ())
+    board.put(switch("a", flow=1), ())
+    assert len(units.take()) == 2
+
+
+def test_after_a_kill_nothing_more_comes_on(board, units):  # R-E14
+    board.put(switch("a", "b"), ())
+    board.drop(0)
+    units.take()
+    board.settled(0, "a")
+    assert units.take() == []
+
+
+def test_whoever_nobody_waits_for_changes_nothing(board, units):
+    board.settled(0, "a")
+    board.settled(7, "a")
+    board.put(switch("a", "b"), ())
+    board.settled(0, "e")
+    assert units.take() == [("rt0", (), ("a",))]
+
+
+def test_who_is_turned_off_does_not_come_on_later_either(board, units):  # R-E08
+    board.put(switch("a", "b", "c"), ())
+    units.take()
+    board.turn_off(0, "c")
+    board.turn_off(0, "a")
+    assert units.take() == [("rt0", ("c",), ()), ("rt0", ("a",), ())]
+    board.settled(0, "a")
+    assert units.take() == [("rt1", (), ("b",))]
+    board.settled(0, "b")
+    assert units.take() == [("rt0", (), ())]  # nobody is left to come on

@@ -1,0 +1,138 @@
+import pytest
+
+from onika.host.sessions.audit_log import Witness
+from onika.host.sessions.request_server import Call
+from onika.link.caller import Caller, Role
+from onika.link.channel import Channel
+from onika.link.sessions import Introduction
+from onika.testing.rail import rail
+from onika.testing.workshop import action
+from onika.wire import event, holding, live, request, steer
+
+PLAN = rail().plan([action("mass", "servo", arguments="1")])
+TASK, CODE = PLAN.flows[0].tasks[0], PLAN.code[0]
+
+
+class Book:
+    def __init__(self):
+        self.trouble = ""
+        self.lines = []
+
+    def note(self, what, weighs=False, **about):
+        self.lines.append((what, weighs, {key: one for key, one in about.items() if one}))
+
+
+@pytest.fixture
+def book():
+    return Book()
+
+
+def answered(book, asked, response=None, complain=lambda _text: None):
+    Witness(book, complain).answered(Call(1, "ann#2", Role.OPERATOR, asked, "192.0.2.7"), response or request.Done())
+
+
+def test_a_command_is_one_line_with_who_from_where_what_and_what_came_of_it(book):  # R-X12
+    answered(book, live.Set("s0", "arm", "gain", "2"), request.Refused("held by bob#3"))
+    who = {"who": "ann#2", "role": "operator", "address": "192.0.2.7", "on": "s0"}
+    about = {"about": "task=arm name=gain value=2", "result": "refused: held by bob#3"}
+    assert book.lines == [("Set", False, who | about)]
+
+
+COMMANDS = [
+    live.Change("s0", on=(live.Turn("arm", "1"),)),
+    live.Clear("s0", "a"),
+    live.Reinit("s0", "a"),
+    live.Set("s", "t", "n", "1"),
+    live.Close("s0"),
+    live.Take("s0"),
+    live.Release("s0"),
+    live.Touch("w", "panic", 1.0),
+    live.Reset(),
+    holding.OnlyWatch(),
+    holding.Hand("s0", "bob"),
+    holding.Decline("s0"),
+    request.Begin(),
+    request.Reply("s0", "a", "1"),
+    request.Abort("x"),
+    request.Stop("x"),
+    request.Quit(),
+    request.Prepare(PLAN, ()),
+    steer.Pause(),
+    steer.Resume(),
+    steer.Step(),
+    live.Swap("s0", "a", CODE),
+]
+LOOKS = [
+    live.Survey(),
+    live.Read("s0"),
+    live.Status(),
+    live.Attend(),
+    holding.Sessions(),
+    steer.Who(),
+    live.Advance(1.0),
+]
+
+
+@pytest.mark.parametrize("asked", COMMANDS, ids=lambda one: type(one).__name__)
+def test_there_is_no_command_without_a_line(book, asked):  # R-X12
+    answered(book, asked)
+    assert [line[0] for line in book.lines] == [type(asked).__name__]
+
+
+@pytest.mark.parametrize("asked", LOOKS, ids=lambda one: type(one).__name__)
+def test_looking_is_no_command(book, asked):
+    answered(book, asked)
+    assert book.lines == []
+
+
+def test_code_is_named_by_its_whole_digest_and_goes_to_the_disk_at_once(book):  # R-X12
+    answered(book, live.Change("s0", spawn=(TASK,), code=(CODE,)), live.Accepted(3))
+    ((_, weighs, about),) = book.lines
+    assert weighs
+    assert (about["code"], about["about"], about["result"]) == ([CODE.digest], f"spawn={TASK.name}", "accepted as 3")
+    answered(book, live.Describe((CODE,)))
+    assert book.lines[1][:2] == ("Describe", True)
+
+
+def test_stops_and_changes_of_holder_go_to_the_disk_at_once(book):  # R-X12
+    answered(book, request.Stop("x"))
+    witness = Witness(book)
+    for one in (event.Held("s0", "bob#3", "why"), event.Stopped(True, "x"), event.Stopped(False, "")):
+        witness.told(one)
+    assert [line[:2] for line in book.lines] == [
+        ("Stop", True),
+        ("held", True),
+        ("stopped", True),
+        ("may move again", True),
+    ]
+    assert book.lines[1][2] == {"on": "s0", "who": "bob#3", "result": "why"}
+
+
+def test_how_what_was_accepted_ended_is_a_line_too(book):  # R-X12
+    witness = Witness(book)
+    witness.told(event.Edited("s0", 3, "it is gone", 1.0))
+    witness.told(event.Edited("s0", 4, "", 1.0))
+    witness.told(event.TaskState("s0", "arm", "ON", 1.0))
+    assert [line[2]["result"] for line in book.lines] == ["it is gone", "done"]
+
+
+def test_who_comes_and_goes_is_a_line_once_and_not_for_each_connection(book):  # R-X12
+    witness = Witness(book)
+    caller = Caller("ann", Role.VIEWER, "192.0.2.7", False)
+    for channel in (Channel.SESSION, Channel.SIGNAL, Channel.STREAM):
+        witness.came(Introduction(channel, "c", "", caller), "")
+    witness.came(Introduction(Channel.ALL, "c", "", caller), "there are 32 sessions already")
+    witness.lost("ann#2")
+    witness.garbage("ann#2", "no request")
+    results = [(what, about.get("result")) for what, _, about in book.lines]
+    assert results[:2] == [("connect", "connected"), ("connect", "refused: there are 32 sessions already")]
+    assert [what for what, _ in results[2:]] == ["gone", "garbage"]
+
+
+def test_that_it_cannot_be_written_is_told_once_until_it_can_again(book):  # R-X12
+    told = []
+    witness = Witness(book, told.append)
+    for trouble in ("full", "full", "", "full"):
+        book.trouble = trouble
+        witness.told(event.Held("s0", "bob#3"))
+    assert told == ["full", "full"]

@@ -1,0 +1,55 @@
+import pytest
+
+from onika.host.sessions.handover import LASTS_NS, Offers
+
+
+class Told(list):
+    def __call__(self, one, subsystem, session):
+        self.append((one.subsystem, one.holder, one.to, one.outcome, session))
+        assert one.subsystem == subsystem
+
+
+@pytest.fixture
+def told():
+    return Told()
+
+
+def test_the_one_it_is_for_is_told_and_the_holder_of_the_end(told):  # R-X12
+    offers = Offers(told)
+    offers.put("s0", "one", "two", 0)
+    assert offers.find("s0").to == "two"
+    offers.end("s0", "accepted")
+    assert told == [("s0", "one", "two", "", "two"), ("s0", "one", "two", "accepted", "one")]
+    assert offers.find("s0") is None
+
+
+def test_a_second_offer_takes_the_place_of_the_first(told):  # R-X12
+    offers = Offers(told)
+    offers.put("s0", "one", "two", 0)
+    offers.put("s0", "one", "three", 1)
+    assert [one[2:4] for one in told] == [("two", ""), ("two", "withdrawn"), ("three", "")]
+    assert offers.find("s0").to == "three"
+
+
+def test_nobody_is_waited_for_for_ever(told):  # R-X12
+    offers = Offers(told)
+    offers.put("s0", "one", "two", 5)
+    offers.expire(5 + LASTS_NS - 1)
+    assert offers.find("s0") is not None
+    offers.expire(5 + LASTS_NS)
+    assert offers.find("s0") is None
+    assert told[-1][3] == "no answer within 60 s"
+
+
+def test_who_is_gone_neither_offers_nor_takes(told):  # R-X12
+    offers = Offers(told)
+    offers.put("s0", "one", "two", 0)
+    offers.put("s1", "two", "three", 0)
+    offers.put("s2", "one", "three", 0)
+    offers.leave("two")
+    assert [offers.find(name) is None for name in ("s0", "s1", "s2")] == [True, True, False]
+
+
+def test_the_end_of_what_is_not_offered_is_no_news(told):
+    Offers(told).end("s0", "accepted")
+    assert told == []

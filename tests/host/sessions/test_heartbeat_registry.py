@@ -1,0 +1,41 @@
+import pytest
+
+from onika.host.sessions.heartbeat_registry import BeatBook
+
+
+@pytest.fixture
+def came():
+    return []
+
+
+def test_each_beat_of_a_connection_counts_once_and_never_again(came):  # R-X12
+    book = BeatBook(7994)
+    pact = book.open(came.append)
+    assert all(book.take(pact.beat(count)) for count in (1, 2, 5))
+    assert not any(book.take(pact.beat(count)) for count in (5, 2, 1, 4))
+    assert came == [1, 2, 5]
+
+
+def test_what_strangers_send_counts_for_nobody(came):  # R-X12
+    book = BeatBook(7994)
+    pact, other = book.open(came.append), BeatBook(7994).open(came.append)
+    beat = pact.beat(1)
+    forged = [
+        b"", b"x", b"\0" * 32, b"\0" * 65000, beat[:-1], beat + b"\0", beat[:-1] + bytes([beat[-1] ^ 1]),
+        beat[:8] + bytes([255]) + beat[9:], other.beat(1), pact.name + other.beat(9)[8:],
+    ]  # fmt: skip
+    assert not any(book.take(one) for one in forged)
+    assert came == []
+    assert book.take(beat)
+
+
+def test_beats_of_a_connection_that_is_no_more_count_no_more(came):  # R-X12
+    book = BeatBook(7994)
+    pact = book.open(came.append)
+    book.close(pact)
+    assert not book.take(pact.beat(1))
+    book.close(None)
+
+
+def test_where_no_datagram_can_come_nobody_is_told_to_send_any(came):
+    assert BeatBook().open(came.append) is None

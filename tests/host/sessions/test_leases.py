@@ -1,0 +1,140 @@
+import pytest
+
+from onika.host.sessions.leases import FAR_NS, LEASE_NS, NEAR_NS, Heard, Leases
+
+MS = 1_000_000
+SECOND = 1000 * MS
+STEADY = {"beats": 5, "beats_silent_ns": 0}
+
+
+class Held:
+    """Two holders; one whose lease ran out holds nothing any more."""
+
+    def __init__(self):
+        self.needed = {"one", "two"}
+        self.lapsed = []
+
+    def lapse(self, session, silent_ns, now):
+        self.needed.discard(session)
+        self.lapsed.append((session, silent_ns, now))
+
+
+class Clock:
+    now_ns = 0
+
+    def __call__(self):
+        return self.now_ns
+
+
+@pytest.fixture
+def held():
+    return Held()
+
+
+def leases_of(held, silences, length_ns=SECOND):
+    """Leases that are told how long each is silent; the clock stands."""
+    return Leases(held, lambda session: Heard(silences[session]) if session in silences else None, length_ns, Clock())
+
+
+def test_a_lease_ends_with_its_last_moment_and_only_once(held):  # R-X12
+    silences = {"one": SECOND - 1, "two": 0}
+    leases = leases_of(held, silences)
+    assert leases.judge(7) == []
+    silences["one"] = SECOND
+    assert leases.judge(8) == ["one"]
+    assert leases.judge(9) == []
+    assert held.lapsed == [("one", SECOND, 8)]
+
+
+def test_it_is_known_when_the_next_one_may_end(held):  # R-X12
+    silences = {"one": 300, "two": 100}
+    leases = leases_of(held, silences, 1000)
+    assert leases.due_ns() == 700
+    silences["one"] = 2000
+    assert leases.due_ns() == 0
+    leases.judge(0)
+    assert leases.due_ns() == 900
+    held.needed.clear()
+    assert leases.due_ns() is None
+
+
+def test_whoever_is_needed_is_looked_after_often(held):  # R-X12
+    assert leases_of(held, {"one": 0, "two": 0}).due_ns() == 50 * MS
+
+
+def test_whose_end_is_noticed_has_no_lease(held):  # R-X12
+    leases = leases_of(held, {"two": 5000}, 1000)
+    assert leases.judge(0) == ["two"]
+    assert (leases.of("one"), leases.of("two")) == (0, 1000)
+
+
+def test_without_a_length_there_is_none(held):  # law 15
+    leases = leases_of(held, {"one": 10**15, "two": 10**15}, 0)
+    assert leases.judge(0) == []
+    assert leases.due_ns() is None
+    assert leases.of("one") == 0
+
+
+@pytest.mark.parametrize(
+    ("heard", "length_ns"),
+    [
+        (Heard(0), LEASE_NS),
+        (Heard(0, 4, 0, 100), LEASE_NS),
+        (Heard(0, **STEADY, round_trip_us=19_999), NEAR_NS),
+        (Heard(0, **STEADY, round_trip_us=20_000), FAR_NS),
+        (Heard(0, 999, 1000 * MS, 100), LEASE_NS),
+    ],
+    ids=["over TCP", "not relied on yet", "a short way", "a long way", "no more through"],
+)
+def test_a_lease_follows_from_the_way_that_beats_take(held, heard, length_ns):  # network.md D4
+    assert Leases(held, lambda _: heard, None, Clock()).of("one") == length_ns
+    assert Leases(held, lambda _: heard, 700 * MS, Clock()).of("one") == 700 * MS
+
+
+def test_who_beats_by_datagram_is_missed_after_a_quarter_of_a_second(held):  # R-X12
+    held.needed = {"one"}
+    heard = {"silent": 249 * MS}
+    leases = Leases(held, lambda _: Heard(heard["silent"], 99, heard["silent"], 100), None, Clock())
+    assert leases.judge(0) == []
+    heard["silent"] = NEAR_NS
+    assert leases.judge(0) == ["one"]
+
+
+def test_silence_while_the_runtime_itself_stood_still_is_excused_once(held):  # R-X12
+    held.needed = {"one"}
+    clock = Clock()
+    leases = Leases(held, lambda _: Heard(clock.now_ns, 99, clock.now_ns, 100), None, clock)
+    clock.now_ns = 400 * MS  # it was kept from looking: what lies in the sockets comes in a moment
+    assert leases.judge(0) == []
+    assert 0 < leases.due_ns() <= 50 * MS
+    for _ in range(2):
+        clock.now_ns += 40 * MS
+        assert leases.judge(0) == [] or clock.now_ns > 470 * MS
+    clock.now_ns = 5000 * MS  # nobody is excused for ever
+    leases.judge(0)
+    clock.now_ns += 50 * MS
+    leases.judge(0)
+    assert [session for session, _, _ in held.lapsed] == ["one"]
+
+
+def test_silence_while_the_porter_stood_still_is_excused_once_too(held):  # R-X12
+    held.needed = {"one"}
+    clock, deaf = Clock(), {"ns": 0}
+    leases = Leases(held, lambda _: Heard(clock.now_ns, 99, clock.now_ns, 100), None, clock, lambda: deaf["ns"])
+    for _ in range(6):
+        clock.now_ns += 50 * MS
+        deaf["ns"] = max(0, clock.now_ns - 100 * MS)
+        assert leases.judge(0) == []
+        assert 0 < leases.due_ns() <= 50 * MS
+    deaf["ns"] = 0  # it listens again, and nobody was there
+    assert leases.judge(0) == ["one"]
+
+
+def test_a_porter_that_never_listens_again_does_not_keep_a_holder(held):  # R-X12
+    held.needed = {"one"}
+    clock = Clock()
+    leases = Leases(held, lambda _: Heard(clock.now_ns, 99, clock.now_ns, 100), None, clock, lambda: 10 * SECOND)
+    while not held.lapsed:
+        clock.now_ns += 50 * MS
+        leases.judge(0)
+    assert clock.now_ns == 2 * NEAR_NS

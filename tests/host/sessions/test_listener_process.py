@@ -1,0 +1,72 @@
+import select
+import socket
+
+import pytest
+
+from onika.host.sessions.listen_options import Listening
+from onika.host.sessions.listener_process import Porter
+from onika.host.sessions.users import User
+from onika.link.address import Address
+from onika.link.caller import Caller, Role
+from onika.link.carrier import SocketCarrier, wait_for
+from onika.link.channel import Channel
+from onika.link.lost import LinkLost
+from onika.link.sessions import Introduction
+from onika.link.token import digest
+from onika.link.websocket_opening import Opening
+from onika.wire.packet import Hello, encode
+
+HELLO = encode(Hello(2, "me", "e", 3))
+
+
+def listening(port=0):
+    return Listening("127.0.0.1", port, "", "", (User("ann", Role.VIEWER, digest("anns")),), ("localhost",))
+
+
+@pytest.mark.site
+def test_whom_it_lets_in_the_program_is_given_with_an_end_of_the_connection():  # R-F01
+    porter = Porter(listening())
+    address = Address.parse(porter.open())
+    outside = Opening(address, "anns")(Channel.STREAM)
+    outside.send(HELLO)
+    select.select([porter.post], [], [], 10.0)
+    ((new, connected),) = porter.arrivals()
+    assert new == Introduction(Channel.STREAM, "me", "e", Caller("ann", Role.VIEWER, "127.0.0.1", True))
+    inside = SocketCarrier(connected)
+    assert received(inside) == [HELLO]
+    inside.send(b"down")
+    assert received(outside) == [b"down"]
+    inside.close()
+    with pytest.raises(LinkLost):
+        received(outside)
+    outside.close()
+    assert porter.ending() == ""
+    porter.close()
+
+
+def received(carrier):
+    while True:
+        wait_for([carrier], 10.0)
+        came = carrier.receive()
+        if came:
+            return came
+
+
+@pytest.mark.site
+def test_a_place_that_is_taken_is_told():
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        porter = Porter(listening(taken.getsockname()[1]))
+        with pytest.raises(OSError, match=r"cannot listen on 127\.0\.0\.1 port"):
+            porter.open()
+        porter.close()
+
+
+@pytest.mark.site
+def test_its_end_is_noticed():
+    porter = Porter(listening())
+    porter.open()
+    porter._process.kill()
+    porter._process.wait()
+    assert porter.arrivals() == []
+    assert porter.ending() == "was killed by signal 9"
+    porter.close()

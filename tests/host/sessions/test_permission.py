@@ -1,0 +1,72 @@
+import pytest
+
+from onika.host.sessions.permission import brings_code, changes_nothing, refusal
+from onika.link.caller import PARENT, Caller, Role
+from onika.testing.source import COUNTER
+from onika.testing.workshop import Workshop
+from onika.wire import holding, live, request
+from onika.wire.plan import Code, Plan
+
+CODE = Code("d", "m", "m.py", "x = 1")
+LOOKS = [
+    request.Stop("x"), request.Snapshot(), live.Survey(), live.Read("s"), live.Status(), live.Check("s"),
+    live.Attend(), live.Scene("w"), holding.Sessions(), holding.OnlyWatch(),
+]  # fmt: skip
+WITH_CODE = [
+    request.Prepare(Plan("a", (), (CODE,)), ()),
+    request.Inspect((), (CODE,)),
+    live.Describe((CODE,)),
+    live.Change("s", code=(CODE,)),
+    live.Swap("s", "t", CODE),
+    live.Reinit("s", "t", (("GAIN", ("1",)), ("STARTS", ("rm", "-r")))),
+    live.Reinit("s", "t", (("PARTNER", ("tcp:192.0.2.1:80",)),)),
+]
+COMMANDS = [
+    request.Begin(), request.Abort("x"), request.Reply("s", "t", ""), request.Prepare(Plan("a", (), ()), ()),
+    live.Change("s"), live.Take("s"), live.Release("s"), live.Set("s", "t", "n", "1"), live.Reset(), live.Close("s"),
+    live.Touch("w", "panic", 1.0), live.Reinit("s", "t", (("GAIN", ("1",)),)),
+    holding.Hand("s", "ann"), holding.Decline("s"),
+]  # fmt: skip
+LEAST = [(Role.VIEWER, LOOKS), (Role.OPERATOR, COMMANDS), (Role.PROGRAMMER, WITH_CODE), (Role.OWNER, [request.Quit()])]
+
+
+def caller(role, near=True):
+    return Caller("ann", role, "192.0.2.7", near)
+
+
+@pytest.mark.parametrize("role", Role)
+def test_a_role_may_what_it_and_those_before_it_may(role):  # law 27
+    for least, requests in LEAST:
+        for asked in requests:
+            assert (refusal(caller(role), asked, True) == "") is (role >= least), (role, asked)
+
+
+def test_only_the_program_that_launched_the_runtime_makes_recordings():  # X05: a file on that machine
+    asked = request.Begin(record="/tmp/run.mcap")
+    assert refusal(PARENT, asked, False) == ""
+    assert "launched the runtime" in refusal(Caller("ann", Role.OWNER, "127.0.0.1", True), asked, True)
+
+
+def test_everybody_may_stop():  # law 27
+    assert all(refusal(caller(role, near), request.Stop("x"), False) == "" for role in Role for near in (True, False))
+
+
+@pytest.mark.parametrize("asked", WITH_CODE)
+def test_code_from_elsewhere_has_to_be_accepted(asked):  # law 23
+    assert brings_code(asked)
+    assert "--accept-code" in refusal(caller(Role.OWNER, near=False), asked, False)
+    assert refusal(caller(Role.OWNER, near=False), asked, True) == ""
+    assert refusal(caller(Role.OWNER, near=True), asked, False) == ""
+
+
+def test_a_task_that_starts_a_program_is_as_good_as_code_though_its_module_is_known():  # R-F04, law 23
+    shop = Workshop()
+    plain, starts = (shop.task("t", COUNTER, local=local) for local in ({}, {"STARTS": "rm -r /"}))
+    assert not brings_code(live.Change("s", spawn=(plain,)))
+    assert brings_code(live.Change("s", spawn=(plain, starts)))
+    assert "--accept-code" in refusal(caller(Role.PROGRAMMER, near=False), live.Change("s", spawn=(starts,)), False)
+
+
+def test_who_looks_or_stops_changes_nothing():  # R-X12
+    assert all(changes_nothing(asked) for asked in LOOKS)
+    assert not any(changes_nothing(asked) for asked in COMMANDS)

@@ -1,0 +1,38 @@
+from onika.host.sessions.presence import Company
+from onika.wire import event, holding
+
+
+class Doorway:
+    def __init__(self, *names):
+        self.names = list(names)
+        self.told = []
+
+    def sessions(self):
+        return tuple(holding.SessionStanding(name, "operator") for name in self.names)
+
+    def tell(self, one, subsystem="", session=""):
+        self.told.append((one, subsystem, session))
+
+
+def test_who_is_there_is_told_when_it_changes_to_those_who_want_to_know():  # R-X12
+    doorway, watching = Doorway("one"), set()
+    company = Company(doorway, lambda: watching)
+    company.look()
+    company.look()
+    doorway.names.append("two")
+    company.look()
+    watching.add("two")
+    company.look()
+    sessions = [[(one.name, one.only_watches) for one in told.sessions] for told, _, _ in doorway.told]
+    assert sessions == [[("one", False)], [("one", False), ("two", False)], [("one", False), ("two", True)]]
+    assert {(type(told), where, who) for told, where, who in doorway.told} == {(event.Company, holding.COMPANY, "")}
+
+
+def test_who_asks_learns_its_own_name():  # R-X12
+    answer = Company(Doorway("one", "two"), set).answer("two")
+    assert (answer.you, [one.name for one in answer.sessions]) == ("two", ["one", "two"])
+
+
+def test_how_long_each_may_be_silent_is_told_too():  # R-X12, network.md D4
+    leases = {"one": 250_000_000, "two": 0}
+    assert [one.lease_s for one in Company(Doorway("one", "two"), set, leases.get).sessions()] == [0.25, 0.0]

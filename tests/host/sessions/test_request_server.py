@@ -1,0 +1,305 @@
+import socket
+
+import pytest
+
+from onika.host.sessions.request_server import Call, Gate
+from onika.link.caller import Caller, Role
+from onika.link.carrier import SocketCarrier, memory_pair
+from onika.link.channel import Channel
+from onika.link.connection import Connection
+from onika.link.link_events import Read, Signalled
+from onika.link.link_terms import CHILD
+from onika.link.sessions import Guests, Introduction
+from onika.testing.workshop import Workshop, action
+from onika.wire import event, live, request
+
+SECOND = 1_000_000_000
+
+
+class Road:
+    """Where guests come from, in place of the porter."""
+
+    def __init__(self):
+        self.coming = []
+        self.post, self.other = socket.socketpair()
+        self.end = ""
+
+    deaf = 0
+
+    def deaf_ns(self):
+        return self.deaf
+
+    def arrivals(self):
+        came, self.coming = self.coming, []
+        return came
+
+    def ending(self):
+        return self.end
+
+
+class House:
+    """A gate that answers whenever somebody waits, and those who ask it."""
+
+    def __init__(self, accepts_code=False):
+        self.now = 0
+        self.road = Road()
+        self.guests = Guests("life")
+        self.connections: list[Connection] = []
+        self.gate = Gate(self.guests, lambda: self.now, self.road, accepts_code)
+        self.calls: list[Call] = []
+        self.answers = True
+
+    def serve(self, _sources=(), _timeout=None):
+        self.now += 1_000_000
+        for call in self.gate.requests():
+            self.calls.append(call)
+            if self.answers:
+                self.gate.reply(call.ticket, request.Done())
+
+    def parent(self):
+        here, there = memory_pair()
+        self.gate.adopt(there)
+        return self._opened(Connection(here, lambda: self.now, CHILD, wait=self.serve))
+
+    def guest(self, role=Role.OWNER, near=True, client="me", epoch=""):
+        ours, theirs = socket.socketpair()
+        caller = Caller(role.word, role, "127.0.0.1" if near else "192.0.2.7", near)
+        self.road.coming.append((Introduction(Channel.ALL, client, epoch, caller), theirs))
+        return self._opened(Connection(SocketCarrier(ours), lambda: self.now, CHILD, client, wait=self.serve))
+
+    def _opened(self, connection):
+        self.connections.append(connection)
+        connection.open()
+        return connection
+
+    def close(self):
+        for connection in self.connections:
+            connection.close(timeout_s=0)
+        for session in self.guests.sessions:
+            session.drop()
+        self.road.post.close()
+        self.road.other.close()
+
+
+@pytest.fixture
+def house():
+    made = House()
+    yield made
+    made.close()
+
+
+def ask(connection, asked):
+    return request.decode_response(connection.request(request.encode(asked)))
+
+
+def heard(connection):
+    return [event.decode(one.body) for one in connection.poll() if isinstance(one, Signalled)]
+
+
+def test_a_request_comes_out_with_its_session_and_its_response_goes_back(house):  # R-F01, R-F07
+    parent = house.parent()
+    assert ask(parent, request.Abort("enough")) == request.Done()
+    assert house.calls == [Call(1, "owner#1", Role.OWNER, request.Abort("enough"), "parent")]
+
+
+def test_what_is_no_request_is_refused_at_once(house):  # R-F07
+    parent = house.parent()
+    for body in (b"", b"\xc1", b"\x81\xa4type\xa4Nope", request.encode(request.Done())):
+        answer = request.decode_response(parent.request(body))
+        assert isinstance(answer, request.Refused)
+        assert answer.reason.startswith("expected a request")
+    assert house.calls == []
+
+
+def test_a_response_may_come_later_and_in_any_order(house):  # R-F07
+    house.answers = False
+    parent = house.parent()
+    first, second = (parent.ask(request.encode(request.Abort(word))) for word in "ab")
+    parent.poll()
+    house.serve()
+    for call, reason in zip(reversed(house.calls), "yx", strict=True):
+        house.gate.reply(call.ticket, request.Refused(reason))
+    replied = {one.number: request.decode_response(one.body).reason for one in parent.poll() if hasattr(one, "number")}
+    assert replied == {first: "x", second: "y"}
+
+
+def test_events_arrive_in_their_order(house):  # R-F01, house decision 7
+    parent = house.parent()
+    said = [event.Done(0, number, number / 2) for number in range(5)]
+    for one in said:
+        house.gate.tell(one)
+    house.serve()
+    assert heard(parent) == said
+
+
+def test_an_event_goes_to_those_who_attend_and_to_the_one_it_is_for(house):  # R-F01
+    parent, near, far = house.parent(), house.guest(client="a"), house.guest(client="b")
+    house.gate.attend("owner#2", ("left",))
+    said = [event.Done(0, number, 0.0) for number in range(5)]
+    house.gate.tell(said[0], "left")
+    house.gate.tell(said[1], "right", "owner#3")
+    house.gate.tell(said[2])
+    house.gate.attend("owner#3", ("*",))
+    house.gate.tell(said[3], "right")
+    house.serve()
+    assert heard(parent) == [said[2]]
+    assert heard(near) == [said[0], said[2]]
+    assert heard(far) == [said[1], said[2], said[3]]
+
+
+def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
+    near, far = house.guest(client="a"), house.guest(client="b")
+    house.gate.show("owner#1", "X", b"1")
+    house.gate.show("owner#1", "X", b"2")
+    house.gate.show("nobody", "X", b"3")
+    assert house.gate.due_s() == 0
+    house.serve()
+    assert [one for one in near.poll() if isinstance(one, Read)] == [Read("X", b"2")]
+    assert [one for one in far.poll() if isinstance(one, Read)] == []
+
+
+def test_it_is_open_until_the_launching_program_goes(house):  # R-E10
+    parent, _ = house.parent(), house.guest()
+    parent.close(timeout_s=0)
+    house.serve()
+    assert not house.gate.is_open
+    assert house.gate.lost() == ["owner#1"]
+    assert house.gate.lost() == []
+
+
+def test_one_without_a_launching_program_is_always_open(house):
+    assert house.gate.is_open
+    house.guest().close(timeout_s=0)
+    house.serve()
+    assert house.gate.is_open
+
+
+@pytest.mark.parametrize(
+    ("role", "asked", "said"),
+    [
+        (Role.VIEWER, request.Abort("x"), "expected an operator for Abort, found viewer, who is viewer"),
+        (Role.OPERATOR, request.Quit(), "expected an owner"),
+    ],
+)
+def test_what_a_role_may_not_is_refused_at_once(house, role, asked, said):  # R-X12, law 27
+    guest = house.guest(role)
+    assert ask(guest, asked).reason.startswith(said)
+    assert ask(guest, request.Stop("stop!")) == request.Done()
+    assert ask(guest, live.Survey()) == request.Done()
+    assert [type(call.asked) for call in house.calls] == [request.Stop, live.Survey]
+
+
+def test_code_from_another_machine_is_refused_unless_it_is_accepted(house):  # law 23
+    shop = Workshop()
+    shop.task("bell", "from onika.module import Module\n\nclass Bell(Module):\n    trigger = True\n")
+    prepare = request.Prepare(shop.plan([action("bell")]), ())
+    far = house.guest(near=False)
+    assert "code from another machine (192.0.2.7) is not accepted" in ask(far, prepare).reason
+    assert ask(far, request.Prepare(prepare.plan.__class__("x", (), ()), ())) == request.Done()
+    near = house.guest(client="near")
+    assert ask(near, prepare) == request.Done()
+    open_house = House(accepts_code=True)
+    far = open_house.guest(near=False)
+    assert ask(far, prepare) == request.Done()
+    operator = open_house.guest(Role.OPERATOR, client="o")
+    assert "expected a programmer" in ask(operator, prepare).reason
+    open_house.close()
+
+
+def test_a_flood_is_served_a_little_at_a_time_and_the_others_in_between(house):  # R-F01
+    house.answers = False
+    flood, honest = house.guest(client="a"), house.guest(client="b")
+    for _ in range(500):
+        flood.ask(request.encode(live.Survey()))
+    honest.ask(request.encode(request.Stop("now")))
+    house.serve()
+    assert [call.session for call in house.calls].count("owner#1") <= 16
+    assert "owner#2" in [call.session for call in house.calls]
+    assert house.gate.due_s() == 0
+    for _ in range(200):
+        flood.poll()
+        house.serve()
+    assert len(house.calls) == 501
+
+
+def test_a_session_that_is_silent_for_too_long_is_lost_once_and_another_users_is_turned_away(house):
+    house.guest()
+    house.serve()
+    house.now += 4 * SECOND
+    house.gate.requests()
+    assert house.gate.lost() == ["owner#1"]
+    assert house.gate.lost() == []
+    with pytest.raises(Exception, match="another user's"):
+        house.guest(Role.VIEWER)
+
+
+def test_the_porters_end_is_told_and_those_who_are_there_stay(house):
+    guest = house.guest()
+    house.road.end = "was killed by signal 9"
+    house.serve()
+    house.serve()
+    (lost,) = heard(guest)
+    assert lost.name == "porter"
+    assert "killed by signal 9" in lost.cause
+    assert ask(guest, request.Abort("")) == request.Done()
+
+
+class Witnessed:
+    """Keeps what a gate says to its witness."""
+
+    def __init__(self):
+        self.seen = []
+
+    def answered(self, call, response):
+        self.seen.append((type(call.asked).__name__, call.session, call.address, type(response).__name__))
+
+    def garbage(self, session, text):
+        self.seen.append(("garbage", session))
+
+    def came(self, new, why_not):
+        self.seen.append(("came", new.caller.user, why_not))
+
+    def lost(self, session):
+        self.seen.append(("lost", session))
+
+    def told(self, one):
+        self.seen.append(("told", type(one).__name__))
+
+
+def test_its_witness_sees_every_request_with_its_answer_refused_ones_too(house):  # R-X12
+    witness = house.gate.watcher = Witnessed()
+    viewer = house.guest(Role.VIEWER)
+    (session,) = [one.name for one in house.gate.sessions()]
+    viewer.request(request.encode(live.Survey()))
+    viewer.request(request.encode(live.Take("s0")))
+    viewer.request(b"garbage")
+    house.gate.tell(event.Held("s0", "me"))
+    viewer.close()
+    house.serve()
+    house.gate.lost()
+    came, survey, take, garbage, told, lost = witness.seen
+    assert (survey[0], take[0], take[3]) == ("Survey", "Take", "Refused")
+    assert take[1:3] == (session, survey[2])
+    assert (came[0], garbage, told, lost) == ("came", ("garbage", session), ("told", "Held"), ("lost", session))
+
+
+def test_who_is_there_and_how_long_he_was_silent(house):  # R-X12
+    house.parent()
+    house.guest(Role.OPERATOR)
+    parent, guest = house.gate.sessions()
+    assert (parent.role, guest.role, guest.is_here) == ("owner", "operator", True)
+    before = house.gate.hearing(guest.name)
+    house.now += SECOND
+    assert house.gate.hearing(guest.name).silent_ns == before.silent_ns + SECOND
+    assert before.beats == 0
+    assert house.gate.hearing(parent.name) is None
+    assert house.gate.hearing("nobody") is None
+
+
+def test_whoever_overhears_is_told_everything_at_once(house):  # law 29
+    told = []
+    house.gate.overhear(lambda one, subsystem: told.append((one, subsystem)))
+    house.gate.tell(event.Stopped(True, "x"), "flow0")
+    house.gate.overhear(None)
+    house.gate.tell(event.Stopped(False, ""))
+    assert told == [(event.Stopped(True, "x"), "flow0")]

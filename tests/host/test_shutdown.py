@@ -1,0 +1,28 @@
+import os
+import signal
+
+import pytest
+
+from onika.host.shutdown import Ending
+
+
+@pytest.fixture(autouse=True)
+def as_before():
+    kept = [(one, signal.getsignal(one)) for one in (signal.SIGTERM, signal.SIGINT)]
+    yield
+    for one, handler in kept:
+        signal.signal(one, handler)
+
+
+def test_a_wish_to_end_is_noted():
+    ending = Ending(is_launched=False)
+    assert not ending.is_asked
+    os.kill(os.getpid(), signal.SIGTERM)
+    assert ending.is_asked
+
+
+@pytest.mark.parametrize(("is_launched", "is_asked"), [(True, False), (False, True)])
+def test_a_ctrl_c_is_the_launching_programs_to_answer(is_launched, is_asked):  # house decision 11
+    ending = Ending(is_launched)
+    os.kill(os.getpid(), signal.SIGINT)
+    assert ending.is_asked is is_asked

@@ -1,0 +1,178 @@
+import os
+import select
+import threading
+from time import monotonic_ns
+
+import numpy as np
+import pytest
+
+from onika.host.units import device_server as room
+from onika.host.units.device_server import DeviceServer
+from onika.host.units.heartbeat import SIZE, Heartbeat
+from onika.host.units.process_socket import Post
+from onika.ring.device import Drive, Order
+from onika.ring.segment import Segment
+from onika.ring.slots import Ring
+from onika.runtime.bus import SEGMENT_SIZE
+from onika.testing.worlds import MassWorld
+
+
+def open_world(name):
+    if name != "yard":
+        raise ValueError(f"expected a world (yard), found {name!r}")
+    return MassWorld()
+
+
+class Server:
+    """A device server in a thread, and the other end of its post."""
+
+    def __init__(self):
+        self.post, theirs = Post.pair()
+        self._theirs = Post(theirs)
+        beat = Segment.create("beat", SIZE)
+        self.heartbeat = Heartbeat(beat)
+        self.bus = Segment.create("bus", SEGMENT_SIZE)
+        server = DeviceServer(self._theirs, Heartbeat(Segment.attach(os.dup(beat.fd))), monotonic_ns())
+        self.thread = threading.Thread(target=server.run)
+        self.thread.start()
+
+    def say(self, order, descriptors=()):
+        self.post.send(room.encode(order), descriptors)
+
+    def hear(self, kind):
+        """The next word of a kind."""
+        while True:
+            received = self.post.receive()
+            if received is None:
+                assert select.select([self.post], [], [], 20.0)[0], f"no {kind}"
+                continue
+            word = room.decode_word(received[0])
+            if isinstance(word, kind):
+                return word
+
+    def ask(self, order, kind, descriptors=()):
+        self.say(order, descriptors)
+        return self.hear(kind)
+
+    def open(self):
+        return self.ask(room.Open("yard"), room.Opened, (self.bus.fd,))
+
+    def claim(self, epoch=1):
+        return self.ask(room.Claim("yard:m0", epoch), room.Granted).grant
+
+    def command(self, grant, *values, order=Order.DRIVE):
+        data = np.array([grant.epoch, order, *values])
+        Ring(self.bus.view, grant.command_offset, data.nbytes).write(data.tobytes())
+
+    def state(self, grant):
+        return np.frombuffer(Ring(self.bus.view, grant.state_offset, 8 * len(grant.state)).read())
+
+    def close(self):
+        self.post.close()
+        self.thread.join(20.0)
+        assert not self.thread.is_alive()
+        self._theirs.close()
+
+
+@pytest.fixture
+def server(monkeypatch):
+    monkeypatch.setattr(room, "open_world", open_world)
+    one = Server()
+    yield one
+    one.close()
+
+
+def test_a_world_is_opened_and_steps_on_the_grid_of_wall_time(server):  # law 16
+    assert server.open() == room.Opened("yard")
+    grant = server.claim()
+    first = server.state(grant)[0]
+    while server.state(grant)[0] < first + 0.05:
+        pass
+    assert server.heartbeat.last_ns > 0
+
+
+def test_a_command_drives_and_silence_holds(server):  # laws 16, 17
+    server.open()
+    grant = server.claim()
+    server.command(grant, 1.0)
+    driven, held = server.hear(room.Driven), server.hear(room.Driven)
+    assert (driven.world, driven.device, driven.state, driven.cause) == ("yard", "m0", 0, "DRIVE")
+    assert (held.state, held.cause) == (1, "silence")
+    assert held.previous_step_ns - held.last_command_ns <= 50_000_000 < held.at_ns - held.last_command_ns
+
+
+def test_a_device_is_granted_to_one_writer_until_it_is_released(server):  # law 16
+    server.open()
+    server.claim(1)
+    assert "claimed already" in server.ask(room.Claim("yard:m0", 2), room.Denied).reason
+    server.say(room.Release("yard:m0", 1))
+    assert server.claim(3).epoch == 3
+
+
+def test_a_dead_writer_is_fenced_and_its_devices_trip(server):  # law 17
+    server.open()
+    grant = server.claim()
+    server.command(grant, 1.0)
+    assert server.hear(room.Driven).state == 0
+    server.say(room.Fence(grant.epoch))
+    tripped = server.hear(room.Driven)
+    assert (tripped.state, tripped.cause) == (2, "its writer died")
+
+
+def test_a_stop_holds_everything(server):  # law 27
+    server.open()
+    grant = server.claim()
+    server.command(grant, 1.0)
+    server.hear(room.Driven)
+    server.say(room.StopAll())
+    assert server.hear(room.Driven).cause == "stop"
+
+
+def test_a_part_is_touched_and_an_unknown_one_denied(server):  # R-K06
+    server.open()
+    grant = server.claim()
+    server.command(grant, 1.0)
+    assert server.hear(room.Driven).state == Drive.DRIVEN
+    assert server.ask(room.Touch("yard", "panic", 1.0), room.Touched) == room.Touched()
+    assert server.hear(room.Driven).state == Drive.PRESSED
+    assert "found 1 for 'bell'" in server.ask(room.Touch("yard", "bell", 1.0), room.Denied).reason
+
+
+def test_what_is_not_there_is_denied_with_what_is(server):  # law 16
+    assert server.ask(room.Open("sea"), room.Denied, (server.bus.fd,)).reason == "expected a world (yard), found 'sea'"
+    server.open()
+    assert "m0" in server.ask(room.Claim("yard:m9", 1), room.Denied).reason
+
+
+def test_the_worlds_can_be_drawn(server):
+    assert server.ask(room.Draw(), room.Drawn).snapshots == {}
+    server.open()
+    assert server.ask(room.Draw(), room.Drawn).snapshots.keys() == {"yard"}
+
+
+def test_after_a_stall_the_world_loses_time_and_does_not_run_after_it(server, monkeypatch):  # law 13
+    server.open()
+    grant = server.claim()
+    now = monotonic_ns
+    monkeypatch.setattr(room, "monotonic_ns", lambda: now() + 10_000_000_000)  # ten seconds have gone by at once
+    for _ in range(3):
+        server.ask(room.Draw(), room.Drawn)
+    assert server.state(grant)[0] < 5.0
+
+
+def test_it_ends_with_the_runtime(server):  # law 31
+    server.post.close()
+    server.thread.join(20.0)
+    assert not server.thread.is_alive()
+
+
+def test_poses_are_told_to_whoever_brings_a_socket_and_not_to_the_runner(server):  # law 29: it is woken for nothing
+    server.open()
+    near, far = Post.pair()
+    server.say(room.Pose("yard"), (far.fileno(),))
+    assert select.select([near], [], [], 20.0)[0]
+    assert room.decode_word(near.receive()[0]).world == "yard"
+    near.close()
+    far.close()
+    server.say(room.Touch("yard", "bell", 1.0))
+    assert isinstance(server.hear(room.Word.__args__), room.Denied)

@@ -1,0 +1,43 @@
+import os
+
+from onika.host.units.heartbeat import SIZE, Heartbeat
+from onika.ring.segment import Segment
+
+
+def pair():
+    """The process's end and the supervisor's end of one heartbeat."""
+    segment = Segment.create("beat", SIZE)
+    return Heartbeat(segment), Heartbeat(Segment.attach(os.dup(segment.fd)))
+
+
+def test_the_supervisor_sees_when_the_process_was_last_alive():  # law 30
+    process, supervisor = pair()
+    assert supervisor.last_ns == 0
+    process.beat()
+    first = supervisor.last_ns
+    process.beat()
+    assert supervisor.last_ns >= first > 0
+
+
+def test_whose_code_runs_is_seen_until_it_returns():  # law 15
+    process, supervisor = pair()
+    for task in ("flow0/jtraj", "flow0/a", ""):
+        process.watch(task)
+        assert supervisor.task == task
+
+
+def test_a_name_longer_than_its_place_is_cut():
+    process, supervisor = pair()
+    process.watch("x" * 1000)
+    assert supervisor.task == "x" * 256
+    process.watch("é" * 1000)
+    assert supervisor.task == "é" * 128
+
+
+def test_long_work_is_announced_and_ends():
+    process, supervisor = pair()
+    assert not supervisor.takes_long
+    process.is_slow(True)
+    assert supervisor.takes_long
+    process.is_slow(False)
+    assert not supervisor.takes_long

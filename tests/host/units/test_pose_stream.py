@@ -1,0 +1,60 @@
+from onika.host.units import pose_stream
+from onika.host.units.device_server import decode_word
+from onika.host.units.pose_stream import Posing
+from onika.host.units.process_socket import Post
+
+MS = 1_000_000
+
+
+def heard(post):
+    words = []
+    while not post.is_closed and (received := post.receive()) is not None:
+        words.append(decode_word(received[0]))
+    return words
+
+
+def test_everybody_who_asked_is_told_thirty_times_a_second():  # law 29
+    one = Posing("yard")
+    assert not one.is_due(0)
+    posts = [Post.pair() for _ in range(2)]
+    for near, _ in posts:
+        one.add(near)
+        one.add(near)
+    for now in range(0, 100 * MS, 2 * MS):
+        if one.is_due(now):
+            one.tell(now, now - 7, b"rows", ("lamp",))
+    for _, end in posts:
+        far = Post(end)
+        told = heard(far)
+        far.close()
+        assert [(each.world, each.at_ns, each.rows, each.lit, each.left_out) for each in told] == [
+            ("yard", at * MS - 7, b"rows", ("lamp",), 0) for at in (0, 34, 68)
+        ]
+        assert [each.told_ns for each in told] == sorted(each.told_ns for each in told)
+    one.close()
+    assert not one.is_due(10**12)
+
+
+def test_who_is_gone_is_told_nothing_more():
+    one = Posing("yard")
+    near, far = Post.pair()
+    one.add(near)
+    far.close()
+    one.tell(0, 0, b"", ())
+    assert not one.is_due(10**12)
+
+
+def test_who_does_not_come_to_take_them_is_told_how_many_were_left_out(monkeypatch):  # bounded, and told
+    monkeypatch.setattr(pose_stream, "_MOST_WAITING", 0)
+    one = Posing("yard")
+    near, end = Post.pair()
+    far = Post(end)
+    one.add(near)
+    one.tell(0, 0, b"", ())
+    one.tell(1, 1, b"", ())
+    monkeypatch.undo()
+    one.tell(2, 2, b"", ())
+    one.tell(3, 3, b"", ())
+    assert [(each.at_ns, each.left_out) for each in heard(far)] == [(2, 2), (3, 0)]
+    near.close()
+    far.close()

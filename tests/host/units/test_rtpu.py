@@ -1,0 +1,191 @@
+import os
+import select
+import threading
+from collections import deque
+from time import monotonic_ns
+
+import pytest
+
+from onika.host.units import rtpu as room
+from onika.host.units.heartbeat import SIZE, Heartbeat
+from onika.host.units.process_socket import Post
+from onika.host.units.rtpu import Ready, Rtpu, Share
+from onika.ring.segment import Segment
+from onika.runtime import command, news, table as tables
+from onika.words.shape import Shape
+
+COUNT = """
+from onika.module import Module, OutVar, finish
+
+class Count(Module):
+    trigger = True
+    N = OutVar("int", "-", "cycles")
+
+    def init(self):
+        self._count = 0
+
+    def cycle(self):
+        self._count += 1
+        self.N = self._count
+        return finish() if self._count == 5 else None
+"""
+
+
+class Unit:
+    """A processing unit in a thread, and the runner's end of its post."""
+
+    def __init__(self):
+        self.post, theirs = Post.pair()
+        self._theirs = Post(theirs)
+        self._heard = deque()
+        beat = Segment.create("beat", SIZE)
+        self.heartbeat = Heartbeat(beat)
+        self.table = tables.Table(Segment.create("table", tables.SIZE))
+        rtpu = Rtpu("rt0", self._theirs, Heartbeat(Segment.attach(os.dup(beat.fd))), monotonic_ns())
+        self.thread = threading.Thread(target=rtpu.run)
+        self.thread.start()
+        self.post.send(room.encode(Share("table:flow0")), (self.table.segment.fd,))
+
+    def say(self, order):
+        self.post.send(room.encode(order))
+
+    def told(self, number):
+        """The next datagrams, each a list of news."""
+        heard = []
+        while len(heard) < number:
+            received = self.post.receive()
+            if received is not None:
+                heard.append(room.decode_news(received[0]))
+            else:
+                assert select.select([self.post], [], [], 20.0)[0]
+        return heard
+
+    def hear(self, kind):
+        """The next news of a kind."""
+        while True:
+            while self._heard:
+                one = self._heard.popleft()
+                if isinstance(one, kind):
+                    return one
+            received = self.post.receive()
+            if received is not None:
+                self._heard += room.decode_news(received[0])
+            else:
+                assert select.select([self.post], [], [], 20.0)[0], f"no {kind.__name__}"
+
+    def spawn(self, source=COUNT, task="count"):
+        entry = self.table.entry("N", Shape.parse("int"))
+        ports = (command.BoundPort("N", "N", "int", entry.offset),)
+        self.say(command.Spawn("flow0", task, "count", "count.py", source, "periodic", 200.0, (), ports, 0, 0, None))
+
+    def close(self):
+        self.post.close()
+        self.thread.join(20.0)
+        assert not self.thread.is_alive()
+        self._theirs.close()
+
+
+@pytest.fixture
+def unit():
+    one = Unit()
+    yield one
+    one.close()
+
+
+def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # house decision 3, law 2
+    unit.spawn()
+    assert unit.hear(news.Initialised).task == "count"
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))
+    assert unit.hear(news.Changed).state == "ON"
+    first = unit.hear(news.Cycled).at_ns
+    finished = unit.hear(news.Finished)
+    # Five cycles of 4 ms, each at its release or later; the first may be late, but by less than a period.
+    assert finished.now_ns - first > 3 * 4_000_000
+    assert unit.table.value("N") == 5
+
+
+def spawn_all(unit, names):
+    for name in names:
+        unit.spawn(task=name)
+        unit.hear(news.Initialised)
+
+
+def test_a_prepared_switch_and_what_it_led_to_come_in_one_datagram(unit):  # law 6
+    spawn_all(unit, ("count", "b", "c"))
+    follows = command.Switch("flow0", (), (), (command.Launch("b", "", None, 2), command.Launch("c", "", None, 3)))
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count", "", None, 1),)))
+    unit.say(command.Prepared("flow0", "count", 1, (command.Case(0, None, 4, follows),)))
+    unit.hear(news.Cycled)
+    told, later = unit.told(2)
+    finished = told[0]
+    assert (finished.task, finished.switched) == ("count", 4)
+    followed = [(type(one), one.task) for one in told[1:]]
+    assert followed[:2] == [(news.Changed, "b"), (news.Changed, "c")]
+    assert {(news.Cycled, "b"), (news.Cycled, "c")} >= set(followed[2:])
+    assert {one.task for one in later} <= {"b", "c"}
+
+
+def test_a_finish_that_somebody_has_to_answer_waits_for_no_other_cycle(unit):  # law 2
+    spawn_all(unit, ("count", "b"))
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count"), command.Launch("b"))))
+    unit.hear(news.Cycled)
+    unit._heard.clear()
+    finishes = []
+    while len(finishes) < 2:
+        (told,) = unit.told(1)
+        finishes += [told] if any(isinstance(one, news.Finished) for one in told) else []
+    assert [len(told) for told in finishes] == [1, 1]
+
+
+def test_it_says_that_it_is_alive_and_whose_code_runs(unit):  # law 30
+    unit.spawn()
+    unit.hear(news.Initialised)
+    unit.say(command.Report())
+    unit.hear(news.Statuses)  # the spawn is behind it
+    beat = unit.heartbeat.last_ns
+    assert beat > 0
+    assert not unit.heartbeat.takes_long
+    assert unit.heartbeat.task == ""
+
+
+def test_code_that_cannot_be_loaded_is_refused(unit):  # law 21
+    unit.spawn("class (")
+    assert "count.py:1" in unit.hear(news.Refused).reason
+
+
+def test_commands_are_answered_while_tasks_cycle(unit):  # law 2
+    unit.spawn(COUNT.replace("== 5", "== 1_000_000"))
+    unit.hear(news.Initialised)
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))
+    unit.hear(news.Cycled)
+    unit.say(command.Report())
+    (status,) = unit.hear(news.Statuses).tasks
+    assert (status.task, status.state) == ("count", "ON")
+    unit.say(command.Kill("flow0", "count"))
+    assert unit.hear(news.Changed).state == "KILLED"
+
+
+def test_quit_ends_it(unit):
+    unit.say(command.Quit())
+    unit.thread.join(20.0)
+    assert not unit.thread.is_alive()
+
+
+def test_it_ends_with_the_runtime_and_turns_its_tasks_off(unit):  # laws 17, 30
+    unit.spawn(COUNT.replace("== 5", "== 1_000_000"))
+    unit.hear(news.Initialised)
+    unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))
+    unit.hear(news.Cycled)
+    unit.post.close()
+    unit.thread.join(20.0)
+    assert not unit.thread.is_alive()
+
+
+def test_words_of_a_unit_travel():
+    assert room.decode_news(room.encode([Ready({"SCHED_FIFO": True})])) == [Ready({"SCHED_FIFO": True})]
+    assert room.decode_command(room.encode(Share("table:flow0"))) == Share("table:flow0")
+
+
+def test_a_library_that_is_missing_is_no_fault_until_a_module_needs_it(monkeypatch):  # law 21
+    monkeypatch.setattr(room, "PRELOADED", ("nothing_like_it", "json"))
+    room.preload()

@@ -1,0 +1,138 @@
+import os
+import signal
+
+import pytest
+
+from onika.host.units import supervisor as room
+from onika.host.units.supervisor import SILENT_NS, SLOW_NS, Supervisor
+
+PUPPET = """
+import argparse, select, socket
+parser = argparse.ArgumentParser()
+for option in ("--fd", "--beat-fd", "--zero", "--parent"):
+    parser.add_argument(option, type=int)
+parser.add_argument("--fifo", action="store_true")
+parser.add_argument("--name", default="")
+given = parser.parse_args()
+post = socket.socket(fileno=given.fd)
+post.send(f"{given.zero} {given.fifo} {given.name}".encode())
+while post.recv(10):
+    pass
+"""
+
+
+@pytest.fixture
+def supervisor(tmp_path, monkeypatch):
+    (tmp_path / "puppet.py").write_text(PUPPET)
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    one = Supervisor(zero_ns=123, with_fifo=True)
+    yield one
+    one.end()
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Time as a list with one number."""
+    now = [10 * SLOW_NS]
+    monkeypatch.setattr(room, "monotonic_ns", lambda: now[0])
+    return now
+
+
+def up(supervisor, *arguments):
+    one = supervisor.launch("rt0", "puppet", arguments)
+    one.is_up = True
+    return one
+
+
+def heard(one):
+    while (received := one.post.receive()) is None:
+        assert one.process.poll() is None
+    return received[0].decode()
+
+
+def beat(one, now):
+    one.heartbeat._words[0] = now[0]
+
+
+def test_a_process_is_started_with_what_it_needs(supervisor):  # law 30
+    one = supervisor.launch("rt0", "puppet", ("--name", "rt0"))
+    assert heard(one) == "123 True rt0"
+    assert supervisor.processes == {"rt0": one}
+    assert (one.is_up, one.is_lost) == (False, False)
+
+
+def test_a_process_that_is_well_makes_no_trouble(supervisor, clock):  # law 30
+    one = up(supervisor)
+    beat(one, clock)
+    clock[0] += SILENT_NS
+    assert supervisor.troubles() == []
+
+
+def test_a_process_that_is_not_up_yet_may_be_silent(supervisor, clock):  # law 30
+    supervisor.launch("rt0", "puppet")
+    assert supervisor.troubles() == []
+
+
+def test_a_silent_process_is_ended_and_told_once(supervisor, clock):  # law 30
+    one = up(supervisor)
+    beat(one, clock)
+    clock[0] += SILENT_NS + 1
+    ((lost, reason),) = supervisor.troubles()
+    assert lost is one
+    assert reason == "rt0 has not answered for 1.0 s: stopped"
+    assert one.is_lost
+    assert one.process.returncode == -signal.SIGKILL
+    assert supervisor.troubles() == []
+
+
+def test_the_task_whose_code_never_returned_is_named(supervisor, clock):  # law 15
+    one = up(supervisor)
+    beat(one, clock)
+    one.heartbeat.watch("flow0/sick")
+    clock[0] += SILENT_NS + 1
+    assert supervisor.troubles()[0][1].endswith("a call of task flow0/sick has not returned")
+
+
+def test_no_task_is_blamed_for_a_process_that_somebody_stopped(supervisor, clock):  # R-X06
+    one = up(supervisor)
+    heard(one)
+    beat(one, clock)
+    one.heartbeat.watch("flow0/innocent")
+    os.kill(one.process.pid, signal.SIGSTOP)
+    os.waitid(os.P_PID, one.process.pid, os.WSTOPPED | os.WNOWAIT)
+    clock[0] += SILENT_NS + 1
+    assert supervisor.troubles()[0][1].endswith(" s: stopped")
+
+
+def test_announced_work_may_take_longer(supervisor, clock):  # law 30
+    one = up(supervisor)
+    beat(one, clock)
+    one.heartbeat.is_slow(True)
+    clock[0] += SLOW_NS
+    assert supervisor.troubles() == []
+    clock[0] += 1
+    assert len(supervisor.troubles()) == 1
+
+
+@pytest.mark.parametrize(("blow", "said"), [(signal.SIGKILL, "signal 9"), (signal.SIGTERM, "signal 15")])
+def test_a_killed_process_is_told_with_its_signal(supervisor, clock, blow, said):  # R-E10
+    one = up(supervisor)
+    os.kill(one.process.pid, blow)
+    os.waitid(os.P_PID, one.process.pid, os.WEXITED | os.WNOWAIT)
+    assert supervisor.troubles()[0][1] == f"rt0 was killed by {said}"
+
+
+def test_a_process_that_ends_is_told_with_its_code(supervisor, clock):  # R-E10
+    one = up(supervisor)
+    heard(one)
+    one.post.close()  # then the puppet goes
+    os.waitid(os.P_PID, one.process.pid, os.WEXITED | os.WNOWAIT)
+    assert supervisor.troubles()[0][1] == "rt0 ended with code 0"
+
+
+def test_the_end_leaves_no_process_and_no_zombie(supervisor):  # R-E10
+    one = up(supervisor)
+    supervisor.end()
+    supervisor.end()
+    assert one.process.returncode == -signal.SIGKILL
+    assert one.post.is_closed

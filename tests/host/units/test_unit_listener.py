@@ -1,0 +1,22 @@
+import inspect
+
+import pytest
+
+from onika.host.subsystems import Stage
+from onika.host.units.unit_listener import Listener
+from onika.testing.hand import FrailDriver
+
+WORDS = sorted(name for name in vars(Listener) if not name.startswith("_"))
+
+
+@pytest.mark.parametrize("listener", [Stage, FrailDriver])
+@pytest.mark.parametrize("name", WORDS)
+def test_whoever_listens_hears_the_same(listener, name):  # law 1
+    wanted, given = vars(Listener)[name], inspect.getattr_static(listener, name)
+    assert type(given) is type(wanted)
+    if inspect.isfunction(wanted):
+        assert list(inspect.signature(given).parameters) == list(inspect.signature(wanted).parameters)
+
+
+def test_there_is_something_to_hear():
+    assert {"hear", "lost", "tick", "wake_at", "is_moving"} <= set(WORDS)

@@ -1,0 +1,122 @@
+import os
+import select
+import signal
+
+import pytest
+
+from onika.host.loading.module_facts import DirectLoading
+from onika.host.loading.plan_preparation import prepare
+from onika.host.run.runner import Runner
+from onika.host.units.wall import DEVICES, WallDriver
+from onika.ring.segment import Segment
+from onika.runtime.subsystem import Subsystem
+from onika.runtime.table import SIZE, Table
+from onika.store.site import shipped
+from onika.testing.workshop import Workshop, action
+from onika.wire import event
+from onika.wire.request import Begin
+
+pytestmark = pytest.mark.site
+
+
+def source(lab, module):
+    return (shipped() / lab / "module" / f"{module}.py").read_text()
+
+
+class Run:
+    """The hand of one arm opens, in real processes; the runner lives in this one."""
+
+    def __init__(self, rtpus=("rt0",), most="0.6"):
+        self.told = []
+        self.driver = WallDriver(rtpus, self.told.append, with_fifo=False)
+        shop = Workshop()
+        shop.task("gripper", source("puma", "gripper"), frequency=250.0, local={"DEVICE": "boxes:gripper_left"})
+        local = {"LEAST": most, "MOST": most}
+        shop.task("opengrip", source("puma", "opengrip"), frequency=50.0, local=local)
+        prepared = prepare(shop.plan([action("gripper", "opengrip")]), (), DirectLoading())
+        assert prepared.faults == []
+        table = Table(Segment.create("table", SIZE))
+        self.driver.share("table:flow0", table.segment)
+        on = {"gripper": rtpus[0], "opengrip": rtpus[-1]}
+        subsystems = {0: Subsystem("flow0", table, prepared.flows[0], on)}
+        self.runner = Runner(prepared, Begin(watch=("GRIP_MEZ",)), subsystems, self.driver, self.told.append)
+        self.driver.listen(self.runner)
+        self.driver.begin()
+        self.runner.start(self.driver.now)
+
+    def until(self, is_there):
+        while not is_there():
+            select.select([one.post for one in self.driver.posts()], [], [], self.driver.wait_s())
+            self.driver.advance(0)
+
+    def driven(self):
+        self.until(lambda: any(isinstance(one, event.Drive) and one.state == "DRIVEN" for one in self.told))
+
+    def over(self):
+        self.until(lambda: self.runner.is_over)
+        self.until(self.driver.is_at_rest)
+        return self.runner.tally
+
+    @property
+    def drives(self):
+        return [one.state for one in self.told if isinstance(one, event.Drive)]
+
+
+@pytest.fixture
+def start():
+    runs = []
+    yield lambda **settings: runs.append(Run(**settings)) or runs[-1]
+    for run in runs:
+        processes = list(run.driver._supervisor.processes.values())
+        run.driver.close()
+        assert all(one.process.returncode is not None for one in processes)
+
+
+def test_a_run_in_real_processes_comes_to_its_end(start):  # R-A15, R-E03, laws 16, 30
+    run = start(rtpus=("left", "right"), most="0.3")
+    tally = run.over()
+    assert (tally.completed, tally.done) == (True, 1)
+    assert tally.values["GRIP_MEZ"][0] > 0.1  # m: the hand is open
+    assert run.drives == ["DRIVEN", "HELD"]
+    assert run.driver.granted.keys() == {"left", "right", DEVICES}
+    assert run.driver.snapshots().keys() == {"boxes"}
+    assert run.driver.digest == ""
+
+
+def test_a_stop_goes_straight_to_the_drives(start):  # law 27
+    run = start(most="60")
+    run.driven()
+    run.driver.stop()
+    run.runner.abort("stop", run.driver.now)
+    tally = run.over()
+    assert (tally.completed, tally.cause) == (False, "stop")
+    assert run.drives == ["DRIVEN", "HELD"]
+    assert [one.cause for one in run.told if isinstance(one, event.Drive)][-1] == "stop"
+
+
+def test_a_lost_unit_is_fenced_and_ends_the_run(start):  # R-E10, law 17
+    run = start(most="60")
+    run.driven()
+    os.kill(run.driver._supervisor.processes["rt0"].process.pid, signal.SIGKILL)
+    # where the blow meets a task in its call, the cause names that task as well
+    assert run.over().cause.startswith("processing unit rt0 was killed by signal 9")
+    assert run.drives == ["DRIVEN", "TRIPPED"]
+    assert run.driver.posts() == [run.driver._supervisor.processes[DEVICES]]
+
+
+def test_a_lost_device_server_ends_the_run_and_leaves_nothing_to_draw(start):  # R-E10, law 17
+    run = start(most="60")
+    run.driven()
+    os.kill(run.driver._supervisor.processes[DEVICES].process.pid, signal.SIGKILL)
+    assert run.over().cause == "the device server was killed by signal 9"
+    assert any(isinstance(one, event.Failed) and one.task == "gripper" for one in run.told)
+    assert run.driver.snapshots() == {}
+    with pytest.raises(ValueError, match="gone"):
+        run.driver.grant("rt0", "boxes:lamp")
+
+
+def test_a_device_that_is_not_there_is_refused_with_the_reason(start):  # law 16
+    run = start(most="60")
+    for device, reason in (("sea:m0", "'sea'"), ("boxes:tail", "'tail'"), ("boxes", "WORLD:DEVICE")):
+        with pytest.raises(ValueError, match=reason):
+            run.driver.grant("rt0", device)

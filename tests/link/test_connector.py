@@ -1,0 +1,53 @@
+import threading
+
+from onika.link.carrier import memory_pair, wait_for
+from onika.link.channel import Channel
+from onika.link.connector import ThreadDialler
+from onika.link.lost import Cause, LinkLost
+
+
+def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
+    here, _ = memory_pair()
+
+    def opening(channel):
+        if channel is Channel.SIGNAL:
+            raise LinkLost(Cause.TOKEN, "wrong")
+        return here
+
+    dialler = ThreadDialler(opening)
+    dialler.dial(Channel.SESSION)
+    dialler.dial(Channel.SIGNAL)
+    came = []
+    while len(came) < 2:
+        wait_for([dialler], 5.0)
+        came += dialler.finished()
+    found = dict(came)
+    assert found[Channel.SESSION] is here
+    assert found[Channel.SIGNAL].cause is Cause.TOKEN
+    assert dialler.finished() == []
+    dialler.close()
+    dialler.close()
+    assert dialler.fileno() == -1
+
+
+def test_what_comes_after_the_end_is_let_go():
+    here, there = memory_pair()
+    go = threading.Event()
+
+    def opening(_channel):
+        go.wait(5.0)
+        return here
+
+    dialler = ThreadDialler(opening)
+    dialler.dial(Channel.SESSION)
+    dialler.close()
+    go.set()
+    for thread in threading.enumerate():
+        if thread.name == "onika SESSION":
+            thread.join(5.0)
+    try:
+        there.receive()
+    except LinkLost as lost:
+        assert lost.cause is Cause.CLOSED
+    else:
+        raise AssertionError("it was kept")

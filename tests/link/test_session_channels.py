@@ -1,0 +1,145 @@
+from onika.link.caller import Caller, Role
+from onika.link.carrier import memory_pair
+from onika.link.channel import THREE, Channel
+from onika.link.link_events import Asked, EpochChanged, Replied, Resumed, Signalled, Turned
+from onika.link.link_terms import LOCAL
+from onika.link.lost import Cause
+from onika.link.session_channels import Bundle
+from onika.link.sessions import Guests, Introduction
+from onika.link.state import LinkState
+
+MS = 1_000_000
+
+
+class Net:
+    """A bundle and a runtime's guests; connections come about at once."""
+
+    def __init__(self, channels=THREE):
+        self.now = 0
+        self.bundle = Bundle("me", LOCAL, channels, jitter=lambda: 1.0)
+        self.restart("first")
+
+    def restart(self, life):
+        self.guests = Guests(life)
+        self.lines = {}
+
+    def dial(self):
+        for channel in self.bundle.wants(self.now):
+            here, there = memory_pair()
+            new = Introduction(channel, "me", self.bundle.epoch, Caller("ann", Role.OWNER, "", False))
+            if self.guests.admit(new, there, self.now):
+                there.close()
+            self.lines[channel] = there
+            self.bundle.attach(channel, here, self.now)
+
+    def talk(self, rounds=4):
+        asked = []
+        for _ in range(rounds):
+            self.dial()
+            self.bundle.service(self.now)
+            for session in self.guests.sessions:
+                asked += [(session, one) for one in session.service(self.now) if isinstance(one, Asked)]
+        self.bundle.service(self.now)
+        return asked
+
+    def told(self, *kinds):
+        return [one for one in self.bundle.take_happenings() if isinstance(one, kinds)]
+
+
+def test_the_asking_channel_comes_first_and_the_others_follow():  # R-F01
+    net = Net()
+    assert net.bundle.wants(0) == [Channel.SESSION]
+    net.bundle.failed(Channel.SESSION, 0)
+    assert net.bundle.wants(0) == []
+    assert net.bundle.due_ns(0) == 250 * MS
+    net.now = 250 * MS
+    net.talk(1)
+    assert net.bundle.state is not LinkState.LINKED
+    net.talk()
+    assert net.bundle.state is LinkState.LINKED
+    assert net.told(EpochChanged, Resumed) == [EpochChanged("first-1")]
+
+
+def test_trying_again_takes_longer_each_time_up_to_two_seconds():
+    net = Net()
+    waits = []
+    for _ in range(6):
+        assert net.bundle.wants(net.now) == [Channel.SESSION]
+        net.bundle.failed(Channel.SESSION, net.now)
+        waits.append(net.bundle.due_ns(net.now) // MS)
+        net.now += net.bundle.due_ns(net.now)
+    assert waits == [250, 500, 1000, 2000, 2000, 2000]
+
+
+def test_answers_and_signals_come_out_of_one_bundle():  # R-F01
+    net = Net()
+    net.talk()
+    number = net.bundle.request(b"do", net.now)
+    ((session, asked),) = net.talk()
+    session.signal(b"event", net.now)
+    session.reply(asked.ticket, b"done", net.now)
+    net.talk()
+    assert net.told(Replied, Signalled) == [Replied(number, b"done"), Signalled(1, b"event")]
+
+
+def test_a_cut_of_one_channel_is_mended_without_a_word():  # R-F01
+    net = Net()
+    net.talk()
+    net.told()
+    net.lines[Channel.SIGNAL].close()
+    net.guests.sessions[0].signal(b"meanwhile", net.now)
+    net.talk()
+    assert net.bundle.state is LinkState.GREETING
+    net.now += 300 * MS
+    net.talk()
+    assert net.bundle.state is LinkState.LINKED
+    assert net.told(Signalled, Turned, EpochChanged) == [Signalled(1, b"meanwhile")]
+
+
+def test_in_a_new_life_of_the_runtime_all_channels_begin_anew():  # R-F01
+    net = Net()
+    net.talk()
+    net.guests.sessions[0].signal(b"old", net.now)
+    net.talk()
+    for line in net.lines.values():
+        line.close()
+    net.restart("second")
+    net.talk()
+    net.now += 300 * MS
+    net.talk()
+    net.guests.sessions[0].signal(b"new", net.now)
+    net.talk()
+    assert [one.epoch for one in net.told(EpochChanged)] == ["first-1", "second-1"]
+    assert net.bundle.state is LinkState.LINKED
+
+
+def test_signals_of_an_old_life_are_not_told_in_a_new_one():  # R-F01
+    net = Net()
+    net.talk()
+    net.told()
+    net.guests.sessions[0].signal(b"old", net.now)  # on its way when the runtime ends
+    net.lines[Channel.SESSION].close()
+    net.restart("second")
+    net.bundle.service(net.now)
+    net.now += 300 * MS
+    net.talk()
+    told = net.told(EpochChanged, Signalled)
+    assert told[-1] == EpochChanged("second-1")
+    assert Signalled(1, b"old") not in told[told.index(EpochChanged("second-1")) :]
+
+
+def test_the_end_is_said_on_all_channels():
+    net = Net()
+    net.talk()
+    net.bundle.close("enough", net.now)
+    net.talk()
+    assert net.bundle.state is LinkState.ENDED
+    assert net.bundle.carriers == []
+    assert net.told(Turned)[-1].lost.cause is Cause.HERE
+    assert net.guests.lost(net.now) == ["ann#1"]
+
+
+def test_one_connection_may_do_for_everything():
+    net = Net((Channel.ALL,))
+    net.talk()
+    assert net.bundle.states() == {Channel.ALL: LinkState.LINKED}

@@ -1,0 +1,25 @@
+import math
+
+from onika.record import topics
+from onika.wire import event, live, request
+
+
+def test_an_event_comes_back_as_it_was():  # R-X05
+    one = topics.Happened("flow0", event.Began(0, 1, 3, "go", 1.25))
+    assert topics.decode_happened(topics.encode(one)) == one
+
+
+def test_a_request_comes_back_as_it_was():  # law 29
+    for asked in (request.Reply("flow0", "gauge", '0.5 "two"'), live.Touch("boxes", "panic", 1.0), request.Abort("x")):
+        one = topics.Wanted(2, "me", asked)
+        assert topics.decode_wanted(topics.encode(one)) == one
+
+
+def test_what_json_does_not_know_is_written_all_the_same():
+    failed = event.Failed("s", "t", "x", "p", 1, "", 0.0, "cycle", {"X": math.nan, "Y": object})
+    assert topics.decode_happened(topics.encode(topics.Happened("s", failed))).event.values["X"] is None
+
+
+def test_topics_are_named_by_what_they_tell():
+    assert topics.variable("flow0", "Q^_MEZ") == "/flow0/Q^_MEZ"
+    assert (topics.frames("boxes"), topics.scene("boxes")) == ("/worlds/boxes/frames", "/worlds/boxes/scene")

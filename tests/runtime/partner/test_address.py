@@ -1,0 +1,49 @@
+"""Where a partner listens."""
+
+import socket
+
+import pytest
+
+from onika.runtime.partner.address import PartnerAddress
+
+
+@pytest.mark.parametrize(
+    ("words", "family", "place"),
+    [
+        ("unix:/tmp/x", socket.AF_UNIX, "/tmp/x"),
+        ("tcp:127.0.0.1:7801", socket.AF_INET, ("127.0.0.1", 7801)),
+        ("tcp:[::1]:7801", socket.AF_INET6, ("::1", 7801, 0, 0)),
+    ],
+)
+def test_an_address_is_a_path_or_a_machine_and_its_port(words, family, place):  # R-F04
+    found = PartnerAddress.parse(words)
+    assert (found.words, found.family, found.place) == (words, family, place)
+
+
+@pytest.mark.parametrize(
+    "words", ["", "unix:", "tcp:", "tcp:host", "tcp::7801", "tcp:127.0.0.1:0", "tcp:127.0.0.1:70000", "http://x:1"]
+)
+def test_anything_else_is_refused(words):
+    with pytest.raises(ValueError, match="expected unix:PATH or tcp:HOST:PORT"):
+        PartnerAddress.parse(words)
+
+
+def test_a_machine_that_nobody_knows_is_refused_when_it_is_read():
+    with pytest.raises(ValueError, match=r"expected the name of a machine, found nowhere\.invalid"):
+        PartnerAddress.parse("tcp:nowhere.invalid:7801")
+
+
+def test_a_call_where_nobody_listens_says_so_at_once(tmp_path):
+    with pytest.raises(FileNotFoundError):
+        PartnerAddress.parse(f"unix:{tmp_path / 'nobody'}").call()
+
+
+@pytest.mark.parametrize("family", [socket.AF_UNIX, socket.AF_INET])
+def test_a_call_is_a_connection_that_never_blocks(tmp_path, family):
+    with socket.socket(family) as server:
+        server.bind(str(tmp_path / "x") if family == socket.AF_UNIX else ("127.0.0.1", 0))
+        server.listen()
+        words = f"unix:{tmp_path / 'x'}" if family == socket.AF_UNIX else f"tcp:127.0.0.1:{server.getsockname()[1]}"
+        line, _ = PartnerAddress.parse(words).call()
+        with line, server.accept()[0]:
+            assert not line.getblocking()

@@ -1,0 +1,131 @@
+"""The keeper of a started program, run as the script it is."""
+
+import os
+import select
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from onika.runtime.partner import child_guard
+
+PATIENCE_S = 20.0
+
+
+class Kept:
+    """A keeper with its lifeline; the program it keeps has a pipe as its output."""
+
+    def __init__(self, *command):
+        self.lifeline, theirs = socket.socketpair()
+        self.lifeline.settimeout(PATIENCE_S)
+        self.output, child_output = os.pipe()
+
+        def third():
+            os.dup2(theirs.fileno(), child_guard.LIFELINE)
+
+        subprocess.run(
+            [sys.executable, "-I", "-S", child_guard.__file__, *command],
+            stdin=subprocess.DEVNULL,
+            stdout=child_output,
+            preexec_fn=third,
+            close_fds=False,
+            timeout=PATIENCE_S,
+            check=True,
+        )
+        theirs.close()
+        os.close(child_output)
+
+    def said(self):
+        """The last words on the lifeline."""
+        return self.lifeline.recv(1000).decode()
+
+    def first_line(self):
+        line = b""
+        while not line.endswith(b"\n"):
+            line += os.read(self.output, 1)
+        return line.decode()
+
+    def output_ends(self):
+        """Whether nobody holds the program's output any more, in the end."""
+        while select.select([self.output], [], [], PATIENCE_S)[0]:
+            if not os.read(self.output, 1000):
+                return True
+        return False
+
+    def close(self):
+        self.lifeline.close()
+        os.close(self.output)
+
+
+@pytest.fixture
+def keep():
+    made = []
+
+    def start(*command):
+        made.append(Kept(*command))
+        return made[-1]
+
+    yield start
+    for one in made:
+        one.close()
+
+
+@pytest.mark.parametrize(
+    ("command", "words"),
+    [
+        (("sh", "-c", "exit 3"), "ended with exit code 3"),
+        (("sh", "-c", "kill -9 $$"), "ended by signal 9"),
+        (("/nowhere/at/all",), "cannot be started: No such file or directory"),
+    ],
+)
+def test_it_says_how_the_program_ended(keep, command, words):  # R-F04
+    assert keep(*command).said() == words
+
+
+def test_the_program_ends_with_the_lifeline(keep):  # R-F04
+    kept = keep("sh", "-c", "echo up; exec sleep 1000")
+    assert kept.first_line() == "up\n"
+    kept.lifeline.close()
+    assert kept.output_ends()
+
+
+def test_a_program_that_does_not_want_to_end_is_ended_with_all_it_started(keep):  # R-F04
+    script = "import signal, subprocess, time; signal.signal(signal.SIGTERM, signal.SIG_IGN);"
+    script += "subprocess.Popen(['sleep', '1000']); print('up', flush=True); time.sleep(1000)"
+    kept = keep(sys.executable, "-c", script)
+    assert kept.first_line() == "up\n"
+    kept.lifeline.close()
+    assert kept.output_ends()
+
+
+LEAVES = "import os, time; os.fork() and ({}); os.setsid(); print('up', flush=True); time.sleep(1000)"
+"""A program that leaves a child behind in a session of its own; what else it does."""
+
+
+def test_nothing_is_left_of_a_program_that_ends_at_once_when_it_shall(keep):  # R-F04
+    kept = keep(sys.executable, "-c", LEAVES.format("time.sleep(1000)"))
+    assert kept.first_line() == "up\n"
+    kept.lifeline.close()
+    assert kept.output_ends()
+
+
+def test_what_a_program_leaves_behind_lives_as_long_as_the_task_and_no_longer(keep):  # R-F04
+    kept = keep(sys.executable, "-c", LEAVES.format("os._exit(0)"))
+    assert kept.said() == "ended with exit code 0"
+    assert kept.first_line() == "up\n"
+    assert not select.select([kept.output], [], [], 0.05)[0]
+    kept.lifeline.close()
+    assert kept.output_ends()
+
+
+def test_the_program_is_in_a_session_of_its_own_and_may_use_all_processors(keep):
+    script = "import os; print(f'{os.getsid(0) == os.getpid()} {len(os.sched_getaffinity(0))}')"
+    kept = keep(sys.executable, "-c", script)
+    assert kept.first_line() == f"True {len(os.sched_getaffinity(0))}\n"
+
+
+def test_it_knows_nothing_of_onika():
+    assert "import onika" not in Path(child_guard.__file__).read_text()
+    assert "from onika" not in Path(child_guard.__file__).read_text()

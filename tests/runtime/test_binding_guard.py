@@ -1,0 +1,75 @@
+"""What a module does to itself while it lives is noticed and named."""
+
+import pytest
+
+from onika.model.lifecycle import State
+from onika.runtime import news
+from onika.runtime.binding_guard import Containment
+from onika.runtime.running_task import CHECKED_EVERY
+from onika.testing.rig import Rig
+from onika.testing.source import COUNTER, module
+
+MS = 1_000_000
+PORTS = "    X = InVar('double[2]')\n    Y = OutVar('double[2]')\n    K = Local('int', default=1)\n"
+TRICKS = [
+    ("self.Q_REFF = 1.0", "Q_REFF is no port of this module: declare it or use another name"),
+    ("self.N = 1.0; self.FOREIGN = 5", "FOREIGN is a variable of other tasks: this module has no port for it"),
+    (
+        "type(self).Z = OutVar('double')",
+        "Z was declared or changed after the module was loaded: it is bound to nothing",
+    ),
+    ("type(self).Y = OutVar('double')", "Y was declared or changed after"),
+    ("type(self).declared_ports['Z'] = OutVar('double')", "Z was declared or changed after"),
+    ("del type(self).declared_ports['Y']", "Y was declared or changed after"),
+    ("self.__class__ = Other", "it has turned from a One into a Other"),
+    ("type(self).hardware = True", "hardware may not change after the module was loaded"),
+    ("self.trigger = True", "trigger may not change after the module was loaded"),
+    ("self._port_Y = [1.0, 2.0]", "the memory behind Y was exchanged: write into it"),
+]
+
+
+def tricky(line, at):
+    """Does it in one of its cycles."""
+    other = "\nclass Other(Module):\n    pass\n" if "Other" in line else ""
+    body = f"    n = 0\n    def cycle(self):\n        self.n += 1\n        if self.n == {at}:\n            {line}"
+    source = module(PORTS + body)
+    return source.replace("\nclass One", f"{other}\nclass One") if other else source
+
+
+def other_class(source):
+    """A file may have one module only: the other class is made where no loader looks."""
+    return source.replace(
+        "\nclass Other(Module):\n    pass\n", "\nOther = type('Other', (Module,), {'__module__': 'x'})\n"
+    )
+
+
+@pytest.mark.parametrize(("line", "told"), TRICKS)
+@pytest.mark.parametrize("at", [1, 10])
+def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, told, at):  # R-A12
+    rig = Rig().spawn("good", COUNTER).spawn("owner", module("    FOREIGN = OutVar('double')"))
+    rig.spawn("one", other_class(tricky(line, at)), frequency=1000.0).switch(on=["good", "one"]).run(1100 * MS)
+    assert rig.task("one").state is State.ERROR
+    failed = rig.heard(news.Failed)[0]
+    assert told in failed.text
+    assert (failed.now_ns // MS) == (0 if at == 1 else CHECKED_EVERY + 1)
+    assert (rig["N"], rig.task("good").state) == (111, State.ON)
+
+
+def test_no_error_entry_mends_it():  # R-A12
+    body = "    def cycle(self):\n        self.Q_REFF = 1\n    def error(self, fault):\n        return True"
+    assert Rig().spawn("one", module(body)).switch(on=["one"]).run(0).task("one").state is State.ERROR
+
+
+def test_whoever_writes_a_foreign_name_before_it_lives_is_named_too():  # R-A12
+    body = "    def init(self):\n        self.FOREIGN = 1.0"
+    rig = Rig().spawn("owner", module("    FOREIGN = OutVar('double')")).spawn("one", module(body))
+    assert "FOREIGN is a variable of other tasks" in rig.heard(news.Failed)[0].text
+
+
+def test_a_module_that_does_nothing_of_the_kind_is_left_alone():
+    rig = Rig().spawn(
+        "one", module(PORTS + "    def cycle(self):\n        self.Y = 2.0 * self.X\n        self._k = self.K")
+    )
+    rig.switch(on=["one"]).run(3000 * MS)
+    assert rig.task("one").state is State.ON
+    assert Containment(rig.task("one").module).faults() == []

@@ -1,0 +1,225 @@
+"""What is due, in which order."""
+
+from hypothesis import given, settings, strategies as st
+
+from onika.runtime.scheduler import Agenda, Slot
+
+
+def slot(name="a", period=10, crit=0, rank=0):
+    return Slot((-crit, rank, name), period)
+
+
+def run_all(agenda, now):
+    """The names of all slots that run at an instant at which cycles take no time."""
+    names = []
+    while (due := agenda.next_due(now)) is not None:
+        names.append(due.key[2])
+        agenda.done(due)
+    return names
+
+
+def test_nothing_is_due_on_an_empty_agenda():
+    agenda = Agenda()
+    assert agenda.next_release() is None
+    assert agenda.next_due(10**12) is None
+
+
+def test_a_slot_is_due_at_once_and_then_on_the_common_grid():  # law 13
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 7)
+    releases = []
+    for _ in range(4):
+        releases.append(agenda.next_release())
+        assert agenda.next_due(releases[-1]) is one
+        agenda.done(one)
+        assert agenda.next_due(agenda.next_release() - 1) is None
+    assert releases == [7, 10, 20, 30]
+
+
+def test_slots_that_enter_together_are_due_together_and_none_is_late():  # law 2
+    """The `on` of the second took until 25: the first is not late by it."""
+    agenda, first, second = Agenda(), slot("b"), slot("a")
+    agenda.enter(first, 0)
+    agenda.enter(second, 25)
+    assert agenda.next_release() == 0
+    assert run_all(agenda, 25) == ["a", "b"]
+    assert (first.missed, agenda.next_release()) == (0, 30)
+
+
+def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  # law 1
+    agenda = Agenda()
+    slots = [slot("slow", 20), slot("b"), slot("a"), slot("c", rank=-1), slot("crit", rank=9, crit=1)]
+    for one in slots:
+        agenda.enter(one, 0)
+    assert run_all(agenda, 0) == ["crit", "c", "a", "b", "slow"]
+
+
+@settings(deadline=None, max_examples=50)
+@given(st.permutations([slot(name, 10 * (1 + n % 2), n % 3, n % 2) for n, name in enumerate("abcdef")]))
+def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  # law 1
+    agenda = Agenda()
+    for one in slots:
+        agenda.enter(one, 0)
+    run_all(agenda, 0)
+    assert run_all(agenda, 20) == sorted(
+        "abcdef", key=lambda n: next((s.deadline, s.key) for s in slots if s.key[2] == n)
+    )
+
+
+def test_a_late_slot_skips_whole_periods_and_runs_for_the_one_that_is_open():  # law 2
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    assert agenda.next_due(45) is one
+    assert (one.missed, one.release, one.deadline) == (3, 40, 50)
+
+
+def test_a_slot_that_runs_within_its_period_has_missed_nothing():  # law 2
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    assert agenda.next_due(19) is one
+    assert (one.missed, one.release) == (0, 10)
+
+
+def test_a_slot_at_its_very_deadline_runs_for_the_next_period_and_only_once():  # law 2
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    assert run_all(agenda, 20) == ["a"]
+    assert (one.missed, agenda.next_release()) == (1, 30)
+
+
+def test_a_late_slot_takes_its_place_by_its_new_deadline():  # laws 1, 2
+    agenda, late, fresh = Agenda(), slot("late", 10), slot("fresh", 48)
+    agenda.enter(late, 0)
+    run_all(agenda, 0)
+    agenda.enter(fresh, 45)
+    assert run_all(agenda, 45) == ["fresh", "late"]  # 48 before 50, though the deadline of `late` was 20 once
+
+
+def test_what_has_left_is_not_due_and_may_come_back():
+    agenda, one = Agenda(), slot()
+    for is_in_already in (False, True):
+        agenda.enter(one, 0)
+        if is_in_already:
+            run_all(agenda, 0)
+        agenda.leave(one)
+        assert agenda.next_release() is None
+        assert agenda.next_due(100) is None
+    agenda.enter(one, 105)
+    assert agenda.next_release() == 105
+
+
+def test_what_leaves_while_others_wait_their_turn_hides_nobody():
+    agenda, slots = Agenda(), [slot(name, period=100) for name in "abc"]
+    for one in slots:
+        agenda.enter(one, 0)
+    run_all(agenda, 0)
+    assert agenda.next_due(105) is slots[0]
+    agenda.done(slots[0])
+    agenda.leave(slots[1])
+    assert agenda.next_release() == 100
+    assert agenda.next_due(105) is slots[2]
+
+
+def test_a_new_slot_of_an_old_name_is_another_one():
+    """A task that is killed and spawned again within a period: its old entries are still in the queue."""
+    agenda = Agenda()
+    for start in (0, 5, 7):
+        one = slot("same")
+        agenda.enter(one, start)
+        assert agenda.next_due(start) is one
+        agenda.done(one)
+        agenda.leave(one)
+    last = slot("same")
+    agenda.enter(last, 8)
+    assert agenda.next_due(10) is last
+    assert agenda.next_due(10) is None
+
+
+def test_another_period_keeps_the_common_grid():  # R-A04
+    agenda, one = Agenda(), slot(period=10)
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    agenda.change(one, 4, 5)
+    assert agenda.next_release() == 8
+    run_all(agenda, 8)
+    assert agenda.next_release() == 12
+
+
+def test_a_release_that_is_due_survives_a_change_of_the_period():  # R-A04
+    agenda, one = Agenda(), slot(period=10)
+    agenda.enter(one, 0)
+    run_all(agenda, 0)
+    agenda.change(one, 25, 10)
+    assert agenda.next_due(10) is one
+    assert one.deadline == 25
+
+
+def test_a_change_of_the_period_of_what_is_not_listed_lists_nothing():  # R-A04
+    agenda, one = Agenda(), slot()
+    agenda.change(one, 20, 0)
+    assert agenda.next_release() is None
+    agenda.enter(one, 3)
+    run_all(agenda, 3)
+    assert agenda.next_release() == 20
+
+
+@given(st.lists(st.tuples(st.integers(0, 2), st.integers(-3, 3)), max_size=8), st.integers(0, 60))
+def test_another_rank_changes_the_order_and_loses_no_release(changes, at):  # law 1
+    """Ranks that change between any two cycles: every slot runs once a period all the same, in the order of ranks."""
+    agenda = Agenda()
+    slots = [slot(name, rank=n) for n, name in enumerate("abc")]
+    for one in slots:
+        agenda.enter(one, 0)
+    ran = {one.key[2]: [] for one in slots}
+    for now in range(0, 101, 10):
+        pending = list(changes) if now == at // 10 * 10 else []
+        order = []
+        while (due := agenda.next_due(now)) is not None:
+            order.append(due.key)
+            ran[due.key[2]].append(now)
+            agenda.done(due)
+            while pending:
+                which, rank = pending.pop()
+                agenda.rekey(slots[which], (0, rank, slots[which].key[2]))
+        if now != at // 10 * 10:
+            assert order == sorted(order)
+    assert all(times == list(range(0, 101, 10)) for times in ran.values())
+
+
+def test_another_rank_of_what_is_due_already_counts_at_once():  # law 1
+    agenda, first, second, third = Agenda(), slot("a", rank=0), slot("b", rank=1), slot("c", rank=2)
+    for one in (first, second, third):
+        agenda.enter(one, 0)
+    assert agenda.next_due(0) is first
+    agenda.done(first)
+    agenda.rekey(third, (0, -1, "c"))
+    assert run_all(agenda, 0) == ["c", "b"]
+
+
+def test_another_rank_of_what_is_not_listed_is_taken_over_when_it_enters():  # law 1
+    agenda, one, other = Agenda(), slot("a", rank=0), slot("b", rank=1)
+    agenda.rekey(one, (0, 5, "a"))
+    agenda.enter(one, 0)
+    agenda.enter(other, 0)
+    assert run_all(agenda, 0) == ["b", "a"]
+
+
+def test_a_slot_that_resumes_is_due_at_the_next_point_of_its_grid():  # R-F04
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 7)
+    assert agenda.next_due(7) is one
+    agenda.leave(one)
+    agenda.resume(one, 23)
+    assert (agenda.next_release(), run_all(agenda, 29), run_all(agenda, 30)) == (30, [], ["a"])
+    assert (one.deadline, one.missed) == (50, 0)
+
+
+def test_a_slot_that_resumes_twice_or_was_to_enter_is_due_once():
+    agenda, one = Agenda(), slot()
+    agenda.enter(one, 3)
+    agenda.resume(one, 3)
+    agenda.resume(one, 4)
+    assert (run_all(agenda, 9), run_all(agenda, 10), run_all(agenda, 10)) == ([], ["a"], [])

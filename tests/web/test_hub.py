@@ -1,0 +1,161 @@
+import asyncio
+
+import msgspec
+import pytest
+
+from onika.model.task import Task
+from onika.testing.sitting import Sitting
+from onika.web.hub import Hall
+from onika.wire import act, page
+
+TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0),)
+
+
+class Values:
+    """Newest values, as they would come from a runtime."""
+
+    def __init__(self):
+        self.wishes = []
+        self.next = None
+
+    def watch(self, variables, worlds, figures, hz):
+        self.wishes.append((variables, worlds, figures, hz))
+
+    def frame(self):
+        return self.next
+
+
+class Talk:
+    """One browser, and what it was sent."""
+
+    def __init__(self, hall):
+        self.hall = hall
+        self.guest = hall.come()
+
+    def send(self, cid, asked):
+        self.hall.take(self.guest, msgspec.json.encode(page.Ordered(cid, asked)))
+
+    def heard(self):
+        async def take():
+            found = []
+            while True:
+                try:
+                    found.append(msgspec.json.decode(await asyncio.wait_for(self.guest.outbox.next(), 0.01)))
+                except TimeoutError:
+                    return found
+
+        return self.hall.runner.run(take())
+
+
+@pytest.fixture
+def hall(tmp_path):
+    found = Hall(Sitting(tmp_path, TASKS).environment, Values(), lambda: 12.5)
+    with asyncio.Runner() as found.runner:  # what waits for something belongs to one loop
+        yield found
+
+
+def tree(messages):
+    """The tree that a page has made of what it was sent."""
+    found = {}
+    revision = None
+    for one in messages:
+        if one["t"] == "Snapshot":
+            found, revision = one["tree"], one["rev"]
+        if one["t"] == "Patch":
+            assert one["rev"] == revision + 1, "a gap"
+            revision = one["rev"]
+            for path, value in one["changes"]:
+                at = found
+                for step in path[:-1]:
+                    at = at.setdefault(step, {})
+                if value is None:
+                    at.pop(path[-1], None)
+                else:
+                    at[path[-1]] = value
+    return msgspec.convert(found, page.Tree)
+
+
+def test_a_browser_is_told_everything_first_and_how_many_look(hall):
+    Talk(hall)
+    other = Talk(hall).heard()
+    assert other[0]["t"] == "Snapshot"
+    assert tree(other).people == 2
+
+
+def test_every_act_gets_one_answer_after_its_patch(hall):
+    talk = Talk(hall)
+    talk.heard()
+    talk.send(7, act.New())
+    talk.send(8, act.Undo("c1"))
+    patch, done, refused = talk.heard()
+    assert (patch["t"], done["t"], done["cid"], done["value"]) == ("Patch", "Ok", 7, "c1")
+    assert done["rev"] == patch["rev"]
+    assert (refused["t"], refused["cid"]) == ("Refused", 8)
+
+
+def test_several_browsers_stay_identical(hall):  # two browsers converge
+    one, two = Talk(hall), Talk(hall)
+    one.send(1, act.New())
+    for number in range(20):
+        talk = (one, two)[number % 2]
+        talk.send(number, act.Place("c1", "a", 0, 0) if number == 2 else act.Move("c1", {"a": (number, number)}))
+    late = Talk(hall)
+    trees = [tree(talk.heard()) for talk in (one, two, late)]
+    assert trees[0] == trees[1] == trees[2]
+    assert trees[0].documents["c1"].tasks["a"].x == 19
+
+
+def test_a_browser_that_leaves_is_counted_no_more(hall):
+    one, two = Talk(hall), Talk(hall)
+    hall.leave(two.guest)
+    assert tree(one.heard()).people == 1
+
+
+@pytest.mark.parametrize(
+    "body", ["", "{", "[]", '{"cid":1}', '{"cid":1,"act":{"t":"Nothing"}}', '{"cid":1,"act":{"t":"New","x":1}}']
+)
+def test_what_is_no_act_is_a_value_error(hall, body):
+    with pytest.raises(ValueError):
+        hall.take(hall.come(), body)
+
+
+def test_each_browser_gets_the_values_it_watches_and_no_others(hall):  # R-C14, R-C27
+    one, two, three = Talk(hall), Talk(hall), Talk(hall)
+    one.send(1, act.Watch(("c1/Q",), hz=30.0))
+    two.send(1, act.Watch(("c1/R",), ("boxes",), figures=True, hz=10.0))
+    assert hall._watched.wishes[-1] == (frozenset({"c1/Q", "c1/R"}), frozenset({"boxes"}), True, 30.0)
+    for talk in (one, two, three):
+        talk.heard()
+    hall._watched.next = page.Frame(1.5, {"c1/Q": [1.0], "c1/R": 2}, {"c1/a": {"cycle": 3}}, {"boxes": [0.0]})
+    hall.pump()
+    assert [frame["values"] for frame in one.heard()] == [{"c1/Q": [1.0]}]
+    (frame,) = two.heard()
+    assert (frame["values"], frame["figures"], frame["poses"]) == (
+        {"c1/R": 2},
+        {"c1/a": {"cycle": 3}},
+        {"boxes": [0.0]},
+    )
+    assert three.heard() == []
+    hall._watched.next = page.Frame(1.5, {"c1/R": 3})
+    hall.pump()
+    assert one.heard() == []
+
+
+def test_a_line_is_told_at_once_with_its_time_and_again_to_whoever_comes(hall):
+    talk = Talk(hall)
+    talk.heard()
+    hall.remember((page.Say("warning", "from before"),))
+    hall.say(page.Say("info", "a word"))
+    assert [(one["text"], one["at_s"]) for one in talk.heard()] == [("a word", 12.5)]
+    late = [one["text"] for one in Talk(hall).heard() if one["t"] == "Say"]
+    assert late == ["from before", "a word"]
+
+
+def test_nobody_watching_is_known(hall):
+    talk = Talk(hall)
+    assert not hall.is_watching
+    talk.send(1, act.Watch(("c1/Q",)))
+    assert hall.is_watching
+    hall.leave(talk.guest)
+    assert not hall.is_watching
+    assert hall._watched.wishes[-1][:3] == (frozenset(), frozenset(), False)

@@ -1,0 +1,54 @@
+import pytest
+
+from onika.web.login import COOKIE, Door
+
+HOST = "127.0.0.1:8420"
+
+
+def test_a_key_works_once_and_the_next_is_told():  # R-X11
+    told = []
+    door = Door((HOST,), told.append)
+    first = door.key
+    cookie = door.enter(first)
+    assert door.knows({COOKIE: cookie})
+    assert door.enter(first) is None
+    assert told == [door.key] != [first]
+
+
+@pytest.mark.parametrize("key", ["", "x", "é"])
+def test_any_other_key_opens_nothing(key):
+    assert Door((HOST,)).enter(key) is None
+
+
+@pytest.mark.parametrize("cookies", [{}, {COOKIE: ""}, {COOKIE: "x"}, {"other": "x"}])
+def test_an_unknown_cookie_is_nobodys(cookies):
+    door = Door((HOST,))
+    door.enter(door.key)
+    assert not door.knows(cookies)
+
+
+@pytest.mark.parametrize("headers", [{}, {"host": "evil.example:8420"}, {"host": "127.0.0.1:1"}])
+def test_a_foreign_name_is_not_ours(headers):
+    assert not Door((HOST,)).is_ours(headers)
+    assert Door((HOST,)).is_ours({"host": HOST})
+
+
+@pytest.mark.parametrize(
+    "headers",
+    [
+        {"host": HOST},
+        {"host": HOST, "origin": "null"},
+        {"host": HOST, "origin": "http://evil.example"},
+        {"host": HOST, "origin": "http://127.0.0.1:1"},
+        {"host": "evil.example", "origin": "http://evil.example"},
+        {"host": HOST, "origin": f"file://{HOST}"},
+    ],
+)
+def test_only_a_page_that_came_from_here_may_talk(headers):
+    assert not Door((HOST,)).is_own_page(headers)
+    assert Door((HOST,)).is_own_page({"host": HOST, "origin": f"http://{HOST}"})
+
+
+def test_a_page_of_another_of_our_names_may_not_talk():
+    door = Door((HOST, "localhost:8420"))
+    assert not door.is_own_page({"host": HOST, "origin": "http://localhost:8420"})
