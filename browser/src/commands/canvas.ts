@@ -1,14 +1,14 @@
 // The commands of the canvas, for keys, palette and help sheet (table B.2).
-import { command, type Command } from '../commands'
-import { here } from '../here.svelte'
+import { command, type Command } from '../state/commands'
+import { here } from '../state/here.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import {
   align, check, copy, cut, deselect, flip, openSheet, paste, pickedTasks, placeInMiddle, remove, selectAll, toggle, toggleConstants, toggleLines,
   turn, type Edge,
-} from '../lower/deeds'
-import { askForChange, askForName, openInsert, openSaving, pickedGroups, selectGroup, toggleGroup, turnGroup, ungroup } from '../lower/grouping'
-import { focusedGroup, focusedLocus, focusedTask } from '../lower/keys'
-import { stage } from '../lower/stage.svelte'
+} from '../scene/deeds'
+import { askForChange, askForName, openInsert, openSaving, pickedGroups, selectGroup, toggleGroup, turnGroup, ungroup } from '../group/grouping'
+import { focusedGroup, focusedLocus, focusedTask } from '../canvas/keys'
+import { stage } from '../scene/stage.svelte'
 
 type Given = Omit<Command, 'id' | 'title' | 'group'> & { group?: Command['group'] }
 

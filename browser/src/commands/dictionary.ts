@@ -1,8 +1,8 @@
 // The commands of the dictionaries, for keys, palette and help sheet (table B.3).
-import { command, type Command } from '../commands'
-import { desk } from '../desk.svelte'
+import { command, type Command } from '../state/commands'
+import { desk } from '../link/desk.svelte'
 import { edit, editPicture, expand, gapHere, insert, isAction, newTarget, openDictionary, takePresent, turnFitsOnly } from '../dictionary/deeds'
-import { here, type Presentation } from '../here.svelte'
+import { here, type Presentation } from '../state/here.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 
 type Given = Omit<Command, 'id' | 'title' | 'group' | 'level'>

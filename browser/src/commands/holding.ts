@@ -1,8 +1,8 @@
 // Commands about who may move the robots.
-import { act } from '../act'
-import { command } from '../commands'
-import { desk } from '../desk.svelte'
-import { closeDialog, here, openDialog } from '../here.svelte'
+import { act } from '../act/act'
+import { command } from '../state/commands'
+import { desk } from '../link/desk.svelte'
+import { closeDialog, here, openDialog } from '../state/here.svelte'
 import { everything, onlyWatches } from '../holding/standing.svelte'
 import { t } from '../texts/index.svelte'
 

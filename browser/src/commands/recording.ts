@@ -1,11 +1,11 @@
 // Commands of runs that are recorded or kept.
-import { announce } from '../announce'
-import { command } from '../commands'
-import { desk } from '../desk.svelte'
-import { here, openDialog } from '../here.svelte'
-import { options } from '../perform/options.svelte'
-import { openRecording } from '../review/deeds'
-import { isReviewing } from '../review/review.svelte'
+import { announce } from '../state/announce'
+import { command } from '../state/commands'
+import { desk } from '../link/desk.svelte'
+import { here, openDialog } from '../state/here.svelte'
+import { options } from '../state/options.svelte'
+import { openRecording } from '../recording/deeds'
+import { isReviewing } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 
 const last = (): string => (desk.live.run?.state === 'over' ? desk.live.run.recording ?? '' : '')

@@ -1,8 +1,8 @@
 // Commands before a run: look at everything that could keep it from running; another robot for it.
-import { command } from '../commands'
-import { desk } from '../desk.svelte'
-import { here, openDialog } from '../here.svelte'
-import { isGoing } from '../perform/orders'
+import { command } from '../state/commands'
+import { desk } from '../link/desk.svelte'
+import { here, openDialog } from '../state/here.svelte'
+import { isGoing } from '../run/orders'
 import { check } from '../redirect/check.svelte'
 import { t } from '../texts/index.svelte'
 

@@ -1,9 +1,9 @@
 // Commands of recordings: open one, scrub it, lay another beside it, go on from it.
-import { command } from '../commands'
-import { openDialog } from '../here.svelte'
-import { closeRecording, compareWith, continueHere, toMark } from '../review/deeds'
+import { command } from '../state/commands'
+import { openDialog } from '../state/here.svelte'
+import { closeRecording, compareWith, continueHere, toMark } from '../recording/deeds'
 import { isFree } from '../review/keys'
-import { PACES, review } from '../review/review.svelte'
+import { PACES, review } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 
 const isOpen = (): boolean => review.isOpen

@@ -1,13 +1,13 @@
 // The commands of the page as a whole: files, undo, the runtime, views.
-import { act } from '../act'
-import { announce } from '../announce'
-import { command } from '../commands'
-import { desk } from '../desk.svelte'
-import { closeDialog, here, openDialog, type DialogName, type Theme } from '../here.svelte'
-import { goTo, shownDocument, shownId, shownOne, step } from '../shell/documents.svelte'
-import { openBlank, save } from '../shell/opening'
+import { act } from '../act/act'
+import { announce } from '../state/announce'
+import { command } from '../state/commands'
+import { desk } from '../link/desk.svelte'
+import { closeDialog, here, openDialog, type DialogName, type Theme } from '../state/here.svelte'
+import { goTo, shownDocument, shownId, shownOne, step } from '../act/documents.svelte'
+import { openBlank, save } from '../act/opening'
 import { stopEverything } from '../shell/stopping'
-import { startTutorial } from '../shell/tutorial.svelte'
+import { startTutorial } from '../help/tutorial.svelte'
 import { t } from '../texts/index.svelte'
 
 const isOpen = (): boolean => shownOne() !== undefined

@@ -1,12 +1,12 @@
 // Commands of the strip: its tables, plots, questions and the workcell.
-import { command } from '../commands'
-import { desk } from '../desk.svelte'
-import { here, type StripTab } from '../here.svelte'
-import { watchAgain } from '../frames'
+import { command } from '../state/commands'
+import { desk } from '../link/desk.svelte'
+import { here, type StripTab } from '../state/here.svelte'
+import { watchAgain } from '../values/frames'
 import { takenAsks } from '../holding/held'
 import { everything } from '../holding/standing.svelte'
-import { asking, asks } from '../run/asks.svelte'
-import { isWorldShown, plot, showWorld } from '../run/plots.svelte'
+import { asking, asks } from '../question/asks.svelte'
+import { isWorldShown, plot, showWorld } from '../monitor/plots.svelte'
 import { t } from '../texts/index.svelte'
 
 const TITLES = {

@@ -1,13 +1,13 @@
 // The commands of the workspace. Where the insertion cursor stands is where they mean.
-import { act } from '../act'
-import { command, type Command } from '../commands'
-import { here } from '../here.svelte'
-import { topsOf } from '../upper/actions'
-import { board, SIZES } from '../upper/board.svelte'
+import { act } from '../act/act'
+import { command, type Command } from '../state/commands'
+import { here } from '../state/here.svelte'
+import { topsOf } from '../application/actions'
+import { board, SIZES } from '../workspace/board.svelte'
 import {
   addFlow, copy, cut, deselect, edit, editPicture, expand, insert, meant, meantHeads, paste, remove, removeFlow, selectAll, setParallel, turnBreakpoint,
   whyNotExpand,
-} from '../upper/deeds'
+} from '../workspace/deeds'
 import { t, type TextKey } from '../texts/index.svelte'
 
 function add(id: string, title: TextKey, rest: Omit<Command, 'id' | 'title' | 'group' | 'level'> & { group?: Command['group'] }): void {

@@ -1,14 +1,14 @@
 // What a user does in the dictionary, whatever key, button or menu it comes from.
-import { act } from '../act'
+import { act } from '../act/act'
 import type { OnikonView } from '../api.gen'
-import { desk } from '../desk.svelte'
-import { here, openDialog } from '../here.svelte'
-import { note } from '../note'
-import type { Point } from '../refused.svelte'
-import { goTo } from '../shell/documents.svelte'
-import { goInto, open, openInPlace } from '../shell/opening'
-import { insert as insertHere } from '../upper/deeds'
-import { gapAt, type Gap } from './fits'
+import { desk } from '../link/desk.svelte'
+import { here, openDialog } from '../state/here.svelte'
+import { note } from '../link/note'
+import type { Point } from '../act/refused.svelte'
+import { goTo } from '../act/documents.svelte'
+import { goInto, open, openInPlace } from '../act/opening'
+import { insert as insertHere } from '../workspace/deeds'
+import { gapAt, type Gap } from '../onikon/fits'
 
 export const application = () => desk.tree.applications[here.app]
 

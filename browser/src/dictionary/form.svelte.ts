@@ -1,10 +1,10 @@
 // What is filled in of a target or icon: its values as words, and how it fares when it is sent.
-import { announce } from '../announce'
+import { announce } from '../state/announce'
 import type { AnyAct, ItemView, Remedy, TaughtView } from '../api.gen'
-import { reveal } from '../here.svelte'
-import { send } from '../link'
-import { Refusal } from '../refusal'
-import { complaint, type Field } from '../run/question'
+import { reveal } from '../state/here.svelte'
+import { send } from '../link/link'
+import { Refusal } from '../link/refusal'
+import { complaint, type Field } from '../question/question'
 import { asked, begun, lacking, nested, rowsOf, taken, type Nested } from './values'
 
 /** The values of one type. */

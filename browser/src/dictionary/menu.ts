@@ -1,9 +1,9 @@
 // The menu beside an icon of a dictionary: today's habit beside the keys and buttons of table B.3.
 import type { OnikonView } from '../api.gen'
-import { desk } from '../desk.svelte'
-import { here } from '../here.svelte'
-import type { Point } from '../refused.svelte'
-import type { Item } from '../shell/Menu.svelte'
+import { desk } from '../link/desk.svelte'
+import { here } from '../state/here.svelte'
+import type { Point } from '../act/refused.svelte'
+import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
 import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, takePresent } from './deeds'
 

@@ -1,7 +1,7 @@
 // How the icons of a dictionary stand: rows of cells of known height, so that only what is seen is drawn.
-import type { Presentation } from '../here.svelte'
+import type { Presentation } from '../state/here.svelte'
 import { walked, type Span } from '../geom/rows'
-import type { Group } from './choose'
+import type { Group } from '../onikon/choose'
 
 export const CELL = { width: 72, icon: 36, line: 12.5, word: 30, head: 25, gap: 7 }
 const LETTER = 5.3 // pixels of a letter beneath an icon, at the width of the page's narrowest usual face

@@ -1,7 +1,7 @@
 // What the icon panel is about: a step of the application shown, or an icon of a dictionary.
 import type { EditIcon, EditOnikon, OnikonView, StepView } from '../api.gen'
-import { desk } from '../desk.svelte'
-import { here } from '../here.svelte'
+import { desk } from '../link/desk.svelte'
+import { here } from '../state/here.svelte'
 
 export interface Subject {
   readonly name: string

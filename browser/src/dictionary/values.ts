@@ -1,6 +1,6 @@
 // The values of a target as a form of words, one for each element of each item.
 import type { AskView, ItemView } from '../api.gen'
-import { fields, first, type Field } from '../run/question'
+import { fields, first, type Field } from '../question/question'
 
 export type Nested = readonly (readonly string[])[]
 

@@ -1,5 +1,5 @@
 // Who holds what, as the page knows it now; and a clock for what ends by itself.
-import { desk } from '../desk.svelte'
+import { desk } from '../link/desk.svelte'
 import { heldIn, meIn, type Held } from './held'
 
 const own = (): string[] => Object.keys(desk.live.run && desk.live.run.state !== 'over' ? (desk.live.run.flows ?? {}) : {})

@@ -1,7 +1,7 @@
 // The look at everything that could keep an application from running; nothing moves (X02).
-import { act } from '../act'
-import { announce } from '../announce'
-import { pointer } from '../refused.svelte'
+import { act } from '../act/act'
+import { announce } from '../state/announce'
+import { pointer } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 
 class Check {

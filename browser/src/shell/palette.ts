@@ -1,9 +1,9 @@
 // What the palette offers, and how it is searched.
-import { allCommands, isAvailable } from '../commands'
-import { desk } from '../desk.svelte'
-import { here, pick, reveal } from '../here.svelte'
+import { allCommands, isAvailable } from '../state/commands'
+import { desk } from '../link/desk.svelte'
+import { here, pick, reveal } from '../state/here.svelte'
 import { t } from '../texts/index.svelte'
-import { open } from './opening'
+import { open } from '../act/opening'
 
 export interface Entry {
   id: string

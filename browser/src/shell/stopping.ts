@@ -1,10 +1,10 @@
 // Stop is sent whatever else is going on; where nobody hears it, that is said aloud, and it goes out with the first
 // chance: to stop late harms nobody.
-import { announce } from '../announce'
-import { desk } from '../desk.svelte'
-import { hear, send } from '../link'
-import { Refusal } from '../refusal'
-import { hideRefusal, showRefusal } from '../refused.svelte'
+import { announce } from '../state/announce'
+import { desk } from '../link/desk.svelte'
+import { hear, send } from '../link/link'
+import { Refusal } from '../link/refusal'
+import { hideRefusal, showRefusal } from '../act/refused.svelte'
 import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
 import { stopAsked } from './stopAsked.svelte'

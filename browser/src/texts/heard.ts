@@ -1,5 +1,5 @@
 // What the environment says, in the language of this browser as far as that is known here; else as it was said.
-import { here, type Language } from '../here.svelte'
+import { here, type Language } from '../state/here.svelte'
 import { esHeard } from './es.heard'
 
 type Sayings = readonly (readonly [RegExp, string])[]

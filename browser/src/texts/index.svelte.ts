@@ -1,5 +1,5 @@
 // The text of a name in the language of this browser; read inside a template, it follows a change of language.
-import { here } from '../here.svelte'
+import { here } from '../state/here.svelte'
 import { en, type TextKey } from './en'
 import { es } from './es'
 

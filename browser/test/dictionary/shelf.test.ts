@@ -1,6 +1,6 @@
 // Where the icons of a dictionary stand, so that only what is seen need be drawn.
 import { describe, expect, test } from 'vitest'
-import type { Group } from '../../src/dictionary/choose'
+import type { Group } from '../../src/onikon/choose'
 import { beside, CELL, columnsIn, linesOf, shelve } from '../../src/dictionary/shelf'
 
 const group = (type: string, ...names: string[]): Group => ({ type, names, left: '1' })

@@ -1,10 +1,10 @@
 // What the icon panel is about, and what it sends; the kinds that can be made by hand, and where they are kept.
 import { beforeEach, describe, expect, test } from 'vitest'
-import { desk } from '../../src/desk.svelte'
+import { desk } from '../../src/link/desk.svelte'
 import { basesOf } from '../../src/dictionary/bases'
-import { kindsOf } from '../../src/dictionary/kinds'
+import { kindsOf } from '../../src/onikon/kinds'
 import { changing, contentOf, keyOf, subjectOf } from '../../src/dictionary/subject'
-import { here } from '../../src/here.svelte'
+import { here } from '../../src/state/here.svelte'
 
 const target = { type: 'Joint object', role: 'target', left: '2', right: '1', picture: '' } as const
 

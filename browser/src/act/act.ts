@@ -1,0 +1,36 @@
+// Everything a user does goes through here: it is sent, and a refusal is shown where the user is looking.
+import { announce } from '../state/announce'
+import type { AnyAct, Remedy } from '../api.gen'
+import { here, reveal } from '../state/here.svelte'
+import { send } from '../link/link'
+import { Refusal } from '../link/refusal'
+import { hideRefusal, showRefusal, type Point } from './refused.svelte'
+import { hindrance } from './hindering'
+import { show } from './documents.svelte'
+import { heard } from '../texts/heard'
+
+/** The value of the answer, null where it has none; undefined where it was refused, which is on show beside the pointer. */
+export async function act(a: AnyAct, at?: Point): Promise<unknown> {
+  hideRefusal()
+  try {
+    const why = hindrance(a)
+    if (why) throw why
+    return (await send(a)) ?? null
+  } catch (why) {
+    if (!(why instanceof Refusal)) throw why
+    showRefusal(why, at)
+    announce(heard(why.reason))
+    return undefined
+  }
+}
+
+/** Do what a remedy offers: send its act, or go to what it names. */
+export async function follow(remedy: Remedy, doc: string = here.level === 'applications' ? here.app : here.doc, at?: Point): Promise<void> {
+  hideRefusal()
+  if (remedy.show) reveal(remedy.show, doc)
+  if (!remedy.act) return
+  const answer = await act(remedy.act, at)
+  if (remedy.act.t === 'OpenInPlace' && answer !== undefined) show(remedy.act.doc) // one may have come to it from the upper level
+  // The insertion cursor goes on behind what was inserted, as it does for every other insertion.
+  if (remedy.act.t === 'InsertIcon' && typeof answer === 'number') here.place = { flow: remedy.act.flow ?? '0', after: answer }
+}

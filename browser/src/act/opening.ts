@@ -1,0 +1,68 @@
+// Opening and saving: what was opened here comes to the front, and is remembered.
+import { act } from './act'
+import { desk } from '../link/desk.svelte'
+import { here, openDialog } from '../state/here.svelte'
+import { keep, kept } from '../state/kept'
+import { goTo, show, shownId, shownOne, type Opened } from './documents.svelte'
+
+const LONGEST = 8
+
+export const recentPaths = (): string[] => kept<string[]>('recent', []).filter((path) => typeof path === 'string')
+
+export function remember(path: string): void {
+  keep('recent', [path, ...recentPaths().filter((other) => other !== path)].slice(0, LONGEST))
+}
+
+/** Open a configuration or an application beside the others, or go to where it is open already; false where it was refused. */
+export async function open(path: string): Promise<boolean> {
+  const known = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'Open', path }), known) ?? byPath(path)
+  if (!id) return false
+  show(id)
+  remember(all()[id]?.path || path)
+  return true
+}
+
+export async function openBlank(): Promise<void> {
+  const known = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'New' }), known)
+  if (id) show(id)
+}
+
+/** A blank application; false where it was refused. */
+export async function openBlankApplication(flows = 1, isParallel = false): Promise<boolean> {
+  const known = new Set(Object.keys(all()))
+  const id = opened(await act({ t: 'NewApplication', flows, is_parallel: isParallel }), known)
+  if (id) show(id)
+  return id !== undefined
+}
+
+const all = (): Readonly<Record<string, Opened>> => ({ ...desk.live.documents, ...desk.live.applications })
+
+/** What an act has opened: what it answered, else what is new. */
+function opened(answer: unknown, known: ReadonlySet<string>): string | undefined {
+  if (answer === undefined) return undefined
+  return typeof answer === 'string' && answer in all() ? answer : Object.keys(all()).find((id) => !known.has(id))
+}
+
+const byPath = (path: string): string | undefined => Object.entries(all()).find(([, one]) => one.path === path)?.[0]
+
+/** Reconfigure what is shown into another; false where it was refused, or waits for a yes. */
+export async function openInPlace(path: string): Promise<boolean> {
+  if ((await act({ t: 'OpenInPlace', doc: here.doc, path })) === undefined) return false
+  remember(path)
+  return true
+}
+
+/** Go to a configuration at the lower level: in the place of one that lives, as in the dissertation; else beside the others. */
+export async function goInto(path: string): Promise<void> {
+  if (here.isUpperOnly) return goTo('tasks') // which is refused, and says why
+  const { connection, tasks = {} } = desk.live.documents[here.doc] ?? {}
+  if (connection !== 'live' || !Object.keys(tasks).length) await open(path)
+  else if (await openInPlace(path)) show(here.doc)
+}
+
+export function save(): void {
+  if (shownOne()?.path) void act({ t: 'Save', doc: shownId() })
+  else openDialog('saveAs')
+}

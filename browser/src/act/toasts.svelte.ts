@@ -1,0 +1,28 @@
+// The last things said, while they are news.
+import { addLine, type Line } from './log.svelte'
+import { announce } from '../state/announce'
+import type { Say } from '../api.gen'
+import { heard } from '../texts/heard'
+import { play } from './sounds'
+import { here } from '../state/here.svelte'
+
+const LASTS_MS: Record<Say['level'], number> = { info: 5000, success: 5000, end: 6000, warning: 9000, error: 15_000 }
+const MOST = 4
+
+export const toasts: { lines: Line[] } = $state({ lines: [] })
+
+const NEWS_S = 5
+
+/** Something was said: into the log; and while it is news, on the screen, aloud, and as a sound where that is wished. */
+export function say(message: Say): void {
+  const line = addLine(message)
+  if (line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
+  toasts.lines = [...toasts.lines.filter((other) => other.text !== message.text), line].slice(-MOST)
+  announce(heard(message.text))
+  if (here.sounds) play(message.level)
+  setTimeout(() => dismiss(line.id), LASTS_MS[message.level])
+}
+
+export function dismiss(id: number): void {
+  toasts.lines = toasts.lines.filter((line) => line.id !== id)
+}

@@ -1,0 +1,42 @@
+// What is wrong with single steps, what forbids a run before what is only worth knowing.
+import type { ApplicationView, FaultView } from '../api.gen'
+import { inReadingOrder } from './actions'
+
+export const isFault = (one: FaultView): boolean => (one.level ?? 'fault') === 'fault'
+
+/** All of an application as their steps are read; holes first, as what they lack makes others wrong. */
+export function faultsOf(app: ApplicationView): FaultView[] {
+  const all = Object.values(app.faults ?? {})
+  const steps = inReadingOrder(app, all.map(({ step = 0 }) => step))
+  const places = new Map(steps.map((step, k) => [step, k]))
+  const isHole = (step: number): boolean => app.steps?.[step]?.kind === 'hole'
+  const placeOf = ({ step = 0 }: FaultView): number => (places.get(step) ?? -1) - (isHole(step) ? steps.length + 1 : 0)
+  return all.sort((a, b) => placeOf(a) - placeOf(b))
+}
+
+const known = new WeakMap<object, ReadonlyMap<number, FaultView[]>>()
+
+export function faultsAt(app: ApplicationView | undefined, step: number): FaultView[] {
+  return app ? (faultsByStep(app).get(step) ?? []) : []
+}
+
+/** All that stand at a step, by it; sought once for all who ask, a thousand icons may have a fault each. */
+export function faultsByStep(app: ApplicationView): ReadonlyMap<number, FaultView[]> {
+  if (!app.faults) return new Map()
+  const found = known.get(app.faults) ?? sought(app)
+  known.set(app.faults, found)
+  return found
+}
+
+function sought(app: ApplicationView): ReadonlyMap<number, FaultView[]> {
+  const found = new Map<number, FaultView[]>()
+  for (const one of ordered(Object.values(app.faults ?? {}))) {
+    if (!one.step) continue
+    const known = found.get(one.step)
+    if (known) known.push(one)
+    else found.set(one.step, [one])
+  }
+  return found
+}
+
+const ordered = (faults: FaultView[]): FaultView[] => [...faults.filter(isFault), ...faults.filter((one) => !isFault(one))]

@@ -1,0 +1,34 @@
+// A rectangle drawn on empty canvas picks what it touches.
+import { pick } from '../state/here.svelte'
+import { areaOf, type Rect } from '../geom/rect'
+import type { Gesture } from '../gesture/gesture'
+import { wholeOf } from '../group/grouping'
+import { stage } from '../scene/stage.svelte'
+
+export class Marquee implements Gesture {
+  private readonly start: readonly [number, number]
+
+  /** `before` stays picked: with Shift or Ctrl a rectangle adds. */
+  constructor(first: PointerEvent, private readonly before: readonly string[]) {
+    this.start = stage.view.toScene(first.clientX, first.clientY)
+  }
+
+  move(event: PointerEvent): void {
+    const rect = between(this.start, stage.view.toScene(event.clientX, event.clientY))
+    stage.marquee = rect
+    pick(...this.before, ...wholeOf(...stage.scene.boxesIn(areaOf(rect)).map((box) => box.name)))
+  }
+
+  up(): void {
+    stage.marquee = undefined
+  }
+
+  cancel(): void {
+    stage.marquee = undefined
+    pick(...this.before)
+  }
+}
+
+const between = ([ax, ay]: readonly [number, number], [bx, by]: readonly [number, number]): Rect => ({
+  x: Math.min(ax, bx), y: Math.min(ay, by), w: Math.abs(ax - bx), h: Math.abs(ay - by),
+})

@@ -1,0 +1,34 @@
+// How far this user is in the tutorial; it goes on where it was left, also another day.
+import { desk } from '../link/desk.svelte'
+import { here } from '../state/here.svelte'
+import { keep, kept } from '../state/kept'
+import { goTo } from '../act/documents.svelte'
+import { LESSONS, type Seen } from './tutorial'
+
+export const tutorial: { isOpen: boolean; done: number } = $state({ isOpen: kept('tutorialOpen', false), done: kept('tutorial', 0) })
+
+/** Open it at the upper level; from the beginning where it was done to its end. */
+export function startTutorial(): void {
+  if (tutorial.done >= LESSONS.length) setDone(0)
+  setOpen(true)
+  goTo('applications')
+}
+
+export function setOpen(isOpen: boolean): void {
+  tutorial.isOpen = isOpen
+  keep('tutorialOpen', isOpen)
+}
+
+/** So many lessons are done. */
+export function setDone(done: number): void {
+  tutorial.done = Math.max(0, Math.min(done, LESSONS.length))
+  keep('tutorial', tutorial.done)
+}
+
+export const seen = (): Seen => ({
+  isUpper: here.level === 'applications',
+  app: here.app,
+  view: desk.tree.applications[here.app],
+  run: desk.live.run,
+  types: desk.tree.types,
+})

@@ -1,0 +1,79 @@
+// The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
+import type { Patch, Snapshot, Tree } from '../api.gen'
+import { Exchange, withParts } from './exchanged'
+
+/** A tree whose maps are all there. What is optional inside a document or a task stays optional. */
+export type FullTree = Required<Tree>
+
+/** How the tree is shown where something else than the present is looked at: a recorded run. */
+export type Lens = (live: FullTree) => FullTree
+
+export function fullTree(tree: Tree): FullTree {
+  const empty: FullTree = {
+    libraries: {}, tasks: {}, documents: {}, files: {}, clipboard: '', runtime: {},
+    preferences: {}, buttons: {}, job_types: [], edges: {}, people: 0,
+    applications: {}, application_files: {}, dictionaries: {}, onikons: {}, types: {}, pictures: {}, icon_clipboard: '', run: null, review: null, keeping: null,
+  }
+  return withParts({ ...empty, ...tree })
+}
+
+class Desk {
+  /** What is so now. Only who speaks of the present whatever is looked at reads it: Stop, the runtime, the tabs. */
+  live: FullTree = $state(fullTree({}))
+  /** Of the tree; -1 before the first snapshot. */
+  rev = $state(-1)
+  isLinked = $state(false)
+  /** Whether the environment does not let this browser in any more. */
+  isLocked = $state(false)
+  /** The name of this browser. */
+  you = $state('')
+  version = $state('')
+  lens: Lens | undefined
+
+  /** What is shown: the present, or the instant of a recorded run that is looked at. */
+  get tree(): FullTree {
+    return this.live.review && this.lens ? this.lens(this.live) : this.live
+  }
+
+  set tree(tree: FullTree) {
+    this.live = tree
+  }
+}
+
+export const desk = new Desk()
+
+export function applySnapshot(snapshot: Snapshot): void {
+  desk.tree = fullTree(snapshot.tree)
+  desk.rev = snapshot.rev
+  desk.you = snapshot.you
+  desk.version = snapshot.version
+}
+
+/** Take over a patch; false where it does not follow what is here, and a new snapshot is needed. */
+export function applyPatch(patch: Patch): boolean {
+  if (patch.rev !== desk.rev + 1) return false
+  const exchange = new Exchange(desk.live)
+  for (const [path, value] of patch.changes) if (!exchange.take(path, value)) change(path, value)
+  exchange.finish()
+  desk.rev = patch.rev
+  return true
+}
+
+type Branch = Record<string, unknown>
+
+/** Put a value at its place; null takes away. Branches on the way that were empty, and so not sent, grow. */
+function change(path: readonly string[], value: unknown): void {
+  let branch = desk.live as unknown as Branch
+  for (const step of path.slice(0, -1)) {
+    if (branch[step] === undefined || branch[step] === null) {
+      if (value === null) return
+      branch[step] = {}
+    }
+    branch = branch[step] as Branch
+  }
+  const last = path.at(-1)
+  if (last === undefined) return
+  if (value !== null) branch[last] = value
+  else if (path.length === 1) branch[last] = (fullTree({}) as unknown as Branch)[last]
+  else delete branch[last]
+}

@@ -1,0 +1,29 @@
+// What a user says to a run, as lines of steering.
+import { act } from '../act/act'
+import type { FlowRunView, RunView } from '../api.gen'
+import { desk } from '../link/desk.svelte'
+import { options } from '../state/options.svelte'
+
+/** Whether there is a run that can be steered: what a recording shows cannot. */
+export const isGoing = (): boolean => !desk.live.review && desk.live.run != null && desk.live.run.state !== 'over'
+export const flowsOf = (run: RunView | null | undefined): string[] =>
+  Object.entries(run?.flows ?? {}).filter(([, flow]) => !flow.is_nested).sort(([, one], [, other]) => one.order - other.order).map(([name]) => name)
+
+/** Whether some flow goes on, so that a pause would do something. */
+export function canPause(run: RunView | null | undefined): boolean {
+  return Object.values(run?.flows ?? {}).some((flow) => !isHeld(flow.state ?? '') && !flow.is_pausing && !isEnded(flow.state ?? ''))
+}
+
+/** Where a flow is; what says nothing has not begun. */
+export const stateOf = (flow: FlowRunView | undefined): NonNullable<FlowRunView['state']> => flow?.state ?? 'ready'
+
+export const isHeld = (state: string): boolean => state === 'paused' || state === 'stopped'
+export const isEnded = (state: string): boolean => ['done', 'killing', 'ended'].includes(state)
+
+export const start = (doc: string): Promise<unknown> => act({ t: 'Run', doc, passes_breakpoints: options.passesBreakpoints, is_recorded: options.records, on_loss: desk.live.runtime.address ? options.onLoss : 'stop' })
+export const steer = (verb: string, flow = ''): Promise<unknown> => act({ t: 'Steer', line: flow ? `${verb} ${flow}` : verb })
+export const dismiss = (): Promise<unknown> => act({ t: 'Dismiss' })
+export const putBack = (): Promise<unknown> => act({ t: 'StartAnew' })
+
+/** Pause what goes on; where all stand still, go on. */
+export const pauseOrContinue = (): Promise<unknown> => steer(canPause(desk.live.run) ? 'pause' : 'continue')

@@ -1,0 +1,27 @@
+// What is known of a variable of the shown document: its dot, and the type and unit that its pins tell.
+import type { LocusView, PinView } from '../api.gen'
+import { desk } from '../link/desk.svelte'
+import { here } from '../state/here.svelte'
+import { stage } from './stage.svelte'
+
+export interface Variable {
+  svar: string
+  locus: LocusView | undefined
+  shape: string
+  unit: string
+  meaning: string
+}
+
+export const keyOf = (svar: string): string => `${here.doc}/${svar}`
+
+/** The first of its pins that says something speaks for it, those that write it before those that read it. */
+export function variable(svar: string): Variable {
+  const locus = stage.document?.loci?.[svar]
+  const tasks = [...(locus?.writers ?? []), ...(locus?.readers ?? [])]
+  const pins = tasks.flatMap((name) => desk.tree.tasks[name]?.pins.filter((pin) => pin.svar === svar) ?? [])
+  const say = (what: 'shape' | 'unit' | 'meaning'): string => pins.find((pin: PinView) => pin[what])?.[what] ?? ''
+  return { svar, locus, shape: say('shape'), unit: say('unit'), meaning: say('meaning') }
+}
+
+/** How many values a shape such as `double[6]` has, in words as short as they stand on a probe. */
+export const countOf = (shape: string): string => /\[(.*)\]/.exec(shape)?.[1] ?? ''

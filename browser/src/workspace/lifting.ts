@@ -1,0 +1,50 @@
+// Icons dragged within the workspace: they move, or with Ctrl their copies do.
+import type { Gesture } from '../gesture/gesture'
+import { here } from '../state/here.svelte'
+import { showRefusal } from '../act/refused.svelte'
+import { Refusal } from '../link/refusal'
+import { t } from '../texts/index.svelte'
+import { board } from './board.svelte'
+import { copyTo, move } from './deeds'
+import { edgeScroll } from './scrolling'
+import { slotAt } from './slot'
+
+export class Lifting implements Gesture {
+  constructor(private readonly steps: readonly number[], first: PointerEvent) {
+    this.move(first)
+  }
+
+  move(event: PointerEvent): void {
+    const at = { x: event.clientX, y: event.clientY }
+    board.lifted = { steps: this.steps, at, isCopy: event.ctrlKey || event.metaKey }
+    const [first, last] = [board.step(this.steps[0] ?? 0), board.step(this.steps.at(-1) ?? 0)]
+    const slot = slotAt(at, first?.left ?? '', last?.right ?? '')
+    board.slot = slot && !this.isOwn(slot.flow, slot.after) ? slot : undefined
+    edgeScroll(event)
+  }
+
+  up(event: PointerEvent): void {
+    const { slot } = board
+    const isCopy = event.ctrlKey || event.metaKey
+    this.cancel()
+    if (!slot) return
+    board.isQuiet = true
+    const at = { x: event.clientX, y: event.clientY }
+    if (board.isRunning) showRefusal(new Refusal(t('upper.locked')), at)
+    else if (isCopy) void copyTo(this.steps, slot, at)
+    else void move(this.steps, slot, at)
+  }
+
+  cancel(): void {
+    board.lifted = undefined
+    board.slot = undefined
+  }
+
+  /** Where it stands already. */
+  private isOwn(flow: string, after: number): boolean {
+    if (board.lifted?.isCopy) return false
+    const all = board.app?.flows?.[flow]?.steps ?? []
+    const before = all[all.indexOf(this.steps[0] ?? 0) - 1] ?? 0
+    return this.steps.includes(after) || (after === before && here.app !== '' && all.includes(this.steps[0] ?? 0))
+  }
+}

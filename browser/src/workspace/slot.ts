@@ -1,0 +1,29 @@
+// Where what is carried would go, and why it would not: two edges meet or they do not (Equation 7).
+import { desk } from '../link/desk.svelte'
+import { gapAt as edgesAt } from '../onikon/fits'
+import { typeTitle } from '../onikon/typewords'
+import type { Place } from '../state/here.svelte'
+import type { Point } from '../act/refused.svelte'
+import { t } from '../texts/index.svelte'
+import { board, type Slot } from './board.svelte'
+import { gapAt } from '../application/gaps'
+import { nameOf } from '../application/words'
+
+/** The slot under a place of the window, for something with these edges. */
+export function slotAt(at: Point, left: string, right: string): Slot | undefined {
+  const { x, y } = board.toPaper(at)
+  const gap = gapAt(board.base.gaps, x, y, board.size)
+  if (!gap) return undefined
+  const edges = edgesAt(board.app, gap)
+  const isFilled = gap.hole !== 0 && (edges?.right === right || gap.hole < 0)
+  return { flow: gap.flow, after: gap.after, hole: isFilled ? gap.hole : 0, why: edges?.left === left ? '' : misfit(gap) }
+}
+
+/** Why something with another left edge may not stand behind a step. */
+export function misfit({ flow, after }: Place): string {
+  const edge = edgesAt(board.app, { flow, after })?.left ?? ''
+  const kinds = Object.entries(desk.tree.types).filter(([, type]) => type.left === edge && type.role === 'target').map(([name, type]) => typeTitle(name, type.role))
+  const what = kinds.length ? kinds.join(t('upper.or')) : t('upper.anAction')
+  const before = board.step(after)
+  return before ? t('upper.fitsNot', { name: nameOf(before), what }) : t('upper.fitsNotAtStart', { what })
+}

@@ -1,0 +1,27 @@
+import { expect, it } from 'vitest'
+import { bodiesOf, isLit, rowsOf, worldOf, type Shape } from '../../src/values/world'
+
+const ROWS = [1, 2, 3, 1, 0, 0, 0, 4, 5, 6, 0, 1, 0, 0]
+
+it('places of bodies are read however they travel', () => {
+  const bytes = btoa(String.fromCharCode(...new Uint8Array(Float32Array.from(ROWS).buffer)))
+  for (const given of [ROWS, [ROWS.slice(0, 7), ROWS.slice(7)], bytes, { rows: ROWS }, { rows: bytes }])
+    expect([...rowsOf(given)!]).toEqual(ROWS)
+  expect(rowsOf(undefined)).toBeUndefined()
+  expect(rowsOf('AAA=')).toBeUndefined()
+})
+
+it('a lamp is lit only where it is said', () => {
+  expect(isLit({ rows: [], lit: true })).toBe(true)
+  expect(isLit({ rows: [], lit: ['lamp'] })).toBe(true)
+  expect(isLit({ rows: [], lit: [] })).toBe(false)
+  expect(isLit([])).toBeUndefined()
+})
+
+it('an answer without shapes is no world', () => {
+  const shape = { body: 3 } as Shape
+  expect(worldOf({ shapes: [shape] })?.shapes).toHaveLength(1)
+  expect(bodiesOf(worldOf({ scene: { shapes: [shape] } })!)).toBe(4)
+  expect(worldOf(undefined)).toBeUndefined()
+  expect(worldOf({})).toBeUndefined()
+})
