@@ -1,7 +1,9 @@
 // What is open at each level, in its order, and the one that is shown there.
 import type { ApplicationView, DocumentView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here, pick, pickSteps, type Level, type Place } from '../state/here.svelte'
+import { canvas, pick } from '../state/canvas.svelte'
+import { look, type Level } from '../state/look.svelte'
+import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
 import { Refusal } from '../link/refusal'
 import { showRefusal } from './refused.svelte'
 import { t } from '../texts/index.svelte'
@@ -18,26 +20,26 @@ export const origin: { doc: string; app: string } = $state({ doc: '', app: '' })
 /** As they are now, also while a recording is looked at: their tabs and the chips of the runtime speak of the present. */
 const allOf = (level: Level): Readonly<Record<string, Opened>> => (level === 'applications' ? desk.live.applications : desk.live.documents)
 const levelOf = (id: string): Level => (id in desk.tree.applications ? 'applications' : 'tasks')
-const shownAt = (level: Level): string => (level === 'applications' ? here.app : here.doc)
+const shownAt = (level: Level): string => (level === 'applications' ? workspace.app : canvas.doc)
 
-export const inOrder = (level: Level = here.level): [string, Opened][] =>
+export const inOrder = (level: Level = look.level): [string, Opened][] =>
   Object.entries(allOf(level)).sort(([, a], [, b]) => a.order - b.order)
 
-export const shownDocument = (): DocumentView | undefined => desk.live.documents[here.doc]
+export const shownDocument = (): DocumentView | undefined => desk.live.documents[canvas.doc]
 /** The id of what is shown at the level that is on show; empty: nothing is. */
-export const shownId = (): string => shownAt(here.level)
-export const shownOne = (): Opened | undefined => allOf(here.level)[shownId()]
+export const shownId = (): string => shownAt(look.level)
+export const shownOne = (): Opened | undefined => allOf(look.level)[shownId()]
 
 /** Go to a level; what is shown and picked at the other one stays. */
 export function goTo(level: Level): void {
-  if (level === 'applications' || !here.isUpperOnly) here.level = level
+  if (level === 'applications' || !look.isUpperOnly) look.level = level
   else showRefusal(new Refusal(t('levels.hidden'), [{ label: t('levels.showLower'), act: { t: 'Prefer', values: { shows_lower: true } } }]))
 }
 
 /** Bring a document to the front, at its level. */
 export function show(id: string): void {
   const level = levelOf(id)
-  if (level === 'tasks' && here.level === 'applications' && here.app) Object.assign(origin, { doc: id, app: here.app })
+  if (level === 'tasks' && look.level === 'applications' && workspace.app) Object.assign(origin, { doc: id, app: workspace.app })
   front(level, id)
   goTo(level)
 }
@@ -45,14 +47,14 @@ export function show(id: string): void {
 function front(level: Level, id: string): void {
   if (id === shownAt(level)) return
   if (level === 'tasks') {
-    here.doc = id
+    canvas.doc = id
     pick()
     return
   }
-  if (here.app) places.set(here.app, { ...here.place })
-  here.app = id
+  if (workspace.app) places.set(workspace.app, { ...workspace.place })
+  workspace.app = id
   pickSteps()
-  here.place = places.get(id) ?? { ...START }
+  workspace.place = places.get(id) ?? { ...START }
 }
 
 /** The one before or after, round and round. */

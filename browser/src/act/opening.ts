@@ -1,7 +1,9 @@
 // Opening and saving: what was opened here comes to the front, and is remembered.
 import { act } from './act'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { look } from '../state/look.svelte'
 import { keep, kept } from '../state/kept'
 import { goTo, show, shownId, shownOne, type Opened } from './documents.svelte'
 
@@ -49,17 +51,17 @@ const byPath = (path: string): string | undefined => Object.entries(all()).find(
 
 /** Reconfigure what is shown into another; false where it was refused, or waits for a yes. */
 export async function openInPlace(path: string): Promise<boolean> {
-  if ((await act({ t: 'OpenInPlace', doc: here.doc, path })) === undefined) return false
+  if ((await act({ t: 'OpenInPlace', doc: canvas.doc, path })) === undefined) return false
   remember(path)
   return true
 }
 
 /** Go to a configuration at the lower level: in the place of one that lives, as in the dissertation; else beside the others. */
 export async function goInto(path: string): Promise<void> {
-  if (here.isUpperOnly) return goTo('tasks') // which is refused, and says why
-  const { connection, tasks = {} } = desk.live.documents[here.doc] ?? {}
+  if (look.isUpperOnly) return goTo('tasks') // which is refused, and says why
+  const { connection, tasks = {} } = desk.live.documents[canvas.doc] ?? {}
   if (connection !== 'live' || !Object.keys(tasks).length) await open(path)
-  else if (await openInPlace(path)) show(here.doc)
+  else if (await openInPlace(path)) show(canvas.doc)
 }
 
 export function save(): void {

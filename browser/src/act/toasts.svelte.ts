@@ -4,7 +4,7 @@ import { announce } from '../state/announce'
 import type { Say } from '../api.gen'
 import { heard } from '../texts/heard'
 import { play } from './sounds'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 
 const LASTS_MS: Record<Say['level'], number> = { info: 5000, success: 5000, end: 6000, warning: 9000, error: 15_000 }
 const MOST = 4
@@ -19,7 +19,7 @@ export function say(message: Say): void {
   if (line.at_s! < Date.now() / 1000 - NEWS_S) return // from before this page was opened
   toasts.lines = [...toasts.lines.filter((other) => other.text !== message.text), line].slice(-MOST)
   announce(heard(message.text))
-  if (here.sounds) play(message.level)
+  if (look.sounds) play(message.level)
   setTimeout(() => dismiss(line.id), LASTS_MS[message.level])
 }
 

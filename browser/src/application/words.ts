@@ -7,7 +7,6 @@ import { faultsAt, isFault } from './faults'
 import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
 import type { Actions } from './actions'
-import { board } from '../workspace/board.svelte'
 
 /** What a step is called. */
 export function nameOf(step: StepView | undefined): string {
@@ -47,12 +46,6 @@ function marksOf(step: StepView): string[] {
 function troublesOf(app: ApplicationView, number: number): string[] {
   const told = faultsAt(app, number).map((one) => t(isFault(one) ? 'redirect.readFault' : 'redirect.readWarning', { text: heard(one.text) }))
   return app.steps?.[number]?.note ? [...told, t('redirect.readNote')] : told
-}
-
-/** What stands behind a place, as it is read out when the cursor comes there. */
-export function placeSaid(flow: string, after: number): string {
-  const step = board.step(after)
-  return step ? t('upper.behind', { name: nameOf(step) }) : t('upper.atStart', { flow: flowName(flow) })
 }
 
 /** `1/17/0` is flow 0 of a branch in flow 1. */

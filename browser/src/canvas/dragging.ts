@@ -1,7 +1,7 @@
 // Boxes or a dot under the pointer. They go where the hand goes, in line with their neighbours; one step when let go.
 import { areaOf, grown, overlaps } from '../geom/rect'
 import { snap, type Snappable } from '../geom/snap'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { move, onGrid } from '../scene/deeds'
 import type { Gesture } from '../gesture/gesture'
 import type { Box, Dot } from '../scene/scene.svelte'
@@ -109,7 +109,7 @@ export class DragDot implements Gesture {
 
   up(event: PointerEvent): void {
     if (isOverPlots(event)) {
-      here.plots = [...new Set([...here.plots, this.svar])]
+      canvas.plots = [...new Set([...canvas.plots, this.svar])]
       return this.cancel()
     }
     stage.isHolding = false

@@ -1,10 +1,11 @@
 // What the buttons of a mouse, a pen or fingers mean on the canvas (table B.2).
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import {
   check, deselect, note, openSheet, openSource, pickedTasks, placeAt, selectLocus, toggle, toggleLines, togglePin,
 } from '../scene/deeds'
 import { DragBoxes, DragDot } from './dragging'
-import { overOf, type Gesture } from '../gesture/gesture'
+import type { Gesture } from '../gesture/gesture'
+import { overOf } from '../scene/over'
 import { selectAlsoAll, selectAs, selectGroup, toggleGroup, wholeOf } from '../group/grouping'
 import { lociWith, membersOf } from '../scene/groups'
 import { Marquee } from './marquee'
@@ -63,8 +64,8 @@ export class Hand {
     event.preventDefault()
     this.cancel()
     const over = overOf(event.target)
-    if (event.button === 2 && here.libraryTask) return placeAt(here.libraryTask, at(event), false)
-    if (over.kind === 'task' && !here.picked.has(over.name)) selectAs(wholeOf(over.name), `task:${over.name}`)
+    if (event.button === 2 && canvas.libraryTask) return placeAt(canvas.libraryTask, at(event), false)
+    if (over.kind === 'task' && !canvas.picked.has(over.name)) selectAs(wholeOf(over.name), `task:${over.name}`)
     if (over.kind === 'group') selectGroup(over.name)
     if (over.kind === 'locus') selectLocus(over.name)
     stage.opened = { kind: 'menu', at: at(event), over }
@@ -91,7 +92,7 @@ export class Hand {
     const isOne = event.altKey && all.length > 1
     const meant = isOne ? [name] : all
     if (event.ctrlKey || event.metaKey) return new Press(event, () => selectAlsoAll(meant, focus))
-    const wasPicked = !isOne && all.every((one) => here.picked.has(one))
+    const wasPicked = !isOne && all.every((one) => canvas.picked.has(one))
     if (!wasPicked) selectAs(meant, focus)
     stage.focus = focus
     return new Press(event, () => wasPicked && selectAs(meant, focus), (first) => new DragBoxes(name, pickedTasks(), lociWith(stage.document, pickedTasks()), first))
@@ -101,7 +102,7 @@ export class Hand {
     if (event.shiftKey) return new Press(event, () => toggleGroup(group, at(event)))
     const all = membersOf(stage.document, group)
     if (event.ctrlKey || event.metaKey) return new Press(event, () => selectAlsoAll(all, `group:${group}`))
-    const wasPicked = all.every((one) => here.picked.has(one))
+    const wasPicked = all.every((one) => canvas.picked.has(one))
     if (!wasPicked) selectGroup(group)
     stage.focus = `group:${group}`
     const grabbed = all.find((one) => stage.scene.boxes.has(one)) ?? ''

@@ -1,6 +1,6 @@
 // The keys of the canvas that mean something by how they are held or where the keyboard is; all others are commands.
 import { neighbour, type Direction, type Named } from '../geom/spatial'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { nudge, pickedTasks } from '../scene/deeds'
 import { selectAlsoAll, wholeOf } from '../group/grouping'
 import { membersOf } from '../scene/groups'
@@ -36,7 +36,7 @@ export function keyUp(event: KeyboardEvent): void {
 
 /** Arrows move what is picked; with Alt, or with nothing picked, they walk from one thing to the next. */
 function arrow(way: Direction, event: KeyboardEvent): boolean {
-  const isPicked = pickedTasks().length > 0 || here.pickedLocus !== ''
+  const isPicked = pickedTasks().length > 0 || canvas.pickedLocus !== ''
   if (event.altKey || !isPicked) return walk(way)
   const [x, y] = ALONG[way]
   const by = event.shiftKey ? STRIDE : STEP

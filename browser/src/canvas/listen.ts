@@ -1,6 +1,6 @@
 // All that is heard on the canvas comes in here; there are no listeners on single boxes.
 import { wheelFactor } from '../geom/viewport'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { paste } from '../scene/deeds'
 import { Edge } from './edge'
 import { Hand } from './hand'
@@ -77,7 +77,7 @@ function wheel(event: WheelEvent): void {
 }
 
 function pasteText(event: ClipboardEvent): void {
-  if (!stage.hasKeyboard || !here.doc) return
+  if (!stage.hasKeyboard || !canvas.doc) return
   event.preventDefault()
   void paste(event.clipboardData?.getData('text/plain') ?? '')
 }

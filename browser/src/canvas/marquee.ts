@@ -1,5 +1,5 @@
 // A rectangle drawn on empty canvas picks what it touches.
-import { pick } from '../state/here.svelte'
+import { pick } from '../state/canvas.svelte'
 import { areaOf, type Rect } from '../geom/rect'
 import type { Gesture } from '../gesture/gesture'
 import { wholeOf } from '../group/grouping'

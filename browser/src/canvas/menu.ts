@@ -1,6 +1,6 @@
 // The menus that open beside the pointer: today's habit beside the keys and buttons of the dissertation.
 import type { Item } from '../widgets/Menu.svelte'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { desk } from '../link/desk.svelte'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
@@ -101,15 +101,15 @@ function locusItems(svar: string, at: Point): Item[] {
   const isDrawn = stage.scene.dots.has(svar) && locus?.is_shown !== false
   return [
     { label: t('canvas.information'), keys: 'Enter', run: () => (stage.opened = { kind: 'locus', at, svar }) },
-    { label: t(here.pinned.includes(svar) ? 'canvas.unpinIt' : 'canvas.pinIt'), run: () => togglePin(svar), isOff: !stage.scene.dots.has(svar) },
-    { label: t('canvas.plotIt'), run: () => (here.plots = [...new Set([...here.plots, svar])]), isOff: here.plots.includes(svar) },
+    { label: t(canvas.pinned.includes(svar) ? 'canvas.unpinIt' : 'canvas.pinIt'), run: () => togglePin(svar), isOff: !stage.scene.dots.has(svar) },
+    { label: t('canvas.plotIt'), run: () => (canvas.plots = [...new Set([...canvas.plots, svar])]), isOff: canvas.plots.includes(svar) },
     { label: t(isDrawn ? 'canvas.hideLines' : 'canvas.showLines'), keys: 'Shift+Enter', run: () => toggleLines(svar) },
   ]
 }
 
 function groundItems(at: Point): Item[] {
   return [
-    ...(here.libraryTask ? [{ label: t('canvas.placeIt', { name: here.libraryTask }), run: () => placeAt(here.libraryTask, at, false) }] : []),
+    ...(canvas.libraryTask ? [{ label: t('canvas.placeIt', { name: canvas.libraryTask }), run: () => placeAt(canvas.libraryTask, at, false) }] : []),
     { label: t('canvas.addTask'), keys: '/', run: () => (stage.opened = { kind: 'quick', at }) },
     { label: t('canvas.paste'), keys: 'Ctrl+V', run: () => paste(), isOff: !desk.tree.clipboard, note: desk.tree.clipboard || undefined },
     { label: t('canvas.group.insert'), run: () => openInsert(at) },

@@ -1,6 +1,6 @@
 // The commands of the canvas, for keys, palette and help sheet (table B.2).
 import { command, type Command } from '../state/commands'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import {
   align, check, copy, cut, deselect, flip, openSheet, paste, pickedTasks, placeInMiddle, remove, selectAll, toggle, toggleConstants, toggleLines,
@@ -58,7 +58,7 @@ function turnGroups(isOn: boolean): void {
 
 function registerCanvas(): void {
   add('add', 'canvas.addTask', { keys: ['/'], when: isHere, run: () => (stage.opened = { kind: 'quick', at: pointed() }) })
-  add('placeAtCentre', 'canvas.placeSelected', { when: () => here.libraryTask !== '', run: () => placeInMiddle(here.libraryTask) })
+  add('placeAtCentre', 'canvas.placeSelected', { when: () => canvas.libraryTask !== '', run: () => placeInMiddle(canvas.libraryTask) })
   add('open', 'canvas.parameters', { keys: ['Enter'], when: () => isHere() && isFocused(), run: openFocused })
   add('toggle', 'canvas.toggle', { keys: ['Shift+Enter'], when: () => isHere() && isFocused(), run: toggleFocused })
   add('cut', 'canvas.cutPicked', { group: 'edit', keys: ['Delete', 'Backspace', 'Ctrl+X'], when: () => isPicked() && isNoText(), run: () => cut() })
@@ -67,7 +67,7 @@ function registerCanvas(): void {
   add('remove', 'canvas.delete', { group: 'edit', when: isPicked, run: () => remove() })
   add('flip', 'canvas.flip', { group: 'edit', keys: ['R'], when: isPicked, run: () => flip() })
   add('selectAll', 'canvas.selectAll', { group: 'edit', keys: ['Ctrl+A'], when: isHere, run: selectAll })
-  add('deselect', 'canvas.deselect', { group: 'edit', keys: ['Escape'], when: () => isHere() && (here.picked.size > 0 || here.pickedLocus !== ''), run: deselect })
+  add('deselect', 'canvas.deselect', { group: 'edit', keys: ['Escape'], when: () => isHere() && (canvas.picked.size > 0 || canvas.pickedLocus !== ''), run: deselect })
   for (const edge of ['left', 'right', 'top', 'bottom', 'columns', 'rows'] satisfies Edge[])
     add(`align.${edge}`, `canvas.align.${edge}`, { group: 'edit', when: () => pickedTasks().length > 1, run: () => align(edge) })
   add('nudge', 'canvas.nudge', { keys: ['←↑→↓', 'Shift+←↑→↓'], when: () => false, run: () => undefined }) // for the help sheet; see keys.ts

@@ -2,7 +2,8 @@
 import { command, type Command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
 import { edit, editPicture, expand, gapHere, insert, isAction, newTarget, openDictionary, takePresent, turnFitsOnly } from '../dictionary/deeds'
-import { here, type Presentation } from '../state/here.svelte'
+import { look, type Presentation } from '../state/look.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 
 type Given = Omit<Command, 'id' | 'title' | 'group' | 'level'>
@@ -17,21 +18,21 @@ function find(): void {
   field?.select()
 }
 
-const selected = () => desk.tree.onikons[here.onikon]
+const selected = () => desk.tree.onikons[workspace.onikon]
 const isInWorkspace = (): boolean => document.activeElement?.closest('.workspace') != null
 const PRESENTATIONS: Presentation[] = ['pictures', 'both', 'words']
 
 function nextPresentation(): void {
-  here.presentation = PRESENTATIONS[(PRESENTATIONS.indexOf(here.presentation) + 1) % PRESENTATIONS.length]!
+  look.presentation = PRESENTATIONS[(PRESENTATIONS.indexOf(look.presentation) + 1) % PRESENTATIONS.length]!
 }
 
 add('find', 'dictionary.find', { keys: ['Ctrl+F'], run: find, whileTyping: true })
 add('findHere', 'dictionary.findHere', { keys: ['/'], when: () => !isInWorkspace(), run: find })
-add('fits', 'dictionary.fitsOnly', { keys: ['F'], when: () => here.fitsOnly || gapHere() !== undefined, run: turnFitsOnly })
+add('fits', 'dictionary.fitsOnly', { keys: ['F'], when: () => workspace.fitsOnly || gapHere() !== undefined, run: turnFitsOnly })
 add('presentation', 'dictionary.nextPresentation', { run: nextPresentation })
-add('insert', 'dictionary.insertIt', { when: () => selected() !== undefined, run: () => insert(here.onikon) })
-add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: () => edit(here.onikon) })
-add('picture', 'dictionary.drawIt', { when: () => selected() !== undefined, run: () => editPicture(here.onikon) })
+add('insert', 'dictionary.insertIt', { when: () => selected() !== undefined, run: () => insert(workspace.onikon) })
+add('edit', 'dictionary.editIt', { when: () => selected() !== undefined, run: () => edit(workspace.onikon) })
+add('picture', 'dictionary.drawIt', { when: () => selected() !== undefined, run: () => editPicture(workspace.onikon) })
 add('expand', 'dictionary.expandIt', {
   when: () => {
     const one = selected()

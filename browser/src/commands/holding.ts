@@ -2,14 +2,14 @@
 import { act } from '../act/act'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { closeDialog, here, openDialog } from '../state/here.svelte'
+import { closeDialog, dialogs, openDialog } from '../state/dialogs.svelte'
 import { everything, onlyWatches } from '../holding/standing.svelte'
 import { t } from '../texts/index.svelte'
 
 const isThere = (): boolean => desk.live.runtime.state === 'linked'
 const offer = () => everything().find((one) => one.isOfferedHere)
 
-command({ id: 'run.holding', group: 'run', title: () => t('holding.open'), keys: ['Alt+H'], when: isThere, run: () => (here.dialog.name === 'holding' ? closeDialog() : openDialog('holding')) })
+command({ id: 'run.holding', group: 'run', title: () => t('holding.open'), keys: ['Alt+H'], when: isThere, run: () => (dialogs.current.name === 'holding' ? closeDialog() : openDialog('holding')) })
 command({ id: 'run.accept', group: 'run', title: () => t('holding.accept'), when: () => offer() !== undefined, run: () => act({ t: 'Take', subsystem: offer()!.subsystems[0]! }) })
 command({ id: 'run.decline', group: 'run', title: () => t('holding.decline'), when: () => offer() !== undefined, run: () => act({ t: 'Decline', subsystem: offer()!.subsystems[0]! }) })
 command({ id: 'run.watch', group: 'run', title: () => t('holding.watch'), when: () => isThere() && !!desk.live.runtime.address && !onlyWatches(), run: () => act({ t: 'OnlyWatch' }) })

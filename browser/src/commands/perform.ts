@@ -2,7 +2,8 @@
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { dialogs } from '../state/dialogs.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { options } from '../state/options.svelte'
 import { canPause, dismiss, flowsOf, isGoing, pauseOrContinue, putBack, start, steer } from '../run/orders'
 import { anewWords } from '../progress/recording'
@@ -23,16 +24,16 @@ const looping = (): string | undefined => flowsOf(run()).find((name) => run()?.f
 /** Panels that ask for something: what is typed is meant for them, and a key does not set the machine in motion beneath them. */
 const ASKING: readonly string[] = ['open', 'saveAs', 'newApplication', 'target', 'icon', 'job', 'keep']
 function moves(deed: () => unknown): unknown {
-  return ASKING.includes(here.dialog.name) ? announce(t('perform.underPanel')) : deed()
+  return ASKING.includes(dialogs.current.name) ? announce(t('perform.underPanel')) : deed()
 }
 
 /** Begin; while it runs the same key goes on after a pause, and never loads the page anew. */
 function begin(): unknown {
-  if (!isGoing()) return start(here.app)
+  if (!isGoing()) return start(workspace.app)
   return canPause(run()) ? announce(t('perform.running')) : steer('continue')
 }
 
-command({ id: 'application.run', group: 'application', level: 'applications', title: () => t('perform.run'), keys: ['F5', 'Ctrl+Enter'], when: () => here.app !== '' || isGoing(), run: () => moves(begin), whileTyping: true })
+command({ id: 'application.run', group: 'application', level: 'applications', title: () => t('perform.run'), keys: ['F5', 'Ctrl+Enter'], when: () => workspace.app !== '' || isGoing(), run: () => moves(begin), whileTyping: true })
 command({ id: 'application.pause', group: 'application', title: () => (canPause(run()) ? t('perform.pause') : t('perform.continue')), keys: ['F8'], when: isGoing, run: () => (canPause(run()) ? pauseOrContinue() : moves(pauseOrContinue)), whileTyping: true })
 command({ id: 'application.step', group: 'application', title: () => t('perform.step'), keys: ['F10'], when: isGoing, run: () => moves(() => steer('step')), whileTyping: true })
 command({ id: 'application.skip', group: 'application', level: 'applications', title: () => t('perform.skip'), keys: ['Alt+J'], when: isGoing, run: () => skipping.turn() })

@@ -2,7 +2,8 @@
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog } from '../state/here.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { options } from '../state/options.svelte'
 import { openRecording } from '../recording/deeds'
 import { isReviewing } from '../recording/review.svelte'
@@ -17,4 +18,4 @@ function turn(): void {
 
 command({ id: 'application.record', group: 'application', level: 'applications', title: () => (options.records ? `${t('recording.record')} ✓` : t('recording.record')), keys: ['Alt+R'], run: turn })
 command({ id: 'application.look', group: 'application', title: () => t('recording.look'), when: () => last() !== '' && !isReviewing(), run: () => openRecording(last()) })
-command({ id: 'application.keep', group: 'application', level: 'applications', title: () => t('recording.keep'), keys: ['Alt+Shift+K'], when: () => here.app !== '', run: () => openDialog('keep', { doc: here.app }) })
+command({ id: 'application.keep', group: 'application', level: 'applications', title: () => t('recording.keep'), keys: ['Alt+Shift+K'], when: () => workspace.app !== '', run: () => openDialog('keep', { doc: workspace.app }) })

@@ -1,6 +1,6 @@
 // Commands of recordings: open one, scrub it, lay another beside it, go on from it.
 import { command } from '../state/commands'
-import { openDialog } from '../state/here.svelte'
+import { openDialog } from '../state/dialogs.svelte'
 import { closeRecording, compareWith, continueHere, toMark } from '../recording/deeds'
 import { isFree } from '../review/keys'
 import { PACES, review } from '../recording/review.svelte'

@@ -3,7 +3,9 @@ import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { closeDialog, here, openDialog, type DialogName, type Theme } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
+import { closeDialog, dialogs, openDialog, type DialogName } from '../state/dialogs.svelte'
+import { look, type Theme } from '../state/look.svelte'
 import { goTo, shownDocument, shownId, shownOne, step } from '../act/documents.svelte'
 import { openBlank, save } from '../act/opening'
 import { stopEverything } from '../shell/stopping'
@@ -11,14 +13,14 @@ import { startTutorial } from '../help/tutorial.svelte'
 import { t } from '../texts/index.svelte'
 
 const isOpen = (): boolean => shownOne() !== undefined
-const isUpper = (): boolean => here.level === 'applications'
+const isUpper = (): boolean => look.level === 'applications'
 const hasDocument = (): boolean => shownDocument() !== undefined
 const isConnected = (): boolean => ['live', 'lost'].includes(shownDocument()?.connection ?? '')
-const chosenTask = (): string => (here.picked.size === 1 ? [...here.picked][0]! : here.picked.size ? '' : here.libraryTask)
+const chosenTask = (): string => (canvas.picked.size === 1 ? [...canvas.picked][0]! : canvas.picked.size ? '' : canvas.libraryTask)
 
 /** Open a panel, or close it where it is the one that is open. */
 function turn(name: DialogName, data: Record<string, string> = {}): void {
-  if (here.dialog.name === name && (here.dialog.data.what ?? '') === (data.what ?? '')) closeDialog()
+  if (dialogs.current.name === name && (dialogs.current.data.what ?? '') === (data.what ?? '')) closeDialog()
   else openDialog(name, data)
 }
 
@@ -54,15 +56,15 @@ command({ id: 'task.rmod', group: 'library', level: 'tasks', title: () => t('tas
 command({ id: 'run.stop', group: 'run', title: () => t('stop.everything'), keys: ['Ctrl+.', 'Pause'], run: stopEverything, whileTyping: true })
 command({ id: 'run.reset', group: 'run', title: () => t('stop.reset'), when: () => desk.tree.runtime.is_stopped === true, run: () => act({ t: 'Reset' }) })
 command({ id: 'run.connect', group: 'run', level: 'tasks', title: () => t('runtime.connect'), keys: ['Alt+C'], when: () => hasDocument() && !isConnected(), run: () => openDialog('connect') })
-command({ id: 'run.disconnect', group: 'run', level: 'tasks', title: () => t('connect.leave'), when: isConnected, run: () => act({ t: 'Disconnect', doc: here.doc }) })
-command({ id: 'run.take', group: 'run', level: 'tasks', title: () => t('holder.takeIt'), when: () => isConnected() && !shownDocument()?.is_held_here, run: () => act({ t: 'Take', doc: here.doc }) })
-command({ id: 'run.release', group: 'run', level: 'tasks', title: () => t('holder.release'), when: () => isConnected() && shownDocument()?.is_held_here === true, run: () => act({ t: 'Release', doc: here.doc }) })
+command({ id: 'run.disconnect', group: 'run', level: 'tasks', title: () => t('connect.leave'), when: isConnected, run: () => act({ t: 'Disconnect', doc: canvas.doc }) })
+command({ id: 'run.take', group: 'run', level: 'tasks', title: () => t('holder.takeIt'), when: () => isConnected() && !shownDocument()?.is_held_here, run: () => act({ t: 'Take', doc: canvas.doc }) })
+command({ id: 'run.release', group: 'run', level: 'tasks', title: () => t('holder.release'), when: () => isConnected() && shownDocument()?.is_held_here === true, run: () => act({ t: 'Release', doc: canvas.doc }) })
 
 const isNowhere = (): boolean => document.activeElement === null || document.activeElement === document.body
-command({ id: 'view.closePanel', group: 'view', title: () => t('shell.closePanel'), keys: ['Escape'], when: () => here.dialog.name !== '' && isNowhere(), run: closeDialog })
-command({ id: 'view.level', group: 'view', title: () => t(isUpper() ? 'levels.goTasks' : 'levels.goApplications'), keys: ['Ctrl+Shift+L'], when: () => !here.isUpperOnly, run: switchLevel, whileTyping: true })
-command({ id: 'view.showLower', group: 'view', title: () => t(here.isUpperOnly ? 'levels.showLower' : 'levels.hideLower'), run: () => act({ t: 'Prefer', values: { shows_lower: here.isUpperOnly } }) })
-command({ id: 'view.palette', group: 'help', title: () => t('palette.title'), keys: ['Ctrl+K'], run: () => (here.isPaletteOpen = !here.isPaletteOpen), whileTyping: true })
+command({ id: 'view.closePanel', group: 'view', title: () => t('shell.closePanel'), keys: ['Escape'], when: () => dialogs.current.name !== '' && isNowhere(), run: closeDialog })
+command({ id: 'view.level', group: 'view', title: () => t(isUpper() ? 'levels.goTasks' : 'levels.goApplications'), keys: ['Ctrl+Shift+L'], when: () => !look.isUpperOnly, run: switchLevel, whileTyping: true })
+command({ id: 'view.showLower', group: 'view', title: () => t(look.isUpperOnly ? 'levels.showLower' : 'levels.hideLower'), run: () => act({ t: 'Prefer', values: { shows_lower: look.isUpperOnly } }) })
+command({ id: 'view.palette', group: 'help', title: () => t('palette.title'), keys: ['Ctrl+K'], run: () => (dialogs.isPaletteOpen = !dialogs.isPaletteOpen), whileTyping: true })
 command({ id: 'view.help', group: 'help', title: () => t('help.title'), keys: ['?', 'F1'], run: () => turn('help') })
 command({ id: 'view.tutorial', group: 'help', title: () => t('tutorial.title'), run: startTutorial })
 command({ id: 'view.preferences', group: 'view', title: () => t('prefer.title'), keys: ['Ctrl+,'], run: () => turn('preferences'), whileTyping: true })
@@ -74,9 +76,9 @@ command({
   group: 'view',
   title: () => t('theme.next'),
   run: () => {
-    here.theme = THEMES[(THEMES.indexOf(here.theme) + 1) % THEMES.length]!
-    announce(t(`theme.${here.theme}`))
+    look.theme = THEMES[(THEMES.indexOf(look.theme) + 1) % THEMES.length]!
+    announce(t(`theme.${look.theme}`))
   },
 })
-command({ id: 'view.language', group: 'view', title: () => t('language.next'), also: () => t('language.also'), run: () => (here.language = here.language === 'en' ? 'es' : 'en') })
-command({ id: 'view.sounds', group: 'view', title: () => (here.sounds ? t('sounds.off') : t('sounds.on')), run: () => (here.sounds = !here.sounds) })
+command({ id: 'view.language', group: 'view', title: () => t('language.next'), also: () => t('language.also'), run: () => (look.language = look.language === 'en' ? 'es' : 'en') })
+command({ id: 'view.sounds', group: 'view', title: () => (look.sounds ? t('sounds.off') : t('sounds.on')), run: () => (look.sounds = !look.sounds) })

@@ -1,7 +1,7 @@
 // Commands of the strip: its tables, plots, questions and the workcell.
 import { command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { here, type StripTab } from '../state/here.svelte'
+import { canvas, type StripTab } from '../state/canvas.svelte'
 import { watchAgain } from '../values/frames'
 import { takenAsks } from '../holding/held'
 import { everything } from '../holding/standing.svelte'
@@ -17,7 +17,7 @@ const TITLES = {
 } satisfies Record<StripTab, () => string>
 
 for (const [tab, title] of Object.entries(TITLES) as [StripTab, () => string][])
-  command({ id: `strip.${tab}`, title, group: 'view', level: 'tasks', run: () => (here.strip = tab) })
+  command({ id: `strip.${tab}`, title, group: 'view', level: 'tasks', run: () => (canvas.strip = tab) })
 
 command({ id: 'strip.refresh', title: () => t('strip.refresh'), group: 'run', level: 'tasks', run: watchAgain })
 command({
@@ -25,16 +25,16 @@ command({
   title: () => t('strip.plotPicked'),
   group: 'view',
   level: 'tasks',
-  when: () => here.pickedLocus !== '',
-  run: () => plot(here.pickedLocus),
+  when: () => canvas.pickedLocus !== '',
+  run: () => plot(canvas.pickedLocus),
 })
 command({
   id: 'strip.closePlots',
   title: () => t('strip.closePlots'),
   group: 'view',
   level: 'tasks',
-  when: () => here.plots.length > 0,
-  run: () => (here.plots = []),
+  when: () => canvas.plots.length > 0,
+  run: () => (canvas.plots = []),
 })
 command({
   id: 'strip.workcell',
@@ -59,5 +59,5 @@ command({
 const firstWorld = (): string | undefined => Object.keys(desk.tree.runtime.worlds ?? {}).find((name) => !isWorldShown(name))
 
 function firstAsking(): string | undefined {
-  return desk.live.review ? undefined : Object.keys(asking(desk.tree.documents[here.doc], desk.tree.run, takenAsks(everything())))[0]
+  return desk.live.review ? undefined : Object.keys(asking(desk.tree.documents[canvas.doc], desk.tree.run, takenAsks(everything())))[0]
 }

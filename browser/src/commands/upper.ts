@@ -1,7 +1,7 @@
 // The commands of the workspace. Where the insertion cursor stands is where they mean.
 import { act } from '../act/act'
 import { command, type Command } from '../state/commands'
-import { here } from '../state/here.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { topsOf } from '../application/actions'
 import { board, SIZES } from '../workspace/board.svelte'
 import {
@@ -17,7 +17,7 @@ function add(id: string, title: TextKey, rest: Omit<Command, 'id' | 'title' | 'g
 const isOpen = (): boolean => board.app !== undefined
 const isHere = (): boolean => board.hasKeyboard
 const isFree = (): boolean => isHere() && !board.isRunning
-const isPicked = (): boolean => here.steps.size > 0
+const isPicked = (): boolean => workspace.steps.size > 0
 /** What is picked, or the icon that the cursor stands behind. */
 const isMeant = (): boolean => isHere() && meant().length > 0
 const hasAction = (): boolean => isHere() && meantHeads().length > 0
@@ -34,7 +34,7 @@ function nextSize(by: 1 | -1): void {
 
 function registerUpper(): void {
   add('add', 'upper.add', { keys: ['/', 'Enter'], when: isFree, run: () => (board.opened = { kind: 'quick', words: '' }) })
-  add('insertSelected', 'upper.insertSelected', { when: () => isOpen() && here.onikon !== '', run: () => insert(here.onikon) })
+  add('insertSelected', 'upper.insertSelected', { when: () => isOpen() && workspace.onikon !== '', run: () => insert(workspace.onikon) })
   add('insertBranch', 'upper.insertBranch', { keys: ['B'], when: () => isFree() && isLetterFree(), run: () => (board.opened = { kind: 'branch', step: 0 }) })
   add('edit', 'upper.edit', { keys: ['F2'], when: isMeant, run: () => edit(one()) })
   add('picture', 'upper.picture', { keys: ['Shift+F2'], when: isMeant, run: () => editPicture(one()) })
@@ -46,7 +46,7 @@ function registerUpper(): void {
   add('paste', 'upper.paste', { group: 'edit', keys: ['V'], when: isFree, run: () => paste() }) // Ctrl+V comes as an event of its own
   add('remove', 'upper.delete', { group: 'edit', when: () => isOpen() && isPicked(), run: () => remove() })
   add('selectAll', 'upper.selectAll', { group: 'edit', keys: ['Ctrl+A'], when: isHere, run: selectAll })
-  add('deselect', 'upper.deselect', { group: 'edit', keys: ['Escape'], when: () => isHere() && (isPicked() || here.onikon !== ''), run: leave })
+  add('deselect', 'upper.deselect', { group: 'edit', keys: ['Escape'], when: () => isHere() && (isPicked() || workspace.onikon !== ''), run: leave })
   add('break', 'upper.breakTurn', { keys: ['M'], when: () => hasAction() && isLetterFree(), run: () => turnBreakpoint() })
   add('breakIf', 'upper.breakIf', { when: hasAction, run: () => (board.opened = { kind: 'condition', step: head() }) })
   add('tag', 'upper.tag', { keys: ['S'], when: () => isFree() && hasAction() && isLetterFree(), run: () => (board.opened = { kind: 'tag', step: head() }) })
@@ -54,7 +54,7 @@ function registerUpper(): void {
   add('menu', 'upper.openMenu', { keys: ['Shift+F10', 'ContextMenu'], when: isHere, run: openMenu })
   add('skipTo', 'upper.skipHere', { group: 'run', when: () => board.isRunning && head() > 0, run: () => act({ t: 'SkipTo', step: head() }) })
   add('addFlow', 'upper.addFlow', { when: isOpen, run: () => addFlow() })
-  add('removeFlow', 'upper.removeThisFlow', { when: () => isOpen() && (topsOf(board.app!).length > 1 || here.place.flow.includes('/')), run: () => removeFlow(here.place.flow) })
+  add('removeFlow', 'upper.removeThisFlow', { when: () => isOpen() && (topsOf(board.app!).length > 1 || workspace.place.flow.includes('/')), run: () => removeFlow(workspace.place.flow) })
   add('turnKind', 'upper.turnKind', { when: () => isOpen() && topsOf(board.app!).length > 1, run: () => setParallel(!board.app?.is_parallel) })
   add('larger', 'upper.larger', { group: 'view', keys: ['+', '='], when: isHere, run: () => nextSize(1) })
   add('smaller', 'upper.smaller', { group: 'view', keys: ['-'], when: isHere, run: () => nextSize(-1) })
@@ -65,14 +65,14 @@ function registerUpper(): void {
 
 function leave(): void {
   deselect()
-  here.onikon = ''
+  workspace.onikon = ''
 }
 
 /** Where a click would have been: at the cursor. */
 function openMenu(): void {
   const { caret } = board
   const at = board.toWindow({ x: caret?.x ?? 60, y: (caret?.y ?? 60) + board.size })
-  board.opened = { kind: 'menu', at, over: board.step(here.place.after) ? { kind: 'step', step: here.place.after } : { kind: 'flow', flow: here.place.flow } }
+  board.opened = { kind: 'menu', at, over: board.step(workspace.place.after) ? { kind: 'step', step: workspace.place.after } : { kind: 'flow', flow: workspace.place.flow } }
 }
 
 registerUpper()

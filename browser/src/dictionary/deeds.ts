@@ -2,7 +2,8 @@
 import { act } from '../act/act'
 import type { OnikonView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog } from '../state/here.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { note } from '../link/note'
 import type { Point } from '../act/refused.svelte'
 import { goTo } from '../act/documents.svelte'
@@ -10,22 +11,22 @@ import { goInto, open, openInPlace } from '../act/opening'
 import { insert as insertHere } from '../workspace/deeds'
 import { gapAt, type Gap } from '../onikon/fits'
 
-export const application = () => desk.tree.applications[here.app]
+export const application = () => desk.tree.applications[workspace.app]
 
 /** The gap where the next icon goes. */
-export const gapHere = (): Gap | undefined => gapAt(application(), here.place)
+export const gapHere = (): Gap | undefined => gapAt(application(), workspace.place)
 
 export const isAction = (one: Pick<OnikonView, 'role'>): boolean => one.role === 'job' || one.role === 'application'
 
 export function select(name: string): void {
-  if (here.onikon !== name) note('select_icon', name, name, 'dict')
-  here.onikon = name
+  if (workspace.onikon !== name) note('select_icon', name, name, 'dict')
+  workspace.onikon = name
 }
 
 /** Insert an icon behind the place where the next one goes; without an application, ask first what it shall be. */
 export async function insert(name: string, at?: Point): Promise<void> {
-  here.onikon = name
-  if (application()) await insertHere(name, here.place, at)
+  workspace.onikon = name
+  if (application()) await insertHere(name, workspace.place, at)
   else openDialog('newApplication', { onikon: name })
 }
 
@@ -51,7 +52,7 @@ export const newTarget = (data: Record<string, string> = {}): void => openDialog
 export function likelyType(): string {
   const wants = gapHere()?.wants[0]
   if (wants) return wants
-  const selected = desk.tree.onikons[here.onikon]
+  const selected = desk.tree.onikons[workspace.onikon]
   if (selected?.role === 'target') return selected.type
   return selected?.takes?.[0] ?? ''
 }
@@ -61,5 +62,5 @@ export const takePresent = (): void => newTarget({ type: likelyType(), teach: 'y
 
 /** Show only what fits at the place where the next icon goes, or all again. */
 export function turnFitsOnly(): void {
-  here.fitsOnly = !here.fitsOnly
+  workspace.fitsOnly = !workspace.fitsOnly
 }

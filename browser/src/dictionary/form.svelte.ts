@@ -1,7 +1,7 @@
 // What is filled in of a target or icon: its values as words, and how it fares when it is sent.
 import { announce } from '../state/announce'
 import type { AnyAct, ItemView, Remedy, TaughtView } from '../api.gen'
-import { reveal } from '../state/here.svelte'
+import { reveal } from '../act/reveal.svelte'
 import { send } from '../link/link'
 import { Refusal } from '../link/refusal'
 import { complaint, type Field } from '../question/question'

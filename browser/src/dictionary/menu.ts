@@ -1,7 +1,8 @@
 // The menu beside an icon of a dictionary: today's habit beside the keys and buttons of table B.3.
 import type { OnikonView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
+import { look } from '../state/look.svelte'
 import type { Point } from '../act/refused.svelte'
 import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
@@ -27,9 +28,9 @@ function behind(one: OnikonView): Item[] {
   const source = one.source ?? ''
   const note = source || one.trouble || undefined
   if (one.role === 'application') return [{ label: t('dictionary.openApplication'), keys: t('dictionary.shiftClick'), run: () => expand(one), isOff: !source, note, begins: true }]
-  if (one.role !== 'job' || here.isUpperOnly) return []
+  if (one.role !== 'job' || look.isUpperOnly) return []
   return [
     { label: t('dictionary.openConfiguration'), keys: t('dictionary.shiftClick'), run: () => expand(one), isOff: !source, note, begins: true },
-    { label: t('dictionary.openInPlace'), run: () => expandInPlace(one), isOff: !source || !desk.tree.documents[here.doc], note: t('dictionary.inPlaceHint') },
+    { label: t('dictionary.openInPlace'), run: () => expandInPlace(one), isOff: !source || !desk.tree.documents[canvas.doc], note: t('dictionary.inPlaceHint') },
   ]
 }

@@ -1,5 +1,5 @@
 // How the icons of a dictionary stand: rows of cells of known height, so that only what is seen is drawn.
-import type { Presentation } from '../state/here.svelte'
+import type { Presentation } from '../state/look.svelte'
 import { walked, type Span } from '../geom/rows'
 import type { Group } from '../onikon/choose'
 

@@ -1,7 +1,7 @@
 // What the icon panel is about: a step of the application shown, or an icon of a dictionary.
 import type { EditIcon, EditOnikon, OnikonView, StepView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { workspace } from '../state/workspace.svelte'
 
 export interface Subject {
   readonly name: string
@@ -14,13 +14,13 @@ export interface Subject {
 
 /** Undefined where it is not there, or not any more. */
 export function subjectOf({ step, onikon, doc }: Record<string, string>): Subject | undefined {
-  if (step !== undefined) return stepOf(doc || here.app, step)
+  if (step !== undefined) return stepOf(doc || workspace.app, step)
   const one = desk.tree.onikons[onikon ?? '']
   return one && onikon ? { name: onikon, one, application: '', isRunning: false } : undefined
 }
 
 /** What tells it from others, for what is begun of it and not saved. */
-export const keyOf = ({ step, onikon, doc }: Record<string, string>): string => (step !== undefined ? `step ${doc || here.app} ${step}` : `onikon ${onikon}`)
+export const keyOf = ({ step, onikon, doc }: Record<string, string>): string => (step !== undefined ? `step ${doc || workspace.app} ${step}` : `onikon ${onikon}`)
 
 /** What it says and shows, in one word: another one tells that somebody has changed it meanwhile. */
 export const contentOf = ({ description, words, values, picture }: Subject['one']): string => JSON.stringify([description, words, values, picture])
@@ -40,6 +40,6 @@ export interface Changes {
 
 /** The act that changes it; what is left out stays. */
 export function changing(data: Record<string, string>, changes: Changes): EditIcon | EditOnikon {
-  if (data.step !== undefined) return { t: 'EditIcon', doc: data.doc || here.app, step: Number(data.step), ...changes }
+  if (data.step !== undefined) return { t: 'EditIcon', doc: data.doc || workspace.app, step: Number(data.step), ...changes }
   return { t: 'EditOnikon', onikon: data.onikon ?? '', ...changes }
 }

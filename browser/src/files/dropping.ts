@@ -1,7 +1,8 @@
 // A file that was dropped on the page is opened, where it is one that can be.
 import { act } from '../act/act'
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
+import { look } from '../state/look.svelte'
 import { Refusal } from '../link/refusal'
 import { showRefusal } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
@@ -11,7 +12,7 @@ import { open } from '../act/opening'
 /** A piece of a configuration has its place at the lower level. */
 function atTasks(): boolean {
   goTo('tasks')
-  return here.level === 'tasks'
+  return look.level === 'tasks'
 }
 
 /** A browser is told what a file is called and what is in it, but not where it lies. */
@@ -21,5 +22,5 @@ export async function takeFile(file: File): Promise<void> {
   const known = Object.values(isApplication ? desk.tree.application_files : desk.tree.files).find((one) => one.name === name)
   if (known) await open(known.path)
   else if (isApplication) showRefusal(new Refusal(t('drop.unknown', { name: file.name })))
-  else if (atTasks()) await act({ t: 'Paste', doc: here.doc, x: Math.round(here.viewCentre.x), y: Math.round(here.viewCentre.y), text: await file.text() })
+  else if (atTasks()) await act({ t: 'Paste', doc: canvas.doc, x: Math.round(canvas.viewCentre.x), y: Math.round(canvas.viewCentre.y), text: await file.text() })
 }

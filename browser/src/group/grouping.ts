@@ -2,7 +2,8 @@
 import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog, pick } from '../state/here.svelte'
+import { canvas, pick } from '../state/canvas.svelte'
+import { openDialog } from '../state/dialogs.svelte'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 import { note, onGrid, pickedTasks } from '../scene/deeds'
@@ -24,14 +25,14 @@ export const selectGroup = (group: string): void => selectAs(membersOf(stage.doc
 
 /** Add these tasks to what is picked, or take them out where all of them are in it. */
 export function selectAlsoAll(tasks: string[], focus: string): void {
-  const isIn = tasks.every((one) => here.picked.has(one))
-  for (const one of tasks) if (isIn) here.picked.delete(one)
-  else here.picked.add(one)
+  const isIn = tasks.every((one) => canvas.picked.has(one))
+  for (const one of tasks) if (isIn) canvas.picked.delete(one)
+  else canvas.picked.add(one)
   stage.focus = focus
 }
 
 export function turnGroup(group: string, isOn: boolean, at?: Point): void {
-  void act({ t: 'TurnGroup', doc: here.doc, name: group, is_on: isOn }, at)
+  void act({ t: 'TurnGroup', doc: canvas.doc, name: group, is_on: isOn }, at)
 }
 
 export const toggleGroup = (group: string, at?: Point): void => turnGroup(group, !isAllOn(stage.document, group), at)
@@ -51,7 +52,7 @@ const proposedName = (): string =>
 
 export async function ungroup(groups = pickedGroups()): Promise<void> {
   for (const name of groups)
-    if ((await act({ t: 'Ungroup', doc: here.doc, name })) !== undefined) announce(t('canvas.group.expanded', { name }))
+    if ((await act({ t: 'Ungroup', doc: canvas.doc, name })) !== undefined) announce(t('canvas.group.expanded', { name }))
 }
 
 /** Ask for another name or order of what is one already. */
@@ -68,7 +69,7 @@ export function openInsert(at = stage.pointer): void {
 /** Place a configuration as a supermodule, and pick it; false where it was refused. */
 export async function insert(path: string, x: number, y: number): Promise<boolean> {
   const before = new Set(Object.keys(stage.document?.groups ?? {}))
-  if ((await act({ t: 'Insert', doc: here.doc, path, x, y })) === undefined) return false
+  if ((await act({ t: 'Insert', doc: canvas.doc, path, x, y })) === undefined) return false
   stage.begin()
   const name = Object.keys(stage.document?.groups ?? {}).find((one) => !before.has(one))
   if (name) {

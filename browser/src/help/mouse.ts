@@ -1,5 +1,5 @@
 // What the mouse does, as in the tables of the dissertation's appendix B, and what came since.
-import type { Level } from '../state/here.svelte'
+import type { Level } from '../state/look.svelte'
 import type { TextKey } from '../texts/index.svelte'
 
 export type Table = [TextKey, [TextKey, TextKey][]]

@@ -1,6 +1,7 @@
 // How far this user is in the tutorial; it goes on where it was left, also another day.
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { goTo } from '../act/documents.svelte'
 import { LESSONS, type Seen } from './tutorial'
@@ -26,9 +27,9 @@ export function setDone(done: number): void {
 }
 
 export const seen = (): Seen => ({
-  isUpper: here.level === 'applications',
-  app: here.app,
-  view: desk.tree.applications[here.app],
+  isUpper: look.level === 'applications',
+  app: workspace.app,
+  view: desk.tree.applications[workspace.app],
   run: desk.live.run,
   types: desk.tree.types,
 })

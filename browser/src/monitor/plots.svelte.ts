@@ -1,5 +1,5 @@
 // The cells of the strip beside the table: plots of variables as `DOC/NAME`, workcells as `world:NAME`.
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { send } from '../link/link'
 
 const WORLD = 'world:'
@@ -7,7 +7,7 @@ const WORLD = 'world:'
 export type Cell = { key: string; kind: 'variable'; doc: string; name: string } | { key: string; kind: 'world'; name: string }
 
 /** The key of a variable; a bare name belongs to the document shown. */
-export const keyOf = (name: string, doc: string = here.doc): string => (name.includes('/') ? name : `${doc}/${name}`)
+export const keyOf = (name: string, doc: string = canvas.doc): string => (name.includes('/') ? name : `${doc}/${name}`)
 
 export function cellOf(entry: string): Cell {
   if (entry.startsWith(WORLD)) return { key: entry, kind: 'world', name: entry.slice(WORLD.length) }
@@ -17,7 +17,7 @@ export function cellOf(entry: string): Cell {
 }
 
 /** Show the past of a variable in the strip, once. */
-export function plot(name: string, doc: string = here.doc): void {
+export function plot(name: string, doc: string = canvas.doc): void {
   open(keyOf(name, doc))
 }
 
@@ -25,25 +25,25 @@ export function showWorld(name: string): void {
   open(WORLD + name)
 }
 
-export function isPlotted(name: string, doc: string = here.doc): boolean {
-  return here.plots.some((entry) => cellOf(entry).key === keyOf(name, doc))
+export function isPlotted(name: string, doc: string = canvas.doc): boolean {
+  return canvas.plots.some((entry) => cellOf(entry).key === keyOf(name, doc))
 }
 
-export const isWorldShown = (name: string): boolean => here.plots.includes(WORLD + name)
+export const isWorldShown = (name: string): boolean => canvas.plots.includes(WORLD + name)
 
 export function close(key: string): void {
-  here.plots = here.plots.filter((entry) => cellOf(entry).key !== key)
+  canvas.plots = canvas.plots.filter((entry) => cellOf(entry).key !== key)
 }
 
 /** Show it, or take it away where it is shown. */
-export function turn(name: string, doc: string = here.doc): void {
+export function turn(name: string, doc: string = canvas.doc): void {
   if (isPlotted(name, doc)) close(keyOf(name, doc))
   else plot(name, doc)
 }
 
 function open(key: string): void {
-  if (here.plots.some((entry) => cellOf(entry).key === key)) return
-  here.plots = [...here.plots, key]
+  if (canvas.plots.some((entry) => cellOf(entry).key === key)) return
+  canvas.plots = [...canvas.plots, key]
   // For the diary (H01); nobody waits for it.
   void send({ t: 'Note', event: 'open', object: 'plot', id: key, window: 'strip' }).catch(() => undefined)
 }

@@ -1,6 +1,6 @@
 // Where the next icon goes, and which icons have the edge for it (Equation 7). The environment judges; this only shows.
 import type { ApplicationView, OnikonView } from '../api.gen'
-import type { Place } from '../state/here.svelte'
+import type { Place } from '../state/workspace.svelte'
 
 /** A place between two steps: the edges that what comes there should have, by their keys. */
 export interface Gap {

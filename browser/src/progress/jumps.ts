@@ -1,6 +1,6 @@
 // Steps at the switches of a run, in words: what was blended or refused, else how smooth it was.
 import type { JumpView } from '../api.gen'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 import { t } from '../texts/index.svelte'
 import { seconds } from '../sentences/words'
 
@@ -40,6 +40,6 @@ function unknownLine(one: JumpView): JumpLine {
 
 /** A number of three digits that count, with its unit. */
 function measure(value: number, unit: string): string {
-  const number = new Intl.NumberFormat(here.language, { maximumSignificantDigits: 3, useGrouping: false }).format(value)
+  const number = new Intl.NumberFormat(look.language, { maximumSignificantDigits: 3, useGrouping: false }).format(value)
   return unit === '-' || !unit ? number : `${number} ${unit}`
 }

@@ -1,6 +1,6 @@
 // A stop in words: what it is called, and what its choices are called and do.
 import type { Remedy, RunView, StopView } from '../api.gen'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 import { t, type TextKey } from '../texts/index.svelte'
 import { isSeveral, nameOf } from '../sentences/words'
 
@@ -42,6 +42,6 @@ export function choicesOf(run: RunView, stop: StopView): Choice[] {
 function wordsOf(verb: string, stop: StopView, k: number): string {
   const meaning = stop.meanings?.[k] ?? ''
   const key = WORDS[verb]
-  if (key && (here.language !== 'en' || !meaning)) return t(key, { task: stop.task || t('stopped.aTask') })
+  if (key && (look.language !== 'en' || !meaning)) return t(key, { task: stop.task || t('stopped.aTask') })
   return meaning && `${meaning.charAt(0).toUpperCase()}${meaning.slice(1)}${/[.!?]$/.test(meaning) ? '' : '.'}`
 }

@@ -2,7 +2,7 @@
 import { act } from '../act/act'
 import { announce } from '../state/announce'
 import type { RecordingFile, RecordingsView, RecordingView } from '../api.gen'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 import { kept } from '../state/kept'
 import { clockText, seconds } from '../sentences/words'
 import { allSaid } from '../application/wishes'
@@ -41,7 +41,7 @@ export function toMark(way: 1 | -1): void {
 export function whenOf(file: Pick<RecordingFile, 'began_at_s'>): string {
   const began = new Date((file.began_at_s ?? 0) * 1000)
   const isThisYear = began.getFullYear() === new Date().getFullYear()
-  return file.began_at_s ? new Intl.DateTimeFormat(here.language, { day: 'numeric', month: 'short', year: isThisYear ? undefined : 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit', hourCycle: 'h23' }).format(began) : ''
+  return file.began_at_s ? new Intl.DateTimeFormat(look.language, { day: 'numeric', month: 'short', year: isThisYear ? undefined : 'numeric', hour: '2-digit', minute: '2-digit', second: '2-digit', hourCycle: 'h23' }).format(began) : ''
 }
 
 /** What tells it from others of the same application: when it began, whether in a simulator, and who stood for whom. */

@@ -3,7 +3,8 @@ import { untrack } from 'svelte'
 import type { AnyAct, InstantView, RecordingView, ReviewView, StretchView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { showFrom, stir, type Source } from '../values/frames'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import { send } from '../link/link'
 import { Past } from '../progress/past'
@@ -162,8 +163,8 @@ class Review implements Source {
     this.go(before.path === path ? before.at_s : this.begin_s)
     const doc = this.recording?.doc ?? ''
     if (doc in desk.live.applications && before.path !== path) {
-      here.app = doc
-      here.level = 'applications'
+      workspace.app = doc
+      look.level = 'applications'
     }
   }
 

@@ -1,14 +1,14 @@
 // Choosing where a flow shall go: while it is on, a click on an icon sends its flow there (E13).
 import { act } from '../act/act'
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { workspace } from '../state/workspace.svelte'
 
 class Skipping {
   isOn = $state(false)
 
   begin(): void {
     const doc = desk.tree.run?.doc ?? ''
-    if (desk.tree.applications[doc]) here.app = doc // its icons are what is clicked
+    if (desk.tree.applications[doc]) workspace.app = doc // its icons are what is clicked
     this.isOn = true
   }
 

@@ -3,7 +3,8 @@ import { act } from '../act/act'
 import { announce } from '../state/announce'
 import type { Align } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog, pick } from '../state/here.svelte'
+import { canvas, pick } from '../state/canvas.svelte'
+import { openDialog } from '../state/dialogs.svelte'
 import { send } from '../link/link'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
@@ -18,7 +19,7 @@ export const onGrid = (value: number): number => Math.round(value / GRID) * GRID
 /** The text that was copied last here: the environment still has it in its buffer. */
 let copied = ''
 
-export const pickedTasks = (): string[] => [...here.picked].filter((name) => stage.document?.tasks?.[name])
+export const pickedTasks = (): string[] => [...canvas.picked].filter((name) => stage.document?.tasks?.[name])
 
 /** A selection is known to this page alone; the diary hears of it (H01). */
 export function note(event: string, object: string, id: string): void {
@@ -32,14 +33,14 @@ export function select(name: string): void {
 }
 
 export function selectLocus(svar: string): void {
-  here.picked.clear()
-  here.pickedLocus = svar
+  canvas.picked.clear()
+  canvas.pickedLocus = svar
   stage.focus = `locus:${svar}`
 }
 
 export function deselect(): void {
-  here.picked.clear()
-  here.pickedLocus = ''
+  canvas.picked.clear()
+  canvas.pickedLocus = ''
 }
 
 export function selectAll(): void {
@@ -81,45 +82,45 @@ export const unitsAlive = (): string[] =>
 
 export async function place(task: string, [x, y]: [number, number], at?: Point, rtpu = ''): Promise<void> {
   stage.close()
-  const answer = await act({ t: 'Place', doc: here.doc, task, x, y, rtpu }, at)
+  const answer = await act({ t: 'Place', doc: canvas.doc, task, x, y, rtpu }, at)
   if (answer === undefined) return
   stage.begin()
-  here.libraryTask = ''
+  canvas.libraryTask = ''
   select(task)
   announce(t('canvas.placed', { name: task }))
 }
 
 export function exchange(old: string, task: string, at?: Point): void {
-  void act({ t: 'Exchange', doc: here.doc, old, new: task }, at)
+  void act({ t: 'Exchange', doc: canvas.doc, old, new: task }, at)
 }
 
 export function remove(tasks = pickedTasks()): void {
-  if (tasks.length) void act({ t: 'Remove', doc: here.doc, tasks })
+  if (tasks.length) void act({ t: 'Remove', doc: canvas.doc, tasks })
 }
 
 export function flip(tasks = pickedTasks()): void {
-  if (tasks.length) void act({ t: 'Flip', doc: here.doc, tasks })
+  if (tasks.length) void act({ t: 'Flip', doc: canvas.doc, tasks })
 }
 
 export function align(edge: Edge): void {
-  if (pickedTasks().length > 1) void act({ t: 'Align', doc: here.doc, tasks: pickedTasks(), edge })
+  if (pickedTasks().length > 1) void act({ t: 'Align', doc: canvas.doc, tasks: pickedTasks(), edge })
 }
 
 export async function copy(tasks = pickedTasks()): Promise<void> {
   if (!tasks.length) return
-  takeText(await act({ t: 'Copy', doc: here.doc, tasks }))
+  takeText(await act({ t: 'Copy', doc: canvas.doc, tasks }))
 }
 
 export async function cut(tasks = pickedTasks()): Promise<void> {
   if (!tasks.length) return
-  takeText(await act({ t: 'Cut', doc: here.doc, tasks }))
+  takeText(await act({ t: 'Cut', doc: canvas.doc, tasks }))
 }
 
 /** Where the pointer is, else the middle of what is seen. */
 export async function paste(text = ''): Promise<void> {
   const { pointer, view } = stage
   const [x, y] = pointer ? view.toScene(pointer.x, pointer.y) : [view.centre.x, view.centre.y]
-  await act({ t: 'Paste', doc: here.doc, x: onGrid(x), y: onGrid(y), text: text === copied ? '' : text }, pointer)
+  await act({ t: 'Paste', doc: canvas.doc, x: onGrid(x), y: onGrid(y), text: text === copied ? '' : text }, pointer)
 }
 
 /** The text of what was copied also goes to the system's clipboard, where the browser allows it. */
@@ -130,15 +131,15 @@ function takeText(text: unknown): void {
 }
 
 export function toggle(task: string, at?: Point): void {
-  void act({ t: 'Toggle', doc: here.doc, task }, at)
+  void act({ t: 'Toggle', doc: canvas.doc, task }, at)
 }
 
 export function turn(tasks: string[], isOn: boolean, at?: Point): void {
-  void act({ t: 'Turn', doc: here.doc, tasks, is_on: isOn }, at)
+  void act({ t: 'Turn', doc: canvas.doc, tasks, is_on: isOn }, at)
 }
 
 export function clear(task: string, turnsOn: boolean, at?: Point): void {
-  void act({ t: 'Clear', doc: here.doc, task, turns_on: turnsOn }, at)
+  void act({ t: 'Clear', doc: canvas.doc, task, turns_on: turnsOn }, at)
 }
 
 /** Show or hide the lines of a variable. A constant of the row is brought onto the canvas, and back. */
@@ -152,7 +153,7 @@ export function toggleLines(svar: string): void {
 }
 
 export function showLines(svars: string[], isShown: boolean): void {
-  if (svars.length) void act({ t: 'Show', doc: here.doc, svars, is_shown: isShown })
+  if (svars.length) void act({ t: 'Show', doc: canvas.doc, svars, is_shown: isShown })
 }
 
 /** Bring all constants onto the canvas, or back into their row. */
@@ -164,12 +165,12 @@ export function toggleConstants(): void {
 }
 
 export function togglePin(svar: string): void {
-  here.pinned = here.pinned.includes(svar) ? here.pinned.filter((name) => name !== svar) : [...here.pinned, svar]
+  canvas.pinned = canvas.pinned.includes(svar) ? canvas.pinned.filter((name) => name !== svar) : [...canvas.pinned, svar]
 }
 
 /** One step for all that was moved. */
 export function move(tasks: Record<string, [number, number]>, loci: Record<string, [number, number]> = {}, at?: Point): Promise<unknown> {
-  return act({ t: 'Move', doc: here.doc, tasks, loci }, at)
+  return act({ t: 'Move', doc: canvas.doc, tasks, loci }, at)
 }
 
 type Corners = Record<string, [number, number]>
@@ -179,7 +180,7 @@ const bound = { tasks: new Map<string, [number, number]>(), loci: new Map<string
 
 export function nudge(dx: number, dy: number): void {
   const { boxes, dots } = stage.scene
-  const dot = here.pickedLocus ? dots.get(here.pickedLocus) : undefined
+  const dot = canvas.pickedLocus ? dots.get(canvas.pickedLocus) : undefined
   const goals = (names: string[], things: ReadonlyMap<string, Point>, before: ReadonlyMap<string, [number, number]>): Corners =>
     Object.fromEntries(names.filter((name) => things.has(name)).map((name) => {
       const [x, y] = before.get(name) ?? [things.get(name)!.x, things.get(name)!.y]
@@ -204,12 +205,12 @@ export const openSource = (task: string, kind: 'code' | 'rmod'): void => openDia
 
 /** All rules and warnings (C26); what was found stands under Problems and is read out. */
 export async function check(at?: Point): Promise<void> {
-  const sentences = await act({ t: 'Check', doc: here.doc }, at)
+  const sentences = await act({ t: 'Check', doc: canvas.doc }, at)
   if (sentences === undefined) return
-  here.strip = 'problems'
+  canvas.strip = 'problems'
   announce(Array.isArray(sentences) && sentences.length ? sentences.join(' ') : t('canvas.checked'))
 }
 
 export function reconnect(): void {
-  void act({ t: 'Connect', doc: here.doc })
+  void act({ t: 'Connect', doc: canvas.doc })
 }

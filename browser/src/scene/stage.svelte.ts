@@ -6,7 +6,7 @@ import { desk } from '../link/desk.svelte'
 import type { Rect } from '../geom/rect'
 import type { Guide } from '../geom/snap'
 import { PLAIN, type View as Seen } from '../geom/viewport'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { keep, kept } from '../state/kept'
 import type { Point } from '../act/refused.svelte'
 import { frameOf, membersOf, PAD, TAB } from './groups'
@@ -62,7 +62,7 @@ class Stage {
   private readonly views = new Map<string, Seen>()
 
   get document(): DocumentView | undefined {
-    return desk.tree.documents[here.doc]
+    return desk.tree.documents[canvas.doc]
   }
 
   /** Whether its tasks can be turned on and off. */

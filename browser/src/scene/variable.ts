@@ -1,7 +1,7 @@
 // What is known of a variable of the shown document: its dot, and the type and unit that its pins tell.
 import type { LocusView, PinView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { canvas } from '../state/canvas.svelte'
 import { stage } from './stage.svelte'
 
 export interface Variable {
@@ -12,7 +12,7 @@ export interface Variable {
   meaning: string
 }
 
-export const keyOf = (svar: string): string => `${here.doc}/${svar}`
+export const keyOf = (svar: string): string => `${canvas.doc}/${svar}`
 
 /** The first of its pins that says something speaks for it, those that write it before those that read it. */
 export function variable(svar: string): Variable {

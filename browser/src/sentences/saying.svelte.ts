@@ -1,13 +1,13 @@
 // What the actions of the application that runs are about, told once for all who show it.
 import { desk } from '../link/desk.svelte'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 import { briefs } from './sentences'
 import { tongueOf } from './tongue'
 
 class Saying {
   private readonly all = $derived.by(() => {
     const app = desk.tree.applications[desk.tree.run?.doc ?? '']
-    return app ? briefs(app, desk.tree.types, tongueOf(here.language)) : new Map<number, string>()
+    return app ? briefs(app, desk.tree.types, tongueOf(look.language)) : new Map<number, string>()
   })
 
   of(step: number): string {

@@ -1,7 +1,7 @@
 // The words between the descriptions, in each language of this page.
 import { en } from '../texts/en'
 import { es } from '../texts/es'
-import type { Language } from '../state/here.svelte'
+import type { Language } from '../state/look.svelte'
 import type { Tongue } from './sentences'
 
 const CATALOGUES = { en, es }

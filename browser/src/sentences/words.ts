@@ -1,6 +1,6 @@
 // Small words of a run: flows, seconds, actions, in the language of this browser.
 import type { ApplicationView, FlowRunView, RunView } from '../api.gen'
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 import { t } from '../texts/index.svelte'
 import { saying } from './saying.svelte'
 
@@ -19,10 +19,10 @@ const formats = new Map<string, Intl.NumberFormat>()
 
 /** Seconds with one place, as they are said in this language; a thousand icons say them, so that each form is made once. */
 export function seconds(value: number, places = 1): string {
-  const key = `${here.language} ${places}`
+  const key = `${look.language} ${places}`
   let form = formats.get(key)
   if (!form) {
-    form = new Intl.NumberFormat(here.language, { minimumFractionDigits: places, maximumFractionDigits: places, useGrouping: false })
+    form = new Intl.NumberFormat(look.language, { minimumFractionDigits: places, maximumFractionDigits: places, useGrouping: false })
     formats.set(key, form)
   }
   return form.format(value)
@@ -47,7 +47,7 @@ export function doing(flow: FlowRunView, step = flow.step ?? 0): string {
 }
 
 /** The names of flows as a list: "Flow 0 and Flow 1". */
-export const listed = (names: readonly string[]): string => new Intl.ListFormat(here.language).format(names)
+export const listed = (names: readonly string[]): string => new Intl.ListFormat(look.language).format(names)
 
 /** The pictures of an action: of its icon and of its targets. */
 export function picturesOf(app: ApplicationView | undefined, steps: readonly number[]): string[] {

@@ -1,7 +1,9 @@
 // What the palette offers, and how it is searched.
 import { allCommands, isAvailable } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { here, pick, reveal } from '../state/here.svelte'
+import { reveal } from '../act/reveal.svelte'
+import { canvas, pick } from '../state/canvas.svelte'
+import { look } from '../state/look.svelte'
 import { t } from '../texts/index.svelte'
 import { open } from '../act/opening'
 
@@ -19,7 +21,7 @@ export interface Entry {
 }
 
 export function entries(): Entry[] {
-  const level = here.level === 'applications' ? [...onikons()] : [...placed(), ...tasks(), ...variables()]
+  const level = look.level === 'applications' ? [...onikons()] : [...placed(), ...tasks(), ...variables()]
   return [...commands(), ...level, ...applications(), ...files()]
 }
 
@@ -29,7 +31,7 @@ const commands = (): Entry[] =>
   }))
 
 const placed = (): Entry[] =>
-  Object.keys(desk.tree.documents[here.doc]?.tasks ?? {}).map((name) => ({
+  Object.keys(desk.tree.documents[canvas.doc]?.tasks ?? {}).map((name) => ({
     id: `p ${name}`, kind: t('palette.placed'), label: name, isName: true, run: () => reveal(`task:${name}`),
   }))
 
@@ -44,7 +46,7 @@ const tasks = (): Entry[] =>
 
 const onikons = (): Entry[] =>
   Object.entries(desk.tree.onikons).map(([name, one]) => ({
-    id: `o ${name}`, kind: t('palette.onikon'), label: one.words?.[here.language] ?? (one.description || name), note: name, run: () => reveal(`onikon:${name}`),
+    id: `o ${name}`, kind: t('palette.onikon'), label: one.words?.[look.language] ?? (one.description || name), note: name, run: () => reveal(`onikon:${name}`),
   }))
 
 const applications = (): Entry[] =>
@@ -53,12 +55,12 @@ const applications = (): Entry[] =>
   }))
 
 const files = (): Entry[] =>
-  (here.isUpperOnly ? [] : Object.values(desk.tree.files)).map((file) => ({
+  (look.isUpperOnly ? [] : Object.values(desk.tree.files)).map((file) => ({
     id: `f ${file.path}`, kind: t('palette.file'), label: file.name, note: file.base.split('/').at(-1) ?? '', isName: true, run: () => open(file.path),
   }))
 
 const variables = (): Entry[] =>
-  Object.keys(desk.tree.documents[here.doc]?.loci ?? {}).map((name) => ({
+  Object.keys(desk.tree.documents[canvas.doc]?.loci ?? {}).map((name) => ({
     id: `v ${name}`, kind: t('palette.variable'), label: name, isName: true, run: () => reveal(`locus:${name}`),
   }))
 

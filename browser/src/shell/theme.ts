@@ -1,5 +1,5 @@
 // The ground the page is drawn on: as the system has it, light, dark, or in the colours of the dissertation.
-import type { Theme } from '../state/here.svelte'
+import type { Theme } from '../state/look.svelte'
 
 const CLASSES: Record<Theme, string[]> = { auto: [], light: ['light'], dark: ['dark'], '1994': ['light', 'y1994'] }
 

@@ -1,6 +1,6 @@
 // What can be done by name, key or menu. The keymap, the palette, the menus and the help sheet all read this list.
 
-import { here, type Level } from './here.svelte'
+import { look, type Level } from './look.svelte'
 
 export type Group = 'file' | 'edit' | 'canvas' | 'library' | 'run' | 'view' | 'help' | 'application' | 'dictionary' | 'review'
 
@@ -28,7 +28,7 @@ export function command(one: Command): void {
 }
 
 export const allCommands = (): Command[] => [...commands.values()]
-export const isAvailable = (one: Command): boolean => (one.level === undefined || one.level === here.level) && (one.when?.() ?? true)
+export const isAvailable = (one: Command): boolean => (one.level === undefined || one.level === look.level) && (one.when?.() ?? true)
 export const findCommand = (id: string): Command | undefined => commands.get(id)
 
 export function run(id: string): void {

@@ -1,5 +1,5 @@
 // The text of a name in the language of this browser; read inside a template, it follows a change of language.
-import { here } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
 import { en, type TextKey } from './en'
 import { es } from './es'
 
@@ -10,7 +10,7 @@ const CATALOGUES = { en, es }
 
 /** `{name}` stands for a value; `one|many` is chosen by the value `n`. */
 export function t(key: TextKey, values: Values = {}): string {
-  return fill(CATALOGUES[here.language][key], values)
+  return fill(CATALOGUES[look.language][key], values)
 }
 
 export function fill(text: string, values: Values): string {

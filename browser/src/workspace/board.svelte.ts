@@ -1,7 +1,8 @@
 // What the workspace shows besides the application: how large, which part, what is open on it, what is on its way.
 import type { ApplicationView, StepView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
-import { here, type Place } from '../state/here.svelte'
+import { look } from '../state/look.svelte'
+import { workspace, type Place } from '../state/workspace.svelte'
 import { keep, kept } from '../state/kept'
 import type { Point } from '../act/refused.svelte'
 import { actionsOf, loopsOf, topsOf, type Actions, type Loop } from '../application/actions'
@@ -85,10 +86,10 @@ class Board {
   private readonly first = $derived(Math.floor(this.top / STRIDE) * STRIDE - STRIDE)
   private readonly last = $derived(Math.ceil((this.top + this.height) / STRIDE) * STRIDE + STRIDE)
   readonly visible: readonly Cell[] = $derived(within(this.shown.cells, this.first - this.size, this.last))
-  readonly caret: Gap | undefined = $derived(gapOf(this.shown.gaps, here.place))
+  readonly caret: Gap | undefined = $derived(gapOf(this.shown.gaps, workspace.place))
 
   get app(): ApplicationView | undefined {
-    return desk.tree.applications[here.app]
+    return desk.tree.applications[workspace.app]
   }
 
   step(number: number): StepView | undefined {
@@ -107,7 +108,7 @@ class Board {
   /** Whether what is typed is meant for the workspace. */
   get hasKeyboard(): boolean {
     const at = document.activeElement
-    return this.app !== undefined && here.level === 'applications' && (at === null || at === document.body || (this.ground?.contains(at) ?? false))
+    return this.app !== undefined && look.level === 'applications' && (at === null || at === document.body || (this.ground?.contains(at) ?? false))
   }
 
   close(): void {

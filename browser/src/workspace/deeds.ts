@@ -2,25 +2,28 @@
 import { act } from '../act/act'
 import { announce } from '../state/announce'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog, pickSteps, type Place } from '../state/here.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { look } from '../state/look.svelte'
+import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
 import { note } from '../link/note'
 import type { Point } from '../act/refused.svelte'
 import { goInto, open } from '../act/opening'
 import { t } from '../texts/index.svelte'
 import { flowOf, headOf, inReadingOrder, wholeOf } from '../application/actions'
+import { readPlace } from './place'
 import { board } from './board.svelte'
 import { gapOf } from '../application/gaps'
-import { nameOf, placeSaid } from '../application/words'
+import { nameOf } from '../application/words'
 
 /** The text that was copied last here: the environment still has it in its buffer. */
 let copied = ''
 
-export const pickedSteps = (): number[] => inReadingOrder(board.app, here.steps)
+export const pickedSteps = (): number[] => inReadingOrder(board.app, workspace.steps)
 
 /** The steps that are meant: those picked, else the one that the cursor stands behind. */
 export function meant(): number[] {
   const picked = pickedSteps()
-  return picked.length ? picked : board.step(here.place.after) ? [here.place.after] : []
+  return picked.length ? picked : board.step(workspace.place.after) ? [workspace.place.after] : []
 }
 
 /** The actions that are meant, by their jobs: marks are theirs. */
@@ -35,7 +38,7 @@ export function select(step: number): void {
 }
 
 export function selectAlso(step: number): void {
-  if (!here.steps.delete(step)) here.steps.add(step)
+  if (!workspace.steps.delete(step)) workspace.steps.add(step)
   placeBehind(step)
 }
 
@@ -43,12 +46,12 @@ export function selectAlso(step: number): void {
 export function selectTo(step: number): void {
   const flow = flowOf(board.app, step)
   const steps = board.app?.flows?.[flow]?.steps ?? []
-  const [from, to] = [Math.max(0, steps.indexOf(here.place.after)), steps.indexOf(step)]
-  for (const one of steps.slice(Math.min(from, to), Math.max(from, to) + 1)) here.steps.add(one)
+  const [from, to] = [Math.max(0, steps.indexOf(workspace.place.after)), steps.indexOf(step)]
+  for (const one of steps.slice(Math.min(from, to), Math.max(from, to) + 1)) workspace.steps.add(one)
 }
 
 export function selectAll(): void {
-  const flow = here.place.flow in (board.app?.flows ?? {}) ? here.place.flow : '0'
+  const flow = workspace.place.flow in (board.app?.flows ?? {}) ? workspace.place.flow : '0'
   pickSteps(...(board.app?.flows?.[flow]?.steps ?? []))
 }
 
@@ -59,14 +62,14 @@ export function placeBehind(step: number): void {
   const flow = flowOf(board.app, step)
   const steps = board.app?.flows?.[flow]?.steps ?? []
   const after = board.step(step)?.kind === 'hole' ? (steps[steps.indexOf(step) - 1] ?? 0) : step
-  here.place = { flow, after }
+  workspace.place = { flow, after }
 }
 
 /** Put the insertion cursor somewhere, and bring it into view. */
 export function goTo(place: Place, isSaid = false): void {
-  here.place = { flow: place.flow, after: place.after }
+  workspace.place = { flow: place.flow, after: place.after }
   showPlace(place)
-  if (isSaid) announce(placeSaid(place.flow, place.after))
+  if (isSaid) announce(readPlace(place.flow, place.after))
 }
 
 export function showPlace(place: Place): void {
@@ -75,9 +78,9 @@ export function showPlace(place: Place): void {
 }
 
 /** Insert an icon of a dictionary; the cursor moves on behind it. True where it went well. */
-export async function insert(onikon: string, place: Place = here.place, at: Point = windowPoint(place)): Promise<boolean> {
+export async function insert(onikon: string, place: Place = workspace.place, at: Point = windowPoint(place)): Promise<boolean> {
   const { flow, after } = place
-  const step = await act({ t: 'InsertIcon', doc: here.app, onikon, flow, after }, at)
+  const step = await act({ t: 'InsertIcon', doc: workspace.app, onikon, flow, after }, at)
   if (step === undefined) return false
   if (typeof step === 'number') arrive(flow, step)
   announce(t('upper.inserted', { name: nameOf(board.step(Number(step))) || onikon }))
@@ -103,7 +106,7 @@ const stepPoint = (step: number): Point | undefined => {
 export async function remove(steps = meant()): Promise<void> {
   if (!steps.length) return
   const place = placeWithout(steps)
-  if ((await act({ t: 'RemoveIcons', doc: here.app, steps }, stepPoint(steps[0]!))) !== undefined) left(place)
+  if ((await act({ t: 'RemoveIcons', doc: workspace.app, steps }, stepPoint(steps[0]!))) !== undefined) left(place)
 }
 
 /** Where the cursor is when these are gone: behind what stood before the first of them. */
@@ -120,22 +123,22 @@ function left(place: Place): void {
 }
 
 export async function copy(steps = meant()): Promise<void> {
-  if (steps.length) takeText(await act({ t: 'CopyIcons', doc: here.app, steps }))
+  if (steps.length) takeText(await act({ t: 'CopyIcons', doc: workspace.app, steps }))
 }
 
 /** What Delete does to what is picked (table B.4): it goes into the buffer. */
 export async function cut(steps = meant()): Promise<void> {
   if (!steps.length) return
   const place = placeWithout(steps)
-  const text = await act({ t: 'CutIcons', doc: here.app, steps }, stepPoint(steps[0]!))
+  const text = await act({ t: 'CutIcons', doc: workspace.app, steps }, stepPoint(steps[0]!))
   if (text === undefined) return
   takeText(text)
   left(place)
 }
 
-export async function paste(text = '', place: Place = here.place): Promise<void> {
+export async function paste(text = '', place: Place = workspace.place): Promise<void> {
   const { flow, after } = place
-  const numbers = await act({ t: 'PasteIcons', doc: here.app, flow, after, text: text === copied ? '' : text }, windowPoint(place))
+  const numbers = await act({ t: 'PasteIcons', doc: workspace.app, flow, after, text: text === copied ? '' : text }, windowPoint(place))
   if (Array.isArray(numbers) && typeof numbers.at(-1) === 'number') arrive(flow, numbers.at(-1) as number)
 }
 
@@ -147,22 +150,22 @@ function takeText(text: unknown): void {
 }
 
 export async function move(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {
-  if ((await act({ t: 'MoveIcons', doc: here.app, steps: [...steps], flow, after }, at)) !== undefined) goTo({ flow, after: steps.at(-1) ?? after })
+  if ((await act({ t: 'MoveIcons', doc: workspace.app, steps: [...steps], flow, after }, at)) !== undefined) goTo({ flow, after: steps.at(-1) ?? after })
 }
 
 /** Copies of steps behind another one, as one who drags with Ctrl means. */
 export async function copyTo(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {
-  const text = await act({ t: 'CopyIcons', doc: here.app, steps: [...steps] }, at)
+  const text = await act({ t: 'CopyIcons', doc: workspace.app, steps: [...steps] }, at)
   if (text === undefined) return
   takeText(text)
-  await act({ t: 'PasteIcons', doc: here.app, flow, after }, at)
+  await act({ t: 'PasteIcons', doc: workspace.app, flow, after }, at)
 }
 
 /** Set the breakpoint of the actions meant, or take it away where all have it. */
 export function turnBreakpoint(steps = meantHeads()): void {
   if (!steps.length) return
   const areSet = steps.every((step) => board.step(step)?.breaks)
-  void act({ t: 'SetBreakpoint', doc: here.app, steps, is_set: !areSet }, stepPoint(steps[0]!))
+  void act({ t: 'SetBreakpoint', doc: workspace.app, steps, is_set: !areSet }, stepPoint(steps[0]!))
 }
 
 export function edit(step: number): void {
@@ -195,11 +198,11 @@ export async function expand(step: number): Promise<void> {
 export function whyNotExpand(step: number): string {
   const role = board.step(step)?.role
   if (role !== 'job' && role !== 'application') return t('upper.nothingBehind')
-  return role === 'job' && here.isUpperOnly ? t('upper.isUpperOnly') : ''
+  return role === 'job' && look.isUpperOnly ? t('upper.isUpperOnly') : ''
 }
 
 export const whole = (step: number): readonly number[] => wholeOf(board.actions, step)
 
-export const addFlow = (step = 0): unknown => act({ t: 'AddFlow', doc: here.app, step })
-export const removeFlow = (flow: string): unknown => act({ t: 'RemoveFlow', doc: here.app, flow })
-export const setParallel = (isParallel: boolean): unknown => act({ t: 'SetParallel', doc: here.app, is_parallel: isParallel })
+export const addFlow = (step = 0): unknown => act({ t: 'AddFlow', doc: workspace.app, step })
+export const removeFlow = (flow: string): unknown => act({ t: 'RemoveFlow', doc: workspace.app, flow })
+export const setParallel = (isParallel: boolean): unknown => act({ t: 'SetParallel', doc: workspace.app, is_parallel: isParallel })

@@ -1,5 +1,6 @@
 // What the buttons of a mouse, a pen or fingers mean in the workspace (table B.4).
-import { here, openDialog, pickSteps } from '../state/here.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { pickSteps, workspace } from '../state/workspace.svelte'
 import { Press } from '../gesture/press'
 import type { Gesture } from '../gesture/gesture'
 import { skipping } from '../run/skipping.svelte'
@@ -120,7 +121,7 @@ export class Hand {
 
 /** What goes along when a step is dragged: all that is picked, and with each job its targets. */
 function liftedWith(step: number): number[] {
-  const steps = here.steps.has(step) ? pickedSteps() : [step]
+  const steps = workspace.steps.has(step) ? pickedSteps() : [step]
   return [...new Set(steps.flatMap((one) => (headOf(board.actions, one) === one ? whole(one) : [one])))]
 }
 
@@ -142,12 +143,12 @@ function placeAt(point: At): boolean {
 }
 
 /** Whether the right button inserts now. */
-const inserts = (event: MouseEvent): boolean => here.onikon !== '' && !event.shiftKey
+const inserts = (event: MouseEvent): boolean => workspace.onikon !== '' && !event.shiftKey
 
 /** Put the insertion cursor behind the icon that is pointed at, or between icons. */
 function placeBy(event: MouseEvent, over: Over): void {
   if (over.kind !== 'step') placeAt(at(event))
-  else if (here.steps.has(over.step)) placeBehind(over.step)
+  else if (workspace.steps.has(over.step)) placeBehind(over.step)
   else select(over.step)
 }
 
@@ -161,6 +162,6 @@ function nearLeftSide(event: PointerEvent): boolean {
 
 /** What is selected in the dictionary goes behind the icon that was pointed at; then it is selected no more. */
 async function insertSelected(point: At): Promise<void> {
-  const { onikon } = here
-  if (await insert(onikon, here.place, point)) here.onikon = ''
+  const { onikon } = workspace
+  if (await insert(onikon, workspace.place, point)) workspace.onikon = ''
 }

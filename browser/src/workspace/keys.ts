@@ -1,6 +1,6 @@
 // The keys of the workspace that mean something by how they are held or where the cursor is; all others are commands.
 import { allCommands, isAvailable, matches } from '../state/commands'
-import { here, pickSteps } from '../state/here.svelte'
+import { pickSteps, workspace } from '../state/workspace.svelte'
 import { board } from './board.svelte'
 import { goTo, select, selectAlso, selectTo } from './deeds'
 import { walked, type Way } from '../application/gaps'
@@ -21,31 +21,31 @@ export function keyDown(event: KeyboardEvent): boolean {
 
 /** What is picked alone goes along with the cursor; with Shift more and more is picked. */
 function walk(way: Way, adds: boolean): boolean {
-  const from = here.place
+  const from = workspace.place
   const gap = walked(board.base.gaps, from, way)
   if (!gap) return true
   if (adds) {
-    if (from.after && !here.steps.size) here.steps.add(from.after)
+    if (from.after && !workspace.steps.size) workspace.steps.add(from.after)
     if (gap.after) selectTo(gap.after)
     goTo(gap, true)
     return true
   }
-  const goesAlong = here.steps.size === 1 && here.steps.has(from.after)
+  const goesAlong = workspace.steps.size === 1 && workspace.steps.has(from.after)
   if (goesAlong && gap.after) select(gap.after)
-  else if (here.steps.size) pickSteps()
+  else if (workspace.steps.size) pickSteps()
   goTo(gap, true)
   return true
 }
 
 function turn(): boolean {
-  if (here.place.after) selectAlso(here.place.after)
+  if (workspace.place.after) selectAlso(workspace.place.after)
   return true
 }
 
 /** A letter begins the search for an icon, where it is not a key for what is picked. */
 function type(event: KeyboardEvent): boolean {
   const isLetter = event.key.length === 1 && /\p{L}/u.test(event.key)
-  if (!isLetter || here.steps.size > 0 || isPasting(event.key) || board.isRunning || isCommand(event)) return false
+  if (!isLetter || workspace.steps.size > 0 || isPasting(event.key) || board.isRunning || isCommand(event)) return false
   board.opened = { kind: 'quick', words: event.key }
   return true
 }

@@ -1,6 +1,6 @@
 // Icons dragged within the workspace: they move, or with Ctrl their copies do.
 import type { Gesture } from '../gesture/gesture'
-import { here } from '../state/here.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { showRefusal } from '../act/refused.svelte'
 import { Refusal } from '../link/refusal'
 import { t } from '../texts/index.svelte'
@@ -45,6 +45,6 @@ export class Lifting implements Gesture {
     if (board.lifted?.isCopy) return false
     const all = board.app?.flows?.[flow]?.steps ?? []
     const before = all[all.indexOf(this.steps[0] ?? 0) - 1] ?? 0
-    return this.steps.includes(after) || (after === before && here.app !== '' && all.includes(this.steps[0] ?? 0))
+    return this.steps.includes(after) || (after === before && workspace.app !== '' && all.includes(this.steps[0] ?? 0))
   }
 }

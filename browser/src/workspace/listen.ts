@@ -1,5 +1,5 @@
 // All that is heard in the workspace comes in here; there are no listeners on single icons.
-import { here } from '../state/here.svelte'
+import { workspace } from '../state/workspace.svelte'
 import { board } from './board.svelte'
 import { paste } from './deeds'
 import { Hand, overOf } from './hand'
@@ -86,7 +86,7 @@ function wheel(event: WheelEvent): void {
 }
 
 function pasteText(event: ClipboardEvent): void {
-  if (!board.hasKeyboard || !here.app || board.opened.kind !== '') return
+  if (!board.hasKeyboard || !workspace.app || board.opened.kind !== '') return
   event.preventDefault()
   void paste(event.clipboardData?.getData('text/plain') ?? '')
 }

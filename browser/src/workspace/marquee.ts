@@ -1,5 +1,5 @@
 // A rectangle drawn on empty ground picks what it touches.
-import { pickSteps } from '../state/here.svelte'
+import { pickSteps } from '../state/workspace.svelte'
 import type { Gesture } from '../gesture/gesture'
 import { board } from './board.svelte'
 import { edgeScroll } from './scrolling'

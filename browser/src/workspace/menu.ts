@@ -1,7 +1,8 @@
 // The menu beside the pointer: everything that can be done here, and why some of it cannot.
 import { act } from '../act/act'
 import { desk } from '../link/desk.svelte'
-import { here, openDialog } from '../state/here.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { workspace } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { homeOf } from '../application/wishes'
 import type { Item } from '../widgets/Menu.svelte'
@@ -49,11 +50,11 @@ function holeItems(hole: number): Item[] {
 function iconItems(step: number, at: Point): Item[] {
   const one = board.step(step)
   const why = whyNotExpand(step)
-  const onikon = desk.tree.onikons[here.onikon]
+  const onikon = desk.tree.onikons[workspace.onikon]
   return [
     { label: t('upper.picture'), run: () => editPicture(step) },
     { label: t(one?.role === 'application' ? 'upper.openApplication' : 'upper.openConfiguration'), run: () => expand(step), isOff: why !== '', note: why || undefined },
-    ...(onikon ? [locked({ label: t('upper.exchange', { name: here.onikon }), run: () => act({ t: 'ExchangeIcon', doc: here.app, step, onikon: here.onikon }, at) })] : []),
+    ...(onikon ? [locked({ label: t('upper.exchange', { name: workspace.onikon }), run: () => act({ t: 'ExchangeIcon', doc: workspace.app, step, onikon: workspace.onikon }, at) })] : []),
     ...markItems(),
   ]
 }
@@ -71,16 +72,16 @@ function markItems(): Item[] {
     { label: t('upper.breakIf'), run: () => (board.opened = { kind: 'condition', step: head }), ...off },
     locked({ label: t('upper.tag'), keys: 'S', run: () => (board.opened = { kind: 'tag', step: head }), ...off }),
     locked({ label: t(one.loop ? 'upper.changeLoop' : 'upper.loop'), keys: 'W', run: () => (board.opened = { kind: 'loop', step: head, other: 0 }), ...off }),
-    ...(one.loop ? [locked({ label: t('upper.removeLoop'), run: () => act({ t: 'RemoveLoop', doc: here.app, step: head }) })] : []),
+    ...(one.loop ? [locked({ label: t('upper.removeLoop'), run: () => act({ t: 'RemoveLoop', doc: workspace.app, step: head }) })] : []),
   ]
 }
 
 function placeItems(at: Point): Item[] {
   const buffer = desk.tree.icon_clipboard
-  const { onikon } = here
+  const { onikon } = workspace
   return [
     locked({ label: t('upper.add'), keys: '/', run: () => (board.opened = { kind: 'quick', words: '' }), begins: true }),
-    ...(onikon ? [locked({ label: t('upper.insertIt', { name: onikon }), run: () => insert(onikon, here.place, at) })] : []),
+    ...(onikon ? [locked({ label: t('upper.insertIt', { name: onikon }), run: () => insert(onikon, workspace.place, at) })] : []),
     locked({ label: t('upper.paste'), keys: 'V', run: () => paste(), isOff: !buffer, note: buffer || t('upper.nothingCopied') }),
     locked({ label: t('upper.insertBranch'), keys: 'B', run: () => (board.opened = { kind: 'branch', step: 0 }) }),
   ]
@@ -90,7 +91,7 @@ function flowItems(path: string): Item[] {
   const { app } = board
   if (!app) return []
   const tops = topsOf(app)
-  const flow = path || here.place.flow
+  const flow = path || workspace.place.flow
   const isAlone = !flow.includes('/') && tops.length < 2
   return [
     locked({ label: t('upper.addFlow'), run: () => addFlow(), begins: true }),

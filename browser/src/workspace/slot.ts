@@ -2,7 +2,7 @@
 import { desk } from '../link/desk.svelte'
 import { gapAt as edgesAt } from '../onikon/fits'
 import { typeTitle } from '../onikon/typewords'
-import type { Place } from '../state/here.svelte'
+import type { Place } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
 import { board, type Slot } from './board.svelte'

@@ -1,5 +1,5 @@
 // Where the insertion cursor goes when the icon that it stood behind is gone.
-import type { Place } from '../state/here.svelte'
+import type { Place } from '../state/workspace.svelte'
 
 /** The numbers of the steps of each flow, by its path. */
 export type Flows = Readonly<Record<string, readonly number[]>>

@@ -1,7 +1,9 @@
 // R-G05: the two levels are one tool; going from one to the other loses nothing.
 import { beforeEach, describe, expect, test } from 'vitest'
 import { desk, fullTree } from '../../src/link/desk.svelte'
-import { here, pick, pickSteps } from '../../src/state/here.svelte'
+import { canvas, pick } from '../../src/state/canvas.svelte'
+import { look } from '../../src/state/look.svelte'
+import { pickSteps, workspace } from '../../src/state/workspace.svelte'
 import { hideRefusal, refused } from '../../src/act/refused.svelte'
 import { begin, goTo, inOrder, origin, settle, show, shownId, shownOne, step } from '../../src/act/documents.svelte'
 import { jobOf } from '../../src/files/jobs'
@@ -10,7 +12,9 @@ const named = (...names: string[]): Record<string, { name: string; order: number
 
 beforeEach(() => {
   desk.tree = fullTree({ documents: named('c1', 'c2'), applications: named('a1', 'a2') })
-  Object.assign(here, { level: 'tasks', isUpperOnly: false, doc: 'c1', app: 'a1', place: { flow: '0', after: 0 } })
+  Object.assign(look, { level: 'tasks', isUpperOnly: false })
+  Object.assign(workspace, { app: 'a1', place: { flow: '0', after: 0 } })
+  canvas.doc = 'c1'
   Object.assign(origin, { doc: '', app: '' })
   pick()
   pickSteps()
@@ -24,45 +28,45 @@ describe('R-G05: the levels', () => {
     pickSteps(3, 4)
     expect([shownId(), shownOne()?.name]).toEqual(['a1', 'a1'])
     goTo('tasks')
-    expect([shownId(), [...here.picked], [...here.steps]]).toEqual(['c1', ['pd'], [3, 4]])
+    expect([shownId(), [...canvas.picked], [...workspace.steps]]).toEqual(['c1', ['pd'], [3, 4]])
   })
 
   test('a document comes to the front at its own level', () => {
     show('a2')
-    expect([here.level, here.app, here.doc]).toEqual(['applications', 'a2', 'c1'])
+    expect([look.level, workspace.app, canvas.doc]).toEqual(['applications', 'a2', 'c1'])
     show('c2')
-    expect([here.level, here.app, here.doc]).toEqual(['tasks', 'a2', 'c2'])
+    expect([look.level, workspace.app, canvas.doc]).toEqual(['tasks', 'a2', 'c2'])
   })
 
   test('the insertion cursor is where it was, in each application', () => {
-    here.place = { flow: '0', after: 7 }
+    workspace.place = { flow: '0', after: 7 }
     show('a2')
-    expect(here.place).toEqual({ flow: '0', after: 0 })
+    expect(workspace.place).toEqual({ flow: '0', after: 0 })
     show('a1')
-    expect(here.place).toEqual({ flow: '0', after: 7 })
+    expect(workspace.place).toEqual({ flow: '0', after: 7 })
   })
 
   test('tabs are walked within a level', () => {
-    here.level = 'applications'
+    look.level = 'applications'
     step(1)
     step(1)
-    expect([here.app, inOrder().map(([id]) => id)]).toEqual(['a1', ['a1', 'a2']])
+    expect([workspace.app, inOrder().map(([id]) => id)]).toEqual(['a1', ['a1', 'a2']])
   })
 
   test('what vanished gives way at its own level, and the level stays', () => {
     const known = settle(new Set())
     desk.tree = fullTree({ documents: named('c1'), applications: named('a2', 'a3') })
     settle(known)
-    expect([here.level, here.doc, here.app]).toEqual(['tasks', 'c1', 'a3'])
+    expect([look.level, canvas.doc, workspace.app]).toEqual(['tasks', 'c1', 'a3'])
   })
 
   test('a session that has an application and nothing else begins with it', () => {
     begin()
-    expect(here.level).toBe('applications')
-    here.level = 'tasks'
+    expect(look.level).toBe('applications')
+    look.level = 'tasks'
     desk.tree = fullTree({ documents: { c1: { name: 'c1', order: 0, path: '/c1.conf' } }, applications: named('a1') })
     begin()
-    expect(here.level).toBe('tasks')
+    expect(look.level).toBe('tasks')
   })
 
   test('one finds back from a configuration to the application that one came from', () => {
@@ -72,10 +76,10 @@ describe('R-G05: the levels', () => {
   })
 
   test('who needs only the upper one is told why the other does not come, and how it would', () => {
-    here.isUpperOnly = true
+    look.isUpperOnly = true
     goTo('applications')
     show('c2')
-    expect(here.level).toBe('applications')
+    expect(look.level).toBe('applications')
     expect(refused.why?.remedies[0]?.act).toEqual({ t: 'Prefer', values: { shows_lower: true } })
   })
 })

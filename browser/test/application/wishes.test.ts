@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest'
-import { here } from '../../src/state/here.svelte'
+import { look } from '../../src/state/look.svelte'
 import { allSaid, homeOf, wishesIn } from '../../src/application/wishes'
 
 const app = { name: 'play', order: 1, redirects: [{ old: 'puma', new: 'scara', homes: ['flow0', 'flow1'] }, { old: 'gripper', new: 'gripper_right', flow: 'flow1', homes: ['flow1'] }, { old: 'pd', new: 'pid' }] }
@@ -13,9 +13,9 @@ describe('who stands for whom', () => {
   })
 
   it('is said with its flow where it holds in one only', () => {
-    here.language = 'en'
+    look.language = 'en'
     expect(allSaid(app.redirects)).toBe('puma → scara, gripper → gripper_right in flow 1, pd → pid')
-    here.language = 'es'
+    look.language = 'es'
     expect(allSaid(app.redirects)).toBe('puma → scara, gripper → gripper_right en flujo 1, pd → pid')
   })
 })

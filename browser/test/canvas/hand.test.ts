@@ -10,7 +10,8 @@ const sent = vi.hoisted(() => {
 vi.mock('../../src/link/link', () => ({ send: (act: AnyAct) => (act.t === 'Note' || sent.push(act), Promise.resolve(null)) }))
 
 const { desk, fullTree } = await import('../../src/link/desk.svelte')
-const { here, pick } = await import('../../src/state/here.svelte')
+const { canvas, pick } = await import('../../src/state/canvas.svelte')
+const { dialogs } = await import('../../src/state/dialogs.svelte')
 const { Hand } = await import('../../src/canvas/hand')
 const { KINDS } = await import('../../src/scene/scene.svelte')
 const { stage } = await import('../../src/scene/stage.svelte')
@@ -52,11 +53,11 @@ beforeEach(() => {
     tasks,
     documents: { d1: { name: 'd', order: 1, tasks: { pd: { x: 100, y: 100 }, arm: { x: 400, y: 300 } }, loci: { Q: { x: 300, y: 200 } } } },
   })
-  here.doc = 'd1'
-  here.libraryTask = ''
-  here.pinned = []
-  here.strip = 'tasks'
-  here.dialog = { name: '', data: {} }
+  canvas.doc = 'd1'
+  canvas.libraryTask = ''
+  canvas.pinned = []
+  canvas.strip = 'tasks'
+  dialogs.current = { name: '', data: {} }
   pick()
   stage.show('d1')
   Object.assign(stage.view, { left: 0, top: 0, seen: { x: 0, y: 0, scale: 1 }, size: { w: 900, h: 600 } })
@@ -68,7 +69,7 @@ describe('the left button', () => { // R-G04
   test('on an icon selects it, and nothing else', () => {
     pick('arm')
     click(PD)
-    expect([[...here.picked], sent]).toEqual([['pd'], []])
+    expect([[...canvas.picked], sent]).toEqual([['pd'], []])
   })
 
   test('dragging an icon moves it, in one step', () => { // R-C10
@@ -96,7 +97,7 @@ describe('the left button', () => { // R-G04
 
   test('on a locus pins its value, dragging moves it', () => { // R-C09
     click(Q)
-    expect(here.pinned).toEqual(['Q'])
+    expect(canvas.pinned).toEqual(['Q'])
     hand.down(event(Q))
     hand.move(event(Q, { clientX: 333, clientY: 222 }))
     hand.up(event(Q, { clientX: 333, clientY: 222 }))
@@ -106,9 +107,9 @@ describe('the left button', () => { // R-G04
   test('on empty canvas deselects; dragged it picks what it touches', () => {
     click(PD)
     click(GROUND)
-    expect(here.picked.size).toBe(0)
+    expect(canvas.picked.size).toBe(0)
     drag(GROUND, 400, 400)
-    expect([...here.picked]).toEqual(['pd', 'arm'])
+    expect([...canvas.picked]).toEqual(['pd', 'arm'])
     expect(stage.marquee).toBeUndefined()
   })
 
@@ -122,7 +123,7 @@ describe('the left button', () => { // R-G04
     click(PD, { ctrlKey: true })
     click(new Thing({ task: 'arm' }), { ctrlKey: true })
     click(PD, { ctrlKey: true })
-    expect([...here.picked]).toEqual(['arm'])
+    expect([...canvas.picked]).toEqual(['arm'])
   })
 })
 
@@ -133,7 +134,7 @@ describe('the middle button', () => { // R-G04
     [{ ctrlKey: true }, { name: 'source', data: { task: 'pd', kind: 'rmod' } }],
   ])('on an icon, with %o, opens what belongs to it', (keys, dialog) => {
     click(PD, { button: 1, ...keys })
-    expect(here.dialog).toEqual(dialog)
+    expect(dialogs.current).toEqual(dialog)
   })
 
   test('on a locus tells what is known of it', () => {
@@ -154,13 +155,13 @@ describe('the middle button', () => { // R-G04
 
 describe('the right button', () => { // R-G04
   test('places what is selected in the library, with its corner there', () => {
-    here.libraryTask = 'jtraj'
+    canvas.libraryTask = 'jtraj'
     hand.context(event(PD, { button: 2 }))
     expect(sent).toEqual([{ t: 'Place', doc: 'd1', task: 'jtraj', x: 120, y: 120, rtpu: '' }])
   })
 
   test('asks for the processing unit where several live', () => { // R-C11
-    here.libraryTask = 'jtraj'
+    canvas.libraryTask = 'jtraj'
     desk.tree.documents.d1!.connection = 'live'
     desk.tree.runtime = { units: { rt0: {}, rt1: {}, rt2: { is_lost: true } } }
     hand.context(event(GROUND, { button: 2 }))
@@ -170,11 +171,11 @@ describe('the right button', () => { // R-G04
   test('opens a menu where nothing is selected there, of what lies under it', () => {
     hand.context(event(PD, { button: 2 }))
     expect(stage.opened).toMatchObject({ kind: 'menu', over: { kind: 'task', name: 'pd' } })
-    expect([...here.picked]).toEqual(['pd'])
+    expect([...canvas.picked]).toEqual(['pd'])
   })
 
   test('the key for menus, or a long touch, opens it all the same', () => {
-    here.libraryTask = 'jtraj'
+    canvas.libraryTask = 'jtraj'
     hand.context(event(GROUND, { button: 0 }))
     expect([stage.opened.kind, sent]).toEqual(['menu', []])
   })
@@ -205,5 +206,5 @@ test('a double click looks for a task to place, or opens what it is on', () => {
   hand.double(event(Q))
   expect(stage.opened.kind).toBe('locus')
   hand.double(event(PD))
-  expect(here.dialog.name).toBe('sheet')
+  expect(dialogs.current.name).toBe('sheet')
 })

@@ -7,7 +7,7 @@ import '../../src/commands/perform'
 import '../../src/commands/shell'
 import '../../src/commands/strip'
 import '../../src/commands/upper'
-import type { Level } from '../../src/state/here.svelte'
+import type { Level } from '../../src/state/look.svelte'
 
 /** Keys that depend on where the keyboard is; each pair of commands says so itself. */
 const BY_PLACE = new Set(['/', 'Escape', 'Enter', 'Shift+Enter', 'F2'])

@@ -4,13 +4,13 @@ import { desk } from '../../src/link/desk.svelte'
 import { basesOf } from '../../src/dictionary/bases'
 import { kindsOf } from '../../src/onikon/kinds'
 import { changing, contentOf, keyOf, subjectOf } from '../../src/dictionary/subject'
-import { here } from '../../src/state/here.svelte'
+import { workspace } from '../../src/state/workspace.svelte'
 
 const target = { type: 'Joint object', role: 'target', left: '2', right: '1', picture: '' } as const
 
 describe('what the panel is about', () => {
   beforeEach(() => {
-    here.app = 'a1'
+    workspace.app = 'a1'
     desk.tree.onikons = { home: { ...target, order: 0, dictionary: '/d' } }
     desk.tree.applications = {
       a1: { name: 'pick', order: 0, steps: { 3: { ...target, name: 'home' }, 4: { kind: 'hole' } } },

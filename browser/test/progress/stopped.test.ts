@@ -1,7 +1,7 @@
 // R-X06: the stop explained: when it shows itself, what it is called, what can be done, which plots say most.
 import { beforeEach, describe, expect, it } from 'vitest'
 import type { CourseView, RunView, StopView } from '../../src/api.gen'
-import { here } from '../../src/state/here.svelte'
+import { look } from '../../src/state/look.svelte'
 import { standstills, stopped } from '../../src/progress/stopped.svelte'
 import { choicesOf, inShort, titleOf } from '../../src/progress/stopwords'
 import { told } from '../../src/progress/telling'
@@ -62,12 +62,12 @@ describe('a standstill', () => {
 
 describe('its title', () => {
   it('names the flow and the task', () => {
-    here.language = 'en'
+    look.language = 'en'
     expect(titleOf(run({}), 'flow1', stop({ subsystem: '' }))).toBe('Flow 1 stopped: invkin has an error')
     expect(titleOf(run({}), '', stop({ subsystem: '', task: '', kind: 'new' }))).toBe('The run stands still')
-    here.language = 'es'
+    look.language = 'es'
     expect(titleOf(run({}), 'flow0', stop({ kind: 'pressed' }))).toBe('Flujo 0 se detuvo: el botón de emergencia está pulsado')
-    here.language = 'en'
+    look.language = 'en'
   })
 })
 
@@ -83,7 +83,7 @@ describe('its choices', () => {
   const one = stop({ choices: CHOICES, meanings: ['clears invkin and repeats it', 'the same', 'lets it go on alone', 'ends the run'] })
 
   it('stand in order, by the words of whoever knows the run', () => {
-    here.language = 'en'
+    look.language = 'en'
     expect(choicesOf(run({}), one).map(({ verb, title, words }) => [verb, title, words])).toEqual([
       ['clear', 'Try again', 'Clears invkin and repeats it.'],
       ['skip', 'Go on elsewhere', 'The same.'],
@@ -93,9 +93,9 @@ describe('its choices', () => {
   })
 
   it('are said in the language of the page', () => {
-    here.language = 'es'
+    look.language = 'es'
     expect(choicesOf(run({}), one)[0]!.words).toBe('Borra el error de invkin y repite la misma acción.')
-    here.language = 'en'
+    look.language = 'en'
   })
 
   it('of a word that is not known stand as they are', () => {

@@ -10,7 +10,8 @@ const sent = vi.hoisted(() => {
 vi.mock('../../src/link/link', () => ({ send: (act: AnyAct) => (act.t === 'Note' || sent.push(act), Promise.resolve(null)) }))
 
 const { desk, fullTree } = await import('../../src/link/desk.svelte')
-const { here, pick } = await import('../../src/state/here.svelte')
+const { canvas, pick } = await import('../../src/state/canvas.svelte')
+const { dialogs } = await import('../../src/state/dialogs.svelte')
 const { nudge } = await import('../../src/scene/deeds')
 const { askForName, insert, openInsert, ungroup } = await import('../../src/group/grouping')
 const { earlier, frameOf, freeName, groupOf, groupsIn, isAllOn, ownLoci, summary, whole } = await import('../../src/scene/groups')
@@ -127,9 +128,9 @@ beforeEach(() => {
       },
     },
   })
-  here.doc = 'd1'
-  here.libraryTask = ''
-  here.dialog = { name: '', data: {} }
+  canvas.doc = 'd1'
+  canvas.libraryTask = ''
+  dialogs.current = { name: '', data: {} }
   pick()
   stage.show('d1')
   Object.assign(stage.view, { left: 0, top: 0, seen: { x: 0, y: 0, scale: 1 }, size: { w: 900, h: 700 } })
@@ -141,23 +142,23 @@ beforeEach(() => {
 describe('the hand on a supermodule', () => { // R-C17
   test('a click on a member selects all members, with Alt only the one', () => {
     click(PD)
-    const all = [...here.picked]
+    const all = [...canvas.picked]
     click(PD, { altKey: true })
-    expect([all, [...here.picked]]).toEqual([['sum', 'pd'], ['pd']])
+    expect([all, [...canvas.picked]]).toEqual([['sum', 'pd'], ['pd']])
   })
 
   test('a click on the tab selects all members, and puts the keyboard there', () => {
     pick('puma')
     click(TAB)
-    expect([[...here.picked], stage.focus, sent]).toEqual([['sum', 'pd'], 'group:balance', []])
+    expect([[...canvas.picked], stage.focus, sent]).toEqual([['sum', 'pd'], 'group:balance', []])
   })
 
   test('Ctrl adds the whole of it, and takes the whole away', () => {
     pick('puma')
     click(TAB, { ctrlKey: true })
-    const added = [...here.picked]
+    const added = [...canvas.picked]
     click(PD, { ctrlKey: true })
-    expect([added, [...here.picked]]).toEqual([['puma', 'sum', 'pd'], ['puma']])
+    expect([added, [...canvas.picked]]).toEqual([['puma', 'sum', 'pd'], ['puma']])
   })
 
   test('dragging a member or the tab moves all, and the dots that are theirs alone', () => {
@@ -198,7 +199,7 @@ describe('the hand on a supermodule', () => { // R-C17
     hand.down(event(GROUND, { clientX: 60, clientY: 60 }))
     hand.move(event(GROUND, { clientX: 130, clientY: 130 }))
     hand.up(event(GROUND, { clientX: 130, clientY: 130 }))
-    expect([...here.picked]).toEqual(['sum', 'pd'])
+    expect([...canvas.picked]).toEqual(['sum', 'pd'])
   })
 })
 
@@ -215,7 +216,7 @@ describe('menus', () => { // R-C17
     choose('Expand into its parts')
     hand.context(event(TAB, { button: 2 }))
     choose('Save the supermodule…')
-    expect([sent, here.dialog]).toEqual([[{ t: 'Ungroup', doc: 'd1', name: 'balance' }], { name: 'saveGroup', data: { group: 'balance' } }])
+    expect([sent, dialogs.current]).toEqual([[{ t: 'Ungroup', doc: 'd1', name: 'balance' }], { name: 'saveGroup', data: { group: 'balance' } }])
   })
 
   test('of tasks offer to make one, unless they are one already', () => {
@@ -230,7 +231,7 @@ describe('menus', () => { // R-C17
   test('of the canvas insert at the pointer', async () => {
     hand.context(event(GROUND, { button: 2, clientX: 203, clientY: 98 }))
     choose('Insert a supermodule…')
-    expect(here.dialog).toEqual({ name: 'insert', data: { x: '205', y: '100' } })
+    expect(dialogs.current).toEqual({ name: 'insert', data: { x: '205', y: '100' } })
     expect(await insert('/lab/conf/x.conf', 205, 100)).toBe(true)
     expect(sent).toEqual([{ t: 'Insert', doc: 'd1', path: '/lab/conf/x.conf', x: 205, y: 100 }])
   })
@@ -238,7 +239,7 @@ describe('menus', () => { // R-C17
 
 test('without a pointer a supermodule is inserted in the middle of what is seen', () => { // R-C17
   openInsert()
-  expect(here.dialog.data).toEqual({ x: '450', y: '350' })
+  expect(dialogs.current.data).toEqual({ x: '450', y: '350' })
 })
 
 test('the name is asked beside the boxes, with one that is free', () => { // R-C17

@@ -1,7 +1,9 @@
 // Address, palette, preferences, memory, look: small things of the page.
 import { afterEach, describe, expect, test, vi } from 'vitest'
 import { desk, fullTree } from '../../src/link/desk.svelte'
-import { here, reveal } from '../../src/state/here.svelte'
+import { destination, reveal } from '../../src/act/reveal.svelte'
+import { canvas } from '../../src/state/canvas.svelte'
+import { dialogs } from '../../src/state/dialogs.svelte'
 import { keep, kept } from '../../src/state/kept'
 import { read, written } from '../../src/shell/address'
 import { inOrder, settle, show, step } from '../../src/act/documents.svelte'
@@ -79,22 +81,22 @@ describe('open configurations', () => {
   test('one is always shown: the one that came, or the neighbour of the one that went', () => {
     open('a', 'b')
     let known = settle(new Set())
-    expect(here.doc).toBe('a')
+    expect(canvas.doc).toBe('a')
     show('b')
     open('a')
     known = settle(known)
-    expect(here.doc).toBe('a')
+    expect(canvas.doc).toBe('a')
     open('a', 'c')
     settle(known)
-    expect(here.doc).toBe('a') // somebody else opened it
+    expect(canvas.doc).toBe('a') // somebody else opened it
   })
   test('are walked round and round', () => {
     open('a', 'b', 'c')
     show('c')
     step(1)
-    expect(here.doc).toBe('a')
+    expect(canvas.doc).toBe('a')
     step(-1)
-    expect([here.doc, inOrder().map(([id]) => id)]).toEqual(['c', ['a', 'b', 'c']])
+    expect([canvas.doc, inOrder().map(([id]) => id)]).toEqual(['c', ['a', 'b', 'c']])
   })
 })
 
@@ -102,21 +104,21 @@ describe('R-X01: a remedy leads to what it names', () => {
   test('a task, a pin of a placed task, a pin of a library task, a variable, a list', () => {
     desk.tree = fullTree({ documents: { d: { name: 'd', order: 0, tasks: { pd: { x: 0, y: 0 } } } } })
     reveal('task:pd', 'd')
-    expect([[...here.picked], here.doc]).toEqual([['pd'], 'd'])
+    expect([[...canvas.picked], canvas.doc]).toEqual([['pd'], 'd'])
     reveal('pin:diff/Y')
-    expect([[...here.picked], here.libraryTask]).toEqual([[], 'diff'])
+    expect([[...canvas.picked], canvas.libraryTask]).toEqual([[], 'diff'])
     reveal('pin:pd/TAU')
-    expect([...here.picked]).toEqual(['pd'])
+    expect([...canvas.picked]).toEqual(['pd'])
     reveal('locus:Q_MEZ')
-    expect(here.pickedLocus).toBe('Q_MEZ')
+    expect(canvas.pickedLocus).toBe('Q_MEZ')
     reveal('problems')
-    expect(here.strip).toBe('problems')
+    expect(canvas.strip).toBe('problems')
     reveal('source:pd')
-    expect(here.dialog).toEqual({ name: 'source', data: { task: 'pd', kind: 'code' } })
-    const { turn } = here.wish
+    expect(dialogs.current).toEqual({ name: 'source', data: { task: 'pd', kind: 'code' } })
+    const { turn } = destination
     reveal('task:pd')
     reveal('task:pd')
-    expect(here.wish).toEqual({ show: 'task:pd', doc: 'd', turn: turn + 2 })
+    expect(destination).toEqual({ show: 'task:pd', doc: 'd', turn: turn + 2 })
   })
 })
 

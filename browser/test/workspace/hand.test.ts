@@ -14,7 +14,9 @@ vi.mock('../../src/link/link', () => ({
 }))
 
 const { desk, fullTree } = await import('../../src/link/desk.svelte')
-const { here, pickSteps } = await import('../../src/state/here.svelte')
+const { closeDialog, dialogs } = await import('../../src/state/dialogs.svelte')
+const { look } = await import('../../src/state/look.svelte')
+const { pickSteps, workspace } = await import('../../src/state/workspace.svelte')
 const { board } = await import('../../src/workspace/board.svelte')
 const { Hand } = await import('../../src/workspace/hand')
 const { keyDown } = await import('../../src/workspace/keys')
@@ -68,7 +70,9 @@ beforeEach(() => {
       turn: { type: 'job', role: 'job', order: 0, dictionary: '', left: '0', right: '1', picture: '', source: '/b/conf/turn.conf' },
     },
   })
-  Object.assign(here, { level: 'applications', app: 'a1', onikon: '', place: { flow: '0', after: 0 }, dialog: { name: '', data: {} } })
+  look.level = 'applications'
+  Object.assign(workspace, { app: 'a1', onikon: '', place: { flow: '0', after: 0 } })
+  closeDialog()
   pickSteps()
   Object.assign(board, { width: 1000, height: 600, top: 0, hasKeys: true })
   board.close()
@@ -79,20 +83,20 @@ beforeEach(() => {
 describe('the left button', () => {
   test('selects the icon, and the next one goes behind it', () => { // R-G04
     click(2)
-    expect([...here.steps]).toEqual([2])
-    expect(here.place).toEqual({ flow: '0', after: 2 })
+    expect([...workspace.steps]).toEqual([2])
+    expect(workspace.place).toEqual({ flow: '0', after: 2 })
   })
 
   test('over empty space selects nothing', () => { // R-G04
     click(2)
     click(0)
-    expect(here.steps.size).toBe(0)
+    expect(workspace.steps.size).toBe(0)
   })
 
   test('with Ctrl selects several', () => {
     click(2)
     click(4, { ctrlKey: true })
-    expect([...here.steps]).toEqual([2, 4])
+    expect([...workspace.steps]).toEqual([2, 4])
   })
 
   test('with Shift over a job opens its configuration', () => { // R-D12 R-G04
@@ -137,57 +141,57 @@ describe('the middle button', () => {
 
   test('shows the values of an object, which can be edited', () => { // R-G04 R-D08
     click(3, { button: 1 })
-    expect(here.dialog).toEqual({ name: 'icon', data: { step: '3' } })
+    expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
   })
 
   test('with Shift opens the picture editor', () => { // R-G04
     click(1, { button: 1, shiftKey: true })
-    expect(here.dialog).toEqual({ name: 'icon', data: { step: '1', tab: 'picture' } })
+    expect(dialogs.current).toEqual({ name: 'icon', data: { step: '1', tab: 'picture' } })
   })
 })
 
 describe('the right button', () => {
   test('inserts what is selected in the dictionary behind the icon', async () => { // R-G04 R-D03
-    here.onikon = 'open'
+    workspace.onikon = 'open'
     answers.set('InsertIcon', 9)
     hand.context(event(over(3), { ...at(3), button: 2 }))
     await settled()
     expect(sent).toEqual([{ t: 'InsertIcon', doc: 'a1', onikon: 'open', flow: '0', after: 3 }])
-    expect(here.onikon).toBe('')
+    expect(workspace.onikon).toBe('')
   })
 
   test('opens a menu where nothing is selected there', () => {
     hand.context(event(over(3), { ...at(3), button: 2 }))
     expect(board.opened).toMatchObject({ kind: 'menu', over: { kind: 'step', step: 3 } })
-    expect([...here.steps]).toEqual([3])
+    expect([...workspace.steps]).toEqual([3])
   })
 })
 
 test('a double click edits', () => {
   hand.double(event(over(3), at(3)) as unknown as MouseEvent)
-  expect(here.dialog).toEqual({ name: 'icon', data: { step: '3' } })
+  expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
 })
 
 describe('keys', () => {
   test('move the cursor; what is selected alone goes along', () => { // R-X11
     press('ArrowRight')
     press('ArrowRight')
-    expect(here.place).toEqual({ flow: '0', after: 2 })
-    expect(here.steps.size).toBe(0)
+    expect(workspace.place).toEqual({ flow: '0', after: 2 })
+    expect(workspace.steps.size).toBe(0)
     press(' ')
     press('ArrowRight')
-    expect([...here.steps]).toEqual([3])
+    expect([...workspace.steps]).toEqual([3])
     press('Home')
-    expect(here.place.after).toBe(0)
+    expect(workspace.place.after).toBe(0)
     press('End')
-    expect(here.place.after).toBe(4)
+    expect(workspace.place.after).toBe(4)
   })
 
   test('with Shift select more', () => { // R-X11
     press('ArrowRight')
     press('ArrowRight', { shiftKey: true })
     press('ArrowRight', { shiftKey: true })
-    expect([...here.steps]).toEqual([1, 2, 3])
+    expect([...workspace.steps]).toEqual([1, 2, 3])
   })
 
   test('begin a search by a letter, where nothing is selected', () => { // R-X11

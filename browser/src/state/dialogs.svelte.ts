@@ -1,0 +1,41 @@
+// Which panel is open beside everything else.
+
+export type DialogName =
+  | 'buttons'
+  | 'connect'
+  | 'help'
+  | 'holding'
+  | 'icon'
+  | 'insert'
+  | 'job'
+  | 'keep'
+  | 'newApplication'
+  | 'open'
+  | 'preferences'
+  | 'recordings'
+  | 'redirect'
+  | 'saveAs'
+  | 'saveGroup'
+  | 'sheet'
+  | 'source'
+  | 'target'
+
+/** The panel that is open, and what it is about. */
+export interface Dialog {
+  /** Empty: none is open. */
+  name: DialogName | ''
+  data: Record<string, string>
+}
+
+export const dialogs: { current: Dialog; isPaletteOpen: boolean } = $state({
+  current: { name: '', data: {} },
+  isPaletteOpen: false,
+})
+
+export function openDialog(name: DialogName, data: Record<string, string> = {}): void {
+  dialogs.current = { name, data }
+}
+
+export function closeDialog(): void {
+  dialogs.current = { name: '', data: {} }
+}

@@ -1,0 +1,35 @@
+// How the page looks in this browser: which level, in which colours, language and sizes.
+import { kept } from './kept'
+
+export type Theme = 'auto' | 'light' | 'dark' | '1994'
+export type Language = 'en' | 'es'
+/** The lower level, where tasks are connected, and the upper one, where pictures are joined. */
+export type Level = 'tasks' | 'applications'
+export type Presentation = 'pictures' | 'both' | 'words'
+
+interface Look {
+  level: Level
+  /** Whether the lower level is hidden. */
+  isUpperOnly: boolean
+  /** How the dictionary shows its icons. */
+  presentation: Presentation
+  theme: Theme
+  language: Language
+  sounds: boolean
+  sizes: { library: number; sheet: number; strip: number }
+  /** The same for the upper level. */
+  upperSizes: { dictionary: number; run: number; words: number }
+}
+
+const language: Language = globalThis.navigator?.language?.startsWith('es') ? 'es' : 'en'
+
+export const look: Look = $state({
+  level: kept<Level>('level', 'tasks'),
+  isUpperOnly: kept('isUpperOnly', false),
+  presentation: kept<Presentation>('presentation', 'both'),
+  theme: kept<Theme>('theme', 'auto'),
+  language: kept<Language>('language', language),
+  sounds: kept('sounds', true),
+  sizes: kept('sizes', { library: 236, sheet: 286, strip: 206 }),
+  upperSizes: kept('upperSizes', { dictionary: 252, run: 330, words: 138 }),
+})
