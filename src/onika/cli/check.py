@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from onika.cli.search_path import directory, site_here
-from onika.desk.plan.survey import survey
+from onika.desk.run.survey import survey
 
 
 def describe(parser: argparse.ArgumentParser) -> None:

@@ -2,10 +2,9 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.icons import joint_limits
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.reconcile import event_reducer
+from onika.desk.environment.reconcile import event_reducer, joint_limits
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.reconciliation import noted, pursue_all
 from onika.desk.environment.runs import run_reducer as hearing_run, steering as steering_run

@@ -18,7 +18,7 @@ from onika.desk.environment.canvas import (
     source_texts,
     task_commands,
 )
-from onika.desk.environment.control import control_authority, held_subsystems, presence, view_only
+from onika.desk.environment.control import control_authority, held_subsystems, view_only
 from onika.desk.environment.environment import Handler
 from onika.desk.environment.file import application_undo, applications, configurations, undo
 from onika.desk.environment.icons import (
@@ -38,16 +38,17 @@ from onika.desk.environment.icons import (
 from onika.desk.environment.outcome.on_application import is_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.review import comparison, downsampled, opening as reviewing, recordings, relink, snapshot
-from onika.desk.environment.runs import (
-    begin,
+from onika.desk.environment.reconcile import presence
+from onika.desk.environment.review import (
+    comparison,
     continuation,
-    kept_test,
-    preflight,
-    redirection,
-    restart,
-    steering as steering_run,
+    downsampled,
+    opening as reviewing,
+    recordings,
+    relink,
+    snapshot,
 )
+from onika.desk.environment.runs import begin, kept_test, preflight, redirection, restart, steering as steering_run
 from onika.desk.environment.show import preview, scene
 from onika.desk.environment.state.model import Model
 from onika.wire import act

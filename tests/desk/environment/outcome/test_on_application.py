@@ -3,9 +3,9 @@ from dataclasses import replace
 import pytest
 from msgspec import structs
 
-from onika.desk.environment.icons.membership import Belonging
 from onika.desk.environment.outcome.on_application import is_application, is_running
-from onika.desk.environment.state.run import begun
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
 from onika.store.site import open_site
 from onika.testing.gallery import Gallery

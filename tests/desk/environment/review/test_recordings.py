@@ -1,4 +1,4 @@
-from onika.desk.environment.review.recordings_folder import recordings_folder
+from onika.desk.environment.file.recordings_folder import recordings_folder
 from onika.testing.laboratory import job
 from onika.wire import act
 

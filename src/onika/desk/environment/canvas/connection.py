@@ -6,15 +6,15 @@ from functools import partial
 import msgspec
 
 from onika.desk.environment import following
-from onika.desk.environment.control.presence import ask_company
-from onika.desk.environment.icons import joint_limits
 from onika.desk.environment.outcome.on_document import closed, on_document
 from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.reconcile import joint_limits
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.live_facts import settled
 from onika.desk.environment.reconcile.merge import Merged, merged, runtime_view
+from onika.desk.environment.reconcile.presence import ask_company
 from onika.desk.environment.reconcile.reconciliation import living_units
 from onika.desk.environment.reconcile.task_plan import birth
 from onika.desk.environment.reconcile.watches import is_going

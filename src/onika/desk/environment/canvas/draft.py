@@ -7,8 +7,8 @@ from pathlib import Path
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.trouble import said
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.icon_names import a_kind, in_words, kind_named
 from onika.desk.environment.state.icon_types import role_of
+from onika.desk.plan.icon_names import a_kind, in_words, kind_named
 from onika.files import conf
 from onika.model.onikon import Onikon
 from onika.model.rules import conflict, warning

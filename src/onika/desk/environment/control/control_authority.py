@@ -5,11 +5,11 @@ from functools import partial
 
 from onika.desk.environment.canvas.task_commands import simply_done
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.control.presence import ask_flows
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.merge import runtime_view
+from onika.desk.environment.reconcile.presence import ask_flows
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy

@@ -2,12 +2,12 @@
 
 from msgspec import structs
 
-from onika.desk.environment.control.presence import ask_flows, you
 from onika.desk.environment.outcome.on_document import closed
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.holders import flows_with
+from onika.desk.environment.reconcile.presence import ask_flows, you
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model

@@ -5,13 +5,13 @@ from dataclasses import replace
 from msgspec import structs
 
 from onika.desk.environment.control.held_subsystems import is_held_here
-from onika.desk.environment.control.presence import ask_company, ask_flows
 from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.live_facts import with_standing
 from onika.desk.environment.reconcile.merge import runtime_view
-from onika.desk.environment.reconcile.runtime_loss import lost
+from onika.desk.environment.reconcile.presence import ask_company, ask_flows
+from onika.desk.environment.runtime_loss import lost
 from onika.desk.environment.state.model import Model
 from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy

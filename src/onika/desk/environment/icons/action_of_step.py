@@ -7,9 +7,9 @@ from typing import NamedTuple
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.outcome.on_application import syntax_of
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.state.icon_names import step_named
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import step_named
 from onika.model.application import Action, AppFlow, Branch, Icon, actions
 from onika.model.flow_path import spots
 

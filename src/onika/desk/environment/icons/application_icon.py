@@ -3,12 +3,12 @@
 from collections.abc import Iterable, Iterator, Sequence
 
 from onika.desk.environment.canvas.draft import Draft, former_of, namesakes, of_type
+from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.environment.runs.fault_text import said
-from onika.desk.environment.state.icon_names import a_kind, in_words, kind_named
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import a_kind, in_words, kind_named
 from onika.model.application import Icon, every_flow
 from onika.model.rules import hole, shape
 from onika.model.rules.iconify import ActionType, application_type

@@ -19,9 +19,9 @@ from onika.desk.environment.outcome.on_application import (
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.icon_names import several
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import several
 from onika.files import appl
 from onika.model.application import AppFlow, Application, Hole, Step
 from onika.model.flow_path import numbered, unnumbered, with_flows

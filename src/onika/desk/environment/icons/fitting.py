@@ -4,10 +4,10 @@ from collections.abc import Iterator
 
 from onika.desk.environment.outcome.on_application import syntax_of
 from onika.desk.environment.outcome.outcome import No
-from onika.desk.environment.state.icon_names import a_kind, named, quoted
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import a_kind, named, quoted
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.flow_path import flows_by_path
 from onika.model.onikon import Onikon

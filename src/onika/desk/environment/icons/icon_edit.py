@@ -7,12 +7,12 @@ from onika.desk.environment.outcome.on_application import on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state import target_values
-from onika.desk.environment.state.icon_names import a_kind, named, quoted
 from onika.desk.environment.state.icon_words import told_again
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.picture_digits import painted
 from onika.desk.environment.state.target_items import items_of
+from onika.desk.plan.icon_names import a_kind, named, quoted
 from onika.model.application import Icon
 from onika.model.flow_path import spots, with_step
 from onika.model.onikon import Onikon

@@ -8,10 +8,10 @@ from onika.desk.environment.icons.fitting import misfit, onikon
 from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.icon_names import named, several, step_named
 from onika.desk.environment.state.icon_words import for_placing
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import named, several, step_named
 from onika.files.flow import DEEPEST, depth
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.flow_path import with_flows

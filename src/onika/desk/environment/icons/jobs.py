@@ -13,10 +13,10 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.icon_names import kind_named
 from onika.desk.environment.state.icon_words import forgotten, told_again
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.picture_digits import painted
+from onika.desk.plan.icon_names import kind_named
 from onika.model.onikon import Onikon
 from onika.wire import act, page
 from onika.wire.view import DraftView, Remedy

@@ -10,9 +10,9 @@ from onika.desk.environment.icons.marks import condition_of, tag_refused
 from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.icon_names import listed, named, quoted
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import listed, named, quoted
 from onika.model.application import AppFlow, Application, Icon, Step, actions
 from onika.model.flow_path import flows_by_path, with_flows
 from onika.model.syntax import Syntax

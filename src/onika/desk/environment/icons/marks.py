@@ -8,9 +8,9 @@ from onika.desk.environment.icons.alteration import reflowed
 from onika.desk.environment.outcome.on_application import on_application, on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.icon_names import named
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import named
 from onika.model.application import AppFlow, Icon
 from onika.wire import act
 from onika.words.condition import Condition

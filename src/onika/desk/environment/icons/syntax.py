@@ -8,8 +8,8 @@ from onika.desk.environment.file import file_index
 from onika.desk.environment.outcome.file_faults import told
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.dictionary import has_dictionary, open_dictionaries
-from onika.desk.environment.state.icon_names import kind_named
 from onika.desk.environment.state.model import Model
+from onika.desk.plan.icon_names import kind_named
 from onika.model.syntax import Edge, Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site

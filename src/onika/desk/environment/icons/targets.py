@@ -10,11 +10,11 @@ from onika.desk.environment.outcome.remedy import overwriting, plain
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import home_of
-from onika.desk.environment.state.icon_names import a_kind, kind_named
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.picture_digits import painted
 from onika.desk.environment.state.target_items import items_of
+from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.onikon import Onikon
 from onika.model.picture import Picture
 from onika.model.syntax import IconType

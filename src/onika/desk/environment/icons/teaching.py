@@ -8,8 +8,8 @@ from onika.desk.environment.icons.measuring_remedies import ways_to_measure
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.state.icon_names import a_kind, kind_named
 from onika.desk.environment.state.model import Model
+from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
 from onika.wire import act, live, request
 from onika.wire.view import TaughtView

@@ -4,9 +4,8 @@ from dataclasses import replace
 
 import msgspec
 
-from onika.desk.environment.control import presence
 from onika.desk.environment.outcome.outcome import Done
-from onika.desk.environment.reconcile import holders, reconciliation
+from onika.desk.environment.reconcile import holders, presence, reconciliation
 from onika.desk.environment.reconcile.current_values import ask_present
 from onika.desk.environment.reconcile.live_facts import settled
 from onika.desk.environment.reconcile.merge import look_again

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Mapping
 
 from msgspec import structs
 
-from onika.desk.environment.reconcile.question import ask_view
+from onika.desk.environment.run_state.question import ask_view
 from onika.wire import event, live, steer
 from onika.wire.view import AskView, HoldView, RuntimeView
 

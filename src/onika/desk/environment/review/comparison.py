@@ -9,9 +9,9 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import NOT_HERE, put_one_away, read
-from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.review_session import Looking
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.review_session import Looking
 from onika.record.difference import Difference, first_difference
 from onika.record.reader import UNREADABLE, Reader
 from onika.record.tolerance import Tolerance, usual

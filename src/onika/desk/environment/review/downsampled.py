@@ -7,8 +7,8 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import NOT_HERE
-from onika.desk.environment.review.recorded_run import Subject
 from onika.desk.environment.review.snapshot import looked_at, sane, spoilt
+from onika.desk.environment.run_state.recorded_run import Subject
 from onika.desk.environment.state.model import Model
 from onika.desk.run.run_review import drawn
 from onika.record import downsampled as recorded

@@ -10,18 +10,18 @@ from functools import partial
 from pathlib import Path
 
 from onika.desk.environment.file import applications
-from onika.desk.environment.icons.membership import Belonging
+from onika.desk.environment.outcome.fault_view import place_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.worker import Aside, Outcome
-from onika.desk.environment.review.recorded_run import Subject, subject
-from onika.desk.environment.review.step_mapping import Present, recast
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.recorded_run import Subject, subject
+from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.run_state.step_mapping import Present, recast
 from onika.desk.environment.runs.begin import durations, ready
-from onika.desk.environment.runs.fault_view import place_of
-from onika.desk.environment.runs.messages import Speech
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.review_session import Looking
 from onika.desk.run.run_review import Review
 from onika.model.application import with_numbers_as_lines
 from onika.model.syntax import Syntax

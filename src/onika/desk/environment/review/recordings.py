@@ -4,11 +4,11 @@ from collections.abc import Iterator
 from datetime import datetime
 from pathlib import Path
 
+from onika.desk.environment.file.recordings_folder import ENDING, recordings_folder
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import NOT_HERE
-from onika.desk.environment.review.recordings_folder import ENDING, recordings_folder
 from onika.desk.environment.state.model import Model
 from onika.record.glimpse import glimpse
 from onika.record.reader import UNREADABLE

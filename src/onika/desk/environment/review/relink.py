@@ -8,10 +8,10 @@ from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import open_one, subject_of
-from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.review_session import Looking
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.review_session import Looking
 from onika.record.reader import UNREADABLE
 from onika.wire import act
 

@@ -4,9 +4,9 @@ from collections.abc import Mapping
 
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.review_session import Looking
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.review_session import Looking
 from onika.record.reader import UNREADABLE
 from onika.wire import act
 from onika.wire.view import InstantView

@@ -13,7 +13,7 @@ import msgspec
 
 from onika.desk.environment.control.held_subsystems import run_here
 from onika.desk.environment.following import given_up
-from onika.desk.environment.icons.membership import Belonging
+from onika.desk.environment.outcome.fault_view import Troubles, place_of
 from onika.desk.environment.outcome.on_application import closed
 from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
 from onika.desk.environment.outcome.runtime_refusal import refusal
@@ -21,15 +21,15 @@ from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import not_run
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.merge import runtime_view
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.run import Run, Wait, begun
 from onika.desk.environment.runs import flow_placement, recording, run_reducer, unsaved
-from onika.desk.environment.runs.fault_view import Troubles, place_of
-from onika.desk.environment.runs.messages import Speech
 from onika.desk.environment.runs.obstacles import Obstacle, left, obstacles
+from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.preflight_result import looked, worth_noting
-from onika.desk.environment.state.run import Run, Wait, begun
 from onika.desk.plan.preparation import PreparedRun, prepare
 from onika.desk.plan.subsystem_renaming import rehoused
 from onika.desk.run.runtime import in_short

@@ -16,9 +16,9 @@ from onika.desk.environment.outcome.unread_faults import not_run
 from onika.desk.environment.outcome.worker import Aside, Outcome
 from onika.desk.environment.runs import unsaved
 from onika.desk.environment.runs.begin import ready
-from onika.desk.environment.state.icon_names import listed
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import listed
 from onika.desk.run.runtime import in_short
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial.home import FOLDER

@@ -7,6 +7,7 @@ does before each run. It is launched where there is none.
 from dataclasses import dataclass, replace
 from functools import partial
 
+from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.outcome.on_application import on_application
 from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
 from onika.desk.environment.outcome.runtime_refusal import refusal
@@ -15,10 +16,9 @@ from onika.desk.environment.outcome.unread_faults import not_run
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.begin import ready
-from onika.desk.environment.runs.fault_view import Troubles
+from onika.desk.environment.runs.preflight_result import looked
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.desk.environment.state.preflight_result import looked
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, request
 from onika.wire.plan import Plan

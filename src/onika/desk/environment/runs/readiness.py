@@ -9,11 +9,11 @@ from dataclasses import dataclass, replace
 from operator import is_
 from typing import Any
 
-from onika.desk.environment.icons.membership import icons
+from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.run_state.membership import icons
 from onika.desk.environment.runs import unsaved
 from onika.desk.environment.runs.begin import ready
-from onika.desk.environment.runs.fault_view import Troubles
 from onika.desk.environment.runs.unsaved import Changed
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Judgement, OpenApplication

@@ -2,9 +2,9 @@
 
 from collections.abc import Sequence
 
+from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.runtime_refusal import refusal
-from onika.desk.environment.runs.fault_view import Troubles
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.preparation import fault_of
 from onika.wire import request

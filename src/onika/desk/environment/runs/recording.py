@@ -6,11 +6,11 @@ from pathlib import Path
 
 import msgspec
 
+from onika.desk.environment.file.recordings_folder import recording_path
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.review.recordings_folder import recording_path
+from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.run import Run
 from onika.wire import act
 from onika.wire.view import Remedy
 

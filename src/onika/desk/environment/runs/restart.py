@@ -9,7 +9,8 @@ from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.watches import is_going
-from onika.desk.environment.runs import flow_placement, flow_progress
+from onika.desk.environment.run_state import flow_progress
+from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.runs.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.state.model import Model
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared

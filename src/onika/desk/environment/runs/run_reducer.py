@@ -8,9 +8,10 @@ from msgspec import structs
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.reconcile.current_values import measured, values_of
 from onika.desk.environment.reconcile.merge import runtime_view
-from onika.desk.environment.runs import flow_progress, recording, run_view
+from onika.desk.environment.run_state import flow_progress, run_view
+from onika.desk.environment.run_state.run import Run
+from onika.desk.environment.runs import recording
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.run import Run
 from onika.wire import event, live, page, request, steer
 
 

@@ -6,14 +6,14 @@ from functools import partial
 
 from onika.desk.environment.canvas import task_commands
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.icons.membership import icons
 from onika.desk.environment.outcome.outcome import Done, No, Order
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.run_state.membership import icons
+from onika.desk.environment.run_state.run import Run
+from onika.desk.environment.run_state.run_view import standing
 from onika.desk.environment.runs import run_reducer
-from onika.desk.environment.runs.run_view import standing
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.run import Run
 from onika.desk.run import steering
 from onika.model.application import Application
 from onika.wire import act, page, request, steer

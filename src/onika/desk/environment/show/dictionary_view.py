@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping
 
+from onika.desk.environment.outcome.icon_source import Sources
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.dictionary import Dictionary
-from onika.desk.environment.state.icon_source import Sources
 from onika.desk.environment.state.icon_types import edges_of, role_of
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.pictures import key_of

@@ -13,12 +13,12 @@ from onika.desk.environment.show.greying import Greying
 from onika.desk.environment.show.objections import objections
 from onika.desk.environment.show.wiring import Seen
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.icon_names import several
 from onika.desk.environment.state.icon_types import type_views
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.desk.environment.state.pictures import Album
+from onika.desk.plan.icon_names import several
 from onika.wire.view import ApplicationView, DocumentView, Tree
 
 

@@ -6,7 +6,7 @@ from operator import is_
 from typing import Literal, TypeVar, cast
 
 from onika.desk.environment.outcome.trouble import error_view
-from onika.desk.environment.reconcile.question import ask_view
+from onika.desk.environment.run_state.question import ask_view
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
 from onika.desk.environment.state.open_libraries import Shelf

@@ -1,8 +1,8 @@
 """Descriptions of icons in other languages (requirement X11)."""
 
 from onika.desk.environment.state.dictionary import find
-from onika.desk.environment.state.icon_names import listed
 from onika.desk.environment.state.model import Model
+from onika.desk.plan.icon_names import listed
 from onika.model.onikon import Onikon
 
 

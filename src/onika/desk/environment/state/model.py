@@ -6,13 +6,13 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
+from onika.desk.environment.run_state.review_session import Looking
+from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.state.clipboard import Copied
 from onika.desk.environment.state.dictionary import Dictionary
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import Shelf
-from onika.desk.environment.state.review_session import Looking
-from onika.desk.environment.state.run import Run
 from onika.desk.environment.state.settings import Habits
 from onika.model.application import Step
 from onika.model.button import Button

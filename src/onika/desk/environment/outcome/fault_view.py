@@ -6,10 +6,10 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
-from onika.desk.environment.icons.membership import Belonging, icons
-from onika.desk.environment.runs.fault_text import EMPTY, said, together
-from onika.desk.environment.state.icon_names import a, kind_named, listed, quoted
+from onika.desk.environment.outcome.fault_text import EMPTY, said, together
+from onika.desk.environment.run_state.membership import Belonging, icons
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.plan.icon_names import a, kind_named, listed, quoted
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
 from onika.files import appl, rmod

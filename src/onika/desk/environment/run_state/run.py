@@ -6,8 +6,8 @@ from typing import Any
 
 from msgspec import structs
 
-from onika.desk.environment.icons.membership import Belonging
-from onika.desk.environment.runs.messages import Speech
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.messages import Speech
 from onika.desk.plan.flow_index import Cast
 from onika.wire import event
 from onika.wire.plan import Again, Plan, PlannedAction, Unless

@@ -6,12 +6,12 @@ from datetime import datetime
 from pathlib import Path
 from threading import Event
 
-from onika.desk.environment.review.event_marks import marks
-from onika.desk.environment.review.replay import Replay
-from onika.desk.environment.review.step_mapping import Recast
-from onika.desk.environment.review.variable_cache import Kept
-from onika.desk.environment.runs.messages import Speech
-from onika.desk.environment.state.run import Run, begun
+from onika.desk.environment.run_state.event_marks import marks
+from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.replay import Replay
+from onika.desk.environment.run_state.run import Run, begun
+from onika.desk.environment.run_state.step_mapping import Recast
+from onika.desk.environment.run_state.variable_cache import Kept
 from onika.desk.run.recorded_run import Source, recorded_run
 from onika.desk.run.run_review import Flow, Review
 from onika.record.series import Series

@@ -5,9 +5,9 @@ from pathlib import Path
 
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state.dictionary import Dictionary
-from onika.desk.environment.state.icon_names import a, a_kind, in_words, kind_named
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model
+from onika.desk.plan.icon_names import a, a_kind, in_words, kind_named
 from onika.files import appl, conf
 from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon

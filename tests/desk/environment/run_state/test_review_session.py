@@ -1,4 +1,4 @@
-from onika.desk.environment.state.review_session import Looking
+from onika.desk.environment.run_state.review_session import Looking
 from onika.testing.laboratory import job
 from onika.wire import act
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.environment.icons.membership import Belonging
-from onika.desk.environment.state.run import begun
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
 from onika.model.application import with_numbers_as_lines
 from onika.model.flow_path import numbered, spots

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.runs.fault_text import said, together
+from onika.desk.environment.outcome.fault_text import said, together
 from onika.words.fault import Fault, Place
 
 HERE = Place("play.appl", 3)

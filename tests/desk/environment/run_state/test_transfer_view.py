@@ -1,4 +1,4 @@
-from onika.desk.environment.runs.transfer_view import jump_view
+from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.testing.laboratory import job
 from onika.testing.rehearsal import Rehearsal
 from onika.wire import event, view

@@ -2,8 +2,8 @@ from pathlib import Path
 
 import pytest
 
-from onika.desk.plan import survey as room
-from onika.desk.plan.survey import survey
+from onika.desk.run import survey as room
+from onika.desk.run.survey import survey
 from onika.store.site import open_site
 from onika.testing.laboratory import Laboratory, job, joints
 from onika.wire import request

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment.runs.fault_view import Troubles
+from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.runs.retarget_marks import marked
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Looked

@@ -1,4 +1,4 @@
-from onika.desk.environment.state.icon_names import a, in_words, kind_named, listed, named, quoted, several, step_named
+from onika.desk.plan.icon_names import a, in_words, kind_named, listed, named, quoted, several, step_named
 from onika.model.application import Branch, Hole, Icon
 from onika.testing.gallery import onikon
 

@@ -1,4 +1,4 @@
-from onika.desk.environment.review.recordings_folder import recording_path, recordings_folder
+from onika.desk.environment.file.recordings_folder import recording_path, recordings_folder
 
 
 def test_a_recording_is_called_by_its_application_and_when_it_began(tmp_path):  # R-X05

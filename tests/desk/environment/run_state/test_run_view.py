@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.runs.run_view import is_question, left_for, loops, stop_view, tag
+from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from onika.testing.laboratory import job
 from onika.testing.rehearsal import Rehearsal
 from onika.wire import act, event

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.control.presence import you
+from onika.desk.environment.reconcile.presence import you
 from onika.model.task import Task
 from onika.testing.duet import Duet
 from onika.wire import act, event, holding

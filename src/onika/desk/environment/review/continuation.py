@@ -18,12 +18,12 @@ from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.review.opening import NOT_HERE, put_away
-from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import Subject
+from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.runs import flow_placement, run_reducer
 from onika.desk.environment.runs.obstacles import left
-from onika.desk.environment.state.icon_names import listed
 from onika.desk.environment.state.model import Model
-from onika.desk.environment.state.run import Run
+from onika.desk.plan.icon_names import listed
 from onika.desk.run.recorded_run import RecordedRun, Source, recorded_run
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page, request, view

@@ -2,8 +2,8 @@
 
 import re
 
-from onika.desk.environment.state.icon_names import listed
-from onika.desk.environment.state.run import Run
+from onika.desk.environment.run_state.run import Run
+from onika.desk.plan.icon_names import listed
 from onika.wire import act, event
 from onika.wire.view import CourseView, Remedy, StopView
 

@@ -1,9 +1,9 @@
 import pytest
 from msgspec import structs
 
-from onika.desk.environment.icons.membership import Belonging
-from onika.desk.environment.review.step_mapping import Present, recast
-from onika.desk.environment.runs.messages import Speech
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.messages import Speech
+from onika.desk.environment.run_state.step_mapping import Present, recast
 from onika.testing.tape import run
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 

@@ -10,8 +10,8 @@ from difflib import SequenceMatcher
 
 from msgspec import structs
 
-from onika.desk.environment.icons.membership import Belonging
-from onika.desk.environment.runs.messages import Speech
+from onika.desk.environment.run_state.membership import Belonging
+from onika.desk.environment.run_state.messages import Speech
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 from onika.words.fault import Place
 

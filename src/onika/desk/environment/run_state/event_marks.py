@@ -1,7 +1,7 @@
 """What happened in a recorded run that is worth a mark at its time line: errors, stops, meetings, commands."""
 
-from onika.desk.environment.runs.run_view import tag
-from onika.desk.environment.state.run import Run
+from onika.desk.environment.run_state.run import Run
+from onika.desk.environment.run_state.run_view import tag
 from onika.desk.run.run_review import Review
 from onika.wire import event, live, request, steer
 from onika.wire.view import MarkView

@@ -1,6 +1,6 @@
 import numpy as np
 
-from onika.desk.environment.review.variable_cache import Kept
+from onika.desk.environment.run_state.variable_cache import Kept
 from onika.record.downsampled import Samples
 
 

@@ -5,8 +5,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from onika.desk.environment.icons.membership import icons
-from onika.desk.environment.state.icon_names import named
+from onika.desk.environment.run_state.membership import icons
+from onika.desk.plan.icon_names import named
 from onika.files import appl, rmod
 from onika.model.application import Application, Hole, actions, every_flow
 from onika.model.syntax import Syntax

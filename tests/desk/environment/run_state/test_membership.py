@@ -1,4 +1,4 @@
-from onika.desk.environment.icons.membership import Belonging, icons
+from onika.desk.environment.run_state.membership import Belonging, icons
 from onika.files import appl
 from onika.model.flow_path import numbered
 from onika.store.site import open_site

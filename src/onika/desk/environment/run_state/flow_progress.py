@@ -5,10 +5,10 @@ from dataclasses import replace
 
 from msgspec import structs
 
-from onika.desk.environment.reconcile.question import ask_view
-from onika.desk.environment.runs.run_view import is_question, left_for, stop_view, tag
-from onika.desk.environment.runs.transfer_view import jump_view
-from onika.desk.environment.state.run import Run
+from onika.desk.environment.run_state.question import ask_view
+from onika.desk.environment.run_state.run import Run
+from onika.desk.environment.run_state.run_view import is_question, left_for, stop_view, tag
+from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.desk.run import transfer_text
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from msgspec import structs
 
-from onika.desk.environment.review.recorded_run import Subject
+from onika.desk.environment.run_state.recorded_run import Subject
 from onika.wire.view import DifferenceView, RecordingView, ReviewView
 
 

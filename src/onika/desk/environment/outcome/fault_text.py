@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.environment.state.icon_names import in_words
+from onika.desk.plan.icon_names import in_words
 from onika.words.fault import Fault
 
 _AT = re.compile(r",? (?:at )?step \d+(?: of (?:flow \d+|`[^`]*`)(?:, step \d+, branch \d+)*(?: of `[^`]*`)?)?")

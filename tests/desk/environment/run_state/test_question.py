@@ -1,4 +1,4 @@
-from onika.desk.environment.reconcile.question import ask_view
+from onika.desk.environment.run_state.question import ask_view
 from onika.wire import event
 
 ITEM = event.Item("goal", "double", 2, "rad", "where to", None, (-1.0, -2.0), (1.0, 2.0))

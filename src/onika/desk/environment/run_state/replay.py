@@ -6,8 +6,8 @@ from itertools import accumulate
 
 from msgspec import structs
 
-from onika.desk.environment.runs import flow_progress
-from onika.desk.environment.state.run import Run
+from onika.desk.environment.run_state import flow_progress
+from onika.desk.environment.run_state.run import Run
 from onika.wire import event
 from onika.wire.view import RunView
 

@@ -1,0 +1,1 @@
+"""How a run gets on, live or recorded, as values."""
