@@ -15,8 +15,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from onika.desk.environment import runtime_loss
 from onika.desk.environment.outcome.outcome import Done
+from onika.desk.environment.runs import runtime_loss
 from onika.desk.environment.state.model import Model
 from onika.testing.duet import Duet
 from onika.testing.laboratory import Laboratory

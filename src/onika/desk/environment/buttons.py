@@ -54,16 +54,6 @@ def set_button(model: Model, asked: act.SetButton, outside: Surroundings) -> Don
     return _saved(model, _changed(opened.value if opened else (), button), opened, outside)
 
 
-def shown(model: Model) -> dict[str, ButtonView]:
-    """The buttons as a page sees them; of two of one name the first."""
-    found: dict[str, ButtonView] = {}
-    for order, one in enumerate(model.buttons):
-        run = model.runs.get(one.name, ButtonView("", 0))
-        view = ButtonView(one.command, order, one.spawns_terminal, run.is_running, run.output, run.code)
-        found.setdefault(one.name, view)
-    return found
-
-
 def _find(model: Model, name: str) -> Button | None:
     return next((one for one in model.buttons if one.name == name), None)
 

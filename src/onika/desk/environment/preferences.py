@@ -1,7 +1,7 @@
 """Preferences are changed while one works, and kept at once (requirements G01, B12)."""
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import asdict, fields, replace
+from dataclasses import fields, replace
 from typing import Any
 
 from onika.desk.environment.outcome.outcome import Done, No
@@ -9,6 +9,7 @@ from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.environment.state.settings import Habits
 from onika.model.preferences import STATUS_COLUMNS, Spot, Window
 from onika.wire import act, page
@@ -29,7 +30,7 @@ class _Wrong(ValueError):
 
 def prefer(model: Model, asked: act.Prefer, outside: Surroundings) -> Done | No:
     """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
-    now = shown(model)
+    now = preference_values(model)
     taken: dict[str, Any] = {}
     wrong: dict[str, str] = {}
     for name, value in asked.values.items():
@@ -49,11 +50,6 @@ def prefer(model: Model, asked: act.Prefer, outside: Surroundings) -> Done | No:
         shelf=model.shelf if not of_file else replace(model.shelf, preferences=preferred),
     )
     return Done(changed, says=tuple(_kept(of_file, of_habits, outside)))
-
-
-def shown(model: Model) -> dict[str, Any]:
-    """Every preference by its name, as a page sees it."""
-    return asdict(model.preferences) | asdict(model.habits)
 
 
 def leave(model: Model, outside: Surroundings) -> str:

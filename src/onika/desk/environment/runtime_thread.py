@@ -9,13 +9,13 @@ from threading import Thread
 from time import monotonic
 from typing import Protocol
 
-from onika.desk.environment import runtime_loss
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.frames import Frames
 from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
 from onika.desk.environment.reconcile.loop_watchdog import Vouch
 from onika.desk.environment.reconcile.multiplexer import Talk
 from onika.desk.environment.reconcile.watches import Watching
+from onika.desk.environment.runs import runtime_loss
 from onika.desk.run.runtime import Conversation, in_short
 from onika.link.lost import LinkLost
 from onika.wire import event, page, request

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.desk.environment.canvas.connection import connected
-from onika.desk.environment.runtime_loss import lost
+from onika.desk.environment.runs.runtime_loss import lost
 from onika.model.task import Task
 from onika.testing.duet import Duet
 from onika.testing.laboratory import job

@@ -3,10 +3,10 @@
 from collections.abc import Mapping
 from typing import Any
 
-from onika.desk.environment import buttons, preferences as preferring
 from onika.desk.environment.outcome.on_application import is_running
 from onika.desk.environment.outcome.trouble import problems
 from onika.desk.environment.show.application_view import ApplicationSight
+from onika.desk.environment.show.button_view import button_views
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.show.document_view import document_view, library_views, task_views
 from onika.desk.environment.show.greying import Greying
@@ -18,6 +18,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.desk.environment.state.pictures import Album
+from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.plan.icon_names import several
 from onika.wire.view import ApplicationView, DocumentView, Tree
 
@@ -48,8 +49,8 @@ class Projector:
             application_files=dict(model.application_files),
             clipboard=" ".join(one.task for one in model.buffer.placed),
             runtime=model.runtime,
-            preferences=self._once("preferences", (model.preferences, model.habits), lambda: preferring.shown(model)),
-            buttons=self._once("buttons", (model.buttons, model.runs), lambda: buttons.shown(model)),
+            preferences=self._once("preferences", (model.preferences, model.habits), lambda: preference_values(model)),
+            buttons=self._once("buttons", (model.buttons, model.runs), lambda: button_views(model)),
             job_types=model.job_types,
             edges=dict(model.edges),
             applications=self._applications(model),

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.environment.runtime_loss import lost, with_loads
+from onika.desk.environment.runs.runtime_loss import lost, with_loads
 from onika.model.task import Task
 from onika.testing.duet import Duet
 from onika.testing.laboratory import job

@@ -1,0 +1,11 @@
+from dataclasses import asdict
+
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.preference_values import preference_values
+
+
+def test_preferences_of_both_files_are_shown_by_one_name_each():  # R-G01
+    model = Model()
+    values = preference_values(model)
+    assert len(values) == len(asdict(model.preferences)) + len(asdict(model.habits))
+    assert values["shows_warnings"] == model.habits.shows_warnings
