@@ -49,10 +49,10 @@ soak: $(VENV)/.installed-dev ## the long tests, and every property on new exampl
 
 bench: $(VENV)/.installed-dev ## measure, and print what was measured
 	@set -e; for each in $(sort $(wildcard tools/bench/*.py)); do echo "$$each"; $(BIN)/python "$$each"; done
-	@PYTHONPATH=tools/bench $(BIN)/python -m beside --alone
+	@PYTHONPATH=tools/bench:tests $(BIN)/python -m beside --alone
 
 bench-peers: $(PEERS)/.installed ## measure beside the peers, and write docs/benchmarks.md
-	PYTHONPATH=tools/bench $(PEERS)/bin/python -m beside --write docs/benchmarks.md
+	PYTHONPATH=tools/bench:tests $(PEERS)/bin/python -m beside --write docs/benchmarks.md
 
 clean: ## remove what make made
 	rm -rf $(VENV) $(PEERS) browser/node_modules src/onika/web/static build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
@@ -70,7 +70,7 @@ $(VENV)/.installed-dev: pyproject.toml | $(BIN)/pip
 $(PEERS)/.installed: pyproject.toml tools/bench/beside/peers.py | $(BIN)/pip
 	$(BIN)/python -m venv --clear $(PEERS)
 	$(PEERS)/bin/pip install --quiet --disable-pip-version-check --editable .
-	PYTHONPATH=tools/bench $(PEERS)/bin/python -m beside.peers
+	PYTHONPATH=tools/bench:tests $(PEERS)/bin/python -m beside.peers
 	@touch $@
 
 # A venv that was left half made has no pip; it is made again.

@@ -18,6 +18,8 @@ UNMIRRORED_TESTS = {
     "contract": "one rule over all members of a kind",
     "labs": "what single modules do; they are no part of the package",
     "model/rules/independent": "a second reading of the rules, which shares no code with them",
+    "kit_tests": "mirrors tests/kit/, not src/",
+    "oracle_tests": "mirrors tests/oracle/, not src/",
     "journey": "the three journeys of the house, whole",
     "page": "the page in a real Chromium, served by the real program",
     "play": "stories of the engine",

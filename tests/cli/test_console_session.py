@@ -9,7 +9,7 @@ from onika.cli.console_session import sit_down
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
 from onika.store.site import open_site
-from onika.testing.live_runtime import LiveRuntime
+from kit.live_runtime import LiveRuntime
 
 SITE = open_site([], {}, None)
 

@@ -8,7 +8,7 @@ from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
 from onika.desk.console.session import Session
 from onika.store.site import open_site
-from onika.testing.live_runtime import LiveRuntime
+from kit.live_runtime import LiveRuntime
 from onika.wire import event
 
 ITEM = event.Item("level", "double", 1, "m", "how high", None, None, None)

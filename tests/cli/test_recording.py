@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli import main
-from onika.testing.tape import Tape, run
+from kit.tape import Tape, run
 
 
 @pytest.fixture

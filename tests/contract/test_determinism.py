@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from onika.testing.rig import Rig
-from onika.testing.worlds import MassWorld
+from kit.rig import Rig
+from kit.worlds import MassWorld
 
 WALL = ("wall_s", "tasks", "switches_us", "runtime_pid")  # of the wall's clock, and of the process
 MS = 1_000_000

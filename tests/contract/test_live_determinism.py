@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from onika.testing.hand import Hand, hand_with_tasks
-from onika.testing.rail import MASS, SERVO, rail
-from onika.testing.workshop import action
+from kit.hand import Hand, hand_with_tasks
+from kit.rail import MASS, SERVO, rail
+from kit.workshop import action
 from onika.wire import event, live, request
 
 NOISE = """
@@ -82,10 +82,10 @@ def test_the_same_story_is_told_twice_alike(here):  # R-X08
 
 @pytest.mark.parametrize("seed", ["0", "1", "4711"])
 def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
-    code = "from tests.contract.test_live_determinism import fingerprint; print(fingerprint())"
+    code = "from contract.test_live_determinism import fingerprint; print(fingerprint())"
     told = subprocess.run(
         [sys.executable, "-c", code],
-        cwd=Path(__file__).parents[2],
+        cwd=Path(__file__).parents[1],
         env={**os.environ, "PYTHONHASHSEED": seed},
         capture_output=True,
         text=True,

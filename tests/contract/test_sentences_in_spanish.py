@@ -9,8 +9,8 @@ import pytest
 from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.runs.readiness import Judge, judged
 from onika.desk.environment.runs.runtime_loss import lost
-from onika.testing.laboratory import HOLE, job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
 from onika.wire import act
 from onika.words.fault import Fault, Place
 

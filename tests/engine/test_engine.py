@@ -5,8 +5,8 @@ import pytest
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Moved, Note, Settle, Spawn, Start, Switch
-from onika.testing import build
-from onika.testing.play import Play
+from kit import build
+from kit.play import Play
 
 REACH = build.job("move", trigger="move", arguments="1 2")
 

@@ -21,9 +21,9 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Moved
-from onika.testing import build
-from onika.testing.scene import JOB, ends
-from onika.testing.script import bottom, nested, program
+from kit import build
+from kit.scene import JOB, ends
+from kit.script import bottom, nested, program
 from onika.wire.plan import Do, Meet
 
 MEET = build.job("move", trigger="move", synch_tag="meet")

@@ -4,9 +4,9 @@ from onika.engine.orders import Began, Moved, Settle, Switch, Together
 from onika.engine.program import Program
 from onika.engine.progress import Progress
 from onika.engine.step import steps
-from onika.testing import build
-from onika.testing.scene import JOB, NOOP
-from onika.testing.script import bottom, nested, program
+from kit import build
+from kit.scene import JOB, NOOP
+from kit.script import bottom, nested, program
 from onika.wire.plan import Do, Halt
 
 MEET = build.job("move", trigger="move", synch_tag="meet")

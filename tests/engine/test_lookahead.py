@@ -3,8 +3,8 @@ from hypothesis import given, settings, strategies as st
 from onika.engine.lookahead import ways
 from onika.engine.program import Program
 from onika.engine.walk import Value, walk
-from onika.testing import build
-from onika.testing.script import bottom, branch, program, top
+from kit import build
+from kit.script import bottom, branch, program, top
 from onika.wire.plan import Do, Rest
 
 JOB = build.job("move", trigger="move")

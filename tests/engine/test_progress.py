@@ -6,8 +6,8 @@ from onika.engine.program import Program
 from onika.engine.progress import Progress
 from onika.engine.step import steps
 from onika.engine.walk import Value
-from onika.testing import build
-from onika.testing.script import bottom, program, top
+from kit import build
+from kit.script import bottom, program, top
 from onika.wire.plan import Do, Halt
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")

@@ -2,7 +2,7 @@ import pytest
 
 from onika.engine.orders import Start
 from onika.engine.step import steps
-from onika.testing import build
+from kit import build
 
 
 def made(job, *, trigger=None, others=(), ranks=None):

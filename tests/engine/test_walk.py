@@ -2,8 +2,8 @@ import pytest
 
 from onika.engine.program import Program
 from onika.engine.walk import NOOP, Value, walk
-from onika.testing import build
-from onika.testing.script import bottom, branch, program, top
+from kit import build
+from kit.script import bottom, branch, program, top
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
 
 JOB = build.job("move", trigger="move")

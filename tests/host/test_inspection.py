@@ -1,8 +1,8 @@
 import pytest
 
-from onika.testing.hand import COUNTER, hand_with_tasks
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.hand import COUNTER, hand_with_tasks
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire import live, reading, request
 
 SECOND = 1_000_000_000

@@ -18,7 +18,7 @@ from onika.link.link_events import Signalled
 from onika.link.link_terms import Terms
 from onika.link.sessions import Guests
 from onika.store.site import open_site
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.laboratory import Laboratory, job, joints
 from onika.wire import event, request
 
 TERMS = Terms(beat_ns=10**9, suspect_ns=10**10, lost_ns=10**11, greeting_ns=10**10)

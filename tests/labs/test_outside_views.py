@@ -7,7 +7,7 @@ from onika.laws import puma560
 from onika.laws.arm import Arm
 from onika.store.site import shipped
 from onika.testing.bench import Bench
-from onika.testing.outsider import Outsider
+from onika.testing.fake_partner import Outsider
 
 CONSTANTS = {"NDOF": 6, "DH": puma560.DH, "BASE": np.eye(4), "TOOL": puma560.TOOL}
 HOME = np.array(puma560.HOME)

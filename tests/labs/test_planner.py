@@ -7,7 +7,7 @@ from onika.laws import puma560
 from onika.model.lifecycle import State
 from onika.store.site import shipped
 from onika.testing.bench import Bench
-from onika.testing.outsider import Outsider
+from onika.testing.fake_partner import Outsider
 
 CODE = shipped() / "generic" / "module" / "planner.py"
 CONSTANTS = {"NDOF": 6, "QMIN": puma560.QMIN, "QMAX": puma560.QMAX, "Q^_MAX": puma560.QDMAX}

@@ -11,8 +11,8 @@ import pytest
 from playwright.sync_api import expect
 
 from onika.link.token import digest, new_token
-from onika.testing.laboratory import Laboratory, job, target
-from onika.testing.small_tasks import small_laboratory
+from kit.laboratory import Laboratory, job, target
+from kit.small_tasks import small_laboratory
 
 from .test_access import found
 

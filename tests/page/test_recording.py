@@ -5,7 +5,7 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from onika.testing.laboratory import Laboratory, job, target
+from kit.laboratory import Laboratory, job, target
 
 pytestmark = pytest.mark.page
 

@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import expect
 
 from onika.store.site import shipped
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.laboratory import Laboratory, job, joints
 
 from .builder import CLOSE, OPEN, Builder
 

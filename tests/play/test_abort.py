@@ -4,8 +4,8 @@ import pytest
 
 from onika.engine.news import Abort, Failed, Finished, Illegal, Killed, Refused, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
-from onika.testing import build
-from onika.testing.play import Play
+from kit import build
+from kit.play import Play
 
 REACH = build.job("move", "puma", trigger="move")
 WHERE = "test.appl flow 0 action 0"

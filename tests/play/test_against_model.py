@@ -17,9 +17,9 @@ from hypothesis.stateful import (
 
 from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
-from onika.testing.small_engine import SmallEngine
-from onika.testing.theatre import RUNTIME, Theatre
-from onika.testing.tree import Act, Loop, Pick, Side, engine_for, planned
+from kit.small_engine import SmallEngine
+from kit.theatre import RUNTIME, Theatre
+from kit.tree import Act, Loop, Pick, Side, engine_for, planned
 
 NOOP = Act(tasks=(), is_noop=True)
 TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"), ("arm", "view"))

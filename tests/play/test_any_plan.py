@@ -5,8 +5,8 @@ from collections import Counter
 from hypothesis import given, settings, strategies as st
 
 from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
-from onika.testing import build
-from onika.testing.fakes import FakeRuntime, Fault
+from kit import build
+from kit.fakes import FakeRuntime, Fault
 
 TRIGGERS = ("move", "grip", "pause")
 GENERAL = ("puma", "pd", "filter")

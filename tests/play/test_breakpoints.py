@@ -4,9 +4,9 @@ import pytest
 
 from onika.engine.news import Mark, Resume
 from onika.engine.orders import Done, Moved, Settle
-from onika.testing import build
-from onika.testing.scene import JOB, begins, ends, goes_on, started
-from onika.testing.script import bottom, branch, program
+from kit import build
+from kit.scene import JOB, begins, ends, goes_on, started
+from kit.script import bottom, branch, program
 from onika.wire.plan import Do, Rest
 
 MARKED = build.job("move", trigger="move", marker=True)

@@ -1,6 +1,6 @@
 """Small programs with every interleaving of what tasks, users and faults can do, looked at exhaustively (R-X03).
 
-What must hold after every single piece of news stands in `onika.testing.theatre`: no lost signal, no action begun twice
+What must hold after every single piece of news stands in `kit.theatre`: no lost signal, no action begun twice
 without a word, no order that a task cannot obey, exactly the right tasks ON. Here, what must hold of whole runs: every
 run can be ended and completed from everywhere, nothing stands still that was not foretold.
 """
@@ -13,8 +13,8 @@ import pytest
 from onika.engine import news as told
 from onika.engine.flow import FlowState
 from onika.model.rules import meetings
-from onika.testing.theatre import RUNTIME, Theatre
-from onika.testing.tree import Act, Loop, Pick, Side, engine_for, planned
+from kit.theatre import RUNTIME, Theatre
+from kit.tree import Act, Loop, Pick, Side, engine_for, planned
 
 NOOP = Act(tasks=(), is_noop=True)
 GRIP = Act(tasks=("grip", "arm"))

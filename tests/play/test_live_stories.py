@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from hypothesis import given, settings, strategies as st
 
-from onika.testing.hand import BROKEN, SOURCE, SULKY, hand_with_tasks
+from kit.hand import BROKEN, SOURCE, SULKY, hand_with_tasks
 from onika.wire import event, live
 
 NAMES = ("source", "other", "user", "reader", "counter", "sulky", "broken", "late")

@@ -17,10 +17,10 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Clear, Done, End, Kill, Moved, Note, Off, Order, Settle, Together
-from onika.testing import build
-from onika.testing.play import Play
-from onika.testing.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
-from onika.testing.script import bottom, nested, program
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.script import bottom, nested, program
 from onika.wire.plan import Do, Halt, Meet
 
 ONE = (Do(0), Halt())

@@ -2,9 +2,9 @@
 
 from onika.engine.news import Pause, Resume, Run, Settled, Spawned
 from onika.engine.orders import Done, End, Moved, Settle, Together
-from onika.testing import build
-from onika.testing.play import Play
-from onika.testing.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 
 
 def test_no_ops_are_told_and_take_no_time():  # R-D11

@@ -2,8 +2,8 @@
 
 from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Done, Moved, Note, Settle, Start, Switch
-from onika.testing import build
-from onika.testing.play import Play
+from kit import build
+from kit.play import Play
 
 SHOW = build.job("move", "view", trigger="move")
 WHERE = "test.appl flow 0 action"

@@ -18,10 +18,10 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
-from onika.testing import build
-from onika.testing.play import Play
-from onika.testing.scene import JOB, NOOP, ends, opened, passes, started
-from onika.testing.script import bottom, branch, nested, program, top
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, ends, opened, passes, started
+from kit.script import bottom, branch, nested, program, top
 from onika.wire.plan import Do, Rest
 
 NEXT = Switch(0, (), (Start("move", "", 100.0),))

@@ -16,8 +16,8 @@ from onika.engine.news import (
     Step,
 )
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Settle, Switch, Together
-from onika.testing import build
-from onika.testing.mishap import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
+from kit import build
+from kit.mishap import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
 
 # Between two actions
 

@@ -2,8 +2,8 @@
 
 from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch, Together
-from onika.testing import build
-from onika.testing.play import Play
+from kit import build
+from kit.play import Play
 
 REACH = build.job("move", "pd", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "pd", "puma", trigger="move", arguments="3 4")

@@ -18,10 +18,10 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle, Start, Switch, Together
-from onika.testing import build
-from onika.testing.play import Play
-from onika.testing.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
-from onika.testing.script import bottom, program
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.script import bottom, program
 from onika.wire.plan import Do
 
 MEET = build.job("move", trigger="move", synch_tag="meet")

@@ -2,8 +2,8 @@
 
 from onika.engine.news import Abort, Finished, Killed, Pass, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
-from onika.testing import build, scene, script
-from onika.testing.play import Play
+from kit import build, scene, script
+from kit.play import Play
 from onika.wire.plan import Do, Halt, Meet
 
 FREE = build.job("move", trigger="move")

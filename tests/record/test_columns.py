@@ -3,7 +3,7 @@ import io
 
 from onika.record import columns
 from onika.record.series import Series
-from onika.testing.tape import Tape
+from kit.tape import Tape
 
 
 def test_a_table_has_a_row_for_each_time_at_which_something_changed(tmp_path):  # R-X05

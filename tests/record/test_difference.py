@@ -4,7 +4,7 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import WALL, Tolerance
-from onika.testing.tape import Tape
+from kit.tape import Tape
 from onika.wire import event
 from onika.wire.figures import VariableSteps
 

@@ -5,7 +5,7 @@ import pytest
 
 from onika.record.downsampled import Samples, is_drawn, parts, samples
 from onika.record.series import Series
-from onika.testing.tape import Tape
+from kit.tape import Tape
 
 NS = 1_000_000_000
 

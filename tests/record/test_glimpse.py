@@ -2,7 +2,7 @@ import pytest
 
 from onika.record.glimpse import glimpse
 from onika.record.reader import UNREADABLE
-from onika.testing.tape import Tape
+from kit.tape import Tape
 
 
 @pytest.fixture

@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 from onika.record.mismatch import strays
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
-from onika.testing.tape import Tape
+from kit.tape import Tape
 
 NS = 1_000_000_000
 COURSES = st.dictionaries(

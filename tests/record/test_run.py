@@ -4,7 +4,7 @@ from msgspec import structs
 from onika.record.reader import Reader
 from onika.record.run import Run, ending
 from onika.record.writer import Writer
-from onika.testing.tape import Tape, run
+from kit.tape import Tape, run
 from onika.wire import steer
 from onika.wire.event import Result
 from onika.wire.request import Recorded, encode

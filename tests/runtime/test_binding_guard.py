@@ -6,8 +6,8 @@ from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.binding_guard import Containment
 from onika.runtime.running_task import CHECKED_EVERY
-from onika.testing.rig import Rig
-from onika.testing.source import COUNTER, module
+from kit.rig import Rig
+from kit.source import COUNTER, module
 
 MS = 1_000_000
 PORTS = "    X = InVar('double[2]')\n    Y = OutVar('double[2]')\n    K = Local('int', default=1)\n"

@@ -10,7 +10,7 @@ from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.binding import attach
 from onika.runtime.bus import SEGMENT_SIZE, Bus
-from onika.testing.worlds import MassWorld
+from kit.worlds import MassWorld
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

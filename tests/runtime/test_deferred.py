@@ -6,8 +6,8 @@ from hypothesis import given, settings, strategies as st
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.deferred import PATIENCE_NS
-from onika.testing.rig import HOME, Rig
-from onika.testing.source import COUNTER, module
+from kit.rig import HOME, Rig
+from kit.source import COUNTER, module
 
 MS = 1_000_000
 

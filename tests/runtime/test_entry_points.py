@@ -4,8 +4,8 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig, rig_of
-from onika.testing.source import COUNTER, cycle, module
+from kit.rig import HOME, Rig, rig_of
+from kit.source import COUNTER, cycle, module
 
 MS = 1_000_000
 

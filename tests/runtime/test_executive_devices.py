@@ -5,9 +5,9 @@ import pytest
 from onika.model.lifecycle import State
 from onika.ring.device import Drive
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig
-from onika.testing.source import HEAD, module
-from onika.testing.worlds import MassWorld
+from kit.rig import HOME, Rig
+from kit.source import HEAD, module
+from kit.worlds import MassWorld
 
 MS = 1_000_000
 

@@ -6,9 +6,9 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.outsider import Outsider
-from onika.testing.rig import HOME, rig_of
-from onika.testing.source import COUNTER, module
+from onika.testing.fake_partner import Outsider
+from kit.rig import HOME, rig_of
+from kit.source import COUNTER, module
 
 MS = 1_000_000
 

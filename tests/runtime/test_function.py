@@ -11,7 +11,7 @@ from onika.runtime import command, news
 from onika.runtime.code import load
 from onika.runtime.sheet import sheet_of
 from onika.testing.bench import Bench
-from onika.testing.rig import Rig
+from kit.rig import Rig
 
 MS = 1_000_000
 SPRING = '''

@@ -10,9 +10,9 @@ from onika.ring.slots import LONGEST_SEALED, Ring
 from onika.runtime import command
 from onika.runtime.integrity import Accessor, accessor, check
 from onika.runtime.wiring import wire
-from onika.testing.build import task as planned
-from onika.testing.rig import Rig
-from onika.testing.source import module
+from kit.build import task as planned
+from kit.rig import Rig
+from kit.source import module
 
 MS = 1_000_000
 

@@ -9,8 +9,8 @@ from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
 from onika.ring.device import Drive, Order
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
-from onika.testing.rig import Rig
-from onika.testing.source import module
+from kit.rig import Rig
+from kit.source import module
 
 
 class Plain(Module):

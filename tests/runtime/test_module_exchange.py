@@ -7,9 +7,9 @@ import pytest
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.statistics import status_of
-from onika.testing.rig import HOME, Rig
-from onika.testing.source import COUNTER, cycle, module
-from onika.testing.worlds import MassWorld
+from kit.rig import HOME, Rig
+from kit.source import COUNTER, cycle, module
+from kit.worlds import MassWorld
 
 MS = 1_000_000
 OLD = module(

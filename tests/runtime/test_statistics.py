@@ -5,7 +5,7 @@ import pytest
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.statistics import load_of, status_of, values_of
-from onika.testing.rig import HOME, Rig
+from kit.rig import HOME, Rig
 
 MS = 1_000_000
 SOURCE = """

@@ -10,7 +10,7 @@ from onika.runtime.sheet import sheet_of
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire
-from onika.testing.build import task
+from kit.build import task
 from onika.words.shape import Shape
 
 Q, X = "double[NDOF]", "double[4,4]"

@@ -4,8 +4,8 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig, rig_of
-from onika.testing.source import module
+from kit.rig import HOME, Rig, rig_of
+from kit.source import module
 from onika.words.shape import Shape
 
 MS = 1_000_000

@@ -5,8 +5,8 @@ from msgspec import structs
 
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.rig import HOME, Rig, rig_of
-from onika.testing.source import COUNTER, HEAD, module
+from kit.rig import HOME, Rig, rig_of
+from kit.source import COUNTER, HEAD, module
 
 MS = 1_000_000
 

@@ -6,8 +6,8 @@ import pytest
 
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Unit
-from onika.testing.rig import HOME, Rig
-from onika.testing.source import COUNTER, module
+from kit.rig import HOME, Rig
+from kit.source import COUNTER, module
 
 MS = 1_000_000
 

@@ -5,7 +5,7 @@ import msgspec
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import disagreements, missing_constants, upstream, wire
-from onika.testing.build import task
+from kit.build import task
 from onika.words.shape import Shape
 
 

@@ -6,8 +6,8 @@ import pytest
 
 from onika.cli import main
 from onika.store.site import open_site, shipped
-from onika.testing.console import Console
-from onika.testing.laboratory import Laboratory, job, target
+from kit.console import Console
+from kit.laboratory import Laboratory, job, target
 
 pytestmark = pytest.mark.site
 

@@ -9,7 +9,7 @@ import pytest
 
 from onika.cli import main
 from onika.store.site import shipped_directories
-from onika.testing.laboratory import HOLE, Laboratory, job, joints, target
+from kit.laboratory import HOLE, Laboratory, job, joints, target
 
 pytestmark = pytest.mark.site
 

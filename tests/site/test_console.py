@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from onika.testing.console import ONIKA, Console
+from kit.console import ONIKA, Console
 
 pytestmark = pytest.mark.site
 

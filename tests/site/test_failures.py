@@ -9,8 +9,8 @@ from pathlib import Path
 
 import pytest
 
-from onika.testing.console import Console
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.console import Console
+from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
 

@@ -15,7 +15,7 @@ from onika.desk.trial.judging import judge
 from onika.desk.trial.trial import limit_of, read, settings_of, try_all
 from onika.files import appl, onk
 from onika.store.site import open_site
-from onika.testing.mutants import mutants
+from kit.mutants import mutants
 
 pytestmark = pytest.mark.site
 

@@ -13,8 +13,8 @@ from onika.host.sessions.request_server import Call
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.store.site import open_site, shipped
-from onika.testing.asker import OpenGate
-from onika.testing.laboratory import Laboratory, job, target
+from kit.asker import OpenGate
+from kit.laboratory import Laboratory, job, target
 from onika.wire import event, request, steer
 
 pytestmark = pytest.mark.site

@@ -8,8 +8,8 @@ cycles more than those without. On a machine of its own, with real-time priority
 import pytest
 
 from onika.desk.run.runtime import Runtime
-from onika.testing.hand import COUNTER, SOURCE, USER
-from onika.testing.workshop import Workshop
+from kit.hand import COUNTER, SOURCE, USER
+from kit.workshop import Workshop
 from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site

@@ -20,7 +20,7 @@ from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import Cause, LinkLost
 from onika.link.websocket_opening import Opening
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 from onika.wire import event, live, request, steer
 from onika.wire.packet import Hello, Request, encode
 

@@ -14,7 +14,7 @@ import pytest
 from onika.cli import main
 from onika.laws import puma560
 from onika.store.site import shipped
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
 

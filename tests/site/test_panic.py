@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from onika.testing.console import ONIKA
+from kit.console import ONIKA
 
 pytestmark = pytest.mark.site
 

@@ -5,7 +5,7 @@ import struct
 import pytest
 
 from onika.cli import main
-from onika.testing.laboratory import Laboratory, job
+from kit.laboratory import Laboratory, job
 
 pytestmark = pytest.mark.site
 

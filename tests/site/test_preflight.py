@@ -10,7 +10,7 @@ from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.model.redirect import Redirect
 from onika.store.site import open_site, shipped
-from onika.testing.laboratory import Laboratory, job, joints, target
+from kit.laboratory import Laboratory, job, joints, target
 
 LEANS, FAR = "the hand would lean", "the wrist would be"
 MODES, ONE_DEVICE = "all arms of a world are of one mode", "claims it too"

@@ -9,8 +9,8 @@ import subprocess
 import pytest
 
 from onika.cli import main
-from onika.testing.console import ONIKA
-from onika.testing.laboratory import Laboratory, job
+from kit.console import ONIKA
+from kit.laboratory import Laboratory, job
 
 pytestmark = pytest.mark.site
 

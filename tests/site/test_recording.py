@@ -18,9 +18,9 @@ from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import Tolerance
 from onika.store.site import open_site
-from onika.testing.console import ONIKA
-from onika.testing.laboratory import Laboratory, job
-from onika.testing.sitting import Sitting
+from kit.console import ONIKA
+from kit.laboratory import Laboratory, job
+from kit.sitting import Sitting
 from onika.wire import act, event, request, steer
 
 pytestmark = pytest.mark.site

@@ -4,7 +4,7 @@ import pytest
 
 from onika.cli import main
 from onika.store.site import open_site
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from onika.cli import main
-from onika.testing.laboratory import HOLE, Laboratory, job, joints, target
+from kit.laboratory import HOLE, Laboratory, job, joints, target
 
 pytestmark = pytest.mark.site
 

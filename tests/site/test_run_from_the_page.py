@@ -17,7 +17,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.store.library import open_libraries
 from onika.store.site import open_site
-from onika.testing.laboratory import Laboratory, job, joints, target
+from kit.laboratory import Laboratory, job, joints, target
 from onika.wire import act
 
 pytestmark = pytest.mark.site

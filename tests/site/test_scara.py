@@ -11,8 +11,8 @@ from onika.host.program import Program
 from onika.host.units.virtual import VirtualDriver
 from onika.laws import adept_one, reach
 from onika.store.site import open_site
-from onika.testing.asker import OpenGate
-from onika.testing.laboratory import Laboratory, job, joints, target
+from kit.asker import OpenGate
+from kit.laboratory import Laboratory, job, joints, target
 from onika.wire import event, request
 from onika.workcell.boxes import BoxesWorld
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from onika.cli import main
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from onika.cli import main
-from onika.testing.laboratory import Laboratory, job
+from kit.laboratory import Laboratory, job
 
 ECHO = """
 import os

@@ -14,7 +14,7 @@ from onika.desk.environment.runtime_thread import Station
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
 from onika.store.site import open_site
-from onika.testing.cabinet import WHITE
+from kit.cabinet import WHITE
 from onika.wire import act
 
 pytestmark = pytest.mark.site

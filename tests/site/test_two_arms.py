@@ -11,7 +11,7 @@ from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
-from onika.testing.asker import OpenGate
+from kit.asker import OpenGate
 from onika.wire import event, request
 from onika.workcell.boxes import BoxesWorld
 

@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.web.app import application
 from onika.web.hub import Hall
 from onika.web.login import Door

@@ -4,7 +4,7 @@ import msgspec
 import pytest
 
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.web.hub import Hall
 from onika.wire import act, page
 

@@ -11,7 +11,7 @@ from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
-from onika.testing.laboratory import Laboratory, job
+from kit.laboratory import Laboratory, job
 from onika.web.program import Program, Wishes
 from onika.web.server import bound
 

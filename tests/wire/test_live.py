@@ -2,8 +2,8 @@
 
 import pytest
 
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire import live, request
 from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 

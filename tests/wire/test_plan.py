@@ -1,7 +1,7 @@
 import msgspec
 
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire.plan import Plan
 
 

@@ -1,8 +1,8 @@
 import msgspec
 import pytest
 
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire import holding, live, request, steer
 
 PLAN = rail().plan([action("mass", "servo", arguments="1")])

@@ -6,7 +6,7 @@ import pytest
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import Drive, Order
-from onika.testing.assembler import DT, GRASP_M, Assembler
+from kit.assembler import DT, GRASP_M, Assembler
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

@@ -7,7 +7,7 @@ from onika.laws import adept_one, puma560
 from onika.laws.arm import Arm
 from onika.laws.filter import Derivative
 from onika.ring.device import Drive, Order
-from onika.testing.assembler import DT, Assembler
+from kit.assembler import DT, Assembler
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

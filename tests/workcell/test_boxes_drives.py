@@ -8,7 +8,7 @@ import pytest
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import Drive, DriveEvent, Order
-from onika.testing.assembler import DT, Assembler
+from kit.assembler import DT, Assembler
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

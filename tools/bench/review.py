@@ -17,6 +17,7 @@ from typing import Any
 import msgspec
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
 from onika.desk.environment.initial_model import opened
 from onika.record.reader import Reader
@@ -24,7 +25,7 @@ from onika.record.run import Run
 from onika.record.topics import EVENTS
 from onika.record.writer import Writer
 from onika.store.site import open_site
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 _GLANCES = 200

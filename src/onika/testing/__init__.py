@@ -1,1 +1,1 @@
-"""The test kit: builders, playbooks, fakes, a simulated network. Imported by tests only."""
+"""What authors of modules test with: a bench for one module, a device on it, an outside partner (guide 6)."""

@@ -4,7 +4,7 @@ from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
 from onika.desk.console.session import Session
 from onika.store.site import open_site
-from onika.testing.live_runtime import LiveRuntime
+from kit.live_runtime import LiveRuntime
 from onika.wire import event
 
 ENDPOINT = event.Item("endpoint", "double", 2, "rad", "where to go", None, (-1.0, -1.0), (1.0, 1.0))

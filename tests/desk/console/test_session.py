@@ -1,7 +1,7 @@
 import pytest
 
 from onika.desk.console.session import Session
-from onika.testing.live_runtime import LiveRuntime
+from kit.live_runtime import LiveRuntime
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
 

@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.console.site_library import Library, altered
 from onika.store.site import open_site
-from onika.testing.build import task
+from kit.build import task
 from onika.words.fault import Place
 
 

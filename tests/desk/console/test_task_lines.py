@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.laboratory import Laboratory
+from kit.laboratory import Laboratory
 from onika.wire import live
 
 CMOVE = ("puma", "diff", "gravcomp", "pd", "torque_sum", "led_monitor", "fwdkin", "invkin", "ctraj")

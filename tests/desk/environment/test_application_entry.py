@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.application_entry import Names, things
 from onika.desk.environment.diary_entry import entry
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 
 

@@ -3,7 +3,7 @@ import pytest
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.files import buttons as file
 from onika.model.button import Button
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act, view
 from onika.words.fault import Refusal
 

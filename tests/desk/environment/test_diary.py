@@ -1,7 +1,7 @@
 import pytest
 
 from onika.desk.environment.diary import Diary
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 

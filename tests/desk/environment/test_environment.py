@@ -2,7 +2,7 @@ from hypothesis import given, settings, strategies as st
 
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act, live, page, request
 
 NAMES = ("a", "b", "c", "d")

@@ -5,9 +5,9 @@ import pytest
 
 from onika.desk.environment.frames import Frames
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
+from kit.duet import Duet
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
 from onika.wire import live, page, reading
 
 

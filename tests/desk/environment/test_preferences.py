@@ -7,7 +7,7 @@ from onika.desk.environment.state import settings
 from onika.files import preferences as file
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 

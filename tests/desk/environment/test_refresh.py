@@ -9,7 +9,7 @@ from onika.desk.environment.state.live import Live
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 A = Task("a", "a", outvar=("Q",), frequency=10.0)

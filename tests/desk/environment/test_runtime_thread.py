@@ -14,8 +14,8 @@ from onika.desk.run.runtime import Reply
 from onika.link.lost import Cause, LinkLost
 from onika.model.lifecycle import State
 from onika.model.task import Task
-from onika.testing.live_runtime import LiveRuntime
-from onika.testing.sitting import Sitting
+from kit.live_runtime import LiveRuntime
+from kit.sitting import Sitting
 from onika.wire import act, event, live, reading
 
 PATIENCE_S = 20.0

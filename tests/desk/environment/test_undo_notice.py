@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 
 from onika.desk.environment.outcome.outcome import Done
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 
 

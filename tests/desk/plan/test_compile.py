@@ -5,7 +5,7 @@ import pytest
 from onika.desk.plan.compile import Compiler, rtpus_of
 from onika.store.program import load
 from onika.store.site import open_site
-from onika.testing.laboratory import HOLE, Laboratory, job, joints
+from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.wire.plan import Plan
 from onika.words.fault import Place
 

@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.plan.preparation import fault_of, prepare, prepare_run
 from onika.store.site import open_site
-from onika.testing.laboratory import HOLE, Laboratory, job, joints
+from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.wire.request import FaultText
 from onika.words.fault import Place
 

@@ -3,7 +3,7 @@ import pytest
 
 from onika.desk.run.run_review import Interval, Review
 from onika.record import foxglove, topics
-from onika.testing.tape import Tape
+from kit.tape import Tape
 from onika.wire import event
 
 EVENTS = (

@@ -9,8 +9,8 @@ from onika.desk.run import runtime as room
 from onika.desk.run.runtime import Reply, Runtime
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
-from onika.testing.rail import rail
-from onika.testing.workshop import Workshop, action
+from kit.rail import rail
+from kit.workshop import Workshop, action
 from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site

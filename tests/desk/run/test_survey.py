@@ -5,7 +5,7 @@ import pytest
 from onika.desk.run import survey as room
 from onika.desk.run.survey import survey
 from onika.store.site import open_site
-from onika.testing.laboratory import Laboratory, job, joints
+from kit.laboratory import Laboratory, job, joints
 from onika.wire import request
 
 MODULE = "from onika.module import InVar, Module\nclass Wink(Module):\n    Y = InVar('double')\n"

@@ -14,8 +14,8 @@ from onika.ring.segment import Segment
 from onika.runtime import news
 from onika.runtime.table import Table
 from onika.runtime.user_input import AskedItem
-from onika.testing.rail import YardLoading
-from onika.testing.workshop import Workshop, action
+from kit.rail import YardLoading
+from kit.workshop import Workshop, action
 from onika.words.shape import Shape
 
 MS = 1_000_000

@@ -9,8 +9,8 @@ from onika.host.diagnosis.variable_history import History
 from onika.host.loading.plan_preparation import prepare
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
-from onika.testing.rail import YardLoading
-from onika.testing.workshop import Workshop, action
+from kit.rail import YardLoading
+from kit.workshop import Workshop, action
 from onika.wire.event import decode, encode
 from onika.wire.steer import Position
 from onika.words.shape import Shape

@@ -4,7 +4,7 @@ from onika.host.diagnosis.nan_origin import Suspicion, is_no_number, suspicion
 from onika.module import InVar, Module, OutVar
 from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import wire
-from onika.testing.workshop import Workshop
+from kit.workshop import Workshop
 
 
 def task(name, reads=(), writes=()):

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.hand import COUNTER, READER, SOURCE, USER, hand_with_tasks
-from onika.testing.rail import MASS, rail
+from kit.hand import COUNTER, READER, SOURCE, USER, hand_with_tasks
+from kit.rail import MASS, rail
 from onika.wire import live, request
 
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.hand import COUNTER, USER, hand_with_tasks
-from onika.testing.rail import SERVO, rail
+from kit.hand import COUNTER, USER, hand_with_tasks
+from kit.rail import SERVO, rail
 from onika.wire import event, live
 from onika.wire.request import Reply
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from onika.testing.hand import COUNTER, Hand, hand_with_tasks
-from onika.testing.rail import MASS, rail
+from kit.hand import COUNTER, Hand, hand_with_tasks
+from kit.rail import MASS, rail
 from onika.wire import event, live, request
 
 GIVER = """

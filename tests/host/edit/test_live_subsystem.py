@@ -9,8 +9,8 @@ from onika.runtime.code import load
 from onika.runtime.sheet import sheet_of
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire
-from onika.testing.hand import BROKEN, COUNTER, SOURCE, hand_with_tasks
-from onika.testing.workshop import Workshop
+from kit.hand import BROKEN, COUNTER, SOURCE, hand_with_tasks
+from kit.workshop import Workshop
 from onika.wire import event, live
 from onika.wire.request import Stop
 

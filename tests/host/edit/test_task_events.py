@@ -6,7 +6,7 @@ from msgspec import structs
 from onika.host.edit.task_events import told
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
-from onika.testing.hand import Hand
+from kit.hand import Hand
 from onika.wire import event, live
 
 SPEAKER = """

@@ -1,8 +1,8 @@
 import pytest
 
 from onika.host.edit.task_spawner import Cradle, plainly
-from onika.testing.hand import Hand, hand_with_tasks
-from onika.testing.rail import rail
+from kit.hand import Hand, hand_with_tasks
+from kit.rail import rail
 
 BYSTANDER = """
 from onika.module import Module, OutVar

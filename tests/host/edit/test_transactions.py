@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.hand import BROKEN, COUNTER, SOURCE, SULKY, USER, Hand, hand_with_tasks
-from onika.testing.rail import MASS, rail
+from kit.hand import BROKEN, COUNTER, SOURCE, SULKY, USER, Hand, hand_with_tasks
+from kit.rail import MASS, rail
 from onika.wire import event, live
 from onika.wire.request import Reply
 

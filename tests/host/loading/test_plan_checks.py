@@ -12,9 +12,9 @@ from onika.host.loading.plan_checks import (
 from onika.module import InConst, InVar, Module, OutConst, OutVar
 from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import wire
-from onika.testing.hand import SOURCE
-from onika.testing.rail import YardLoading
-from onika.testing.workshop import Workshop
+from kit.hand import SOURCE
+from kit.rail import YardLoading
+from kit.workshop import Workshop
 from onika.words.fault import Place
 
 

@@ -4,7 +4,7 @@ from msgspec.structs import replace
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.loading.target_resolution import JOINT
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 from onika.wire.request import TargetValues
 
 ROBOT = """

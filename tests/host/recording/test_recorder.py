@@ -8,9 +8,9 @@ from onika.record import topics
 from onika.record.reader import Reader
 from onika.record.run import Run
 from onika.record.series import Series
-from onika.testing.asker import Asker
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.asker import Asker
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire import event, live, request, steer
 
 PLAN = rail().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])

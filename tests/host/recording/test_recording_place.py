@@ -9,7 +9,7 @@ from onika.host.recording.recording_place import Beside, InPlace
 from onika.host.recording.recording_sink import Finish, Start, Tell
 from onika.record import topics
 from onika.record.reader import Reader
-from onika.testing.tape import run
+from kit.tape import run
 
 TELL = Tell(topics.EVENTS, 5, b'{"subsystem":"","event":{"type":"Done","flow":0,"index":0,"at_s":0.0}}')
 

@@ -16,7 +16,7 @@ from onika.record.run import Run
 from onika.record.series import Series
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
-from onika.testing.tape import run
+from kit.tape import run
 from onika.words.shape import Shape
 
 

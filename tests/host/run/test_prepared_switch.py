@@ -13,7 +13,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 
 
 class Units:

@@ -1,6 +1,6 @@
-from onika.testing.hand import Hand
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.hand import Hand
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire import event, request
 
 

@@ -3,7 +3,7 @@ from onika.host.run.run_events import Herald
 from onika.host.run.run_statistics import Meeting
 from onika.model.lifecycle import State
 from onika.runtime import news
-from onika.testing import build
+from kit import build
 from onika.wire import event
 
 

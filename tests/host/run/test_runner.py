@@ -8,8 +8,8 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.runtime.user_input import AskedItem
-from onika.testing.rail import YardLoading
-from onika.testing.workshop import Workshop, action
+from kit.rail import YardLoading
+from kit.workshop import Workshop, action
 from onika.wire import event
 from onika.wire.request import Begin
 

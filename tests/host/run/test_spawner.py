@@ -7,8 +7,8 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.rail import YardLoading, rail
-from onika.testing.workshop import action
+from kit.rail import YardLoading, rail
+from kit.workshop import action
 
 
 class Units:

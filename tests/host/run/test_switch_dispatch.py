@@ -7,7 +7,7 @@ from onika.host.run.switch_dispatch import Switchboard
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 
 HOMES = {"a": "rt0", "b": "rt1", "c": "rt0", "d": "rt1", "e": "rt2"}
 

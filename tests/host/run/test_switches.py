@@ -12,7 +12,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 
 WRITER = "from onika.module import Module, OutVar\nclass {}(Module):\n    trigger = True\n    A = OutVar('double')\n"
 

@@ -1,8 +1,8 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from onika.testing.hand import hand_with_tasks
-from onika.testing.rail import rail
+from kit.hand import hand_with_tasks
+from kit.rail import rail
 from onika.wire import event, holding, live, request, steer
 
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from onika.testing.hand import hand_with_tasks
-from onika.testing.rail import rail
-from onika.testing.workshop import action
+from kit.hand import hand_with_tasks
+from kit.rail import rail
+from kit.workshop import action
 from onika.wire import event, live, request, steer
 
 

@@ -2,9 +2,9 @@
 
 import pytest
 
-from onika.testing.hand import hand_with_tasks
-from onika.testing.rail import MASS, SERVO, rail
-from onika.testing.workshop import action
+from kit.hand import hand_with_tasks
+from kit.rail import MASS, SERVO, rail
+from kit.workshop import action
 from onika.wire import event, holding, live, request, steer
 
 

@@ -10,7 +10,7 @@ from onika.link.connection import Connection
 from onika.link.link_events import Read, Signalled
 from onika.link.link_terms import CHILD
 from onika.link.sessions import Guests, Introduction
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 from onika.wire import event, live, request
 
 SECOND = 1_000_000_000

@@ -14,7 +14,7 @@ from onika.ring.device import Drive, Order
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE
-from onika.testing.worlds import MassWorld
+from kit.worlds import MassWorld
 
 
 def open_world(name):

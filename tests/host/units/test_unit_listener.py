@@ -4,7 +4,7 @@ import pytest
 
 from onika.host.subsystems import Stage
 from onika.host.units.unit_listener import Listener
-from onika.testing.hand import FrailDriver
+from kit.hand import FrailDriver
 
 WORDS = sorted(name for name in vars(Listener) if not name.startswith("_"))
 

@@ -10,10 +10,10 @@ from onika.host.units.virtual import VirtualDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.outsider import Outsider
-from onika.testing.rail import YardLoading, rail
-from onika.testing.workshop import Workshop, action
-from onika.testing.worlds import MassWorld
+from onika.testing.fake_partner import Outsider
+from kit.rail import YardLoading, rail
+from kit.workshop import Workshop, action
+from kit.worlds import MassWorld
 from onika.wire import event
 from onika.wire.request import Begin
 

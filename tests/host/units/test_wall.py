@@ -12,7 +12,7 @@ from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.store.site import shipped
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 from onika.wire import event
 from onika.wire.request import Begin
 

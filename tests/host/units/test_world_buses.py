@@ -1,7 +1,7 @@
 import pytest
 
 from onika.host.units.world_buses import Buses
-from onika.testing.worlds import MassWorld
+from kit.worlds import MassWorld
 
 MS = 1_000_000
 

@@ -3,7 +3,7 @@
 from hypothesis import given, settings, strategies as st
 
 from onika.model.rules import meetings
-from onika.testing.tree import Act, Loop, Pick, Side, planned
+from kit.tree import Act, Loop, Pick, Side, planned
 from onika.words.fault import Place
 
 NOOP = Act(tasks=(), is_noop=True)

@@ -3,8 +3,8 @@
 import pytest
 
 from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
-from onika.testing import build
-from onika.testing.tree import Act, Loop, Pick, Side, planned
+from kit import build
+from kit.tree import Act, Loop, Pick, Side, planned
 from onika.wire.plan import Do, Halt, Meet, Rest
 
 MEET = Act("a")

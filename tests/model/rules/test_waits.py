@@ -3,7 +3,7 @@
 from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.waits import Wait, Waits
-from onika.testing.tree import Act, Loop, Pick, Side, planned
+from kit.tree import Act, Loop, Pick, Side, planned
 from onika.wire.plan import Again, Choose, Fork, Halt, Join, Jump, Meet, Unless
 
 NOOP = Act(tasks=(), is_noop=True)

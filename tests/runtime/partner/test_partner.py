@@ -9,7 +9,7 @@ from hypothesis import given, settings, strategies as st
 from onika.runtime.error import ModuleError
 from onika.runtime.partner.partner import Partner
 from onika.runtime.partner.protocol import LONGEST
-from onika.testing.outsider import Outsider, wait
+from onika.testing.fake_partner import Outsider, wait
 
 ECHO = "import json, sys\nfor line in sys.stdin:\n    m = json.loads(line)\n"
 ECHO += "    print(json.dumps({'id': m['id'], 'x': m['x']}), flush=True)\n"

@@ -12,8 +12,8 @@ from onika.runtime.code import load
 from onika.runtime.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS
 from onika.runtime.transfer.bumpless_transfer import limit_of
-from onika.testing.rig import HOME, Rig
-from onika.testing.worlds import MassWorld
+from kit.rig import HOME, Rig
+from kit.worlds import MassWorld
 
 MS = 1_000_000
 LIMIT = 0.1

@@ -1,8 +1,8 @@
 import pytest
 
 from onika.runtime import command, news
-from onika.testing.rig import Rig
-from onika.testing.worlds import MassWorld
+from kit.rig import Rig
+from kit.worlds import MassWorld
 
 MS = 1_000_000
 

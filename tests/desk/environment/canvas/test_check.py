@@ -2,8 +2,8 @@ from dataclasses import replace
 
 from onika.desk.environment.state.open_application import Judgement
 from onika.model.task import Task
-from onika.testing.gallery import Gallery
-from onika.testing.sitting import Sitting
+from kit.gallery import Gallery
+from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import FaultView
 

@@ -2,7 +2,7 @@ import pytest
 
 from onika.model.configuration import Group, Placed
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

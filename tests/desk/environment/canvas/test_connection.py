@@ -3,9 +3,9 @@ import pytest
 from onika.desk.environment.canvas.connection import connected
 from onika.desk.environment.runs.runtime_loss import lost
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
+from kit.duet import Duet
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
 from onika.wire import act, live, request
 
 TASKS = (

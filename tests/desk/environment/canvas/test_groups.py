@@ -5,9 +5,9 @@ from onika.model.configuration import Group
 from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import Placed as Standing, exchange
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.laboratory import Laboratory
-from onika.testing.sitting import Sitting
+from kit.duet import Duet
+from kit.laboratory import Laboratory
+from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import GroupView
 

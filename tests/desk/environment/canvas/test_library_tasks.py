@@ -5,7 +5,7 @@ from hypothesis import given, settings, strategies as st
 
 from onika.files import rmod
 from onika.model.task import LocalLine, Task, TaskType
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 WRITER = Task("writer", "w", invar=("IN",), outvar=("Q", "R"), frequency=10.0)

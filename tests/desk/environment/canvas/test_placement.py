@@ -1,7 +1,7 @@
 import pytest
 
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

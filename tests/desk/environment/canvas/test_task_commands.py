@@ -4,9 +4,9 @@ import pytest
 
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task, TaskType
-from onika.testing.duet import Duet
-from onika.testing.laboratory import Laboratory
-from onika.testing.live_runtime import LiveRuntime
+from kit.duet import Duet
+from kit.laboratory import Laboratory
+from kit.live_runtime import LiveRuntime
 from onika.wire import act, event, live, request
 
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))

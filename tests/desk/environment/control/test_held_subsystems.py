@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.control import held_subsystems
 from onika.model.task import Task
-from onika.testing.duet import Duet
+from kit.duet import Duet
 from onika.wire import act, event, holding, live, request, steer
 from onika.wire.view import HoldView
 

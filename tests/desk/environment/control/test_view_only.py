@@ -5,7 +5,7 @@ import pytest
 
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task
-from onika.testing.duet import Duet
+from kit.duet import Duet
 from onika.wire import act, event, holding, live, request
 
 

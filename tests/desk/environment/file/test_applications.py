@@ -5,8 +5,8 @@ import pytest
 
 from onika.desk.environment.initial_model import opened
 from onika.store.site import Site, shipped
-from onika.testing.gallery import Gallery
-from onika.testing.sitting import Sitting
+from kit.gallery import Gallery
+from kit.sitting import Sitting
 from onika.wire import act
 
 SHIPPED = sorted((shipped() / "boxes" / "appl").glob("*.appl"))

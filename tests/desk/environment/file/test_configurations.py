@@ -1,8 +1,8 @@
 import pytest
 
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.sitting import Sitting
+from kit.duet import Duet
+from kit.sitting import Sitting
 from onika.wire import act, live
 
 TASKS = (

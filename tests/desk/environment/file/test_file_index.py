@@ -14,7 +14,7 @@ from onika.model.configuration import Configuration
 from onika.model.rules.iconify import ActionType
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import open_site
-from onika.testing.laboratory import HOLE, Laboratory, job
+from kit.laboratory import HOLE, Laboratory, job
 
 SYNTAX, _ = open_site([], {}, None).syntax()
 

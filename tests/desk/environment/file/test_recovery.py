@@ -13,8 +13,8 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration, Placed
 from onika.model.task import Task
-from onika.testing.gallery import Gallery
-from onika.testing.sitting import Sitting
+from kit.gallery import Gallery
+from kit.sitting import Sitting
 from onika.wire import act
 
 

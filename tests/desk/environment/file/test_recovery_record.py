@@ -8,7 +8,7 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.model.configuration import Configuration, Placed
 from onika.store.base_directory import BaseDirectory
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 from onika.words.fault import Refusal
 

@@ -5,7 +5,7 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 wants = st.dictionaries(st.sampled_from("abc"), st.booleans())

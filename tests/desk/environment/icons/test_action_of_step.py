@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
 from onika.model.application import AppFlow, Icon
-from onika.testing.gallery import ONIKONS, Gallery
+from kit.gallery import ONIKONS, Gallery
 
 
 @pytest.fixture

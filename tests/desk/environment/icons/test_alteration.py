@@ -3,7 +3,7 @@ import pytest
 from onika.desk.environment.icons.alteration import altered, flow_at, found, place_behind, reflowed
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 
 
 @pytest.fixture

@@ -2,8 +2,8 @@ import pytest
 
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon
-from onika.testing.cabinet import WHITE, Cabinet, plain
-from onika.testing.laboratory import HOLE, Laboratory, job
+from kit.cabinet import WHITE, Cabinet, plain
+from kit.laboratory import HOLE, Laboratory, job
 from onika.wire import act
 
 MOVE = job("jmoveC", "Joint job")

@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.icons.dictionaries import in_order, is_icon
 from onika.store.base_directory import BaseDirectory
-from onika.testing.cabinet import Cabinet, plain
+from kit.cabinet import Cabinet, plain
 from onika.wire import act
 
 

@@ -3,7 +3,7 @@ import pytest
 from onika.desk.environment.icons.fitting import fitting_behind, misfit, onikon
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow, Icon
-from onika.testing.gallery import ONIKONS, Gallery, onikon as made
+from kit.gallery import ONIKONS, Gallery, onikon as made
 from onika.wire import act
 
 

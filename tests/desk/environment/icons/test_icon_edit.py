@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 
 VALUES = (("1", "2", "3", "4", "5", "6"), ("0.5",))

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.gallery import ONIKONS, Gallery, onikon
+from kit.gallery import ONIKONS, Gallery, onikon
 from onika.wire import act
 
 

@@ -8,8 +8,8 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.site import shipped
-from onika.testing.cabinet import Cabinet, plain
-from onika.testing.sitting import Sitting
+from kit.cabinet import Cabinet, plain
+from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

@@ -4,7 +4,7 @@ from hypothesis import HealthCheck, given, settings, strategies as st
 from onika.desk.environment.icons.loops import for_pasting, tags
 from onika.model.application import AppFlow, Icon
 from onika.model.rules import loop
-from onika.testing.gallery import ONIKONS, Gallery
+from kit.gallery import ONIKONS, Gallery
 from onika.wire import act
 from onika.words.fault import Place
 

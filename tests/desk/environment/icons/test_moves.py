@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.cabinet import WHITE, Cabinet, plain
-from onika.testing.laboratory import Laboratory, target
+from kit.cabinet import WHITE, Cabinet, plain
+from kit.laboratory import Laboratory, target
 from onika.wire import act
 
 

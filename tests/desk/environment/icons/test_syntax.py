@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.cabinet import WHITE, Cabinet, plain
-from onika.testing.laboratory import HOLE, Laboratory, job
+from kit.cabinet import WHITE, Cabinet, plain
+from kit.laboratory import HOLE, Laboratory, job
 from onika.wire import act
 
 WELD = ("ONIKON Weld job", "LEFTEDGE 1", "RIGHTEDGE 7", "ONIKON Weld application", "LEFTEDGE 1", "RIGHTEDGE 7")

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.cabinet import WHITE, Cabinet, plain
+from kit.cabinet import WHITE, Cabinet, plain
 from onika.wire import act
 
 SECOND = (("1.5",),)

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.cabinet import Cabinet, plain
-from onika.testing.laboratory import HOLE, Laboratory, job
+from kit.cabinet import Cabinet, plain
+from kit.laboratory import HOLE, Laboratory, job
 
 TASK = """MODULE {0}\nDESC x\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE periodic\nFREQ 10\n{1}"""
 

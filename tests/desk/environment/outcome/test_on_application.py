@@ -8,7 +8,7 @@ from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
 from onika.store.site import open_site
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 from onika.words.fault import Place
 

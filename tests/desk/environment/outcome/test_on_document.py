@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.outcome import No
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 ACTS = (

@@ -6,7 +6,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from onika.desk.environment.outcome.unread_faults import not_run, told
 from onika.model.application import AppFlow, Application, Icon
-from onika.testing.gallery import ONIKONS, Gallery
+from kit.gallery import ONIKONS, Gallery
 from onika.wire import act
 from onika.words.fault import Fault, Place
 

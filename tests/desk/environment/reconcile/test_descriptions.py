@@ -7,8 +7,8 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile.descriptions import describe, forgotten
 from onika.desk.environment.refresh import refreshed
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.live_runtime import LiveRuntime
+from kit.duet import Duet
+from kit.live_runtime import LiveRuntime
 from onika.wire import act, live, request
 from onika.wire.sheet import ModuleSheet, PortSheet
 

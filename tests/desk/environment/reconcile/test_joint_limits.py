@@ -7,7 +7,7 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.target_items import items_of
 from onika.model.task import Task
 from onika.store.site import open_site
-from onika.testing.duet import Duet
+from kit.duet import Duet
 from onika.wire import act, live, request
 
 ARM = Task("arm", "arm", outconst=("QMIN", "QMAX", "OTHER"), frequency=100.0)

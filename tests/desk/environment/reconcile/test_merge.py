@@ -3,7 +3,7 @@ import pytest
 from onika.desk.environment.reconcile.merge import runtime_view, seen, task_of
 from onika.desk.plan.compile import planned_task
 from onika.model.task import LocalLine, Task
-from onika.testing.duet import Duet
+from kit.duet import Duet
 from onika.wire import act, live, request, view
 
 TASKS = (

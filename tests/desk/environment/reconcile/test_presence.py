@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.reconcile.presence import you
 from onika.model.task import Task
-from onika.testing.duet import Duet
+from kit.duet import Duet
 from onika.wire import act, event, holding
 
 

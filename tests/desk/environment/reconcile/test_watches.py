@@ -4,9 +4,9 @@ import pytest
 
 from onika.desk.environment.reconcile.watches import Watching, homes_of, keys_of
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
+from kit.duet import Duet
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
 from onika.wire import holding, live
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.cinema import Cinema
+from kit.cinema import Cinema
 
 
 @pytest.fixture

@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 from msgspec import structs
 
-from onika.testing.laboratory import job
+from kit.laboratory import job
 from onika.wire import act
 
 

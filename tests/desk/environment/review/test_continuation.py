@@ -15,9 +15,9 @@ from onika.desk.environment.runtime_thread import Station
 from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings
 from onika.store.site import open_site
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
-from onika.testing.tape import Tape, run as recorded
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
+from kit.tape import Tape, run as recorded
 from onika.wire import act, event, live, request, steer
 
 

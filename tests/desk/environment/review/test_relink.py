@@ -1,8 +1,8 @@
 import pytest
 from msgspec import structs
 
-from onika.testing.laboratory import job
-from onika.testing.tape import Tape, run
+from kit.laboratory import job
+from kit.tape import Tape, run
 from onika.wire import act, request
 
 THREE = [job("aC"), job("bC"), job("cC")]

@@ -1,9 +1,9 @@
 import pytest
 from msgspec import structs
 
-from onika.testing.cinema import LAMP
-from onika.testing.laboratory import job
-from onika.testing.tape import Tape, run
+from kit.cinema import LAMP
+from kit.laboratory import job
+from kit.tape import Tape, run
 from onika.wire import act, event
 
 

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.laboratory import job
+from kit.laboratory import job
 from onika.wire import event, live, request, steer
 
 STOP = event.Explained("flow0", "b", "bC", 1, "", "b failed", "", 0, (), (), (("retry", "again"),), 1.5, "error")

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.laboratory import job, joints
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import job, joints
+from kit.rehearsal import Rehearsal
 
 TRIGGER = (
     "MODULE a\nDESC a\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR A\nTASKTYPE periodic\nFREQ 10\n\n"

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.testing.laboratory import job
+from kit.laboratory import job
 from onika.wire import event
 
 

@@ -2,7 +2,7 @@ from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.replay import Replay
 from onika.desk.environment.run_state.run import begun
-from onika.testing.tape import run
+from kit.tape import run
 from onika.wire import event
 
 PLAN = run().prepare.plan

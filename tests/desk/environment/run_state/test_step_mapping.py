@@ -4,7 +4,7 @@ from msgspec import structs
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
 from onika.desk.environment.run_state.step_mapping import Present, recast
-from onika.testing.tape import run
+from kit.tape import run
 from onika.wire.plan import Plan, PlannedAction, PlannedFlow
 
 

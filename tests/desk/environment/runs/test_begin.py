@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.laboratory import HOLE, job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
 from onika.wire import act, event, live, request
 
 

@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 
 from onika.desk.environment.runs import flow_placement
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
 from onika.wire import act, view
 
 

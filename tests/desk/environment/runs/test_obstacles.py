@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.laboratory import Laboratory, job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import Laboratory, job
+from kit.rehearsal import Rehearsal
 from onika.wire import act, live
 
 TWIN = "MODULE b\nDESC a twin\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR E\nTASKTYPE periodic\nFREQ 10"

@@ -1,8 +1,8 @@
 import pytest
 from msgspec.structs import replace
 
-from onika.testing.laboratory import HOLE, job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
 from onika.wire import act, request
 
 FAR = ("a target within reach", "home: joint 3 at 9.00 rad is beyond 3.93", "the application is not run")

@@ -3,8 +3,8 @@ import pytest
 from onika.desk.environment.runs.preflight_result import worth_noting
 from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import Looked
-from onika.testing.laboratory import job, target
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import job, target
+from kit.rehearsal import Rehearsal
 from onika.wire import act, request
 
 

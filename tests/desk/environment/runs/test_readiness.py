@@ -10,9 +10,9 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.flow_path import numbered, spots
 from onika.store.site import open_site
-from onika.testing.laboratory import HOLE, job
-from onika.testing.rehearsal import Rehearsal
-from onika.testing.sitting import Sitting
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
+from kit.sitting import Sitting
 from onika.wire import act
 
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
 from onika.wire import act, live, request
 
 

@@ -2,10 +2,10 @@ import pytest
 
 from onika.desk.environment.runs.runtime_loss import lost, with_loads
 from onika.model.task import Task
-from onika.testing.duet import Duet
-from onika.testing.laboratory import job
-from onika.testing.live_runtime import LiveRuntime
-from onika.testing.rehearsal import Rehearsal
+from kit.duet import Duet
+from kit.laboratory import job
+from kit.live_runtime import LiveRuntime
+from kit.rehearsal import Rehearsal
 from onika.wire import act
 
 

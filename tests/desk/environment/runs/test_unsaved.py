@@ -1,8 +1,8 @@
 import pytest
 
 from onika.desk.environment.runs.unsaved import dirty
-from onika.testing.laboratory import job
-from onika.testing.rehearsal import Rehearsal
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
 from onika.wire import act
 
 

@@ -4,7 +4,7 @@ import pytest
 
 from onika.desk.environment.show.application_view import ApplicationSight
 from onika.desk.environment.state.open_application import Judgement
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 from onika.wire.view import FaultView
 

@@ -1,5 +1,5 @@
 from onika.model.task import Task
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

@@ -5,7 +5,7 @@ from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.task import Task
 from onika.store.library import open_libraries
 from onika.store.site import Site, shipped
-from onika.testing.sitting import Sitting
+from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import PeekView
 

@@ -1,4 +1,4 @@
-from onika.testing.duet import Duet
+from kit.duet import Duet
 from onika.wire import act
 
 

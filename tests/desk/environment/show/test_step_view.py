@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.show.step_view import step_views
-from onika.testing.gallery import Gallery
+from kit.gallery import Gallery
 from onika.wire import act
 
 

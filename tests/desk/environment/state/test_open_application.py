@@ -4,7 +4,7 @@ from pathlib import Path
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.model.application import AppFlow, Application, Icon
 from onika.store.opened_text import Opened
-from onika.testing.gallery import ONIKONS
+from kit.gallery import ONIKONS
 
 EMPTY = Application("a", False, (AppFlow(()),))
 GRIP = Application("a", False, (AppFlow((Icon(ONIKONS[0], number=1),)),))

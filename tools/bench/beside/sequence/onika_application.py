@@ -15,7 +15,7 @@ from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
 from onika.host.units.call_watchdog import Patience
 from onika.host.units.virtual import VirtualDriver
-from onika.testing.workshop import Workshop, action
+from kit.workshop import Workshop, action
 from onika.wire import event, request
 
 ACTIONS = 24

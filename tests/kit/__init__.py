@@ -1,0 +1,1 @@
+"""The kit of the tests: builders of plans and files, fixtures of both programs, fakes, simulators and oracles."""
