@@ -4,12 +4,12 @@ import signal
 
 import pytest
 
+from kit.live_runtime import LiveRuntime
 from onika.cli import console_session as room
 from onika.cli.console_session import sit_down
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
 from onika.store.site import open_site
-from kit.live_runtime import LiveRuntime
 
 SITE = open_site([], {}, None)
 

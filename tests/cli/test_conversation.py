@@ -3,12 +3,12 @@ import signal
 
 import pytest
 
+from kit.live_runtime import LiveRuntime
 from onika.cli.conversation import converse, run_batch, serve
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
 from onika.desk.console.session import Session
 from onika.store.site import open_site
-from kit.live_runtime import LiveRuntime
 from onika.wire import event
 
 ITEM = event.Item("level", "double", 1, "m", "how high", None, None, None)

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.cli import main
 from kit.tape import Tape, run
+from onika.cli import main
 
 
 @pytest.fixture

@@ -6,11 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
 from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.runs.readiness import Judge, judged
 from onika.desk.environment.runs.runtime_loss import lost
-from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
 from onika.wire import act
 from onika.words.fault import Fault, Place
 

@@ -2,11 +2,11 @@ import sys
 
 import pytest
 
+from kit import build
+from kit.play import Play
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Moved, Note, Settle, Spawn, Start, Switch
-from kit import build
-from kit.play import Play
 
 REACH = build.job("move", trigger="move", arguments="1 2")
 

@@ -2,6 +2,9 @@ from typing import get_args
 
 import pytest
 
+from kit import build
+from kit.scene import JOB, ends
+from kit.script import bottom, nested, program
 from onika.engine.flow import FlowState
 from onika.engine.news import (
     Abort,
@@ -21,9 +24,6 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Moved
-from kit import build
-from kit.scene import JOB, ends
-from kit.script import bottom, nested, program
 from onika.wire.plan import Do, Meet
 
 MEET = build.job("move", trigger="move", synch_tag="meet")

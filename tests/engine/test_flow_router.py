@@ -1,12 +1,12 @@
+from kit import build
+from kit.scene import JOB, NOOP
+from kit.script import bottom, nested, program
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_router import Itinerary
 from onika.engine.orders import Began, Moved, Settle, Switch, Together
 from onika.engine.program import Program
 from onika.engine.progress import Progress
 from onika.engine.step import steps
-from kit import build
-from kit.scene import JOB, NOOP
-from kit.script import bottom, nested, program
 from onika.wire.plan import Do, Halt
 
 MEET = build.job("move", trigger="move", synch_tag="meet")

@@ -1,7 +1,7 @@
+from kit import build
 from onika.engine.flow_tasks import Crew
 from onika.engine.orders import Kill, Off, Spawn, Start, Switch
 from onika.engine.step import steps
-from kit import build
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 GRASP = build.job("grip", "puma", trigger="grip")

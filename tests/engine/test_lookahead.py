@@ -1,10 +1,10 @@
 from hypothesis import given, settings, strategies as st
 
+from kit import build
+from kit.script import bottom, branch, program, top
 from onika.engine.lookahead import ways
 from onika.engine.program import Program
 from onika.engine.walk import Value, walk
-from kit import build
-from kit.script import bottom, branch, program, top
 from onika.wire.plan import Do, Rest
 
 JOB = build.job("move", trigger="move")

@@ -1,6 +1,6 @@
+from kit import build
 from onika.engine.meeting import Meetings
 from onika.engine.program import Program
-from kit import build
 from onika.wire.plan import Do, Halt, Meet
 
 FREE = build.job("a", trigger="a")

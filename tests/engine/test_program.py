@@ -1,8 +1,8 @@
 import pytest
 
-from onika.engine.program import Loop, Program, straight
 from kit import build
 from kit.script import bottom, branch, nested, program, top
+from onika.engine.program import Loop, Program, straight
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Join, Jump, Meet, Rest, Unless
 
 JOB = build.job("move", trigger="move")

@@ -1,13 +1,13 @@
 import pytest
 
+from kit import build
+from kit.script import bottom, program, top
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.orders import Began, Done, Moved, Note, Start, Switch
 from onika.engine.program import Program
 from onika.engine.progress import Progress
 from onika.engine.step import steps
 from onika.engine.walk import Value
-from kit import build
-from kit.script import bottom, program, top
 from onika.wire.plan import Do, Halt
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")

@@ -1,7 +1,7 @@
-from onika.engine.news import Cleared, Failed, Finished, Recover, Run, Spawned, TurnedOn
-from onika.engine.orders import Clear, Off
 from kit import build
 from kit.scene import begins
+from onika.engine.news import Cleared, Failed, Finished, Recover, Run, Spawned, TurnedOn
+from onika.engine.orders import Clear, Off
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 

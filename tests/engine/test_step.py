@@ -1,8 +1,8 @@
 import pytest
 
+from kit import build
 from onika.engine.orders import Start
 from onika.engine.step import steps
-from kit import build
 
 
 def made(job, *, trigger=None, others=(), ranks=None):

@@ -1,9 +1,9 @@
 import pytest
 
-from onika.engine.program import Program
-from onika.engine.walk import NOOP, Value, walk
 from kit import build
 from kit.script import bottom, branch, program, top
+from onika.engine.program import Program
+from onika.engine.walk import NOOP, Value, walk
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
 
 JOB = build.job("move", trigger="move")

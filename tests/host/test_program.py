@@ -1,9 +1,9 @@
 import pytest
 
-from onika.host.loading.loader_client import NotYet
 from kit.asker import Asker
 from kit.rail import YardLoading, rail
 from kit.workshop import action
+from onika.host.loading.loader_client import NotYet
 from onika.wire import event, live, request
 from onika.wire.request import TargetValues
 

@@ -1,9 +1,9 @@
 import pytest
 
-from onika.runtime import command, news
 from kit.hand import hand_with_tasks
 from kit.rail import rail
 from kit.workshop import action
+from onika.runtime import command, news
 from onika.wire import event, live, request
 
 

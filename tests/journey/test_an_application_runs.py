@@ -6,6 +6,7 @@ runtime's time is virtual.
 
 import pytest
 
+from kit.laboratory import Laboratory, job, joints
 from onika.desk.plan.compile import rtpus_of
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import DirectLoading
@@ -18,7 +19,6 @@ from onika.link.link_events import Signalled
 from onika.link.link_terms import Terms
 from onika.link.sessions import Guests
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job, joints
 from onika.wire import event, request
 
 TERMS = Terms(beat_ns=10**9, suspect_ns=10**10, lost_ns=10**11, greeting_ns=10**10)

@@ -3,13 +3,13 @@
 from collections import deque
 from collections.abc import Callable
 
+from kit.rail import YardLoading
+from kit.worlds import MassWorld
 from onika.host.program import Program
 from onika.host.sessions.leases import Heard, Leases
 from onika.host.sessions.request_server import Call
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
-from kit.rail import YardLoading
-from kit.worlds import MassWorld
 from onika.wire import event, holding, live, reading, request
 
 SECOND = 1_000_000_000

@@ -7,6 +7,7 @@ cabinet.icon("there").values
 
 from pathlib import Path
 
+from kit.sitting import Sitting
 from onika.desk.environment.file.disk_watch import Disk
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.refresh import refreshed
@@ -15,7 +16,6 @@ from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import open_site, shipped
-from kit.sitting import Sitting
 from onika.wire.view import OnikonView
 
 WHITE = "7" * 1024

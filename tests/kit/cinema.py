@@ -15,11 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
+from kit.rehearsal import Rehearsal
+from kit.tape import Tape
 from onika.desk.environment.runs.begin import ready
 from onika.record import foxglove, topics
 from onika.record.run import Run
-from kit.rehearsal import Rehearsal
-from kit.tape import Tape
 from onika.wire import act, event, request
 from onika.wire.view import InstantView, RecordingView
 from onika.words.shape import Shape

@@ -14,7 +14,7 @@ class Clockwork:
     def __init__(self, seed: int) -> None:
         self.now_ns = 0
         self.count = 0
-        self.random = Random(seed)  # noqa: S311  a simulation wants the same numbers every time
+        self.random = Random(seed)
         self._events: list[tuple[int, int, Callable[[], None]]] = []
         self._ticks: dict[Hashable, int] = {}
 

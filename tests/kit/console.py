@@ -32,7 +32,7 @@ class Console:
 
     def __init__(self, *words: str, environment: Mapping[str, str] | None = None, patience_s: float = 60.0) -> None:
         self._until = monotonic() + patience_s
-        self._process = subprocess.Popen(  # noqa: S603 - our own program
+        self._process = subprocess.Popen(
             [*ONIKA, *words],
             stdin=subprocess.DEVNULL,
             stdout=subprocess.PIPE,
@@ -129,7 +129,7 @@ class Console:
     def _read(self) -> Iterator[str]:
         """Lines as they come, to the end of the output; raises TimeoutError when the patience is over."""
         stream = self._process.stdout
-        assert stream is not None  # noqa: S101 - it is a pipe
+        assert stream is not None
         yield from self._take()
         while True:
             ready, _, _ = select.select([stream], [], [], max(self._until - monotonic(), 0.0))

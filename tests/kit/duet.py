@@ -11,13 +11,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 
+from kit.live_runtime import LiveRuntime
+from kit.sitting import Sitting
 from onika.desk.environment.environment import Answer
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.task import Task
-from kit.live_runtime import LiveRuntime
-from kit.sitting import Sitting
 from onika.wire import act, event, live, request
 
 

@@ -6,6 +6,7 @@ A flow is said by the names of its icons, `_` for a hole, `<>` for a branch: `mo
 from collections.abc import Iterable
 from pathlib import Path
 
+from kit.sitting import Sitting
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.initial_model import opened
 from onika.model.application import Application, Branch, Hole, Icon
@@ -13,7 +14,6 @@ from onika.model.initials import drawn
 from onika.model.onikon import Onikon
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
-from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import ApplicationView, StepView
 

@@ -2,14 +2,14 @@
 
 from collections import deque
 
-from onika.host.program import Program
-from onika.host.units.virtual import VirtualDriver
-from onika.runtime import command, news
-from onika.runtime.running_task import RunningTask
 from kit.asker import Asker, OpenGate
 from kit.rail import YardLoading
 from kit.workshop import Workshop
 from kit.worlds import MassWorld
+from onika.host.program import Program
+from onika.host.units.virtual import VirtualDriver
+from onika.runtime import command, news
+from onika.runtime.running_task import RunningTask
 from onika.wire import event, live
 from onika.wire.plan import Code, PlannedTask
 from onika.wire.request import Response

@@ -5,10 +5,10 @@ started() >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
 
 from collections.abc import Iterable, Sequence
 
-from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Moved, Order, Start, Switch, Together
 from kit import build
 from kit.play import Play
+from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
+from onika.engine.orders import Began, Moved, Order, Start, Switch, Together
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "puma", trigger="move", arguments="3 4")

@@ -10,6 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from kit.cable import Cable, Plug
+from kit.clockwork import Clockwork
+from kit.programs import HONEST, Environment, House, Party, Programs
+from kit.weather import Sky, Weather
+from kit.witness import Wanted, Who, Witness
 from onika.link.caller import Caller, Role
 from onika.link.channel import THREE, Channel
 from onika.link.link_events import Asked
@@ -17,11 +22,6 @@ from onika.link.link_terms import Terms
 from onika.link.session import Session
 from onika.link.session_channels import Bundle
 from onika.link.sessions import Introduction
-from kit.cable import Cable, Plug
-from kit.clockwork import Clockwork
-from kit.programs import HONEST, Environment, House, Party, Programs
-from kit.weather import Sky, Weather
-from kit.witness import Wanted, Who, Witness
 from onika.wire.packet import Bye, Hello, Packet, encode
 
 _MS = 1_000_000

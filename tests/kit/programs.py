@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from kit.cable import Plug
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
 from onika.link.runtime_port import MakeServer
@@ -10,7 +11,6 @@ from onika.link.server import ServerEnd
 from onika.link.session import Session
 from onika.link.session_channels import Bundle, MakeClient
 from onika.link.sessions import Guests
-from kit.cable import Plug
 
 MakeEpoch = Callable[[int], str]
 

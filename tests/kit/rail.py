@@ -1,7 +1,7 @@
 """The rail: a mass of the small world and a servo that drives it, as modules in text, for tests of what runs them."""
 
-from onika.host.loading.module_facts import DirectLoading
 from kit.workshop import Workshop
+from onika.host.loading.module_facts import DirectLoading
 from onika.words.fault import Fault
 
 MASS = """

@@ -15,11 +15,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from kit.duet import Duet
+from kit.laboratory import Laboratory
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.runs import runtime_loss
 from onika.desk.environment.state.model import Model
-from kit.duet import Duet
-from kit.laboratory import Laboratory
 from onika.wire import act, event, request
 from onika.wire.view import RunView
 

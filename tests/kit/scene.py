@@ -5,10 +5,10 @@ started([JOB, JOB]) >> ends(0) << Done(0, 0) << begins(0, 1)
 
 from collections.abc import Callable, Sequence
 
-from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, Moved, Order, Start, Switch
 from kit import build
 from kit.play import Play
+from onika.engine.news import Finished, News, Run, Spawned, TurnedOn
+from onika.engine.orders import Began, Done, Moved, Order, Start, Switch
 
 JOB = build.job("move", trigger="move")
 NOOP = build.noop()

@@ -5,13 +5,13 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Any, Self
 
+from kit.probe import Probe, law_task, source
+from kit.rig import Rig
+from kit.worlds import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from oracle.law_task import LawSwap
 from oracle.reference import Reference, Request as Lawful
-from kit.probe import Probe, law_task, source
-from kit.rig import Rig
-from kit.worlds import MassWorld
 
 
 @dataclass(frozen=True)

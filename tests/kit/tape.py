@@ -11,12 +11,12 @@ from typing import Any
 
 import numpy as np
 
+from kit.rail import rail
+from kit.workshop import action
 from onika.record import topics, value
 from onika.record.reader import Reader
 from onika.record.run import END, Run
 from onika.record.writer import Writer
-from kit.rail import rail
-from kit.workshop import action
 from onika.wire import event, request
 from onika.words.shape import Shape
 

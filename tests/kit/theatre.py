@@ -9,6 +9,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
+from kit.memory import EngineMemory, Memory
 from onika.engine import news as told
 from onika.engine.engine import Engine
 from onika.engine.flow import FlowState
@@ -29,7 +30,6 @@ from onika.engine.orders import (
     Switch,
     Together,
 )
-from kit.memory import EngineMemory, Memory
 from onika.wire.plan import Plan, PlannedAction
 
 Address = tuple[int, str]

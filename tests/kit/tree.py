@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass, field
 
-from onika.engine.engine import Engine
 from kit.build import job, plan
+from onika.engine.engine import Engine
 from onika.wire.plan import (
     Again,
     Choose,

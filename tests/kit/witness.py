@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 from enum import Enum
 
+from kit.cable import Cable
 from onika.link.channel import Channel
 from onika.link.link_events import (
     Asked,
@@ -18,7 +19,6 @@ from onika.link.link_events import (
 )
 from onika.link.lost import Cause
 from onika.link.state import LinkState
-from kit.cable import Cable
 from onika.wire.packet import Bye, Hello, Packet, Welcome
 
 

@@ -1,8 +1,8 @@
 import pytest
 
+from kit import build
 from onika.engine.news import Failed, Run, Spawned
 from onika.engine.orders import Spawn
-from kit import build
 from onika.wire.plan import Do, Halt
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2", rates={"puma": 50.0}, synch_tag="meet")

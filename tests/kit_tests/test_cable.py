@@ -1,8 +1,8 @@
 import pytest
 
+from kit.cable import Cable
 from onika.link.channel import Channel
 from onika.link.lost import LinkLost
-from kit.cable import Cable
 from onika.wire.packet import Ack, Hello, Welcome, encode
 
 HELLO = encode(Hello(1, "me", "", 0))

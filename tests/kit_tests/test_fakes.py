@@ -1,9 +1,9 @@
 import pytest
 
-from onika.engine.news import Run
-from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch
 from kit import build
 from kit.fakes import Activation, FakeRuntime, Fault
+from onika.engine.news import Run
+from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 MOVE = frozenset({(0, "move")})

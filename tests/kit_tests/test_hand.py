@@ -1,5 +1,5 @@
-from onika.runtime import command
 from kit.hand import COUNTER, hand_with_tasks
+from onika.runtime import command
 from onika.wire import live
 
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.store.site import open_site
 from kit.laboratory import HOLE, Laboratory, job, joints, target
+from onika.store.site import open_site
 
 
 @pytest.fixture

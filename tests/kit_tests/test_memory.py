@@ -1,8 +1,8 @@
 """What an engine knows can be taken out and put back."""
 
-from onika.engine import news
 from kit.memory import EngineMemory
 from kit.tree import Act, Loop, engine_for, planned
+from onika.engine import news
 
 LOOP = (Loop("l", (Act("a"), Act())),)
 

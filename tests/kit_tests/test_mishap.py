@@ -1,6 +1,6 @@
+from kit.mishap import AGAIN, REACH, clearing, finish, on, paused, running, started, stopped, where
 from onika.engine.news import Cleared, Failed, Finished, Recover, TurnedOn
 from onika.engine.orders import Began, Clear, Moved, Note, Off, Start, Switch
-from kit.mishap import AGAIN, REACH, clearing, finish, on, paused, running, started, stopped, where
 
 
 def test_a_mishap_begins_in_the_first_action_of_every_flow_with_all_tasks_on():

@@ -3,9 +3,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import onika
+from kit.mutants import mutants
 from onika.files import appl
 from onika.store.site import open_site
-from kit.mutants import mutants
 
 SYNTAX = open_site([], {}, None).syntax()[0]
 TEXT = (Path(onika.__file__).parent / "labs" / "boxes" / "appl" / "assemble.appl").read_text()

@@ -5,6 +5,8 @@ from dataclasses import replace
 
 import pytest
 
+from kit.network import History
+from kit.programs import HONEST, Programs
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
 from onika.link.link_events import EpochChanged, Fate, Replied, Resumed, Signalled
@@ -16,8 +18,6 @@ from onika.link.session import Session
 from onika.link.session_channels import Bundle
 from onika.link.sessions import Guests, Introduction
 from onika.link.state import LinkEvent, LinkState
-from kit.network import History
-from kit.programs import HONEST, Programs
 from onika.wire.packet import Ack, Hello, Reply, Request, Signal, Welcome
 
 HISTORIES = 800

@@ -1,9 +1,9 @@
 import pytest
 
-from onika.engine.news import Pass, Pause, Run, Spawned, TurnedOn
-from onika.engine.orders import Began, Spawn, Start, Switch
 from kit import build
 from kit.play import Play
+from onika.engine.news import Pass, Pause, Run, Spawned, TurnedOn
+from onika.engine.orders import Began, Spawn, Start, Switch
 
 
 def play():

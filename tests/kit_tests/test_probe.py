@@ -1,6 +1,6 @@
-from oracle.law_task import Moment
 from kit.probe import Probe, law_task, source
 from kit.rig import Rig
+from oracle.law_task import Moment
 
 
 def test_a_probe_adds_its_inputs_to_its_outputs_as_the_law_sees_it():

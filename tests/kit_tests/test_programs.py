@@ -1,7 +1,7 @@
+from kit.programs import HONEST, Environment, House, Programs, name_epoch
 from onika.link.client import ClientEnd
 from onika.link.session_channels import Bundle
 from onika.link.sessions import Guests
-from kit.programs import HONEST, Environment, House, Programs, name_epoch
 
 
 def test_honest_programs_are_the_real_ones():

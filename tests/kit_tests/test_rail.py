@@ -1,6 +1,6 @@
-from onika.host.loading.plan_preparation import prepare
 from kit.rail import YardLoading, rail
 from kit.workshop import action
+from onika.host.loading.plan_preparation import prepare
 from onika.wire.request import TargetValues
 
 

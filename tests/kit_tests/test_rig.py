@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from onika.runtime import command, news
 from kit.rig import HOME, Rig, rig_of
 from kit.source import COUNTER
 from kit.worlds import MassWorld
+from onika.runtime import command, news
 
 MS = 1_000_000
 COUNT = """

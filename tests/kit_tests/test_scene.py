@@ -1,8 +1,8 @@
-from onika.engine.news import Failed, Finished, TurnedOn
-from onika.engine.orders import Began, Done, Moved, Start, Switch, Together
 from kit import build
 from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from kit.script import bottom, program
+from onika.engine.news import Failed, Finished, TurnedOn
+from onika.engine.orders import Began, Done, Moved, Start, Switch, Together
 from onika.wire.plan import Do
 
 MOVE = Start("move", "", 100.0)

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.model.task import Task
 from kit.sitting import Sitting
+from onika.model.task import Task
 from onika.wire import act, page
 
 

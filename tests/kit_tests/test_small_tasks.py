@@ -1,5 +1,5 @@
-from onika.store.base_directory import BaseDirectory
 from kit.small_tasks import MODULES, small_laboratory
+from onika.store.base_directory import BaseDirectory
 
 
 def test_every_task_and_configuration_of_the_small_laboratory_can_be_read(tmp_path):

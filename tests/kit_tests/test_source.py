@@ -1,7 +1,7 @@
 """Sources of small modules."""
 
-from onika.runtime.code import load
 from kit.source import COUNTER, cycle, module
+from onika.runtime.code import load
 
 
 def test_a_source_is_a_module_with_its_flags():

@@ -1,10 +1,10 @@
 from dataclasses import replace
 
-from onika.runtime import command
 from kit import story
 from kit.probe import MS, Probe, law_task
 from kit.rig import HOME
 from kit.story import Exchanged, by_executive, by_law
+from onika.runtime import command
 
 ON = command.Switch(HOME, (), (), (command.Launch("a"),))
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.record.series import Series
 from kit.tape import Tape
+from onika.record.series import Series
 from onika.wire import event
 
 

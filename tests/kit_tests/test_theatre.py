@@ -2,11 +2,11 @@
 
 import pytest
 
+from kit.theatre import Theatre
+from kit.tree import Act, engine_for, planned
 from onika.engine import news
 from onika.engine.engine import Engine
 from onika.engine.orders import Began, Case, Done, Note, Off, Start, Switch
-from kit.theatre import Theatre
-from kit.tree import Act, engine_for, planned
 
 MOVE = (0, "move")
 

@@ -1,11 +1,11 @@
 import pytest
 
+from kit.cable import Cable
+from kit.witness import Wanted, Who, Witness
 from onika.link import lost
 from onika.link.channel import Channel
 from onika.link.link_events import Asked, EpochChanged, Failed, Fate, Greeted, Read, Replied, Signalled, Turned
 from onika.link.state import LinkState
-from kit.cable import Cable
-from kit.witness import Wanted, Who, Witness
 from onika.wire.packet import Ack, Bye, Hello, Signal, Welcome
 
 ENV, RT = Who.ENVIRONMENT, Who.RUNTIME

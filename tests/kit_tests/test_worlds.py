@@ -2,9 +2,9 @@
 
 import pytest
 
+from kit.worlds import HOLD_NS, TRIP_NS, MassWorld
 from onika.ring.device import Drive, Order
 from onika.runtime.bus import World
-from kit.worlds import HOLD_NS, TRIP_NS, MassWorld
 
 MS = 1_000_000
 

@@ -6,11 +6,11 @@ from types import MappingProxyType
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from onika.model.lifecycle import State
-from onika.runtime import command
 from kit.probe import MS, Probe
 from kit.rig import HOME
 from kit.story import Exchanged, by_executive, by_law
+from onika.model.lifecycle import State
+from onika.runtime import command
 
 
 def assert_same_story(probes, requests, until, react=MappingProxyType({})):

@@ -10,9 +10,9 @@ from itertools import count
 import pytest
 from playwright.sync_api import expect
 
-from onika.link.token import digest, new_token
 from kit.laboratory import Laboratory, job, target
 from kit.small_tasks import small_laboratory
+from onika.link.token import digest, new_token
 
 from .test_access import found
 

@@ -5,8 +5,8 @@ import re
 import pytest
 from playwright.sync_api import expect
 
-from onika.store.site import shipped
 from kit.laboratory import Laboratory, job, joints
+from onika.store.site import shipped
 
 from .builder import CLOSE, OPEN, Builder
 

@@ -2,10 +2,10 @@
 
 import pytest
 
-from onika.engine.news import Abort, Failed, Finished, Illegal, Killed, Refused, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
 from kit import build
 from kit.play import Play
+from onika.engine.news import Abort, Failed, Finished, Illegal, Killed, Refused, Run, Settled, Spawned, TurnedOn
+from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
 
 REACH = build.job("move", "puma", trigger="move")
 WHERE = "test.appl flow 0 action 0"

@@ -15,11 +15,11 @@ from hypothesis.stateful import (
     rule,
 )
 
-from onika.engine import news
-from onika.engine.orders import Began, Done, Settle
 from kit.small_engine import SmallEngine
 from kit.theatre import RUNTIME, Theatre
 from kit.tree import Act, Loop, Pick, Side, engine_for, planned
+from onika.engine import news
+from onika.engine.orders import Began, Done, Settle
 
 NOOP = Act(tasks=(), is_noop=True)
 TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"), ("arm", "view"))

@@ -4,9 +4,9 @@ from collections import Counter
 
 from hypothesis import given, settings, strategies as st
 
-from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
 from kit import build
 from kit.fakes import FakeRuntime, Fault
+from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
 
 TRIGGERS = ("move", "grip", "pause")
 GENERAL = ("puma", "pd", "filter")

@@ -2,11 +2,11 @@
 
 import pytest
 
-from onika.engine.news import Pause, Resume, Skip, TurnedOn
-from onika.engine.orders import Done, Moved, Note, Off, Settle, Together
 from kit import build
 from kit.scene import JOB, NOOP, begins, ends, goes_on, passes, started
 from kit.script import bottom, branch, nested, program, top
+from onika.engine.news import Pause, Resume, Skip, TurnedOn
+from onika.engine.orders import Done, Moved, Note, Off, Settle, Together
 from onika.wire.plan import Do, Halt
 
 THREE = program(Do(0), branch([Do(1)], [Do(2)], [Do(3)], name="sort"), Do(4))

@@ -2,11 +2,11 @@
 
 import pytest
 
-from onika.engine.news import Mark, Resume
-from onika.engine.orders import Done, Moved, Settle
 from kit import build
 from kit.scene import JOB, begins, ends, goes_on, started
 from kit.script import bottom, branch, program
+from onika.engine.news import Mark, Resume
+from onika.engine.orders import Done, Moved, Settle
 from onika.wire.plan import Do, Rest
 
 MARKED = build.job("move", trigger="move", marker=True)

@@ -2,6 +2,9 @@
 
 import pytest
 
+from kit import build
+from kit.mishap import REACH, clearing, finish, on, running, started, stopped, where
+from kit.play import Play
 from onika.engine.news import (
     Abort,
     Cleared,
@@ -15,9 +18,6 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Switch
-from kit import build
-from kit.mishap import REACH, clearing, finish, on, running, started, stopped, where
-from kit.play import Play
 
 
 def test_an_error_stops_the_flow_with_its_trigger_off_and_the_step_is_repeated_with_the_same_target():  # R-E08

@@ -10,11 +10,11 @@ from random import Random
 
 import pytest
 
+from kit.theatre import RUNTIME, Theatre
+from kit.tree import Act, Loop, Pick, Side, engine_for, planned
 from onika.engine import news as told
 from onika.engine.flow import FlowState
 from onika.model.rules import meetings
-from kit.theatre import RUNTIME, Theatre
-from kit.tree import Act, Loop, Pick, Side, engine_for, planned
 
 NOOP = Act(tasks=(), is_noop=True)
 GRIP = Act(tasks=("grip", "arm"))

@@ -2,11 +2,11 @@
 
 import pytest
 
-from onika.engine.news import Abort, Killed, Leave, Run, Skip, Spawned, TurnedOn
-from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle
 from kit import build
 from kit.scene import JOB, NOOP, begins, ends, passes, started
 from kit.script import bottom, program, top
+from onika.engine.news import Abort, Killed, Leave, Run, Skip, Spawned, TurnedOn
+from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle
 from onika.wire.plan import Do
 
 TWO_THEN_ONE = program(bottom("round", Do(0), Do(1)), Do(2))

@@ -2,6 +2,10 @@
 
 import pytest
 
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.script import bottom, nested, program
 from onika.engine.news import (
     Cleared,
     Failed,
@@ -17,10 +21,6 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Clear, Done, End, Kill, Moved, Note, Off, Order, Settle, Together
-from kit import build
-from kit.play import Play
-from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
-from kit.script import bottom, nested, program
 from onika.wire.plan import Do, Halt, Meet
 
 ONE = (Do(0), Halt())

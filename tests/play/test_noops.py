@@ -1,10 +1,10 @@
 """Stories of no-ops, which take no time (§4.3.2, R-D11)."""
 
-from onika.engine.news import Pause, Resume, Run, Settled, Spawned
-from onika.engine.orders import Done, End, Moved, Settle, Together
 from kit import build
 from kit.play import Play
 from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from onika.engine.news import Pause, Resume, Run, Settled, Spawned
+from onika.engine.orders import Done, End, Moved, Settle, Together
 
 
 def test_no_ops_are_told_and_take_no_time():  # R-D11

@@ -1,9 +1,9 @@
 """Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, decision 17)."""
 
-from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
-from onika.engine.orders import Began, Done, Moved, Note, Settle, Start, Switch
 from kit import build
 from kit.play import Play
+from onika.engine.news import Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
+from onika.engine.orders import Began, Done, Moved, Note, Settle, Start, Switch
 
 SHOW = build.job("move", "view", trigger="move")
 WHERE = "test.appl flow 0 action"

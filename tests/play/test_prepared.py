@@ -2,6 +2,10 @@
 
 import pytest
 
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, ends, opened, passes, started
+from kit.script import bottom, branch, nested, program, top
 from onika.engine.news import (
     Asked,
     Failed,
@@ -18,10 +22,6 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
-from kit import build
-from kit.play import Play
-from kit.scene import JOB, NOOP, ends, opened, passes, started
-from kit.script import bottom, branch, nested, program, top
 from onika.wire.plan import Do, Rest
 
 NEXT = Switch(0, (), (Start("move", "", 100.0),))

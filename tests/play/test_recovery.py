@@ -2,6 +2,8 @@
 
 import pytest
 
+from kit import build
+from kit.mishap import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
 from onika.engine.news import (
     Cleared,
     Failed,
@@ -16,8 +18,6 @@ from onika.engine.news import (
     Step,
 )
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Settle, Switch, Together
-from kit import build
-from kit.mishap import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
 
 # Between two actions
 

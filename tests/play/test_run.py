@@ -1,9 +1,9 @@
 """Stories of runs that go well (§5.9.2, R-E02, R-E03, R-E14)."""
 
-from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch, Together
 from kit import build
 from kit.play import Play
+from onika.engine.news import Asked, Finished, Killed, Run, Settled, Spawned, TurnedOn
+from onika.engine.orders import Began, Done, End, Kill, Moved, Note, Settle, Spawn, Start, Switch, Together
 
 REACH = build.job("move", "pd", "puma", trigger="move", arguments="1 2")
 AGAIN = build.job("move", "pd", "puma", trigger="move", arguments="3 4")

@@ -2,6 +2,10 @@
 
 import pytest
 
+from kit import build
+from kit.play import Play
+from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.script import bottom, program
 from onika.engine.news import (
     Abort,
     Killed,
@@ -18,10 +22,6 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle, Start, Switch, Together
-from kit import build
-from kit.play import Play
-from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
-from kit.script import bottom, program
 from onika.wire.plan import Do
 
 MEET = build.job("move", trigger="move", synch_tag="meet")

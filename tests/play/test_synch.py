@@ -1,9 +1,9 @@
 """Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, decision 26)."""
 
-from onika.engine.news import Abort, Finished, Killed, Pass, Run, Settled, Spawned, TurnedOn
-from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
 from kit import build, scene, script
 from kit.play import Play
+from onika.engine.news import Abort, Finished, Killed, Pass, Run, Settled, Spawned, TurnedOn
+from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
 from onika.wire.plan import Do, Halt, Meet
 
 FREE = build.job("move", trigger="move")

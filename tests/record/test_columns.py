@@ -1,9 +1,9 @@
 import csv
 import io
 
+from kit.tape import Tape
 from onika.record import columns
 from onika.record.series import Series
-from kit.tape import Tape
 
 
 def test_a_table_has_a_row_for_each_time_at_which_something_changed(tmp_path):  # R-X05

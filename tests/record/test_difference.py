@@ -1,10 +1,10 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from kit.tape import Tape
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import WALL, Tolerance
-from kit.tape import Tape
 from onika.wire import event
 from onika.wire.figures import VariableSteps
 

@@ -3,9 +3,9 @@ import math
 import numpy as np
 import pytest
 
+from kit.tape import Tape
 from onika.record.downsampled import Samples, is_drawn, parts, samples
 from onika.record.series import Series
-from kit.tape import Tape
 
 NS = 1_000_000_000
 

@@ -1,8 +1,8 @@
 import pytest
 
+from kit.tape import Tape
 from onika.record.glimpse import glimpse
 from onika.record.reader import UNREADABLE
-from kit.tape import Tape
 
 
 @pytest.fixture

@@ -3,10 +3,10 @@ import math
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from kit.tape import Tape
 from onika.record.mismatch import strays
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
-from kit.tape import Tape
 
 NS = 1_000_000_000
 COURSES = st.dictionaries(

@@ -1,10 +1,10 @@
 import pytest
 from msgspec import structs
 
+from kit.tape import Tape, run
 from onika.record.reader import Reader
 from onika.record.run import Run, ending
 from onika.record.writer import Writer
-from kit.tape import Tape, run
 from onika.wire import steer
 from onika.wire.event import Result
 from onika.wire.request import Recorded, encode

@@ -1,5 +1,5 @@
-from onika.record.series import Series
 from kit.tape import Tape
+from onika.record.series import Series
 
 
 def test_a_variable_keeps_its_value_until_the_next_one(tmp_path):  # R-X05

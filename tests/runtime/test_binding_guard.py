@@ -2,12 +2,12 @@
 
 import pytest
 
+from kit.rig import Rig
+from kit.source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.binding_guard import Containment
 from onika.runtime.running_task import CHECKED_EVERY
-from kit.rig import Rig
-from kit.source import COUNTER, module
 
 MS = 1_000_000
 PORTS = "    X = InVar('double[2]')\n    Y = OutVar('double[2]')\n    K = Local('int', default=1)\n"

@@ -5,12 +5,12 @@ import itertools
 import numpy as np
 import pytest
 
+from kit.worlds import MassWorld
 from onika.ring.device import Drive, Order
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.binding import attach
 from onika.runtime.bus import SEGMENT_SIZE, Bus
-from kit.worlds import MassWorld
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

@@ -3,11 +3,11 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.rig import HOME, Rig
+from kit.source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.deferred import PATIENCE_NS
-from kit.rig import HOME, Rig
-from kit.source import COUNTER, module
 
 MS = 1_000_000
 

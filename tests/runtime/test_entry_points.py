@@ -2,10 +2,10 @@
 
 import pytest
 
-from onika.model.lifecycle import State
-from onika.runtime import command, news
 from kit.rig import HOME, Rig, rig_of
 from kit.source import COUNTER, cycle, module
+from onika.model.lifecycle import State
+from onika.runtime import command, news
 
 MS = 1_000_000
 

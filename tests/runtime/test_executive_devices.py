@@ -2,12 +2,12 @@
 
 import pytest
 
-from onika.model.lifecycle import State
-from onika.ring.device import Drive
-from onika.runtime import command, news
 from kit.rig import HOME, Rig
 from kit.source import HEAD, module
 from kit.worlds import MassWorld
+from onika.model.lifecycle import State
+from onika.ring.device import Drive
+from onika.runtime import command, news
 
 MS = 1_000_000
 

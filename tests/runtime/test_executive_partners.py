@@ -4,11 +4,11 @@ import select
 
 import pytest
 
+from kit.rig import HOME, rig_of
+from kit.source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.testing.fake_partner import Outsider
-from kit.rig import HOME, rig_of
-from kit.source import COUNTER, module
 
 MS = 1_000_000
 

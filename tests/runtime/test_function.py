@@ -5,13 +5,13 @@ import re
 import numpy as np
 import pytest
 
+from kit.rig import Rig
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, OutConst, OutVar, module
 from onika.runtime import command, news
 from onika.runtime.code import load
 from onika.runtime.sheet import sheet_of
 from onika.testing.bench import Bench
-from kit.rig import Rig
 
 MS = 1_000_000
 SPRING = '''

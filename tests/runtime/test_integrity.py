@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
+from kit.build import task as planned
+from kit.rig import Rig
+from kit.source import module
 from onika.ring.slots import LONGEST_SEALED, Ring
 from onika.runtime import command
 from onika.runtime.integrity import Accessor, accessor, check
 from onika.runtime.wiring import wire
-from kit.build import task as planned
-from kit.rig import Rig
-from kit.source import module
 
 MS = 1_000_000
 

@@ -4,13 +4,13 @@ from types import SimpleNamespace
 
 import pytest
 
+from kit.rig import Rig
+from kit.source import module
 from onika.model.lifecycle import State
 from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
 from onika.ring.device import Drive, Order
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
-from kit.rig import Rig
-from kit.source import module
 
 
 class Plain(Module):

@@ -4,12 +4,12 @@ import hashlib
 
 import pytest
 
-from onika.model.lifecycle import State
-from onika.runtime import command, news
-from onika.runtime.statistics import status_of
 from kit.rig import HOME, Rig
 from kit.source import COUNTER, cycle, module
 from kit.worlds import MassWorld
+from onika.model.lifecycle import State
+from onika.runtime import command, news
+from onika.runtime.statistics import status_of
 
 MS = 1_000_000
 OLD = module(

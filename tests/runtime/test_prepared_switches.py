@@ -3,12 +3,12 @@
 import pytest
 from msgspec import structs
 
+from kit.rig import HOME, Rig
+from kit.source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
 from onika.runtime.prepared_switches import Preparations, lines
-from kit.rig import HOME, Rig
-from kit.source import COUNTER, cycle, module
 
 MS = 1_000_000
 GOAL = module("    G = Input('double', 'm', 'goal')\n    def on(self, inputs):\n        self.goal = inputs.G")

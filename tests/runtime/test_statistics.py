@@ -2,10 +2,10 @@
 
 import pytest
 
+from kit.rig import HOME, Rig
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.statistics import load_of, status_of, values_of
-from kit.rig import HOME, Rig
 
 MS = 1_000_000
 SOURCE = """

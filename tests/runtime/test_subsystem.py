@@ -3,6 +3,7 @@
 import msgspec
 import pytest
 
+from kit.build import task
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment
@@ -10,7 +11,6 @@ from onika.runtime.sheet import sheet_of
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire
-from kit.build import task
 from onika.words.shape import Shape
 
 Q, X = "double[NDOF]", "double[4,4]"

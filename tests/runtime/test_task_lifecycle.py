@@ -3,10 +3,10 @@
 import pytest
 from msgspec import structs
 
-from onika.model.lifecycle import State
-from onika.runtime import command, news
 from kit.rig import HOME, Rig, rig_of
 from kit.source import COUNTER, HEAD, module
+from onika.model.lifecycle import State
+from onika.runtime import command, news
 
 MS = 1_000_000
 

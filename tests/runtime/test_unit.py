@@ -4,10 +4,10 @@ import os
 
 import pytest
 
-from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import Unit
 from kit.rig import HOME, Rig
 from kit.source import COUNTER, module
+from onika.runtime.running_task import RunningTask
+from onika.runtime.unit import Unit
 
 MS = 1_000_000
 

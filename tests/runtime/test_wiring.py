@@ -2,10 +2,10 @@
 
 import msgspec
 
+from kit.build import task
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import disagreements, missing_constants, upstream, wire
-from kit.build import task
 from onika.words.shape import Shape
 
 

@@ -4,10 +4,10 @@ import json
 
 import pytest
 
-from onika.cli import main
-from onika.store.site import open_site, shipped
 from kit.console import Console
 from kit.laboratory import Laboratory, job, target
+from onika.cli import main
+from onika.store.site import open_site, shipped
 
 pytestmark = pytest.mark.site
 

@@ -7,9 +7,9 @@ import sys
 
 import pytest
 
+from kit.laboratory import HOLE, Laboratory, job, joints, target
 from onika.cli import main
 from onika.store.site import shipped_directories
-from kit.laboratory import HOLE, Laboratory, job, joints, target
 
 pytestmark = pytest.mark.site
 

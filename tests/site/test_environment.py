@@ -6,6 +6,7 @@ import time
 
 import pytest
 
+from kit.laboratory import Laboratory
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.services import Surroundings
@@ -15,7 +16,6 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.store.library import open_libraries
 from onika.store.site import open_site
-from kit.laboratory import Laboratory
 from onika.wire import act, event
 
 pytestmark = pytest.mark.site

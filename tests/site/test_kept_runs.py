@@ -9,13 +9,13 @@ from xml.etree import ElementTree
 import pytest
 
 import onika
+from kit.mutants import mutants
 from onika.cli import main
 from onika.desk.trial.account import give_account
 from onika.desk.trial.judging import judge
 from onika.desk.trial.trial import limit_of, read, settings_of, try_all
 from onika.files import appl, onk
 from onika.store.site import open_site
-from kit.mutants import mutants
 
 pytestmark = pytest.mark.site
 

@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from kit.asker import OpenGate
+from kit.laboratory import Laboratory, job, target
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import DirectLoading
@@ -13,8 +15,6 @@ from onika.host.sessions.request_server import Call
 from onika.host.units.virtual import VirtualDriver
 from onika.link.caller import Role
 from onika.store.site import open_site, shipped
-from kit.asker import OpenGate
-from kit.laboratory import Laboratory, job, target
 from onika.wire import event, request, steer
 
 pytestmark = pytest.mark.site

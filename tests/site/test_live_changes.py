@@ -7,9 +7,9 @@ cycles more than those without. On a machine of its own, with real-time priority
 
 import pytest
 
-from onika.desk.run.runtime import Runtime
 from kit.hand import COUNTER, SOURCE, USER
 from kit.workshop import Workshop
+from onika.desk.run.runtime import Runtime
 from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site

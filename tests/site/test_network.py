@@ -15,12 +15,12 @@ import pytest
 from websockets.client import ClientProtocol
 from websockets.uri import parse_uri
 
+from kit.workshop import Workshop, action
 from onika.desk.run.runtime import Runtime, connect
 from onika.link.address import Address
 from onika.link.channel import Channel
 from onika.link.lost import Cause, LinkLost
 from onika.link.websocket_opening import Opening
-from kit.workshop import Workshop, action
 from onika.wire import event, live, request, steer
 from onika.wire.packet import Hello, Request, encode
 

@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from kit.laboratory import Laboratory, job, joints
 from onika.cli import main
 from onika.laws import puma560
 from onika.store.site import shipped
-from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
 

@@ -4,8 +4,8 @@ import struct
 
 import pytest
 
-from onika.cli import main
 from kit.laboratory import Laboratory, job
+from onika.cli import main
 
 pytestmark = pytest.mark.site
 

@@ -5,12 +5,12 @@ import re
 
 import pytest
 
+from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.model.redirect import Redirect
 from onika.store.site import open_site, shipped
-from kit.laboratory import Laboratory, job, joints, target
 
 LEANS, FAR = "the hand would lean", "the wrist would be"
 MODES, ONE_DEVICE = "all arms of a world are of one mode", "claims it too"

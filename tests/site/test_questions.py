@@ -8,9 +8,9 @@ import subprocess
 
 import pytest
 
-from onika.cli import main
 from kit.console import ONIKA
 from kit.laboratory import Laboratory, job
+from onika.cli import main
 
 pytestmark = pytest.mark.site
 

@@ -8,6 +8,9 @@ from time import monotonic, sleep
 
 import pytest
 
+from kit.console import ONIKA
+from kit.laboratory import Laboratory, job
+from kit.sitting import Sitting
 from onika.cli import main
 from onika.desk.environment.initial_model import opened
 from onika.desk.run.recorded_run import Source, inputs_of
@@ -18,9 +21,6 @@ from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import Tolerance
 from onika.store.site import open_site
-from kit.console import ONIKA
-from kit.laboratory import Laboratory, job
-from kit.sitting import Sitting
 from onika.wire import act, event, request, steer
 
 pytestmark = pytest.mark.site

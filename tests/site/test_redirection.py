@@ -2,9 +2,9 @@
 
 import pytest
 
+from kit.laboratory import Laboratory, job, joints
 from onika.cli import main
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from onika.cli import main
 from kit.laboratory import HOLE, Laboratory, job, joints, target
+from onika.cli import main
 
 pytestmark = pytest.mark.site
 

@@ -8,6 +8,7 @@ import time
 
 import pytest
 
+from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.services import Surroundings
@@ -17,7 +18,6 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.store.library import open_libraries
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job, joints, target
 from onika.wire import act
 
 pytestmark = pytest.mark.site

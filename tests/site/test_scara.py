@@ -3,6 +3,8 @@
 import pytest
 from msgspec.structs import replace
 
+from kit.asker import OpenGate
+from kit.laboratory import Laboratory, job, joints, target
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import DirectLoading
@@ -11,8 +13,6 @@ from onika.host.program import Program
 from onika.host.units.virtual import VirtualDriver
 from onika.laws import adept_one, reach
 from onika.store.site import open_site
-from kit.asker import OpenGate
-from kit.laboratory import Laboratory, job, joints, target
 from onika.wire import event, request
 from onika.workcell.boxes import BoxesWorld
 

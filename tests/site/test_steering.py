@@ -11,11 +11,11 @@ from time import monotonic
 
 import pytest
 
+from kit.console import ONIKA, Console
 from onika.desk.run.run import start
 from onika.desk.run.running_application import Running
 from onika.desk.run.settings import RunSettings
 from onika.store.site import open_site
-from kit.console import ONIKA, Console
 from onika.wire import event
 
 pytestmark = pytest.mark.site

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from onika.cli import main
 from kit.laboratory import Laboratory, job
+from onika.cli import main
 
 ECHO = """
 import os

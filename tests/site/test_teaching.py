@@ -5,6 +5,7 @@ import time
 import numpy as np
 import pytest
 
+from kit.cabinet import WHITE
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.initial_model import opened
@@ -14,7 +15,6 @@ from onika.desk.environment.runtime_thread import Station
 from onika.laws import puma560
 from onika.laws.frames import pose_of_nine
 from onika.store.site import open_site
-from kit.cabinet import WHITE
 from onika.wire import act
 
 pytestmark = pytest.mark.site

@@ -4,6 +4,7 @@ import json
 
 import pytest
 
+from kit.asker import OpenGate
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run
 from onika.host.loading.module_facts import DirectLoading
@@ -11,7 +12,6 @@ from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
 from onika.host.units.virtual import VirtualDriver
 from onika.store.site import open_site
-from kit.asker import OpenGate
 from onika.wire import event, request
 from onika.workcell.boxes import BoxesWorld
 

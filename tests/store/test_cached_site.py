@@ -1,8 +1,8 @@
 import os
 
+from kit.laboratory import Laboratory, job
 from onika.store.cached_site import RememberingSite
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job
 
 
 def test_a_file_is_read_again_only_when_it_has_changed(tmp_path):

@@ -4,8 +4,8 @@ import threading
 
 import pytest
 
-from onika.model.task import Task
 from kit.sitting import Sitting
+from onika.model.task import Task
 from onika.web.app import application
 from onika.web.hub import Hall
 from onika.web.login import Door

@@ -3,8 +3,8 @@ import asyncio
 import msgspec
 import pytest
 
-from onika.model.task import Task
 from kit.sitting import Sitting
+from onika.model.task import Task
 from onika.web.hub import Hall
 from onika.wire import act, page
 

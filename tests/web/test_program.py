@@ -7,11 +7,11 @@ import threading
 import pytest
 from websockets.sync.client import connect
 
+from kit.laboratory import Laboratory, job
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site, shipped
-from kit.laboratory import Laboratory, job
 from onika.web.program import Program, Wishes
 from onika.web.server import bound
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
+from kit.assembler import DT, GRASP_M, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import Drive, Order
-from kit.assembler import DT, GRASP_M, Assembler
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

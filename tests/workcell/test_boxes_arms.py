@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from kit.assembler import DT, Assembler
 from onika.laws import adept_one, puma560
 from onika.laws.arm import Arm
 from onika.laws.filter import Derivative
 from onika.ring.device import Drive, Order
-from kit.assembler import DT, Assembler
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

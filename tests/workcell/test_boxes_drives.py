@@ -5,10 +5,10 @@ import math
 import numpy as np
 import pytest
 
+from kit.assembler import DT, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
 from onika.ring.device import Drive, DriveEvent, Order
-from kit.assembler import DT, Assembler
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000

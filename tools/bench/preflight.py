@@ -13,11 +13,11 @@ from time import perf_counter
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
+from kit.laboratory import Laboratory, job, joints, target
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.runtime import Runtime
 from onika.model.redirect import Redirect
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job, joints, target
 from onika.wire import request
 
 MOST_S = 2.0

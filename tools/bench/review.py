@@ -19,13 +19,13 @@ import msgspec
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
+from kit.sitting import Sitting
 from onika.desk.environment.initial_model import opened
 from onika.record.reader import Reader
 from onika.record.run import Run
 from onika.record.topics import EVENTS
 from onika.record.writer import Writer
 from onika.store.site import open_site
-from kit.sitting import Sitting
 from onika.wire import act
 
 _GLANCES = 200

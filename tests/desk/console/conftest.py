@@ -1,10 +1,10 @@
 import pytest
 
+from kit.live_runtime import LiveRuntime
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
 from onika.desk.console.session import Session
 from onika.store.site import open_site
-from kit.live_runtime import LiveRuntime
 from onika.wire import event
 
 ENDPOINT = event.Item("endpoint", "double", 2, "rad", "where to go", None, (-1.0, -1.0), (1.0, 1.0))

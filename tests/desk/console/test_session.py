@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.console.session import Session
 from kit.live_runtime import LiveRuntime
+from onika.desk.console.session import Session
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
 

@@ -1,8 +1,8 @@
 import pytest
 
+from kit.build import task
 from onika.desk.console.site_library import Library, altered
 from onika.store.site import open_site
-from kit.build import task
 from onika.words.fault import Place
 
 

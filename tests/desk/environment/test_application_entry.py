@@ -1,8 +1,8 @@
 import pytest
 
+from kit.gallery import Gallery
 from onika.desk.environment.application_entry import Names, things
 from onika.desk.environment.diary_entry import entry
-from kit.gallery import Gallery
 from onika.wire import act
 
 

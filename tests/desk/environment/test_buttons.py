@@ -1,9 +1,9 @@
 import pytest
 
+from kit.sitting import Sitting
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.files import buttons as file
 from onika.model.button import Button
-from kit.sitting import Sitting
 from onika.wire import act, view
 from onika.words.fault import Refusal
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.environment.diary import Diary
 from kit.sitting import Sitting
+from onika.desk.environment.diary import Diary
 from onika.wire import act
 
 

@@ -1,8 +1,8 @@
 from hypothesis import given, settings, strategies as st
 
+from kit.sitting import Sitting
 from onika.desk.environment.outcome.outcome import Done, Order
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act, live, page, request
 
 NAMES = ("a", "b", "c", "d")

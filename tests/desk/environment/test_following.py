@@ -1,7 +1,7 @@
 import pytest
 
-from onika.model.task import LocalLine, Task
 from kit.duet import Duet
+from onika.model.task import LocalLine, Task
 from onika.wire import act, event, live
 
 TASKS = (

@@ -3,11 +3,11 @@ import math
 import numpy as np
 import pytest
 
-from onika.desk.environment.frames import Frames
-from onika.model.task import Task
 from kit.duet import Duet
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.frames import Frames
+from onika.model.task import Task
 from onika.wire import live, page, reading
 
 

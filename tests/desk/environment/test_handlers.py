@@ -1,7 +1,7 @@
 from typing import get_args
 
-from onika.desk.environment.handlers import HANDLERS
 from kit.gallery import Gallery
+from onika.desk.environment.handlers import HANDLERS
 from onika.wire import act
 
 

@@ -2,12 +2,12 @@ from dataclasses import asdict
 
 import pytest
 
+from kit.sitting import Sitting
 from onika.desk.environment.preferences import leave
 from onika.desk.environment.state import settings
 from onika.files import preferences as file
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 
 

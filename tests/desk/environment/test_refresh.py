@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import pytest
 
+from kit.sitting import Sitting
 from onika.desk.environment.file.disk_watch import Disk
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.refresh import refreshed
@@ -9,7 +10,6 @@ from onika.desk.environment.state.live import Live
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 
 A = Task("a", "a", outvar=("Q",), frequency=10.0)

@@ -7,6 +7,8 @@ from collections import deque
 
 import pytest
 
+from kit.live_runtime import LiveRuntime
+from kit.sitting import Sitting
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
 from onika.desk.environment.runtime_thread import Station
@@ -14,8 +16,6 @@ from onika.desk.run.runtime import Reply
 from onika.link.lost import Cause, LinkLost
 from onika.model.lifecycle import State
 from onika.model.task import Task
-from kit.live_runtime import LiveRuntime
-from kit.sitting import Sitting
 from onika.wire import act, event, live, reading
 
 PATIENCE_S = 20.0

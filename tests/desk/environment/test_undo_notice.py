@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.environment.outcome.outcome import Done
 from kit.gallery import Gallery
+from onika.desk.environment.outcome.outcome import Done
 from onika.wire import act
 
 

@@ -1,6 +1,6 @@
+from kit.gallery import onikon
 from onika.desk.plan.icon_names import a, in_words, kind_named, listed, named, quoted, several, step_named
 from onika.model.application import Branch, Hole, Icon
-from kit.gallery import onikon
 
 THERE, BARE = onikon("there", "Joint object", "above triangle"), onikon("grip", "Complete job")
 

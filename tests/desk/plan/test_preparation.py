@@ -1,8 +1,8 @@
 import pytest
 
+from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.preparation import fault_of, prepare, prepare_run
 from onika.store.site import open_site
-from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.wire.request import FaultText
 from onika.words.fault import Place
 

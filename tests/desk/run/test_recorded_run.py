@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.run.recorded_run import RecordedRun, Source, events_of, inputs_of, recorded_run
 from kit.tape import Tape, run
+from onika.desk.run.recorded_run import RecordedRun, Source, events_of, inputs_of, recorded_run
 from onika.wire import event, request, steer
 from onika.wire.request import decode_request
 

@@ -1,6 +1,6 @@
+from kit.tape import Tape
 from onika.desk.run.recording_digest import told
 from onika.desk.run.run_review import Review
-from kit.tape import Tape
 from onika.wire import event
 
 

@@ -1,9 +1,9 @@
 import numpy as np
 import pytest
 
+from kit.tape import Tape
 from onika.desk.run.run_review import Interval, Review
 from onika.record import foxglove, topics
-from kit.tape import Tape
 from onika.wire import event
 
 EVENTS = (

@@ -5,12 +5,12 @@ from itertools import islice
 
 import pytest
 
+from kit.rail import rail
+from kit.workshop import Workshop, action
 from onika.desk.run import runtime as room
 from onika.desk.run.runtime import Reply, Runtime
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
-from kit.rail import rail
-from kit.workshop import Workshop, action
 from onika.wire import event, live, request
 
 pytestmark = pytest.mark.site

@@ -2,10 +2,10 @@ from pathlib import Path
 
 import pytest
 
+from kit.laboratory import Laboratory, job, joints
 from onika.desk.run import survey as room
 from onika.desk.run.survey import survey
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job, joints
 from onika.wire import request
 
 MODULE = "from onika.module import InVar, Module\nclass Wink(Module):\n    Y = InVar('double')\n"

@@ -1,11 +1,11 @@
 import pytest
 from msgspec.structs import replace
 
+from kit.laboratory import Laboratory, job, target
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial.account import digest_of, give_account, told
 from onika.store.site import open_site
-from kit.laboratory import Laboratory, job, target
 from onika.wire import event
 
 SITE = open_site([], {}, None)

@@ -5,6 +5,8 @@ import struct
 import pytest
 from msgspec import structs
 
+from kit.rail import YardLoading
+from kit.workshop import Workshop, action
 from onika.engine import news as said
 from onika.engine.engine import Engine
 from onika.host.diagnosis.explainer import Explainer
@@ -14,8 +16,6 @@ from onika.ring.segment import Segment
 from onika.runtime import news
 from onika.runtime.table import Table
 from onika.runtime.user_input import AskedItem
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
 from onika.words.shape import Shape
 
 MS = 1_000_000

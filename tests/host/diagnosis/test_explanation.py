@@ -2,6 +2,8 @@ import struct
 
 import pytest
 
+from kit.rail import YardLoading
+from kit.workshop import Workshop, action
 from onika.host.diagnosis import explanation
 from onika.host.diagnosis.explanation import explain
 from onika.host.diagnosis.stop_cause import Cause, Kind
@@ -9,8 +11,6 @@ from onika.host.diagnosis.variable_history import History
 from onika.host.loading.plan_preparation import prepare
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
 from onika.wire.event import decode, encode
 from onika.wire.steer import Position
 from onika.words.shape import Shape

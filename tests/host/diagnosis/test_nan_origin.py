@@ -1,10 +1,10 @@
 import math
 
+from kit.workshop import Workshop
 from onika.host.diagnosis.nan_origin import Suspicion, is_no_number, suspicion
 from onika.module import InVar, Module, OutVar
 from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import wire
-from kit.workshop import Workshop
 
 
 def task(name, reads=(), writes=()):

@@ -1,5 +1,7 @@
 import pytest
 
+from kit.hand import BROKEN, COUNTER, SOURCE, hand_with_tasks
+from kit.workshop import Workshop
 from onika.host.edit import transactions
 from onika.host.edit.live_subsystem import LiveSubsystem
 from onika.model.rules.reconfiguration import exchange
@@ -9,8 +11,6 @@ from onika.runtime.code import load
 from onika.runtime.sheet import sheet_of
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire
-from kit.hand import BROKEN, COUNTER, SOURCE, hand_with_tasks
-from kit.workshop import Workshop
 from onika.wire import event, live
 from onika.wire.request import Stop
 

@@ -3,10 +3,10 @@
 import pytest
 from msgspec import structs
 
+from kit.hand import Hand
 from onika.host.edit.task_events import told
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
-from kit.hand import Hand
 from onika.wire import event, live
 
 SPEAKER = """

@@ -1,8 +1,8 @@
 import pytest
 
-from onika.host.edit.task_spawner import Cradle, plainly
 from kit.hand import Hand, hand_with_tasks
 from kit.rail import rail
+from onika.host.edit.task_spawner import Cradle, plainly
 
 BYSTANDER = """
 from onika.module import Module, OutVar

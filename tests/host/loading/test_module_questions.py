@@ -2,10 +2,10 @@ import inspect
 
 import pytest
 
+from kit.rail import YardLoading
 from onika.host.loading.loader_client import Inquiry
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.module_questions import Loading
-from kit.rail import YardLoading
 
 QUESTIONS = sorted(name for name, one in vars(Loading).items() if inspect.isfunction(one) and not name.startswith("_"))
 

@@ -1,5 +1,8 @@
 import pytest
 
+from kit.hand import SOURCE
+from kit.rail import YardLoading
+from kit.workshop import Workshop
 from onika.host.loading.plan_checks import (
     absent_devices,
     conflicts,
@@ -12,9 +15,6 @@ from onika.host.loading.plan_checks import (
 from onika.module import InConst, InVar, Module, OutConst, OutVar
 from onika.runtime.sheet import sheet_of
 from onika.runtime.wiring import wire
-from kit.hand import SOURCE
-from kit.rail import YardLoading
-from kit.workshop import Workshop
 from onika.words.fault import Place
 
 

@@ -1,10 +1,10 @@
 import pytest
 from msgspec import structs
 
+from kit.workshop import Workshop, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.plan_preparation import prepare
-from kit.workshop import Workshop, action
 from onika.wire.plan import Again, Choose, Do, Halt, Jump, Rest, Unless
 
 ARM = """

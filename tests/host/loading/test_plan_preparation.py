@@ -1,8 +1,8 @@
 import pytest
 
-from onika.host.loading.plan_preparation import inspect, prepare
 from kit.rail import YardLoading
 from kit.workshop import Workshop, action
+from onika.host.loading.plan_preparation import inspect, prepare
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
 

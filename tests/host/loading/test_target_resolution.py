@@ -1,10 +1,10 @@
 import pytest
 from msgspec.structs import replace
 
+from kit.workshop import Workshop, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.loading.target_resolution import JOINT
-from kit.workshop import Workshop, action
 from onika.wire.request import TargetValues
 
 ROBOT = """

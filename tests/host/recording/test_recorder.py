@@ -2,15 +2,15 @@ from time import monotonic_ns
 
 import pytest
 
+from kit.asker import Asker
+from kit.rail import rail
+from kit.workshop import action
 from onika.desk.run.recorded_run import inputs_of
 from onika.host.units.realtime_factor import FASTEST, SLOWEST, Pace
 from onika.record import topics
 from onika.record.reader import Reader
 from onika.record.run import Run
 from onika.record.series import Series
-from kit.asker import Asker
-from kit.rail import rail
-from kit.workshop import action
 from onika.wire import event, live, request, steer
 
 PLAN = rail().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])

@@ -4,12 +4,12 @@ from time import monotonic
 
 import pytest
 
+from kit.tape import run
 from onika.host.recording import recording_place
 from onika.host.recording.recording_place import Beside, InPlace
 from onika.host.recording.recording_sink import Finish, Start, Tell
 from onika.record import topics
 from onika.record.reader import Reader
-from kit.tape import run
 
 TELL = Tell(topics.EVENTS, 5, b'{"subsystem":"","event":{"type":"Done","flow":0,"index":0,"at_s":0.0}}')
 

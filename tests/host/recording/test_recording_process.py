@@ -5,6 +5,7 @@ from time import monotonic, monotonic_ns
 
 import numpy as np
 
+from kit.tape import run
 from onika.host.recording import recording_process
 from onika.host.recording.recorded_variable import Variable
 from onika.host.recording.recording_sink import Finish, Meet, Start, encode
@@ -16,7 +17,6 @@ from onika.record.run import Run
 from onika.record.series import Series
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
-from kit.tape import run
 from onika.words.shape import Shape
 
 

@@ -1,9 +1,9 @@
 import pytest
 
-from onika.host.run.clock_gate import Hold
 from kit.asker import Asker
 from kit.rail import rail
 from kit.workshop import action
+from onika.host.run.clock_gate import Hold
 from onika.wire import event, request, steer
 
 SECOND = 1_000_000_000

@@ -2,6 +2,7 @@
 
 import pytest
 
+from kit.workshop import Workshop, action
 from onika.engine import news as said, orders
 from onika.engine.engine import Engine
 from onika.host.loading.module_facts import DirectLoading
@@ -13,7 +14,6 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from kit.workshop import Workshop, action
 
 
 class Units:

@@ -1,9 +1,9 @@
+from kit import build
 from onika.engine import orders
 from onika.host.run.run_events import Herald
 from onika.host.run.run_statistics import Meeting
 from onika.model.lifecycle import State
 from onika.runtime import news
-from kit import build
 from onika.wire import event
 
 

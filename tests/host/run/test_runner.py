@@ -1,5 +1,7 @@
 import pytest
 
+from kit.rail import YardLoading
+from kit.workshop import Workshop, action
 from onika.engine import news as said
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
@@ -8,8 +10,6 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.runtime.user_input import AskedItem
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
 from onika.wire import event
 from onika.wire.request import Begin
 

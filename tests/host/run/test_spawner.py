@@ -1,5 +1,7 @@
 import pytest
 
+from kit.rail import YardLoading, rail
+from kit.workshop import action
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.spawner import Births
 from onika.model.lifecycle import State
@@ -7,8 +9,6 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from kit.rail import YardLoading, rail
-from kit.workshop import action
 
 
 class Units:

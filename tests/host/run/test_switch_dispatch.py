@@ -1,5 +1,6 @@
 import pytest
 
+from kit.workshop import Workshop, action
 from onika.engine.orders import Start, Switch
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
@@ -7,7 +8,6 @@ from onika.host.run.switch_dispatch import Switchboard
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from kit.workshop import Workshop, action
 
 HOMES = {"a": "rt0", "b": "rt1", "c": "rt0", "d": "rt1", "e": "rt2"}
 

@@ -2,6 +2,7 @@
 
 import pytest
 
+from kit.workshop import Workshop, action
 from onika.engine import orders
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
@@ -12,7 +13,6 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from kit.workshop import Workshop, action
 
 WRITER = "from onika.module import Module, OutVar\nclass {}(Module):\n    trigger = True\n    A = OutVar('double')\n"
 

@@ -1,12 +1,12 @@
 import pytest
 
+from kit.rail import rail
+from kit.workshop import action
 from onika.host.sessions.audit_log import Witness
 from onika.host.sessions.request_server import Call
 from onika.link.caller import Caller, Role
 from onika.link.channel import Channel
 from onika.link.sessions import Introduction
-from kit.rail import rail
-from kit.workshop import action
 from onika.wire import event, holding, live, request, steer
 
 PLAN = rail().plan([action("mass", "servo", arguments="1")])

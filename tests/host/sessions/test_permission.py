@@ -1,9 +1,9 @@
 import pytest
 
-from onika.host.sessions.permission import brings_code, changes_nothing, refusal
-from onika.link.caller import PARENT, Caller, Role
 from kit.source import COUNTER
 from kit.workshop import Workshop
+from onika.host.sessions.permission import brings_code, changes_nothing, refusal
+from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request
 from onika.wire.plan import Code, Plan
 

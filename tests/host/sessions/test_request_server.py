@@ -2,6 +2,7 @@ import socket
 
 import pytest
 
+from kit.workshop import Workshop, action
 from onika.host.sessions.request_server import Call, Gate
 from onika.link.caller import Caller, Role
 from onika.link.carrier import SocketCarrier, memory_pair
@@ -10,7 +11,6 @@ from onika.link.connection import Connection
 from onika.link.link_events import Read, Signalled
 from onika.link.link_terms import CHILD
 from onika.link.sessions import Guests, Introduction
-from kit.workshop import Workshop, action
 from onika.wire import event, live, request
 
 SECOND = 1_000_000_000

@@ -6,6 +6,7 @@ from time import monotonic_ns
 import numpy as np
 import pytest
 
+from kit.worlds import MassWorld
 from onika.host.units import device_server as room
 from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat
@@ -14,7 +15,6 @@ from onika.ring.device import Drive, Order
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE
-from kit.worlds import MassWorld
 
 
 def open_world(name):

@@ -1,6 +1,6 @@
+from kit.worlds import MassWorld
 from onika.host.units.run_digest import Digest
 from onika.runtime import news
-from kit.worlds import MassWorld
 
 MS = 1_000_000
 WORD = news.Initialised("flow0", "pd")

@@ -2,9 +2,9 @@ import inspect
 
 import pytest
 
+from kit.hand import FrailDriver
 from onika.host.subsystems import Stage
 from onika.host.units.unit_listener import Listener
-from kit.hand import FrailDriver
 
 WORDS = sorted(name for name in vars(Listener) if not name.startswith("_"))
 

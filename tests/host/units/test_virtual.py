@@ -3,6 +3,9 @@ from time import monotonic_ns
 
 import pytest
 
+from kit.rail import YardLoading, rail
+from kit.workshop import Workshop, action
+from kit.worlds import MassWorld
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.host.units.realtime_factor import Pace
@@ -11,9 +14,6 @@ from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.testing.fake_partner import Outsider
-from kit.rail import YardLoading, rail
-from kit.workshop import Workshop, action
-from kit.worlds import MassWorld
 from onika.wire import event
 from onika.wire.request import Begin
 

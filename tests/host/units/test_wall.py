@@ -4,6 +4,7 @@ import signal
 
 import pytest
 
+from kit.workshop import Workshop, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
@@ -12,7 +13,6 @@ from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.store.site import shipped
-from kit.workshop import Workshop, action
 from onika.wire import event
 from onika.wire.request import Begin
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.host.units.world_buses import Buses
 from kit.worlds import MassWorld
+from onika.host.units.world_buses import Buses
 
 MS = 1_000_000
 

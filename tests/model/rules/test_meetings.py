@@ -2,8 +2,8 @@
 
 from hypothesis import given, settings, strategies as st
 
-from onika.model.rules import meetings
 from kit.tree import Act, Loop, Pick, Side, planned
+from onika.model.rules import meetings
 from onika.words.fault import Place
 
 NOOP = Act(tasks=(), is_noop=True)

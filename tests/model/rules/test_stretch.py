@@ -2,9 +2,9 @@
 
 import pytest
 
-from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
 from kit import build
 from kit.tree import Act, Loop, Pick, Side, planned
+from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
 from onika.wire.plan import Do, Halt, Meet, Rest
 
 MEET = Act("a")

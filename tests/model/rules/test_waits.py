@@ -2,8 +2,8 @@
 
 from hypothesis import given, settings, strategies as st
 
-from onika.model.rules.waits import Wait, Waits
 from kit.tree import Act, Loop, Pick, Side, planned
+from onika.model.rules.waits import Wait, Waits
 from onika.wire.plan import Again, Choose, Fork, Halt, Join, Jump, Meet, Unless
 
 NOOP = Act(tasks=(), is_noop=True)

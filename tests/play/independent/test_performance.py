@@ -5,10 +5,10 @@ import re
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit import build
 from onika.engine.engine import Engine
 from onika.engine.news import Abort, Failed, Finished, Illegal, News, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Done, Kill, Moved, Note, Order, Settle, Spawn, Switch, Together
-from kit import build
 
 from .performance import Action, Event, Performance
 

@@ -6,14 +6,14 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.rig import HOME, Rig
+from kit.worlds import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.code import load
 from onika.runtime.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS
 from onika.runtime.transfer.bumpless_transfer import limit_of
-from kit.rig import HOME, Rig
-from kit.worlds import MassWorld
 
 MS = 1_000_000
 LIMIT = 0.1

@@ -1,8 +1,8 @@
 import pytest
 
-from onika.runtime import command, news
 from kit.rig import Rig
 from kit.worlds import MassWorld
+from onika.runtime import command, news
 
 MS = 1_000_000
 

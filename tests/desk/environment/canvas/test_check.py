@@ -1,9 +1,9 @@
 from dataclasses import replace
 
-from onika.desk.environment.state.open_application import Judgement
-from onika.model.task import Task
 from kit.gallery import Gallery
 from kit.sitting import Sitting
+from onika.desk.environment.state.open_application import Judgement
+from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import FaultView
 

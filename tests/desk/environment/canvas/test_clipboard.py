@@ -1,8 +1,8 @@
 import pytest
 
+from kit.sitting import Sitting
 from onika.model.configuration import Group, Placed
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

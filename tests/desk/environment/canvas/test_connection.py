@@ -1,11 +1,11 @@
 import pytest
 
-from onika.desk.environment.canvas.connection import connected
-from onika.desk.environment.runs.runtime_loss import lost
-from onika.model.task import Task
 from kit.duet import Duet
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.canvas.connection import connected
+from onika.desk.environment.runs.runtime_loss import lost
+from onika.model.task import Task
 from onika.wire import act, live, request
 
 TASKS = (

@@ -1,13 +1,13 @@
 import pytest
 
+from kit.duet import Duet
+from kit.laboratory import Laboratory
+from kit.sitting import Sitting
 from onika.files import conf
 from onika.model.configuration import Group
 from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import Placed as Standing, exchange
 from onika.model.task import Task
-from kit.duet import Duet
-from kit.laboratory import Laboratory
-from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import GroupView
 

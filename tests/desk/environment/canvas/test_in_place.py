@@ -1,7 +1,7 @@
 import pytest
 
-from onika.model.task import Task
 from kit.duet import Duet
+from onika.model.task import Task
 from onika.wire import act, live, request
 
 TASKS = (

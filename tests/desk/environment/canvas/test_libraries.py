@@ -1,10 +1,10 @@
 import pytest
 
+from kit.sitting import Sitting
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from kit.sitting import Sitting
 from onika.wire import act
 
 OWN = Task("own", "own", outvar=("Q",), frequency=10.0)

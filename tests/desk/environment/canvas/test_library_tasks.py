@@ -3,9 +3,9 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.sitting import Sitting
 from onika.files import rmod
 from onika.model.task import LocalLine, Task, TaskType
-from kit.sitting import Sitting
 from onika.wire import act
 
 WRITER = Task("writer", "w", invar=("IN",), outvar=("Q", "R"), frequency=10.0)

@@ -2,8 +2,8 @@ import math
 
 import pytest
 
-from onika.model.task import Task, TaskType
 from kit.duet import Duet
+from onika.model.task import Task, TaskType
 from onika.wire import act
 
 TASKS = (Task("a", "a", outvar=("A",), frequency=10.0), Task("once", "once", type=TaskType.APERIODIC))

@@ -2,11 +2,11 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.environment.outcome.outcome import Done
-from onika.model.task import Task, TaskType
 from kit.duet import Duet
 from kit.laboratory import Laboratory
 from kit.live_runtime import LiveRuntime
+from onika.desk.environment.outcome.outcome import Done
+from onika.model.task import Task, TaskType
 from onika.wire import act, event, live, request
 
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))

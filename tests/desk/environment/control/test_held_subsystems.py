@@ -1,8 +1,8 @@
 import pytest
 
+from kit.duet import Duet
 from onika.desk.environment.control import held_subsystems
 from onika.model.task import Task
-from kit.duet import Duet
 from onika.wire import act, event, holding, live, request, steer
 from onika.wire.view import HoldView
 

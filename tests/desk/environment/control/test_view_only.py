@@ -3,9 +3,9 @@ from dataclasses import replace
 import msgspec
 import pytest
 
+from kit.duet import Duet
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task
-from kit.duet import Duet
 from onika.wire import act, event, holding, live, request
 
 

@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.environment.refresh import refreshed
 from kit.gallery import Gallery
+from onika.desk.environment.refresh import refreshed
 from onika.wire import act
 
 

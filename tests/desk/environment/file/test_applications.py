@@ -3,10 +3,10 @@ from pathlib import Path
 
 import pytest
 
-from onika.desk.environment.initial_model import opened
-from onika.store.site import Site, shipped
 from kit.gallery import Gallery
 from kit.sitting import Sitting
+from onika.desk.environment.initial_model import opened
+from onika.store.site import Site, shipped
 from onika.wire import act
 
 SHIPPED = sorted((shipped() / "boxes" / "appl").glob("*.appl"))

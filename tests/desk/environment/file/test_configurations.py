@@ -1,8 +1,8 @@
 import pytest
 
-from onika.model.task import Task
 from kit.duet import Duet
 from kit.sitting import Sitting
+from onika.model.task import Task
 from onika.wire import act, live
 
 TASKS = (

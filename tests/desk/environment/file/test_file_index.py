@@ -1,5 +1,6 @@
 from pathlib import Path
 
+from kit.laboratory import HOLE, Laboratory, job
 from onika.desk.environment.file.file_index import (
     again,
     application,
@@ -14,7 +15,6 @@ from onika.model.configuration import Configuration
 from onika.model.rules.iconify import ActionType
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import open_site
-from kit.laboratory import HOLE, Laboratory, job
 
 SYNTAX, _ = open_site([], {}, None).syntax()
 

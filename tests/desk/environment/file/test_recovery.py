@@ -5,6 +5,8 @@ import sys
 
 import pytest
 
+from kit.gallery import Gallery
+from kit.sitting import Sitting
 from onika.desk.environment.file.autosave import Autosave, Change
 from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.file.recovery_record import Rescue, rescue_of
@@ -13,8 +15,6 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration, Placed
 from onika.model.task import Task
-from kit.gallery import Gallery
-from kit.sitting import Sitting
 from onika.wire import act
 
 

@@ -3,12 +3,12 @@ from pathlib import Path
 
 import pytest
 
+from kit.gallery import Gallery
 from onika.desk.environment.file.recovery_record import Rescue, application_of, document_of, read, rescue_of, write
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.model.configuration import Configuration, Placed
 from onika.store.base_directory import BaseDirectory
-from kit.gallery import Gallery
 from onika.wire import act
 from onika.words.fault import Refusal
 

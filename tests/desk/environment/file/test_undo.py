@@ -1,11 +1,11 @@
 from hypothesis import given, strategies as st
 
+from kit.sitting import Sitting
 from onika.desk.environment.file.undo import edits_between, moved_wanted
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 
 wants = st.dictionaries(st.sampled_from("abc"), st.booleans())

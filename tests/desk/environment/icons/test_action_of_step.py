@@ -1,8 +1,8 @@
 import pytest
 
+from kit.gallery import ONIKONS, Gallery
 from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
 from onika.model.application import AppFlow, Icon
-from kit.gallery import ONIKONS, Gallery
 
 
 @pytest.fixture

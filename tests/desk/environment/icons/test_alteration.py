@@ -1,9 +1,9 @@
 import pytest
 
+from kit.gallery import Gallery
 from onika.desk.environment.icons.alteration import altered, flow_at, found, place_behind, reflowed
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow
-from kit.gallery import Gallery
 
 
 @pytest.fixture

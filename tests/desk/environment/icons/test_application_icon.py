@@ -1,9 +1,9 @@
 import pytest
 
-from onika.model.initials import drawn
-from onika.model.onikon import Onikon
 from kit.cabinet import WHITE, Cabinet, plain
 from kit.laboratory import HOLE, Laboratory, job
+from onika.model.initials import drawn
+from onika.model.onikon import Onikon
 from onika.wire import act
 
 MOVE = job("jmoveC", "Joint job")

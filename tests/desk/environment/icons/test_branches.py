@@ -1,7 +1,7 @@
 import pytest
 
-from onika.desk.environment.icons.branches import conditions_of
 from kit.gallery import Gallery
+from onika.desk.environment.icons.branches import conditions_of
 from onika.wire import act
 
 

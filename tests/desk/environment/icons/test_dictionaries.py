@@ -1,8 +1,8 @@
 import pytest
 
+from kit.cabinet import Cabinet, plain
 from onika.desk.environment.icons.dictionaries import in_order, is_icon
 from onika.store.base_directory import BaseDirectory
-from kit.cabinet import Cabinet, plain
 from onika.wire import act
 
 

@@ -1,9 +1,9 @@
 import pytest
 
+from kit.gallery import ONIKONS, Gallery, onikon as made
 from onika.desk.environment.icons.fitting import fitting_behind, misfit, onikon
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow, Icon
-from kit.gallery import ONIKONS, Gallery, onikon as made
 from onika.wire import act
 
 

@@ -2,14 +2,14 @@ from dataclasses import replace
 
 import pytest
 
+from kit.cabinet import Cabinet, plain
+from kit.sitting import Sitting
 from onika.desk.environment.outcome.outcome import Done
 from onika.files import syntax as syntax_file
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.site import shipped
-from kit.cabinet import Cabinet, plain
-from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

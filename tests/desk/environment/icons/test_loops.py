@@ -1,10 +1,10 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
+from kit.gallery import ONIKONS, Gallery
 from onika.desk.environment.icons.loops import for_pasting, tags
 from onika.model.application import AppFlow, Icon
 from onika.model.rules import loop
-from kit.gallery import ONIKONS, Gallery
 from onika.wire import act
 from onika.words.fault import Place
 

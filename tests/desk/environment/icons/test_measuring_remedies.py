@@ -1,6 +1,6 @@
+from kit.cabinet import Cabinet
 from onika.desk.environment.icons.measured_variables import measures_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
-from kit.cabinet import Cabinet
 from onika.wire import act
 
 

@@ -2,12 +2,12 @@ from dataclasses import replace
 
 import pytest
 
+from kit.duet import Duet
+from kit.live_runtime import LiveRuntime
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task
 from onika.store.site import open_site
-from kit.duet import Duet
-from kit.live_runtime import LiveRuntime
 from onika.wire import act, live, request
 from onika.wire.sheet import InputSheet, ModuleSheet, PortSheet
 

@@ -1,6 +1,6 @@
-from onika.desk.environment.icons.uses import users_of
 from kit.cabinet import Cabinet, plain
 from kit.laboratory import Laboratory, job
+from onika.desk.environment.icons.uses import users_of
 from onika.wire import act
 
 

@@ -1,6 +1,6 @@
+from kit.sitting import Sitting
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import Reason, Remedy
 

@@ -1,8 +1,8 @@
 import pytest
 
-from onika.desk.environment.runs.readiness import Case, Judge
 from kit.laboratory import HOLE, job, joints
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.runs.readiness import Case, Judge
 from onika.wire import act
 
 TAG = "SYNCHTAG    meet"

@@ -3,12 +3,12 @@ from dataclasses import replace
 import pytest
 from msgspec import structs
 
+from kit.gallery import Gallery
 from onika.desk.environment.outcome.on_application import is_application, is_running
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
 from onika.store.site import open_site
-from kit.gallery import Gallery
 from onika.wire import act
 from onika.words.fault import Place
 

@@ -1,8 +1,8 @@
 import pytest
 
+from kit.sitting import Sitting
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.outcome import No
-from kit.sitting import Sitting
 from onika.wire import act
 
 ACTS = (

@@ -1,7 +1,7 @@
+from kit.sitting import Sitting
 from onika.desk.environment.outcome.pin_changes import resettled, settled
 from onika.desk.environment.state.content import Content
 from onika.model.task import Task
-from kit.sitting import Sitting
 
 A = Task("a", "a", outvar=("Q",), frequency=1.0)
 B = Task("b", "b", invar=("Q",), frequency=1.0)

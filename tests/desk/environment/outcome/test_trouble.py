@@ -1,12 +1,12 @@
 import pytest
 
+from kit.sitting import Sitting
 from onika.desk.environment.outcome.trouble import error_view
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import TaskFacts
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (

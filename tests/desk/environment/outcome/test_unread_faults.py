@@ -1,8 +1,8 @@
 from dataclasses import replace
 
+from kit.gallery import ONIKONS, Gallery
 from onika.desk.environment.outcome.unread_faults import not_run, told
 from onika.model.application import AppFlow, Application, Icon
-from kit.gallery import ONIKONS, Gallery
 from onika.wire import act
 from onika.words.fault import Fault, Place
 

@@ -1,8 +1,8 @@
 import pytest
 
-from onika.model.task import Task, TaskType
 from kit.duet import Duet
 from kit.live_runtime import LiveRuntime
+from onika.model.task import Task, TaskType
 from onika.wire import act, event, live, request
 from onika.wire.sheet import InputSheet, ModuleSheet, PortSheet
 

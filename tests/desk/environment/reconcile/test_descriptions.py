@@ -3,12 +3,12 @@ from functools import partial
 
 import pytest
 
+from kit.duet import Duet
+from kit.live_runtime import LiveRuntime
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile.descriptions import describe, forgotten
 from onika.desk.environment.refresh import refreshed
 from onika.model.task import Task
-from kit.duet import Duet
-from kit.live_runtime import LiveRuntime
 from onika.wire import act, live, request
 from onika.wire.sheet import ModuleSheet, PortSheet
 

@@ -2,12 +2,12 @@ from dataclasses import replace
 
 import pytest
 
+from kit.duet import Duet
 from onika.desk.environment.canvas.libraries import reread
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.target_items import items_of
 from onika.model.task import Task
 from onika.store.site import open_site
-from kit.duet import Duet
 from onika.wire import act, live, request
 
 ARM = Task("arm", "arm", outconst=("QMIN", "QMAX", "OTHER"), frequency=100.0)

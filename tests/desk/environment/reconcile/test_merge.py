@@ -1,9 +1,9 @@
 import pytest
 
+from kit.duet import Duet
 from onika.desk.environment.reconcile.merge import runtime_view, seen, task_of
 from onika.desk.plan.compile import planned_task
 from onika.model.task import LocalLine, Task
-from kit.duet import Duet
 from onika.wire import act, live, request, view
 
 TASKS = (

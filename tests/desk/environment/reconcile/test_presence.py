@@ -1,8 +1,8 @@
 import pytest
 
+from kit.duet import Duet
 from onika.desk.environment.reconcile.presence import you
 from onika.model.task import Task
-from kit.duet import Duet
 from onika.wire import act, event, holding
 
 

@@ -1,11 +1,11 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
+from kit.duet import Duet
+from kit.live_runtime import LiveRuntime
 from onika.desk.environment.reconcile.reconciliation import accepted, edited
 from onika.model.lifecycle import State
 from onika.model.task import Task
-from kit.duet import Duet
-from kit.live_runtime import LiveRuntime
 from onika.wire import act, event, live, request
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b", "c"))

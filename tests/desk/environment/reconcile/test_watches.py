@@ -2,11 +2,11 @@ import math
 
 import pytest
 
-from onika.desk.environment.reconcile.watches import Watching, homes_of, keys_of
-from onika.model.task import Task
 from kit.duet import Duet
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.reconcile.watches import Watching, homes_of, keys_of
+from onika.model.task import Task
 from onika.wire import holding, live
 
 

@@ -4,6 +4,9 @@ from queue import Empty, Queue
 
 import pytest
 
+from kit.laboratory import job
+from kit.rehearsal import Rehearsal
+from kit.tape import Tape, run as recorded
 from onika.desk.environment import initial_model
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
@@ -15,9 +18,6 @@ from onika.desk.environment.runtime_thread import Station
 from onika.desk.run.run import run
 from onika.desk.run.settings import RunSettings
 from onika.store.site import open_site
-from kit.laboratory import job
-from kit.rehearsal import Rehearsal
-from kit.tape import Tape, run as recorded
 from onika.wire import act, event, live, request, steer
 
 

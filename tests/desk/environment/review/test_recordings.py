@@ -1,5 +1,5 @@
-from onika.desk.environment.file.recordings_folder import recordings_folder
 from kit.laboratory import job
+from onika.desk.environment.file.recordings_folder import recordings_folder
 from onika.wire import act
 
 

@@ -1,8 +1,8 @@
+from kit.laboratory import HOLE, job, joints
 from onika.desk.environment.run_state.membership import Belonging, icons
 from onika.files import appl
 from onika.model.flow_path import numbered
 from onika.store.site import open_site
-from kit.laboratory import HOLE, job, joints
 
 SYNTAX, _ = open_site([], {}, None).syntax()
 

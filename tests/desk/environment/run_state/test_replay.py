@@ -1,8 +1,8 @@
+from kit.tape import run
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.replay import Replay
 from onika.desk.environment.run_state.run import begun
-from kit.tape import run
 from onika.wire import event
 
 PLAN = run().prepare.plan

@@ -1,5 +1,5 @@
-from onika.desk.environment.run_state.review_session import Looking
 from kit.laboratory import job
+from onika.desk.environment.run_state.review_session import Looking
 from onika.wire import act
 
 

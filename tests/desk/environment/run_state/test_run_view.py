@@ -1,8 +1,8 @@
 import pytest
 
-from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from onika.wire import act, event
 
 WHERE = ("flow0", "b", "bC", 1, "play.appl:2", "cycle: no glass", "b.py", 7)

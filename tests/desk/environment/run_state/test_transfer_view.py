@@ -1,6 +1,6 @@
-from onika.desk.environment.run_state.transfer_view import jump_view
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.wire import event, view
 from onika.wire.figures import VariableSteps
 

@@ -2,9 +2,9 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.environment.runs import flow_placement
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.runs import flow_placement
 from onika.wire import act, view
 
 

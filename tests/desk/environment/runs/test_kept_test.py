@@ -5,12 +5,12 @@ from pathlib import Path
 
 import pytest
 
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.runs import kept_test
 from onika.desk.environment.state.open_application import Judgement
 from onika.model.redirect import Redirect
-from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
 from onika.wire import act
 from onika.wire.view import FaultView
 

@@ -1,10 +1,10 @@
 import pytest
 
+from kit.laboratory import job, target
+from kit.rehearsal import Rehearsal
 from onika.desk.environment.runs.preflight_result import worth_noting
 from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import Looked
-from kit.laboratory import job, target
-from kit.rehearsal import Rehearsal
 from onika.wire import act, request
 
 

@@ -5,14 +5,14 @@ from functools import partial
 
 import pytest
 
+from kit.laboratory import HOLE, job
+from kit.rehearsal import Rehearsal
+from kit.sitting import Sitting
 from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
 from onika.model.flow_path import numbered, spots
 from onika.store.site import open_site
-from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
-from kit.sitting import Sitting
 from onika.wire import act
 
 

@@ -2,9 +2,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from onika.desk.environment.runs import recording
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.runs import recording
 from onika.wire import act, request
 
 

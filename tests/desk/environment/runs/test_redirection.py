@@ -1,8 +1,8 @@
 import pytest
 
-from onika.desk.environment.runs.readiness import Judge, judged
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.runs.readiness import Judge, judged
 from onika.wire import act, request
 from onika.wire.view import RedirectView
 

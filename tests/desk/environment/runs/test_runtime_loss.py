@@ -1,11 +1,11 @@
 import pytest
 
-from onika.desk.environment.runs.runtime_loss import lost, with_loads
-from onika.model.task import Task
 from kit.duet import Duet
 from kit.laboratory import job
 from kit.live_runtime import LiveRuntime
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.runs.runtime_loss import lost, with_loads
+from onika.model.task import Task
 from onika.wire import act
 
 

@@ -1,8 +1,8 @@
 import pytest
 
-from onika.desk.environment.runs.unsaved import dirty
 from kit.laboratory import job
 from kit.rehearsal import Rehearsal
+from onika.desk.environment.runs.unsaved import dirty
 from onika.wire import act
 
 

@@ -2,9 +2,9 @@ from dataclasses import replace
 
 import pytest
 
+from kit.gallery import Gallery
 from onika.desk.environment.show.application_view import ApplicationSight
 from onika.desk.environment.state.open_application import Judgement
-from kit.gallery import Gallery
 from onika.wire import act
 from onika.wire.view import FaultView
 

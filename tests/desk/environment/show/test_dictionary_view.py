@@ -1,8 +1,8 @@
 from dataclasses import replace
 
+from kit.cabinet import Cabinet, plain
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.state.model import Model
-from kit.cabinet import Cabinet, plain
 
 
 def test_an_icon_is_shown_with_all_that_a_page_needs_of_it(tmp_path):  # R-D01, R-D08

@@ -1,5 +1,5 @@
-from onika.model.task import Task
 from kit.sitting import Sitting
+from onika.model.task import Task
 from onika.wire import act
 
 TASKS = (

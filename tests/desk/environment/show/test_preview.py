@@ -1,11 +1,11 @@
 import pytest
 
+from kit.sitting import Sitting
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.task import Task
 from onika.store.library import open_libraries
 from onika.store.site import Site, shipped
-from kit.sitting import Sitting
 from onika.wire import act
 from onika.wire.view import PeekView
 

@@ -1,8 +1,8 @@
 import pytest
 
+from kit.gallery import Gallery
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.show.step_view import step_views
-from kit.gallery import Gallery
 from onika.wire import act
 
 

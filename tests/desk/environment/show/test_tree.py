@@ -1,6 +1,6 @@
+from kit.sitting import Sitting
 from onika.desk.environment.show.tree import Projector
 from onika.model.task import Task
-from kit.sitting import Sitting
 from onika.wire import act
 
 TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0), Task("b", "b", invar=("Q",), frequency=1.0))

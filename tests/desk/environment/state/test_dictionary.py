@@ -1,7 +1,7 @@
+from kit.cabinet import plain
 from onika.desk.environment.state.dictionary import find, has_dictionary, home_of, open_dictionaries
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import open_site
-from kit.cabinet import plain
 
 SYNTAX, _ = open_site([], {}, None).syntax()
 PAUSE = plain("second", "Pause object", "for a second", (1.0,))

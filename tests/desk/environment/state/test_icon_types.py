@@ -1,7 +1,7 @@
+from kit.cabinet import Cabinet
 from onika.desk.environment.state.icon_types import edges_of, role_of, type_views
 from onika.desk.environment.state.model import Model
 from onika.model.syntax import IconType
-from kit.cabinet import Cabinet
 
 
 def test_a_type_is_what_the_words_of_its_name_say():  # R-D22

@@ -1,7 +1,7 @@
 from dataclasses import replace
 
-from onika.desk.environment.state.icon_words import for_placing, forgotten, told_again, words_of
 from kit.cabinet import Cabinet, plain
+from onika.desk.environment.state.icon_words import for_placing, forgotten, told_again, words_of
 
 SPOKEN = replace(plain("grip", description="close the hand"), words=(("es", "cierra la mano"),))
 

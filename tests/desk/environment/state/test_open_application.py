@@ -1,10 +1,10 @@
 from dataclasses import replace
 from pathlib import Path
 
+from kit.gallery import ONIKONS
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.model.application import AppFlow, Application, Icon
 from onika.store.opened_text import Opened
-from kit.gallery import ONIKONS
 
 EMPTY = Application("a", False, (AppFlow(()),))
 GRIP = Application("a", False, (AppFlow((Icon(ONIKONS[0], number=1),)),))

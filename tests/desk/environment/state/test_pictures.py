@@ -1,7 +1,7 @@
+from kit.cabinet import Cabinet, plain
 from onika.desk.environment.state.pictures import Album, drawn, key_of
 from onika.model.initials import drawn as initial
 from onika.model.picture import blank, framed
-from kit.cabinet import Cabinet, plain
 
 
 def test_every_picture_is_sent_once_under_a_key_that_says_what_is_in_it(tmp_path):  # R-D01

@@ -10,12 +10,12 @@ from time import perf_counter_ns
 
 import onika
 from beside.contestant import Figures, serve
+from kit.workshop import Workshop, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
 from onika.host.units.call_watchdog import Patience
 from onika.host.units.virtual import VirtualDriver
-from kit.workshop import Workshop, action
 from onika.wire import event, request
 
 ACTIONS = 24
