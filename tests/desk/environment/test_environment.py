@@ -1,7 +1,10 @@
+from dataclasses import replace
+
+import pytest
 from hypothesis import given, settings, strategies as st
 
 from kit.sitting import Sitting
-from onika.desk.environment.outcome.outcome import Done, Order
+from onika.desk.environment.outcome.outcome import Ask, Change, Done, Ending, No, Shown, Until, Work
 from onika.model.task import Task
 from onika.wire import act, live, page, request
 
@@ -70,19 +73,98 @@ def test_an_observer_is_told_of_every_act_and_its_end(tmp_path):  # R-H01
     assert seen == [(act.New, "anna", True), (act.Undo, "me", False)]
 
 
-def test_an_act_that_waits_for_the_runtime_is_answered_when_that_has_replied(tmp_path):
-    sitting, given = Sitting(tmp_path, TASKS), []
-    order = Order(live.Survey(), lambda model, response: Done(model, value=response.reason))
+@pytest.fixture
+def begin(tmp_path):
+    """Carries out a procedure as an act: the sitting, and the answers that it gets."""
 
-    def ask(model, _asked, _outside):
-        return Done(model, orders=(order,), is_answered_later=True)
+    def begin(procedure):
+        sitting, answers = Sitting(tmp_path, TASKS), []
+        sitting.environment._handlers = {act.Note: procedure, act.Company: lambda model, *_: Done(people(model, 9))}
+        sitting.environment.do(act.Note("x"), "me", answers.append)
+        return sitting, answers
 
-    sitting.environment._handlers = {act.Note: ask}
-    sitting.environment.do(act.Note("x"), "me", given.append)
-    assert given == []
-    assert sitting.orders == [order]
+    return begin
+
+
+def people(model, count):
+    return replace(model, people=count)
+
+
+def test_an_act_that_waits_for_the_runtime_is_answered_when_that_has_replied(begin):
+    def procedure(model, _act, _outside):
+        model, response = yield Ask(model, live.Survey())
+        return Done(model, value=response.reason)
+
+    sitting, answers = begin(procedure)
+    assert answers == []
+    (order,) = sitting.orders
     sitting.environment.replied(order, request.Refused("not now"))
-    assert [one.value for one in given] == ["not now"]
+    assert [answer.value for answer in answers] == ["not now"]
+
+
+def test_an_act_goes_on_with_the_model_of_then(begin):
+    def procedure(model, _act, _outside):
+        model, _ = yield Ask(people(model, 2), live.Survey())
+        return Done(model, value=model.people)
+
+    sitting, answers = begin(procedure)
+    sitting.environment.do(act.Company(), "other", lambda answer: None)
+    sitting.environment.replied(sitting.orders[0], request.Done())
+    assert [answer.value for answer in answers] == [9]
+
+
+def test_two_acts_that_ask_the_same_get_each_its_own_reply(begin):
+    def procedure(model, _act, _outside):
+        model, response = yield Ask(model, live.Survey())
+        return Done(model, value=response.reason)
+
+    sitting, answers = begin(procedure)
+    sitting.environment.do(act.Note("y"), "other", answers.append)
+    first, second = sitting.orders
+    sitting.environment.replied(second, request.Refused("second"))
+    sitting.environment.replied(first, request.Refused("first"))
+    assert [answer.value for answer in answers] == ["second", "first"]
+
+
+def test_what_an_act_has_done_is_shown_while_it_waits_and_stays_where_it_is_refused_then(begin):  # R-X10
+    def procedure(model, _act, _outside):
+        model, _ = yield Ask(people(model, 2), live.Survey())
+        model, _ = yield Shown(people(model, model.people + 1))
+        return No("not so many")
+
+    sitting, answers = begin(procedure)
+    assert sitting.environment.model.people == 2
+    sitting.environment.replied(sitting.orders[0], request.Done())
+    assert sitting.environment.model.people == 3 and answers[0].no == No("not so many")
+
+
+def test_an_act_may_wait_for_work_that_is_done_aside(begin):
+    def procedure(model, _act, outside):
+        model, result = yield Work(model, outside.reading, lambda: 6 * 7)
+        return Done(model, value=result)
+
+    sitting, answers = begin(procedure)
+    sitting.become()
+    assert [answer.value for answer in answers] == [42]
+
+
+def test_an_act_may_wait_until_something_comes_by_itself_and_so_may_several(begin):
+    def procedure(model, _act, _outside):
+        model, news = yield Until(model, Ending(7))
+        return Done(model, value=news)
+
+    sitting, answers = begin(procedure)
+    sitting.environment.do(act.Note("y"), "other", answers.append)
+    sitting.environment.become(lambda model: Done(model, news=((Ending(8), "another"),)))
+    assert answers == []
+    sitting.environment.become(lambda model: Done(model, news=((Ending(7), "it"),)))
+    assert [answer.value for answer in answers] == ["it", "it"]
+
+
+def test_a_refused_change_that_no_act_waits_for_is_worth_a_line(tmp_path):  # law 22
+    sitting = Sitting(tmp_path, TASKS)
+    sitting.environment.become(lambda model: Done(model, news=((Change("c1", 1), No("they disagree")),)))
+    assert [(line.text, line.doc) for line in sitting.says] == [("they disagree", "c1")]
 
 
 def test_a_change_from_outside_reaches_every_page(tmp_path):

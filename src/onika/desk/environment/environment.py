@@ -1,12 +1,12 @@
 """The environment: the one writer of what is open; every act gets exactly one answer (house decision 5)."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 from onika.desk.environment import following
 from onika.desk.environment.file import application_undo, undo
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Ask, Change, Done, No, Order, Procedure, Shown, Until, Work
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
@@ -16,8 +16,8 @@ from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
 from onika.wire.view import Tree
 
-Handler = Callable[[Model, Any, Surroundings], Done | No]
-"""What an act does: of a model, the act and the outside."""
+Handler = Callable[[Model, Any, Surroundings], Done | No | Procedure]
+"""What an act does: of a model, the act and the outside. One that waits is a generator."""
 
 
 class Listener(Protocol):
@@ -48,16 +48,12 @@ class Answer:
     no: No | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class _Waiting:
-    """An act that is answered later, and what its answer says if the runtime says nothing more."""
+@dataclass(frozen=True, slots=True, eq=False)
+class _Act:
+    """An act that is carried out: how it goes on where it waits, and who gets its answer."""
 
-    tell: Callable[[Answer], None]
-    value: Any
-
-    def value_of(self, outcome: Done | None) -> Any:
-        """What the answer says."""
-        return self.value if outcome is None or outcome.value is None else outcome.value
+    steps: Procedure | None
+    answer: Callable[[Answer], None]
 
 
 class Environment:
@@ -74,7 +70,8 @@ class Environment:
         self._surroundings = surroundings
         self._station = station
         self._projector = Projector()
-        self._waiting: dict[int, _Waiting] = {}
+        self._waiting: dict[Hashable, list[_Act]] = {}
+        """Acts by what they wait for: a response, work that is done aside, a change of a running system."""
         self.model = model
         self.listeners: list[Listener] = []
         self.observers: list[Callable[[act.AnyAct, str, Answer], None]] = []
@@ -91,33 +88,19 @@ class Environment:
             answer(given)
 
         before = self.model
-        outcome = self._handlers[type(asked)](before, asked, self._surroundings)
-        if isinstance(outcome, No):
-            tell(Answer(no=outcome))
-            return
-        outcome = self._recorded(before, outcome, by, asked)
-        if isinstance(outcome, No):
-            tell(Answer(no=outcome))
-            return
-        if outcome.is_answered_later:
-            self._waiting[id(outcome.orders[0])] = _Waiting(tell, outcome.value)
-        self._adopt(outcome, by)
-        if not outcome.is_answered_later:
-            tell(Answer(outcome.value))
+        result = self._handlers[type(asked)](before, asked, self._surroundings)
+        steps, first = (None, result) if isinstance(result, Done | No) else (result, _next(result, None))
+        outcome = self._followed(before, first, by, asked)
+        if isinstance(outcome, Done) and outcome.awaits is not None:
+            steps = _taken_up(outcome, outcome.awaits)
+            outcome = _next(steps, None)
+        self._go_on(_Act(steps, tell), outcome, by)
 
     def replied(self, order: Order, response: request.Response) -> None:
         """A runtime has replied to an order."""
-        outcome = order.then(self.model, response) if order.then else None
-        waiting = self._waiting.pop(id(order), None)
-        if isinstance(outcome, Done) and outcome.is_answered_later and waiting is not None:
-            self._waiting[id(outcome.orders[0])], waiting = waiting, None
-        done = outcome.instead if isinstance(outcome, No) else outcome
-        if done is not None:
-            self._adopt(done, "")
-        if waiting is not None:
-            waiting.tell(Answer(no=outcome) if isinstance(outcome, No) else Answer(waiting.value_of(outcome)))
-        elif isinstance(outcome, No):
-            self.say(page.Say("error", outcome.reason, order.doc))
+        if order.then is not None:
+            self._adopt(order.then(self.model, response), "")
+        self._come(order, response)
 
     def heard(self, told: event.Event) -> None:
         """A runtime has told something."""
@@ -131,31 +114,64 @@ class Environment:
             self.say(page.Say("error", followed.reason))
             return
         orders, says = (*done.orders, *followed.orders), (*done.says, *followed.says)
-        replies = (*done.replies, *followed.replies)
-        self._adopt(replace(done, model=followed.model, orders=orders, says=says, replies=replies), "")
+        news = (*done.news, *followed.news)
+        self._adopt(replace(done, model=followed.model, orders=orders, says=says, news=news), "")
 
     def say(self, said: page.Say) -> None:
         """Show everybody a line."""
         for listener in self.listeners:
             listener.say(said)
 
-    def _recorded(self, before: Model, done: Done, by: str, asked: act.AnyAct) -> Done | No:
+    def _go_on(self, carried: _Act, outcome: Shown | Done | No, by: str = "") -> None:
+        """Answer an act that has come to its end; keep one that waits by what it waits for."""
+        if isinstance(outcome, No):
+            carried.answer(Answer(no=outcome))
+            return
+        if isinstance(outcome, Done):
+            self._adopt(outcome, by)
+            carried.answer(Answer(outcome.value))
+            return
+        orders = outcome.orders
+        if isinstance(outcome, Ask):
+            order = Order(outcome.request, reach=outcome.reach)
+            orders = (order, *orders)
+            self._waiting[order] = [carried]
+        elif isinstance(outcome, Until):
+            self._waiting.setdefault(outcome.what, []).append(carried)
+        self._adopt(Done(outcome.model, orders=orders, says=outcome.says, news=outcome.news), by)
+        if isinstance(outcome, Work):
+            self._waiting[outcome] = [carried]
+            outcome.worker.answer(outcome.work, outcome)
+        elif type(outcome) is Shown:
+            self._resume(carried, None)
+
+    def _come(self, what: Hashable, news: Any) -> None:
+        """What acts may wait for has come; a refusal that none waits for is worth a line."""
+        acts = self._waiting.pop(what, ())
+        for carried in acts:
+            self._resume(carried, news)
+        if not acts and isinstance(what, Change) and isinstance(news, No):
+            self.say(page.Say("error", news.reason, what.doc))
+
+    def _resume(self, carried: _Act, news: Any) -> None:
+        if carried.steps is not None:
+            self._go_on(carried, _next(carried.steps, (self.model, news)))
+
+    def _followed(self, before: Model, outcome: Shown | Done | No, by: str, asked: act.AnyAct) -> Shown | Done | No:
         """Make a step of what was done to a document, and have the running system follow."""
-        model = self._stepped(before, done, by, asked)
+        if isinstance(outcome, No):
+            return outcome
+        model = self._stepped(before, outcome, by, asked) if isinstance(outcome, Done) else outcome.model
         followed = following.follow(before, model, self._surroundings)
         if isinstance(followed, No):
             return followed
-        is_answered_later = done.is_answered_later or any(not one.is_aside for one in followed.orders)
-        behind = _but_of_ended(followed.orders, done.orders)
-        orders = (*done.orders, *behind) if done.is_answered_later else (*behind, *done.orders)
-        return replace(
-            done,
-            model=followed.model,
-            orders=orders,
-            says=(*others(before, asked, by), *done.says, *followed.says),
-            replies=followed.replies,
-            is_answered_later=is_answered_later,
-        )
+        says = (*others(before, asked, by), *outcome.says, *followed.says)
+        news = (*outcome.news, *followed.news)
+        if isinstance(outcome, Done):
+            orders = (*_but_of_ended(followed.orders, outcome.orders), *outcome.orders)
+            awaits = followed.awaits
+            return replace(outcome, model=followed.model, orders=orders, says=says, news=news, awaits=awaits)
+        return replace(outcome, model=followed.model, orders=(*outcome.orders, *followed.orders), says=says, news=news)
 
     def _stepped(self, before: Model, done: Done, by: str, asked: act.AnyAct) -> Model:
         """With one more step in the history of the document that was changed."""
@@ -181,10 +197,9 @@ class Environment:
         for said in done.says:
             self.say(said)
         for order in done.orders:
-            if not order.is_kept:
-                self._station.send(order)
-        for order, response in done.replies:
-            self.replied(order, response)
+            self._station.send(order)
+        for what, news in done.news:
+            self._come(what, news)
 
     def _show(self, by: str) -> None:
         tree = self._projector.project(self.model)
@@ -196,6 +211,20 @@ class Environment:
         patch = page.Patch(self.revision, tuple(changes), by)
         for listener in tuple(self.listeners):
             listener.patch(patch)
+
+
+def _next(steps: Procedure, news: tuple[Model, Any] | None) -> Shown | Done | No:
+    """What an act does until it waits again, or ends."""
+    try:
+        return next(steps) if news is None else steps.send(news)
+    except StopIteration as end:
+        return cast(Done | No, end.value)
+
+
+def _taken_up(done: Done, change: Change) -> Procedure:
+    """An act that changes a running system, answered when the change is accepted or refused."""
+    model, refused = yield Until(done.model, change, says=done.says, orders=done.orders, news=done.news)
+    return Done(model, value=done.value) if refused is None else refused
 
 
 def _but_of_ended(orders: Sequence[Order], done: Sequence[Order]) -> tuple[Order, ...]:

@@ -2,15 +2,15 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Done, News, No, Order
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile import event_reducer, joint_limits
 from onika.desk.environment.reconcile.descriptions import describe
-from onika.desk.environment.reconcile.reconciliation import noted, pursue_all
+from onika.desk.environment.reconcile.reconciliation import next_change, noted, pursue_all
 from onika.desk.environment.runs import run_reducer as hearing_run, steering as steering_run
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
-from onika.wire import event, live, request
+from onika.wire import event, live
 
 
 def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
@@ -26,16 +26,16 @@ def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
         return done
     described = _described(before, done.model)
     orders = (*done.orders, *_left(before, after), *described.orders, *marked)
-    return replace(done, model=described.model, orders=orders, replies=given_up(before, after))
+    return replace(done, model=described.model, orders=orders, news=given_up(before, after))
 
 
 def heard(model: Model, told: event.Event, outside: Surroundings) -> Done:
     """What a runtime has told."""
     done = event_reducer.heard(model, told, outside.calendar())
     run = hearing_run.heard(done.model, told)
-    says, replies = (*done.says, *run.says), (*done.replies, *run.replies)
+    says, news = (*done.says, *run.says), (*done.news, *run.news)
     orders = (*done.orders, *run.orders, *joint_limits.heard(run.model, told))
-    return replace(run, orders=orders, says=says, replies=replies)
+    return replace(run, orders=orders, says=says, news=news)
 
 
 def _is_changed(before: Model, document: Document) -> bool:
@@ -53,19 +53,21 @@ def _described(before: Model, after: Model) -> Done:
     return Done(after) if is_same or after.runtime.state != "linked" else describe(after)
 
 
-def given_up(before: Model, after: Model) -> tuple[tuple[Order, request.Response], ...]:
-    """The answers to acts that waited in documents that are no longer open, or no longer connected."""
-    homes = {one.id for one in after.documents.values() if one.live and one.live.state == "live"}
-    gone = [one for one in before.documents.values() if one.live and one.id not in homes]
-    kept = [(one, order) for one in gone if one.live for order in one.live.kept]
-    return tuple((order, request.Refused(f"{one.name} is no longer connected")) for one, order in kept)
+def given_up(before: Model, after: Model) -> tuple[News, ...]:
+    """The news for acts that waited in documents that are no longer open, or no longer connected."""
+    homes = {document.id for document in after.documents.values() if document.live and document.live.state == "live"}
+    return tuple(
+        (next_change(document.id, document.live), No(f"{document.name} is no longer connected"))
+        for document in before.documents.values()
+        if document.live is not None and document.live.is_awaited and document.id not in homes
+    )
 
 
 def _left(before: Model, after: Model) -> tuple[Order, ...]:
     """What was held for documents that are no longer open, or no longer connected, may be held by others."""
     homes = {one.live.subsystem for one in after.documents.values() if one.live}
     return tuple(
-        Order(live.Release(one.live.subsystem), is_aside=True)
+        Order(live.Release(one.live.subsystem))
         for one in before.documents.values()
         if one.live and one.live.state == "live" and one.live.is_held_here and one.live.subsystem not in homes
     )

@@ -1,6 +1,6 @@
 """What each act does: one table."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -53,8 +53,10 @@ from onika.desk.environment.show import preview, scene
 from onika.desk.environment.state.model import Model
 from onika.wire import act
 
+_AtOnce = Callable[[Model, Any, Surroundings], Done | No]
 
-def _by_kind(of_configuration: Handler, of_application: Handler) -> Handler:
+
+def _by_kind(of_configuration: _AtOnce, of_application: _AtOnce) -> _AtOnce:
     """What an act does that both kinds of documents know: the id says which it is."""
 
     def handler(model: Model, asked: Any, outside: Surroundings) -> Done | No:

@@ -1,4 +1,4 @@
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.outcome import Ask, Ending, Order, Reach, Until
 from onika.desk.environment.state.model import Model
 from onika.wire import live
 
@@ -8,7 +8,12 @@ def test_an_order_asks_only_where_a_runtime_is_there_unless_it_says_which():  # 
     assert Reach() == Reach("", "")
 
 
-def test_a_refusal_changes_nothing_unless_something_was_done_already():  # R-X10
-    model = Model()
-    assert No("no").instead is None
-    assert No("no", instead=Done(model)).instead == Done(model)
+def test_an_order_is_itself_alone_so_that_a_reply_finds_who_waits_for_it():
+    assert Order(live.Survey()) != Order(live.Survey())
+
+
+def test_what_an_act_waits_for_carries_the_model_that_is_shown_meanwhile():
+    model = Model(people=2)
+    waits = (Ask(model, live.Survey()), Until(model, Ending(7)))
+    assert [wait.model.people for wait in waits] == [2, 2]
+    assert waits[1].what == Ending(7) != Ending(8)

@@ -71,5 +71,6 @@ def test_what_was_put_away_meanwhile_stays_away(cinema, doc):  # R-X05
     cinema.do(act.Close(doc))
     cinema.do(act.Open(path))
     cinema.do(act.CloseRecording())
+    cinema.surroundings.reading.answer(lambda: None, "all before is done")
     cinema.become()
     assert cinema.environment.tree.review is None

@@ -1,13 +1,12 @@
 """Acts that connect a document with a runtime, and leave it again (requirements C12, C18)."""
 
 from dataclasses import replace
-from functools import partial
 
 import msgspec
 
 from onika.desk.environment import following
 from onika.desk.environment.outcome.on_document import closed, on_document
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile import joint_limits
@@ -31,7 +30,7 @@ _MAIN = "main"
 
 
 @on_document
-def connect(model: Model, document: Document, asked: act.Connect, outside: Surroundings) -> Done | No:
+def connect(model: Model, document: Document, asked: act.Connect, outside: Surroundings) -> Procedure:
     """Merge a document with what runs in a subsystem, which comes into being with its first task."""
     if asked.subsystem and not TASK_NAME.match(asked.subsystem):
         text = "expected a name of letters, digits and _ . - that begins with a letter"
@@ -44,14 +43,16 @@ def connect(model: Model, document: Document, asked: act.Connect, outside: Surro
     if elsewhere:
         return elsewhere
     wish = asked.subsystem or (known.subsystem if known else "")
-    then = partial(_surveyed, doc=asked.doc, wish=wish, former=known, outside=outside)
-    runtime = model.runtime
-    url = asked.url or (runtime.address if known is not None else "")  # one that was lost is looked for where it was
-    order = Order(live.Survey(), then, asked.doc, Reach(url, asked.token))
-    if runtime.state != "linked" or url not in ("", runtime.address):
-        runtime = view.RuntimeView("starting", url)
-    begun = replace(model, runtime=runtime).with_document(replace(document, live=Live(wish)))
-    return Done(begun, orders=(order,), is_answered_later=True)
+    url = asked.url or (model.runtime.address if known is not None else "")  # a lost one is looked for where it was
+    model = model.with_document(replace(document, live=Live(wish)))
+    if model.runtime.state != "linked" or url not in ("", model.runtime.address):
+        model = replace(model, runtime=view.RuntimeView("starting", url))
+    model, outcome = yield from _joined(model, document.id, wish, Reach(url, asked.token), outside)
+    if isinstance(outcome, str):
+        yield Shown(_as_before(model, document.id, known, outcome))
+        name = model.documents[document.id].name
+        return No(f"{name} is not connected: {outcome}", (Remedy("Connect…", show="connect"),))
+    return outcome
 
 
 @on_document
@@ -99,50 +100,40 @@ def _elsewhere(model: Model, asked: act.Connect) -> No | None:
     return No(f"{here} is left, and with it {left}, {what}", (Remedy("Go on", meant),))
 
 
-def _surveyed(
-    model: Model, response: request.Response, doc: str, wish: str, former: Live | None, outside: Surroundings
-) -> Done | No:
+def _joined(
+    model: Model, doc: str, wish: str, reach: Reach, outside: Surroundings
+) -> Steps[tuple[Model, Done | No | str]]:
+    """Hold a subsystem, and merge the document with what runs in it; a sentence says why that cannot be."""
+    model, standing = yield Ask(model, live.Survey(), reach)
     document = model.documents.get(doc)
     if document is None:
-        return closed()
-    if not isinstance(response, live.Standing):
-        return _not_connected(model, document, former, refusal(response))
-    model = replace(model, runtime=runtime_view(model.runtime, response))
-    name = wish or _subsystem(model, document, response)
-    reason = _occupied(model, name, document, response)
+        return model, closed()
+    if not isinstance(standing, live.Standing):
+        return model, refusal(standing)
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
+    name = wish or _subsystem(model, document, standing)
+    reason = _occupied(model, name, document, standing)
     if reason:
-        return _not_connected(model, document, former, reason)
-    document = replace(document, live=Live(name))
-    then = partial(_taken, doc=doc, former=former, outside=outside)
-    return Done(model.with_document(document), orders=(Order(live.Take(name), then, doc),), is_answered_later=True)
-
-
-def _taken(model: Model, response: request.Response, doc: str, former: Live | None, outside: Surroundings) -> Done | No:
-    then = partial(_standing, doc=doc, former=former, outside=outside, is_taken=isinstance(response, request.Done))
-    return Done(model, orders=(Order(live.Survey(), then, doc),), is_answered_later=True)
-
-
-def _standing(
-    model: Model, response: request.Response, doc: str, former: Live | None, outside: Surroundings, is_taken: bool
-) -> Done | No:
+        return model, reason
+    model, response = yield Ask(model.with_document(replace(document, live=Live(name))), live.Take(name))
+    is_held = isinstance(response, request.Done)
+    model, standing = yield Ask(model, live.Survey())
     document = model.documents.get(doc)
     if document is None or document.live is None:
-        return closed()
-    if not isinstance(response, live.Standing):
-        return _not_connected(model, document, former, refusal(response))
-    name = document.live.subsystem
-    holders = [one.holder for one in response.subsystems if one.name == name]
-    done = connected(model, doc, response, outside, holders[0] if is_taken and holders else "")
-    return replace(done, orders=(*done.orders, ask_company()))
+        return model, closed()
+    if not isinstance(standing, live.Standing):
+        return model, refusal(standing)
+    holders = [subsystem.holder for subsystem in standing.subsystems if subsystem.name == document.live.subsystem]
+    done = connected(model, doc, standing, outside, holders[0] if is_held and holders else "")
+    return done.model, replace(done, orders=(*done.orders, ask_company()))
 
 
-def _not_connected(model: Model, document: Document, former: Live | None, reason: str) -> No:
-    """As it was before: connecting is refused."""
-    model = model.with_document(replace(document, live=former))
+def _as_before(model: Model, doc: str, former: Live | None, reason: str) -> Model:
+    """The model where a document could not be connected."""
+    model = model.with_document(replace(model.documents[doc], live=former))
     if model.runtime.state == "starting":
         model = replace(model, runtime=msgspec.structs.replace(model.runtime, state="lost", text=reason))
-    again = Remedy("Connect…", show="connect")
-    return No(f"{document.name} is not connected: {reason}", (again,), instead=Done(model))
+    return model
 
 
 def _subsystem(model: Model, document: Document, standing: live.Standing) -> str:

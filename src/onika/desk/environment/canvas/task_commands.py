@@ -1,12 +1,11 @@
 """Acts on living tasks: ON, OFF, out of ERROR, initialise anew, answer (requirements C11, C13, C28)."""
 
 from dataclasses import replace
-from functools import partial
 
 from onika.desk.environment.canvas.placement import absent, several
 from onika.desk.environment.outcome.on_document import on_document
-from onika.desk.environment.outcome.outcome import Done, No, Order
-from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Shown
+from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.reconciliation import accepted, under_way
 from onika.desk.environment.reconcile.task_plan import code_of
@@ -44,7 +43,7 @@ def turn(model: Model, document: Document, asked: act.Turn, _outside: Surroundin
 
 
 @on_document
-def toggle(model: Model, document: Document, asked: act.Toggle, outside: Surroundings) -> Done | No:
+def toggle(model: Model, document: Document, asked: act.Toggle, outside: Surroundings) -> Done | No | Procedure:
     """ON to OFF and back; a task in ERROR is cleared, and comes on again where that is wanted (C11)."""
     known = _connected(document)
     if isinstance(known, No):
@@ -60,7 +59,7 @@ def toggle(model: Model, document: Document, asked: act.Toggle, outside: Surroun
 
 
 @on_document
-def clear(model: Model, document: Document, asked: act.Clear, _outside: Surroundings) -> Done | No:
+def clear(model: Model, document: Document, asked: act.Clear, _outside: Surroundings) -> No | Procedure:
     """Bring a task out of ERROR, and on again where that is asked; one that cannot be cleared stays in it (C28)."""
     known = _of_living(document, asked.task)
     if isinstance(known, No):
@@ -75,7 +74,7 @@ def clear(model: Model, document: Document, asked: act.Clear, _outside: Surround
 
 
 @on_document
-def reinit(model: Model, document: Document, asked: act.Reinit, _outside: Surroundings) -> Done | No:
+def reinit(model: Model, document: Document, asked: act.Reinit, _outside: Surroundings) -> No | Procedure:
     """Initialise a task anew, and all that need its constants."""
     known = _of_living(document, asked.task)
     if isinstance(known, No):
@@ -84,7 +83,7 @@ def reinit(model: Model, document: Document, asked: act.Reinit, _outside: Surrou
 
 
 @on_document
-def renew(model: Model, document: Document, asked: act.Renew, _outside: Surroundings) -> Done | No:
+def renew(model: Model, document: Document, asked: act.Renew, _outside: Surroundings) -> No | Procedure:
     """Exchange the code of a living task for what its file says now."""
     known = _of_living(document, asked.task)
     if isinstance(known, No):
@@ -99,27 +98,25 @@ def renew(model: Model, document: Document, asked: act.Renew, _outside: Surround
 
 
 @on_document
-def answer(model: Model, document: Document, asked: act.Answer, _outside: Surroundings) -> Done | No:
+def answer(model: Model, document: Document, asked: act.Answer, _outside: Surroundings) -> No | Procedure:
     """Answer what a task asks; it asks again, with the reason, where the answer will not do (C13)."""
     known = _of_living(document, asked.task)
     if isinstance(known, No):
         return known
     if known.state_of(asked.task) != "ASKING":
         return No(f"{asked.task} asks for nothing: it is {known.state_of(asked.task)}")
-    order = Order(request.Reply(known.subsystem, asked.task, asked.line), simply_done, document.id)
-    return Done(model, orders=(order,), is_answered_later=True)
+    return simply_done(model, request.Reply(known.subsystem, asked.task, asked.line))
 
 
-def simply_done(model: Model, response: request.Response) -> Done | No:
-    """It is done, or refused with the reason."""
-    return Done(model) if isinstance(response, request.Done) else No(refusal(response))
-
-
-def _asked(model: Model, document: Document, order: request.Request, task: str) -> Done:
+def _asked(model: Model, document: Document, order: request.Request, task: str) -> Procedure:
     """Something about one task that changes nothing in the document, and whose outcome is told later."""
     document, key = under_way(document, task)
-    then = partial(accepted, doc=document.id, key=key)
-    return Done(model.with_document(document), orders=(Order(order, then, document.id),), is_answered_later=True)
+    model, response = yield Ask(model.with_document(document), order)
+    done = accepted(model, response, document.id, key)
+    if isinstance(response, live.Accepted):
+        return done
+    yield Shown(done.model, says=done.says, orders=done.orders, news=done.news)
+    return No(refusal(response))
 
 
 def _connected(document: Document) -> Live | No:

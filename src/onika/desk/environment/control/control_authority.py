@@ -1,12 +1,10 @@
 """Acts about who may move the robots: stop, reset, take, release, hand over, decline (law 27, requirement X12)."""
 
 from dataclasses import replace
-from functools import partial
 
-from onika.desk.environment.canvas.task_commands import simply_done
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.outcome.outcome import Done, No, Order
-from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
+from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.reconcile.presence import ask_flows
@@ -17,26 +15,29 @@ from onika.wire.view import Remedy
 _CAUSE = "Stop was pressed in the page"
 
 
-def stop(model: Model, _asked: act.Stop, _outside: Surroundings) -> Done | No:
+def stop(model: Model, _asked: act.Stop, _outside: Surroundings) -> Procedure:
     """Every drive holds, at once, whoever holds what; where there is no runtime, the answer says so."""
-    return Done(model, orders=(Order(request.Stop(_CAUSE), _stopped),), is_answered_later=True)
+    model, response = yield Ask(model, request.Stop(_CAUSE))
+    if isinstance(response, request.Done):
+        return Done(model)
+    return Done(model, value=f"there is nothing to stop: {refusal(response)}")
 
 
-def reset(model: Model, _asked: act.Reset, _outside: Surroundings) -> Done | No:
+def reset(model: Model, _asked: act.Reset, _outside: Surroundings) -> Procedure:
     """Motion is allowed again; nothing comes on by itself."""
-    return Done(model, orders=(Order(live.Reset(), simply_done),), is_answered_later=True)
+    return simply_done(model, live.Reset())
 
 
-def take(model: Model, asked: act.Take, _outside: Surroundings) -> Done | No:
+def take(model: Model, asked: act.Take, _outside: Surroundings) -> No | Procedure:
     """Become the one who may change a subsystem; a run that is nobody's is taken as a whole."""
     name = held_subsystems.named(model, asked.doc, asked.subsystem, connects=True)
     if isinstance(name, No):
         return name
     why = held_subsystems.refused(model, name, asked)
-    return _asked(model, live.Take(name), name, is_taken=True) if why is None else why
+    return _changed(model, live.Take(name), name) if why is None else why
 
 
-def release(model: Model, asked: act.Release, _outside: Surroundings) -> Done | No:
+def release(model: Model, asked: act.Release, _outside: Surroundings) -> No | Procedure:
     """Let another become the one who may."""
     name = held_subsystems.named(model, asked.doc, asked.subsystem, connects=True)
     if isinstance(name, No):
@@ -44,10 +45,10 @@ def release(model: Model, asked: act.Release, _outside: Surroundings) -> Done | 
     holder = held_subsystems.holder(model, name)
     if holder and not held_subsystems.is_held_here(model, name):
         return No(f"{name} is held by {holder}")
-    return _asked(model, live.Release(name), name, is_taken=False)
+    return _changed(model, live.Release(name), name)
 
 
-def hand(model: Model, asked: act.Hand, _outside: Surroundings) -> Done | No:
+def hand(model: Model, asked: act.Hand, _outside: Surroundings) -> No | Procedure:
     """Offer a subsystem to another session; to nobody: no more."""
     name = held_subsystems.named(model, asked.doc, asked.subsystem)
     if isinstance(name, No):
@@ -57,49 +58,34 @@ def hand(model: Model, asked: act.Hand, _outside: Surroundings) -> Done | No:
         take_it = (Remedy("Take it", act.Take(asked.doc, asked.subsystem)),) if is_free else ()
         what = held_subsystems.called(model, asked.doc, name)
         return No(f"{what} is not held here, so it cannot be handed over", take_it)
-    return Done(model, orders=(Order(holding.Hand(name, asked.to), simply_done, asked.doc),), is_answered_later=True)
+    return simply_done(model, holding.Hand(name, asked.to))
 
 
-def decline(model: Model, asked: act.Decline, _outside: Surroundings) -> Done | No:
+def decline(model: Model, asked: act.Decline, _outside: Surroundings) -> No | Procedure:
     """Say no to what is offered."""
     name = held_subsystems.named(model, asked.doc, asked.subsystem)
     if isinstance(name, No):
         return name
     if not held_subsystems.is_offered_here(model, name):
         return No(f"nobody offers {held_subsystems.called(model, asked.doc, name)} to this environment")
-    return Done(model, orders=(Order(holding.Decline(name), simply_done, asked.doc),), is_answered_later=True)
+    return simply_done(model, holding.Decline(name))
 
 
-def _asked(model: Model, asked: live.Take | live.Release, name: str, is_taken: bool) -> Done:
-    document = held_subsystems.home(model, name)
-    doc = document.id if document is not None else ""
-    then = partial(_handed, name=name, is_taken=is_taken)
-    return Done(model, orders=(Order(asked, then, doc),), is_answered_later=True)
+def _changed(model: Model, wish: live.Take | live.Release, name: str) -> Procedure:
+    """Ask for it, then who holds it.
 
-
-def _handed(model: Model, response: request.Response, name: str, is_taken: bool) -> Done | No:
+    After it was taken, the holder is the name by which the runtime knows this environment.
+    """
+    model, response = yield Ask(model, wish)
     if not isinstance(response, request.Done):
         return No(refusal(response))
-    document = held_subsystems.home(model, name)
-    then = partial(_seen, name=name, is_taken=is_taken)
-    order = Order(live.Survey(), then, document.id if document is not None else "")
-    return Done(model, orders=(order, ask_flows()), is_answered_later=True)
-
-
-def _seen(model: Model, response: request.Response, name: str, is_taken: bool) -> Done | No:
-    """Who holds it now; after it was taken, that is the name by which the runtime knows this environment."""
-    if not isinstance(response, live.Standing):
+    model, standing = yield Ask(model, live.Survey(), orders=(ask_flows(),))
+    if not isinstance(standing, live.Standing):
         return Done(model)
-    model = replace(model, runtime=runtime_view(model.runtime, response))
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
     document = held_subsystems.home(model, name)
     if document is None or document.live is None:
         return Done(model)
-    holder = next((one.holder for one in response.subsystems if one.name == name), "")
-    known = replace(document.live, holder=holder, me=holder if is_taken else document.live.me)
-    return Done(model.with_document(replace(document, live=known)))
-
-
-def _stopped(model: Model, response: request.Response) -> Done | No:
-    if isinstance(response, request.Done):
-        return Done(model)
-    return Done(model, value=f"there is nothing to stop: {refusal(response)}")
+    holder = next((subsystem.holder for subsystem in standing.subsystems if subsystem.name == name), "")
+    me = holder if isinstance(wish, live.Take) else document.live.me
+    return Done(model.with_document(replace(document, live=replace(document.live, holder=holder, me=me))))

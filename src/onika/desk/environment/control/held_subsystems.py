@@ -3,8 +3,8 @@
 from msgspec import structs
 
 from onika.desk.environment.outcome.on_document import closed
-from onika.desk.environment.outcome.outcome import Done, No, Order
-from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
+from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.holders import flows_with
 from onika.desk.environment.reconcile.presence import ask_flows, you
@@ -102,7 +102,7 @@ def refused(model: Model, subsystem: str, asked: act.Take) -> No | None:
     return No(reason, (Remedy("Take it over", structs.replace(asked, confirmed=True)),))
 
 
-def steer_taken(model: Model, asked: act.SteerTaken, _outside: Surroundings) -> Done | No:
+def steer_taken(model: Model, asked: act.SteerTaken, _outside: Surroundings) -> Procedure:
     """Steer a run that was taken over; what moves, or ends it, is asked back first."""
     hold = _held(model, asked.subsystem, "steers it")
     if isinstance(hold, No):
@@ -110,11 +110,11 @@ def steer_taken(model: Model, asked: act.SteerTaken, _outside: Surroundings) -> 
     meant = _back(asked, hold.application)
     if meant is not None and not asked.confirmed:
         return meant
-    order = Order(_wish(asked), _steered)
-    return Done(model, orders=(order,), is_answered_later=True)
+    model, response = yield Ask(model, _wish(asked))
+    return Done(model, orders=(ask_flows(),)) if isinstance(response, request.Done) else No(refusal(response))
 
 
-def answer(model: Model, asked: act.Answer, _outside: Surroundings) -> Done | No:
+def answer(model: Model, asked: act.Answer, _outside: Surroundings) -> No | Procedure:
     """Answer what a task of a run that was taken over asks, named as `SUBSYSTEM/TASK`; it goes on with the answer."""
     subsystem, _, task = asked.task.rpartition("/")
     hold = _held(model, subsystem, "answers it")
@@ -122,8 +122,7 @@ def answer(model: Model, asked: act.Answer, _outside: Surroundings) -> Done | No
         return hold
     if task not in hold.asks:
         return No(f"{task} asks for nothing any more")
-    order = Order(request.Reply(subsystem, task, asked.line), _answered)
-    return Done(model, orders=(order,), is_answered_later=True)
+    return simply_done(model, request.Reply(subsystem, task, asked.line))
 
 
 def _held(model: Model, subsystem: str, does: str) -> HoldView | No:
@@ -162,13 +161,3 @@ def _wish(asked: act.SteerTaken) -> request.Request:
         case "clear":
             return steer.Recover()
     return request.Abort(_BY_THE_USER, asked.subsystem)
-
-
-def _answered(model: Model, response: request.Response) -> Done | No:
-    return Done(model) if isinstance(response, request.Done) else No(refusal(response))
-
-
-def _steered(model: Model, response: request.Response) -> Done | No:
-    if not isinstance(response, request.Done):
-        return No(refusal(response))
-    return Done(model, orders=(ask_flows(),))

@@ -5,7 +5,7 @@ from dataclasses import replace
 from msgspec import structs
 
 from onika.desk.environment.control.held_subsystems import is_held_here
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.live_facts import with_standing
@@ -17,7 +17,7 @@ from onika.wire import act, holding, live, request
 from onika.wire.view import Remedy
 
 
-def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> Done | No:
+def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> Procedure:
     """This environment changes nothing in this runtime any more."""
     here = [one for one in model.documents.values() if one.live and one.live.is_held_here]
     homes = {one.live.subsystem for one in here if one.live}
@@ -28,10 +28,13 @@ def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> D
         remedies = (*by_document, *(Remedy(f"Release {name}", act.Release(subsystem=name)) for name in by_hand))
         names = ", ".join((*(one.name for one in here), *others))
         return No(f"{names} is held here; release it first", remedies)
-    return Done(model, orders=(Order(holding.OnlyWatch(), _watches),), is_answered_later=True)
+    model, response = yield Ask(model, holding.OnlyWatch())
+    if not isinstance(response, request.Done):
+        return No(refusal(response))
+    return Done(model, orders=(ask_company(),), value="this environment only watches from now on")
 
 
-def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings) -> Done | No:
+def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings) -> Procedure:
     """This environment leaves and comes anew, under another name; what runs is left as it is."""
     me = next((one for one in model.runtime.sessions.values() if one.is_you), None)
     if me is None or not me.only_watches:
@@ -39,20 +42,12 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings)
     if not model.runtime.address:
         again = Remedy("Start the runtime anew…", act.StartAnew())
         return No("the runtime was started here, and the promise ends with it", (again,))
-    order = Order(live.Survey(), _anew, reach=Reach(model.runtime.address, is_anew=True))
-    return Done(model, orders=(order,), is_answered_later=True)
-
-
-def _watches(model: Model, response: request.Response) -> Done | No:
-    if not isinstance(response, request.Done):
-        return No(refusal(response))
-    return Done(model, orders=(ask_company(),), value="this environment only watches from now on")
-
-
-def _anew(model: Model, response: request.Response) -> Done | No:
+    model, response = yield Ask(model, live.Survey(), Reach(model.runtime.address, is_anew=True))
     if not isinstance(response, live.Standing):
         why = refusal(response)
-        return No(f"the runtime cannot be reached anew: {why}", instead=lost(model, why))
+        done = lost(model, why)
+        yield Shown(done.model, says=done.says, orders=done.orders, news=done.news)
+        return No(f"the runtime cannot be reached anew: {why}")
     model = replace(model, runtime=runtime_view(structs.replace(model.runtime, sessions={}), response))
     for document in model.documents.values():
         if document.live is not None and document.live.state == "live":

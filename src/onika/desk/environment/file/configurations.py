@@ -91,7 +91,7 @@ def close(model: Model, document: Document, asked: act.Close, _outside: Surround
     done = Done(left) if left.documents else opened_beside(left, None, None, left.blank())
     if known is None or not known.tasks or asked.alive == "leave":
         return done
-    return replace(done, orders=(Order(live.Close(known.subsystem), is_aside=True),))
+    return replace(done, orders=(Order(live.Close(known.subsystem)),))
 
 
 def _asked_about(asked: act.Close, document: Document, moving: list[str]) -> No:

@@ -1,24 +1,23 @@
 """A target is taken from where the robot is: what runs now is asked for what it measures (D13, D23, K07)."""
 
 from collections.abc import Mapping, Sequence
-from functools import partial
 
 from onika.desk.environment.icons.measured_variables import Measure, measures_of, values_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import a_kind, kind_named
 from onika.model.planned import task_of
-from onika.wire import act, live, request
+from onika.wire import act, live
 from onika.wire.view import TaughtView
 
 Writers = Mapping[str, str]
 """By variable: the task that writes it now."""
 
 
-def teach(model: Model, asked: act.Teach, _outside: Surroundings) -> Done | No:
+def teach(model: Model, asked: act.Teach, _outside: Surroundings) -> Procedure:
     """Ask for what is measured now; the value is a `view.TaughtView`, of which what nothing measures is left out."""
     kind = model.syntax.find(asked.type) if model.syntax else None
     if kind is None or not kind.is_target:
@@ -28,38 +27,32 @@ def teach(model: Model, asked: act.Teach, _outside: Surroundings) -> Done | No:
         return No(f"no task that takes {a_kind(kind.name)} measures anything like it: its values are typed in")
     if model.runtime.state != "linked":
         return No("no robot is connected: nothing is measured", ways_to_measure(model, measures))
-    then = partial(_surveyed, asked=asked, measures=measures)
-    return Done(model, orders=(Order(live.Survey(), then),), is_answered_later=True)
-
-
-def _surveyed(model: Model, response: request.Response, asked: act.Teach, measures: Sequence[Measure]) -> Done | No:
-    """What runs is known: read what is measured, in one subsystem."""
-    kind = model.syntax.find(asked.type) if model.syntax else None
-    if not isinstance(response, live.Standing) or kind is None:
-        return No(refusal(response))
-    places = {one.name: writers for one in response.subsystems if (writers := _writers(one, measures))}
+    model, standing = yield Ask(model, live.Survey())
+    if not isinstance(standing, live.Standing):
+        return No(refusal(standing))
+    places = {home.name: writers for home in standing.subsystems if (writers := _writers(home, measures))}
     if asked.subsystem and asked.subsystem not in places:
         return No(f"nothing in {asked.subsystem} measures {a_kind(kind.name)} now", ways_to_measure(model, measures))
     if not places:
-        names = " or ".join(dict.fromkeys(one.variable for one in measures))
+        names = " or ".join(dict.fromkeys(measure.variable for measure in measures))
         return No(f"nothing that runs measures {names} now", ways_to_measure(model, measures))
     subsystem = asked.subsystem or _nearest(model, places)
-    writers = places[subsystem]
     others = tuple(name for name in places if name != subsystem)
-    then = partial(_read, subsystem=subsystem, writers=writers, measures=measures, others=others)
-    return Done(model, orders=(Order(live.Read(subsystem, tuple(writers)), then),), is_answered_later=True)
-
-
-def _read(
-    model: Model,
-    response: request.Response,
-    subsystem: str,
-    writers: Writers,
-    measures: Sequence[Measure],
-    others: tuple[str, ...],
-) -> Done | No:
+    model, response = yield Ask(model, live.Read(subsystem, tuple(places[subsystem])))
     if not isinstance(response, live.Values):
         return No(refusal(response))
+    return _taught(model, response, measures, places[subsystem], subsystem, others)
+
+
+def _taught(
+    model: Model,
+    response: live.Values,
+    measures: Sequence[Measure],
+    writers: Writers,
+    subsystem: str,
+    others: tuple[str, ...],
+) -> Done | No:
+    """What was measured, as far as it fits the type."""
     taken: dict[str, tuple[float, ...]] = {}
     wrong: list[str] = []
     for measure in measures:

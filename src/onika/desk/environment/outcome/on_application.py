@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Protocol, TypeVar
 
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
@@ -19,8 +19,9 @@ class _OfApplication(Protocol):
 
 
 _A = TypeVar("_A", bound=_OfApplication)
-_Inner = Callable[[Model, OpenApplication, _A, Surroundings], Done | No]
-_Handler = Callable[[Model, _A, Surroundings], Done | No]
+_R = TypeVar("_R")
+_Inner = Callable[[Model, OpenApplication, _A, Surroundings], _R]
+_Handler = Callable[[Model, _A, Surroundings], _R | No]
 
 _NO_SYNTAX = Syntax((), ())
 
@@ -35,22 +36,22 @@ def closed() -> No:
     return No("this application is no longer open")
 
 
-def on_application(carry_out: _Inner[_A]) -> _Handler[_A]:
+def on_application(carry_out: _Inner[_A, _R]) -> _Handler[_A, _R]:
     """The handler of an act, made of a function that takes the act's application too."""
 
     @wraps(carry_out)
-    def handler(model: Model, asked: _A, outside: Surroundings) -> Done | No:
+    def handler(model: Model, asked: _A, outside: Surroundings) -> _R | No:
         application = model.applications.get(asked.doc)
         return closed() if application is None else carry_out(model, application, asked, outside)
 
     return handler
 
 
-def on_resting_application(carry_out: _Inner[_A]) -> _Handler[_A]:
+def on_resting_application(carry_out: _Inner[_A, _R]) -> _Handler[_A, _R]:
     """The same for an act that changes it: refused while it runs."""
 
     @wraps(carry_out)
-    def handler(model: Model, asked: _A, outside: Surroundings) -> Done | No:
+    def handler(model: Model, asked: _A, outside: Surroundings) -> _R | No:
         application = model.applications.get(asked.doc)
         if application is None:
             return closed()

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from functools import wraps
 from typing import Protocol, TypeVar
 
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
@@ -16,6 +16,7 @@ class _OfDocument(Protocol):
 
 
 _A = TypeVar("_A", bound=_OfDocument)
+_R = TypeVar("_R")
 
 
 def closed() -> No:
@@ -24,12 +25,12 @@ def closed() -> No:
 
 
 def on_document(
-    carry_out: Callable[[Model, Document, _A, Surroundings], Done | No],
-) -> Callable[[Model, _A, Surroundings], Done | No]:
+    carry_out: Callable[[Model, Document, _A, Surroundings], _R],
+) -> Callable[[Model, _A, Surroundings], _R | No]:
     """The handler of an act, made of a function that takes the act's document too."""
 
     @wraps(carry_out)
-    def handler(model: Model, asked: _A, outside: Surroundings) -> Done | No:
+    def handler(model: Model, asked: _A, outside: Surroundings) -> _R | No:
         document = model.documents.get(asked.doc)
         return closed() if document is None else carry_out(model, document, asked, outside)
 

@@ -1,12 +1,22 @@
-"""What comes of an act: a new model, or a no with its reasons; and what has to be asked of the outside."""
+"""What comes of an act: a new model, or a no with its reasons; and what is asked of the outside for it.
 
-from collections.abc import Callable
+An act that waits is a generator. It yields what it waits for (`Ask`, `Work`, `Until`), each with the model as it is to
+be meanwhile; it receives the model of then together with what has come; and it returns `Done` or `No` (decision 35).
+"""
+
+from collections.abc import Callable, Generator, Hashable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 from onika.desk.environment.state.model import Model
-from onika.wire import page, request
+from onika.wire import page
+from onika.wire.request import Request, Response
 from onika.wire.view import Remedy
+
+_T = TypeVar("_T")
+
+News = tuple[Hashable, Any]
+"""Something that acts may wait for has come, with what there is to say of it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,8 +26,6 @@ class No:
     reason: str
     remedies: tuple[Remedy, ...] = ()
     fields: dict[str, str] = field(default_factory=dict)
-    instead: "Done | None" = None
-    """Of what a runtime refuses: the model without what was done already."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,19 +49,29 @@ class Reach:
     """What is started in its place; None: what this environment starts else."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Order:
-    """Something to ask a runtime; `then` makes of its response what comes of it."""
+    """Something to ask a runtime; `then` makes of its response what comes of it. Each is itself alone."""
 
-    asked: request.Request
-    then: "Callable[[Model, request.Response], Done | No] | None" = None
-    doc: str = ""
+    asked: Request
+    then: "Callable[[Model, Response], Done] | None" = None
     reach: Reach | None = None
     """None: asked only where a runtime is there."""
-    is_aside: bool = False
-    """Whether no act waits for it."""
-    is_kept: bool = False
-    """Whether it is not asked by itself: what comes of another order is its response too (`Done.replies`)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Change:
+    """The change of a document's subsystem of this number: its news is None when it is accepted, else a `No`."""
+
+    doc: str
+    number: int
+
+
+@dataclass(frozen=True, slots=True)
+class Ending:
+    """The end of an accepted live edit, by the runtime's number: its news is None when it is done, else a `No`."""
+
+    number: int
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,8 +83,61 @@ class Done:
     doc: str = ""
     value: Any = None
     orders: tuple[Order, ...] = ()
-    is_answered_later: bool = False
-    """Whether the act, or what it is waiting for, is answered by what comes of the first order."""
+    """What a runtime is asked beside; no act waits for it."""
     says: tuple[page.Say, ...] = ()
-    replies: tuple[tuple[Order, request.Response], ...] = ()
-    """The responses to orders that were kept."""
+    news: tuple[News, ...] = ()
+    """What has come that acts may wait for."""
+    awaits: Change | None = None
+    """The change of a running system that this leads to: the act is answered when it is accepted."""
+
+
+# What an act yields
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shown:
+    """What an act has done so far; yielded as it is, the act goes on at once with the model of then."""
+
+    model: Model
+    says: tuple[page.Say, ...] = field(default=(), kw_only=True)
+    orders: tuple[Order, ...] = field(default=(), kw_only=True)
+    news: tuple[News, ...] = field(default=(), kw_only=True)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ask(Shown):
+    """A request to a runtime: the act goes on with its response."""
+
+    request: Request
+    reach: Reach | None = None
+    """None: asked only where a runtime is there."""
+
+
+class Worker(Protocol):
+    """A thread that works aside."""
+
+    def answer(self, work: Callable[[], Any], what: Hashable) -> None:
+        """Have something done; its result is the news of `what`."""
+        ...
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Work(Shown):
+    """Something that takes long: it is done in a thread of its own, and the act goes on with its result."""
+
+    worker: Worker
+    work: Callable[[], Any]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Until(Shown):
+    """Something that comes by itself: the act goes on with its news."""
+
+    what: Hashable
+
+
+Steps = Generator[Shown, tuple[Model, Any], _T]
+"""Part of an act that waits."""
+
+Procedure = Steps[Done | No]
+"""An act that waits."""

@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
+from onika.desk.environment.state.model import Model
 from onika.wire import request
 
 
@@ -13,6 +15,12 @@ def refusal(response: request.Response) -> str:
         case request.Prepared():
             return "; ".join(_sentence(one) for one in response.faults) or "; ".join(response.notes)
     return f"expected the runtime to do it, found {type(response).__name__}"
+
+
+def simply_done(model: Model, wish: request.Request) -> Procedure:
+    """Ask a runtime for something that is done, or refused with the reason."""
+    model, response = yield Ask(model, wish)
+    return Done(model) if isinstance(response, request.Done) else No(refusal(response))
 
 
 def _sentence(fault: request.FaultText) -> str:

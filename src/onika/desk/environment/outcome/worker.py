@@ -1,16 +1,13 @@
 """Work that takes long and asks no runtime: it is done in a thread of its own, and answered when it is done."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from queue import SimpleQueue
 from threading import Thread
+from typing import Any
 
 from onika.desk.environment.outcome.button_commands import Tell
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.model import Model
-from onika.wire import live, request
-
-Outcome = Callable[[Model], Done | No]
-"""What comes of the work, once it is done: carried out in the environment's own thread."""
 
 
 class Aside:
@@ -27,18 +24,14 @@ class Aside:
         self._thread: Thread | None = None
         self._is_closed = False
 
-    def order(self, work: Callable[[], Outcome]) -> Order:
-        """Have it done; an act that waits for this order is answered with what comes of it."""
-        came: list[Outcome] = []
-        order = Order(live.Survey(), lambda model, _: came[0](model), is_kept=True, is_aside=True)
+    def answer(self, work: Callable[[], Any], what: Hashable) -> None:
+        """Have something done; its result is the news of `what`."""
 
         def carry_out() -> None:
-            came.append(_outcome(work))
-            if not self._is_closed:
-                self._tell(lambda model: Done(model, replies=((order, request.Done()),)))
+            news = ((what, work()),)
+            self.tell(lambda model: Done(model, news=news))
 
         self.do(carry_out)
-        return order
 
     def do(self, work: Callable[[], None]) -> None:
         """Have something done of which nobody need hear."""
@@ -65,14 +58,6 @@ class Aside:
                 work()
             except BaseException as wrong:
                 self._tell(_raising(wrong))
-
-
-def _outcome(work: Callable[[], Outcome]) -> Outcome:
-    """What comes of it; a fault of the program is raised where acts are carried out."""
-    try:
-        return work()
-    except BaseException as wrong:
-        return _raising(wrong)
 
 
 def _raising(wrong: BaseException) -> Callable[[Model], Done]:

@@ -20,7 +20,7 @@ def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...
         return ()
     names = tuple(dict.fromkeys(wanted.values()))
     then = partial(_told, doc=document.id, task=task, wanted=wanted)
-    return (Order(live.Read(document.live.subsystem, names), then, is_aside=True),)
+    return (Order(live.Read(document.live.subsystem, names), then),)
 
 
 def measured(model: Model, task: str, moving: Collection[str]) -> dict[str, str]:

@@ -47,7 +47,7 @@ def describe(model: Model, learnt: Learnt | None = None) -> Done:
             learnt = replace(learnt, unread={**learnt.unread, module: code})
             continue
         then = partial(_told, module=module, digest=code.digest, learnt=learnt)
-        return Done(model, orders=(Order(live.Describe((code,)), then, is_aside=True),))
+        return Done(model, orders=(Order(live.Describe((code,)), then),))
     return Done(learnt.taken_over(model))
 
 

@@ -28,7 +28,7 @@ def _orders(model: Model, subsystem: str, tasks: tuple[str, ...]) -> tuple[Order
     told = {name for task in tasks if task in known for name in known[task].svars(known[task].outconst)}
     names = tuple(sorted(told & _wanted(model))) if told else ()
     then = partial(_read, names=names)
-    return (Order(live.Read(subsystem, names), then, is_aside=True),) if names else ()
+    return (Order(live.Read(subsystem, names), then),) if names else ()
 
 
 def _wanted(model: Model) -> set[str]:

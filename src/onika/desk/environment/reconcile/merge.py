@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import partial
 
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Done, Order
 from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.reconcile import holders
 from onika.desk.environment.reconcile.live_facts import alive, settled, with_standing
@@ -49,10 +49,10 @@ def merged(model: Model, document: Document, known: Live, standing: live.Standin
 
 def look_again(doc: str) -> Order:
     """Ask what there is, and take the facts over."""
-    return Order(live.Survey(), partial(seen, doc=doc), doc)
+    return Order(live.Survey(), partial(seen, doc=doc))
 
 
-def seen(model: Model, response: request.Response, doc: str) -> Done | No:
+def seen(model: Model, response: request.Response, doc: str) -> Done:
     """What there is now: facts of tasks, and tasks that somebody else has brought to life."""
     if not isinstance(response, live.Standing):
         return Done(model)

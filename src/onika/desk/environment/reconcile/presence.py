@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import msgspec
 
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile import holders as holds
@@ -15,26 +15,27 @@ from onika.desk.environment.state.model import Model
 from onika.wire import act, event, holding, live, page, request, steer, view
 
 
-def look_around(model: Model, _asked: act.Company, _outside: Surroundings) -> Done | No:
+def look_around(model: Model, _asked: act.Company, _outside: Surroundings) -> Procedure:
     """Ask anew who is there, who holds what, and where flows are."""
     if model.runtime.state != "linked":
         return No("there is no runtime yet, so nobody else is there")
-    return Done(model, orders=(Order(live.Survey(), _looked), ask_flows(), ask_company()), is_answered_later=True)
+    model, response = yield Ask(model, live.Survey(), orders=(ask_flows(), ask_company()))
+    return surveyed(model, response) if isinstance(response, live.Standing) else No(refusal(response))
 
 
 def ask_company() -> Order:
     """Ask who is there, and by which name this environment is known."""
-    return Order(holding.Sessions(), _answered, is_aside=True)
+    return Order(holding.Sessions(), _answered)
 
 
 def ask_what() -> Order:
     """Ask what there is."""
-    return Order(live.Survey(), surveyed, is_aside=True)
+    return Order(live.Survey(), surveyed)
 
 
 def ask_flows() -> Order:
     """Ask where the flows of applications are."""
-    return Order(steer.Who(), _placed, is_aside=True)
+    return Order(steer.Who(), _placed)
 
 
 def came(model: Model, told: event.Company) -> Done:
@@ -63,15 +64,11 @@ def you(model: Model) -> str:
     return next((name for name, one in model.runtime.sessions.items() if one.is_you), "")
 
 
-def surveyed(model: Model, response: request.Response) -> Done | No:
+def surveyed(model: Model, response: request.Response) -> Done:
     """What there is now."""
     if not isinstance(response, live.Standing):
         return Done(model)
     return Done(replace(model, runtime=runtime_view(model.runtime, response)))
-
-
-def _looked(model: Model, response: request.Response) -> Done | No:
-    return surveyed(model, response) if isinstance(response, live.Standing) else No(refusal(response))
 
 
 def _placed(model: Model, response: request.Response) -> Done:
@@ -80,7 +77,7 @@ def _placed(model: Model, response: request.Response) -> Done:
     return Done(replace(model, runtime=holds.placed(model.runtime, response)))
 
 
-def _answered(model: Model, response: request.Response) -> Done | No:
+def _answered(model: Model, response: request.Response) -> Done:
     if not isinstance(response, holding.Company):
         return Done(model)
     return Done(_with_sessions(model, response.sessions, response.you))

@@ -9,7 +9,7 @@ from dataclasses import replace
 from functools import partial
 
 from onika.desk.environment.file.undo import edits_between
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Change, Done, News, No, Order
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.reconcile import merge
 from onika.desk.environment.reconcile.live_facts import settled, true_to_facts
@@ -40,7 +40,7 @@ def pursue(model: Model, document: Document) -> Done | No:
     refused = _refused(document, known, what, model)
     if refused:
         return refused
-    return _sent(model, document, what) if under_way is None else _kept(model, document)
+    return _sent(model, document, what) if under_way is None else _awaiting(model, document, known)
 
 
 def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:
@@ -50,7 +50,8 @@ def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:
         found = pursue(done.model, done.model.documents[doc])
         if isinstance(found, No):
             return found
-        done = Done(found.model, orders=(*done.orders, *found.orders), says=(*done.says, *found.says))
+        orders, says = (*done.orders, *found.orders), (*done.says, *found.says)
+        done = Done(found.model, orders=orders, says=says, awaits=done.awaits or found.awaits)
     return done
 
 
@@ -79,23 +80,26 @@ def under_way(document: Document, task: str) -> tuple[Document, int]:
     return replace(document, live=replace(known, asked=key, pending=pending)), key
 
 
-def accepted(model: Model, response: request.Response, doc: str, key: int) -> Done | No:
-    """The runtime has accepted what it was asked for, or says all that is wrong with it."""
+def next_change(doc: str, known: Live) -> Change:
+    """The change of a subsystem that is asked for next."""
+    return Change(doc, known.changes + 1)
+
+
+def accepted(model: Model, response: request.Response, doc: str, key: int, change: Change | None = None) -> Done:
+    """The runtime has accepted what it was asked for, or says all that is wrong with it; acts may wait for `change`."""
     document = model.documents.get(doc)
     known = document.live if document else None
     if document is None or known is None or key not in known.pending:
-        return Done(model)
-    replies = tuple((order, response) for order in known.pending[key].kept)
+        return Done(model, news=_news(change, None))
     if not isinstance(response, live.Accepted):
         done = _failed(model, document, key)
-        done = replace(done, replies=(*replies, *done.replies))
-        return done if replies else No(refusal(response), instead=done)
+        return replace(done, news=(*_news(change, No(refusal(response))), *done.news))
     early = dict(known.early)
     cause = early.pop(response.number, None)
     pending = {**known.pending, key: replace(known.pending[key], number=response.number)}
     model = model.with_document(replace(document, live=replace(known, pending=pending, early=early)))
     done = Done(model) if cause is None else edited(model, doc, response.number, cause)
-    return replace(done, replies=(*replies, *done.replies))
+    return replace(done, news=(*_news(change, None), *done.news))
 
 
 def edited(model: Model, doc: str, number: int, cause: str) -> Done:
@@ -125,16 +129,14 @@ def _of(document: Document) -> tuple[Live, Base]:
     return known, known.base
 
 
-def _kept(model: Model, document: Document) -> Done:
+def _news(change: Change | None, no: No | None) -> tuple[News, ...]:
+    return () if change is None else ((change, no),)
+
+
+def _awaiting(model: Model, document: Document, known: Live) -> Done:
     """What is done while a change is under way goes out with the next one, and is answered with it."""
-    known, _ = _of(document)
-    order = Order(live.Survey(), _answered, document.id, is_kept=True)
-    known = replace(known, kept=(*known.kept, order))
-    return Done(model.with_document(replace(document, live=known)), orders=(order,))
-
-
-def _answered(model: Model, response: request.Response) -> Done | No:
-    return Done(model) if isinstance(response, live.Accepted) else No(refusal(response))
+    document = replace(document, live=replace(known, is_awaited=True))
+    return Done(model.with_document(document), awaits=next_change(document.id, known))
 
 
 def _sent(model: Model, document: Document, what: Alteration) -> Done:
@@ -143,14 +145,17 @@ def _sent(model: Model, document: Document, what: Alteration) -> Done:
     if what.resting:
         content = replace(content, wanted={**content.wanted, **dict.fromkeys(what.resting, False)})
     key = known.asked + 1
-    pending = Pending(base, content, document.history, what.names, known.kept)
+    pending = Pending(base, content, document.history, what.names)
+    change = next_change(document.id, known)
     known = with_facts(known, what, living_units(model))
     pendings = {**known.pending, key: pending}
-    known = replace(known, asked=key, pending=pendings, base=replace(base, edits={}), kept=())
-    then = partial(accepted, doc=document.id, key=key)
-    order = Order(what.change(known.subsystem), then, document.id)
+    known = replace(known, asked=key, changes=change.number, is_awaited=False)
+    known = replace(known, pending=pendings, base=replace(base, edits={}))
+    then = partial(accepted, doc=document.id, key=key, change=change)
+    order = Order(what.change(known.subsystem), then)
     says = tuple(_rests(name, document) for name in what.resting)
-    return Done(model.with_document(replace(document, content=content, live=known)), orders=(order,), says=says)
+    document = replace(document, content=content, live=known)
+    return Done(model.with_document(document), orders=(order,), says=says, awaits=change)
 
 
 def _carried_out(document: Document, key: int) -> Document:
@@ -203,20 +208,18 @@ def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
     done = pursue(model.with_document(document), document)
     look, (known, base) = merge.look_again(document.id), _of(document)
     if isinstance(done, No):  # what waited cannot be asked any more
-        replies = tuple((order, request.Refused(done.reason)) for order in known.kept)
-        known = replace(known, turns={}, kept=())
+        news = ((next_change(document.id, known), No(done.reason)),) if known.is_awaited else ()
+        says = () if news else (page.Say("error", f"nothing more is changed: {done.reason}", document.id),)
+        known = replace(known, turns={}, is_awaited=False)
         document = replace(document, content=base.content, history=base.history, live=known)
-        said = page.Say("error", f"nothing more is changed: {done.reason}", document.id)
-        return Done(model.with_document(document), orders=(look,), says=() if replies else (said,), replies=replies)
+        return Done(model.with_document(document), orders=(look,), says=says, news=news)
     done = replace(done, orders=(*done.orders, look))
     document = done.model.documents[document.id]
     known, _ = _of(document)
-    if known.is_changing or not known.kept:
+    if known.is_changing or not known.is_awaited:
         return done
-    nothing = tuple((order, live.Accepted(0)) for order in known.kept)  # what they asked for has come to nothing anew
-    return replace(
-        done, model=done.model.with_document(replace(document, live=replace(known, kept=()))), replies=nothing
-    )
+    model = done.model.with_document(replace(document, live=replace(known, is_awaited=False)))
+    return replace(done, model=model, news=((next_change(document.id, known), None),))  # it has come to nothing anew
 
 
 def _refused(document: Document, known: Live, what: Alteration, model: Model) -> No | None:

@@ -1,13 +1,13 @@
 """Another recorded run beside the one that is looked at, and where the two begin to differ (requirement X05)."""
 
 import re
+from collections.abc import Callable
 from dataclasses import replace
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import Done, No, Procedure
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import NOT_HERE, put_one_away, read
 from onika.desk.environment.run_state.recorded_run import Subject
 from onika.desk.environment.run_state.review_session import Looking
@@ -21,7 +21,7 @@ from onika.wire.view import DifferenceView
 _SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
 
 
-def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) -> Done | No:
+def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) -> Procedure:
     """Show another one beside it; the value is its path. The difference comes later, with the tree."""
     reading, comparing = outside.reading, outside.comparing
     if reading is None or comparing is None:
@@ -33,26 +33,25 @@ def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) ->
     if not asked.path:
         put_one_away(model.looking.other, reading)
         return Done(replace(model, looking=Looking(model.looking.subject)))
-
-    def adopted(model: Model, found: Subject) -> Done | No:
-        if model.looking is None:
-            put_one_away(found, reading)
-            return No("the recording was put away meanwhile")
-        put_one_away(model.looking.other, reading)
-        one = model.looking.subject
-        is_virtual = one.view.is_virtual and found.view.is_virtual
-        tolerance = usual(is_virtual, asked.tolerance, asked.part, asked.time_s)
-        order = comparing.order(lambda: _compared(one, found, tolerance))
-        return Done(replace(model, looking=Looking(one, found)), value=found.view.path, orders=(order,))
-
-    return read(model, asked.path, outside, reading, adopted, opens=False)
+    model, other = yield from read(model, asked.path, outside, reading, opens=False)
+    if isinstance(other, No):
+        return other
+    if model.looking is None:
+        put_one_away(other, reading)
+        return No("the recording was put away meanwhile")
+    put_one_away(model.looking.other, reading)
+    one = model.looking.subject
+    is_virtual = one.view.is_virtual and other.view.is_virtual
+    tolerance = usual(is_virtual, asked.tolerance, asked.part, asked.time_s)
+    comparing.do(lambda: comparing.tell(_compared(one, other, tolerance)))
+    return Done(replace(model, looking=Looking(one, other)), value=other.view.path)
 
 
 def _negative(asked: act.CompareWith) -> dict[str, str]:
     return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(asked, name) or 0) < 0}
 
 
-def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Outcome:
+def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Callable[[Model], Done]:
     """Both files are read anew, so that nobody waits who looks at them meanwhile."""
     found: Difference | None = None
     wrong = ""

@@ -5,16 +5,15 @@ passes as it does on the wall, so that a person can follow and steer. Nothing is
 it is the recorded run. What is run later runs in the simulator too, until the runtime is started anew.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from functools import partial
 
 from msgspec import structs
 
 from onika.desk.environment.following import given_up
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach, Simulator
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure, Reach, Shown, Simulator, Steps, Work
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.review.opening import NOT_HERE, put_away
@@ -34,18 +33,7 @@ _BY_USER = "aborted by the user"
 _ENDING = (request.Abort, request.Stop, live.Reset)
 
 
-@dataclass(frozen=True, slots=True)
-class _Start:
-    """A recorded run on its way to be repeated."""
-
-    subject: Subject
-    recorded: RecordedRun
-    run: Run
-    former: Run | None
-    outside: Surroundings
-
-
-def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Done | No:
+def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Procedure:
     """Repeat the run that is looked at up to an instant, then let it go on; the value is the number of the run."""
     wrong = _refused(model, asked, outside)
     if wrong is not None:
@@ -53,16 +41,29 @@ def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Do
     if model.looking is None or outside.reading is None:
         return NOT_HERE
     subject = model.looking.subject
+    model, recorded = yield Work(model, outside.reading, partial(_read, subject, asked.at_s))
+    if isinstance(recorded, No):
+        return recorded
+    wrong = _refused(model, asked, outside)
+    if wrong is None and model.looking is not None and not model.looking.subject.is_of(subject):
+        wrong = No("another recording is looked at now")
+    if wrong is not None:
+        return wrong
+    former = model.run
+    model, wrong = yield from _repeated(model, _run(model, subject, asked.at_s, outside), recorded)
+    if wrong is not None:
+        yield Shown(replace(model, run=former))  # nothing runs; the recording is still looked at
+        return wrong
+    put_away(model, outside.reading)
+    return _goes_on(replace(model, looking=None))
 
-    def work() -> Outcome:
-        recorded = recorded_run(Source(subject.path, asked.at_s))
-        if not isinstance(recorded, RecordedRun):
-            why = (f"it cannot be continued: expected {one.expected}, found {one.found}" for one in recorded)
-            no = No("; ".join(why))
-            return lambda _: no
-        return partial(_replacing, asked=asked, subject=subject, recorded=recorded, outside=outside)
 
-    return Done(model, orders=(outside.reading.order(work),), is_answered_later=True)
+def _read(subject: Subject, at_s: float) -> RecordedRun | No:
+    recorded = recorded_run(Source(subject.path, at_s))
+    if isinstance(recorded, RecordedRun):
+        return recorded
+    why = (f"it cannot be continued: expected {one.expected}, found {one.found}" for one in recorded)
+    return No("; ".join(why))
 
 
 def _refused(model: Model, asked: act.Continue, outside: Surroundings) -> No | None:
@@ -104,29 +105,48 @@ def _ends(model: Model) -> str:
     return f"the {what} that lives now ends for the simulator of this run, and {listed(found)} with {tasks}"
 
 
-def _replacing(
-    model: Model, asked: act.Continue, subject: Subject, recorded: RecordedRun, outside: Surroundings
-) -> Done | No:
-    """The simulator takes the place of the runtime, if nothing has come between."""
-    wrong = _refused(model, asked, outside)
-    if wrong is None and model.looking is not None and not model.looking.subject.is_of(subject):
-        wrong = No("another recording is looked at now")
-    if wrong is not None:
-        return wrong
+def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Model, No | None]]:
+    """The simulator takes the place of the runtime, and begins with the recorded run."""
     recorded, notes = _not_ended(recorded)
-    run = _run(model, subject, (*recorded.notes, *notes), asked.at_s, outside)
-    after = left(model, [one.live.subsystem for one in model.documents.values() if one.live is not None])
-    says = tuple(
-        page.Say("info", f"{one.name} is no longer connected: the simulator has taken the place of its runtime", one.id)
-        for one in model.documents.values()
-        if one.live is not None and one.live.tasks
-    )
+    for note in (*recorded.notes, *notes):
+        run = run.noted(note)
+    connected = [document for document in model.documents.values() if document.live is not None]
+    after = left(model, [document.live.subsystem for document in connected if document.live is not None])
     after = replace(after, runtime=view.RuntimeView("starting"), run=run)
-    simulator = Simulator(recorded.run.rtpus, recorded.run.options)
-    start = _Start(subject, recorded, run, model.run, outside)
-    reach = Reach(is_anew=True, simulator=simulator)
-    order = Order(live.Survey(), partial(_surveyed, start=start), run.doc, reach)
-    return Done(after, orders=(order,), is_answered_later=True, says=says, replies=given_up(model, after))
+    why = "is no longer connected: the simulator has taken the place of its runtime"
+    says = tuple(
+        page.Say("info", f"{document.name} {why}", document.id)
+        for document in connected
+        if document.live is not None and document.live.tasks
+    )
+    reach = Reach(is_anew=True, simulator=Simulator(recorded.run.rtpus, recorded.run.options))
+    model, standing = yield Ask(after, live.Survey(), reach, says=says, news=given_up(model, after))
+    if not isinstance(standing, live.Standing):
+        why = refusal(standing)
+        return flow_placement.lost(model, why), No(f"no simulator: {in_short(why)}")
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
+    model, prepared = yield Ask(model, recorded.run.prepare)
+    wrong = _unprepared(prepared)
+    if wrong is None and model.run is not None and model.run.is_given_up:
+        wrong = No(f"{run.view.name} was aborted before it had begun")
+    if wrong is not None:
+        return model, wrong
+    begin = recorded.begin(request.Begin(may_ask=True, on_loss="stop"))
+    model, response = yield Ask(model, structs.replace(begin, on_error="wait"))  # somebody is there to clear it
+    if isinstance(response, request.Done):
+        return model, None
+    return model, No(f"{run.view.name} cannot be gone on with: {refusal(response)}")
+
+
+def _unprepared(response: request.Response) -> No | None:
+    """Why the simulator does not take the recorded plan."""
+    if not isinstance(response, request.Prepared):
+        return No(f"the simulator does not take the recorded plan: {refusal(response)}")
+    if not response.faults:
+        return None
+    first = response.faults[0]
+    text = f"expected {first.expected}, found {first.found}"
+    return No(f"the simulator does not take the recorded plan: {text}")
 
 
 def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[str, ...]]:
@@ -136,62 +156,25 @@ def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[str, ...]]:
     return replace(recorded, inputs=kept), notes
 
 
-def _run(model: Model, subject: Subject, notes: tuple[str, ...], at_s: float, outside: Surroundings) -> Run:
+def _run(model: Model, subject: Subject, at_s: float, outside: Surroundings) -> Run:
     """What is shown of it: as the recorded one was at its beginning, with the steps of the application of now."""
-    run = subject.replay.begun.shown(
+    return subject.replay.begun.shown(
         state="beginning",
         number=model.performed + 1,
         began_at_s=outside.calendar(),
         recording="",
         repeats_until_s=at_s,
     )
-    for note in notes:
-        run = run.noted(note)
-    return run
 
 
-def _surveyed(model: Model, response: request.Response, start: _Start) -> Done | No:
-    if not isinstance(response, live.Standing):
-        why = refusal(response)
-        return _off(flow_placement.lost(model, why), start, No(f"no simulator: {in_short(why)}"))
-    model = replace(model, runtime=runtime_view(model.runtime, response))
-    order = Order(start.recorded.run.prepare, partial(_prepared, start=start), start.run.doc)
-    return Done(model, orders=(order,), is_answered_later=True)
-
-
-def _prepared(model: Model, response: request.Response, start: _Start) -> Done | No:
-    if not isinstance(response, request.Prepared):
-        return _off(model, start, No(f"the simulator does not take the recorded plan: {refusal(response)}"))
-    if response.faults:
-        first = response.faults[0]
-        text = f"expected {first.expected}, found {first.found}"
-        return _off(model, start, No(f"the simulator does not take the recorded plan: {text}"))
-    if model.run is not None and model.run.is_given_up:
-        return _off(model, start, No(f"{start.run.view.name} was aborted before it had begun"))
-    begin = start.recorded.begin(request.Begin(may_ask=True, on_loss="stop"))
-    begin = structs.replace(begin, on_error="wait")  # somebody is there to clear it
-    return Done(model, orders=(Order(begin, partial(_running, start=start), start.run.doc),), is_answered_later=True)
-
-
-def _running(model: Model, response: request.Response, start: _Start) -> Done | No:
+def _goes_on(model: Model) -> Done:
     """The run goes on, and is shown in place of the recording."""
-    name = start.run.view.name
-    if not isinstance(response, request.Done):
-        return _off(model, start, No(f"{name} cannot be gone on with: {refusal(response)}"))
-    if start.outside.reading is not None:
-        put_away(model, start.outside.reading)
-    model = replace(model, looking=None)
     if model.run is None:
         return Done(model)
     run = model.run if model.run.is_over else model.run.shown(state="running")
     described = describe(replace(model, run=run, performed=model.performed + 1))
-    end = (Order(request.Abort(_BY_USER), doc=run.doc, is_aside=True),) if run.is_given_up else ()
+    end = (Order(request.Abort(_BY_USER)),) if run.is_given_up else ()
     until_s = run.view.repeats_until_s
     how = f"up to {until_s:.1f} s and goes on from there" if until_s > 0 else "from its beginning"
-    says = (page.Say("info", f"{name} is repeated in the simulator {how}", run.doc),)
+    says = (page.Say("info", f"{run.view.name} is repeated in the simulator {how}", run.doc),)
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
-
-
-def _off(model: Model, start: _Start, why: No) -> No:
-    """Nothing runs; the recording is still looked at."""
-    return replace(why, instead=Done(replace(model, run=start.former)))

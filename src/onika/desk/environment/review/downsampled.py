@@ -3,9 +3,8 @@
 All its values are read once, aside; then any stretch of it is answered at once.
 """
 
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import Done, No, Procedure, Work
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import NOT_HERE
 from onika.desk.environment.review.snapshot import looked_at, sane, spoilt
 from onika.desk.environment.run_state.recorded_run import Subject
@@ -14,13 +13,14 @@ from onika.desk.run.run_review import drawn
 from onika.record import downsampled as recorded
 from onika.record.downsampled import Samples
 from onika.record.reader import UNREADABLE
+from onika.record.series import Series
 from onika.wire import act
 from onika.wire.view import StretchView
 
 _MOST_POINTS = 4000
 
 
-def course(model: Model, asked: act.Course, outside: Surroundings) -> Done | No:
+def course(model: Model, asked: act.Course, outside: Surroundings) -> Procedure:
     """A variable over a stretch of the run; the value is a tuple of `view.StretchView`, empty for what is no number."""
     found = looked_at(model, of_other=asked.of_other)
     if isinstance(found, No):
@@ -36,18 +36,19 @@ def course(model: Model, asked: act.Course, outside: Surroundings) -> Done | No:
     if known is not None:
         return Done(model, value=_stretches(found, asked, known))
 
-    def work() -> Outcome:
-        known = found.samples.get(asked.variable)
-        try:
-            read = known or recorded.samples(series)
-        except UNREADABLE as wrong:
-            no = spoilt(found, wrong)
-            return lambda _: no
-        found.samples.put(asked.variable, read)
-        value = _stretches(found, asked, read)
-        return lambda model: Done(model, value=value)
+    model, samples = yield Work(model, aside, lambda: _read(found, asked.variable, series))
+    return samples if isinstance(samples, No) else Done(model, value=_stretches(found, asked, samples))
 
-    return Done(model, orders=(aside.order(work),), is_answered_later=True)
+
+def _read(subject: Subject, variable: str, series: Series) -> Samples | No:
+    """All the values of a variable, kept for the next time."""
+    samples = subject.samples.get(variable)
+    try:
+        samples = samples or recorded.samples(series)
+    except UNREADABLE as wrong:
+        return spoilt(subject, wrong)
+    subject.samples.put(variable, samples)
+    return samples
 
 
 def _stretches(found: Subject, asked: act.Course, samples: Samples) -> tuple[StretchView, ...]:

@@ -4,16 +4,15 @@ The file is read aside; then its application is opened, where it can be found, a
 what was recorded is shown at its icons.
 """
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
 from onika.desk.environment.file import applications
 from onika.desk.environment.outcome.fault_view import place_of
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import Done, No, Procedure, Steps, Work
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Aside, Outcome
+from onika.desk.environment.outcome.worker import Aside
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
 from onika.desk.environment.run_state.recorded_run import Subject, subject
@@ -32,20 +31,18 @@ from onika.wire.plan import Plan
 
 NOT_HERE = No("recordings cannot be looked at here")
 _NO_SYNTAX = Syntax((), ())
-Adopt = Callable[[Model, Subject], Done | No]
 
 
-def open_recording(model: Model, asked: act.OpenRecording, outside: Surroundings) -> Done | No:
+def open_recording(model: Model, asked: act.OpenRecording, outside: Surroundings) -> Procedure:
     """Look at a recorded run; the value is the path of its file."""
     aside = outside.reading
     if aside is None:
         return NOT_HERE
-
-    def adopted(model: Model, found: Subject) -> Done:
-        put_away(model, aside)
-        return Done(replace(model, looking=Looking(found)), value=found.view.path)
-
-    return read(model, asked.path, outside, aside, adopted, opens=True)
+    model, recorded = yield from read(model, asked.path, outside, aside, opens=True)
+    if isinstance(recorded, No):
+        return recorded
+    put_away(model, aside)
+    return Done(replace(model, looking=Looking(recorded)), value=recorded.view.path)
 
 
 def close_recording(model: Model, _asked: act.CloseRecording, outside: Surroundings) -> Done | No:
@@ -69,44 +66,38 @@ def put_one_away(one: Subject | None, aside: Aside) -> None:
         aside.do(one.review.close)
 
 
-def read(model: Model, path: str, outside: Surroundings, aside: Aside, adopt: Adopt, *, opens: bool) -> Done:
-    """Read a recording; then it is adopted. Its application is opened where that is wanted and it is not open."""
-    file = Path(path).expanduser().absolute()
-
-    def work() -> Outcome:
-        try:
-            review = Review(file)
-        except UNREADABLE as wrong:
-            return _refusing(file, wrong)
-        return partial(_with_application, review=review, outside=outside, aside=aside, adopt=adopt, opens=opens)
-
-    return Done(model, orders=(aside.order(work),), is_answered_later=True)
+def read(
+    model: Model, path: str, outside: Surroundings, aside: Aside, *, opens: bool
+) -> Steps[tuple[Model, Subject | No]]:
+    """Read a recording; its application is opened where that is wanted and it is not open, and then compiled."""
+    model, review = yield Work(model, aside, partial(_review, Path(path).expanduser().absolute()))
+    if isinstance(review, No):
+        return model, review
+    model, opened, note = _opened(model, review.run.prepare.plan, outside, opens=opens)
+    syntax = model.syntax or _NO_SYNTAX
+    return (yield Work(model, aside, partial(_compiled, review, opened, note, outside.site, syntax)))
 
 
-def _refusing(file: Path, wrong: Exception) -> Outcome:
-    no = No(f"{file.name} cannot be looked at: {complaint(file, wrong).removeprefix(f'{file}: ')}")
-    return lambda _: no
+def _review(file: Path) -> Review | No:
+    try:
+        return Review(file)
+    except UNREADABLE as wrong:
+        return _unreadable(file, wrong)
+
+
+def _compiled(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> Subject | No:
+    try:
+        return subject_of(review, opened, note, site, syntax)
+    except UNREADABLE as wrong:
+        review.close()
+        return _unreadable(review.path, wrong)
+
+
+def _unreadable(file: Path, wrong: Exception) -> No:
+    return No(f"{file.name} cannot be looked at: {complaint(file, wrong).removeprefix(f'{file}: ')}")
 
 
 # -- its application
-
-
-def _with_application(
-    model: Model, review: Review, outside: Surroundings, aside: Aside, adopt: Adopt, *, opens: bool
-) -> Done:
-    """Find it; then it is compiled."""
-    model, opened, note = _opened(model, review.run.prepare.plan, outside, opens=opens)
-    syntax = model.syntax or _NO_SYNTAX
-
-    def work() -> Outcome:
-        try:
-            found = subject_of(review, opened, note, outside.site, syntax)
-        except UNREADABLE as wrong:
-            review.close()
-            return _refusing(review.path, wrong)
-        return lambda model: adopt(model, found)
-
-    return Done(model, orders=(aside.order(work),), is_answered_later=True)
 
 
 def _opened(

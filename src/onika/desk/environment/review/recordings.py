@@ -5,9 +5,8 @@ from datetime import datetime
 from pathlib import Path
 
 from onika.desk.environment.file.recordings_folder import ENDING, recordings_folder
-from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.outcome import Done, Procedure, Work
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import NOT_HERE
 from onika.desk.environment.state.model import Model
 from onika.record.glimpse import glimpse
@@ -16,19 +15,18 @@ from onika.wire import act
 from onika.wire.view import RecordingFile, RecordingsView
 
 
-def recordings(model: Model, _asked: act.Recordings, outside: Surroundings) -> Done | No:
+def recordings(model: Model, _asked: act.Recordings, outside: Surroundings) -> Procedure:
     """Which there are; the value is a `view.RecordingsView`. One that is being made is not among them."""
     if outside.state is None or outside.reading is None:
         return NOT_HERE
     folder = recordings_folder(outside.state)
     made = model.run.view.recording if model.run is not None and not model.run.is_over else ""
+    model, files = yield Work(model, outside.reading, lambda: _newest_first(folder, made))
+    return Done(model, value=RecordingsView(str(folder), files))
 
-    def work() -> Outcome:
-        files = sorted(_files(folder, made), key=lambda one: one.began_at_s, reverse=True)
-        value = RecordingsView(str(folder), tuple(files))
-        return lambda model: Done(model, value=value)
 
-    return Done(model, orders=(outside.reading.order(work),), is_answered_later=True)
+def _newest_first(folder: Path, made: str) -> tuple[RecordingFile, ...]:
+    return tuple(sorted(_files(folder, made), key=lambda file: file.began_at_s, reverse=True))
 
 
 def _files(folder: Path, made: str) -> Iterator[RecordingFile]:

@@ -4,9 +4,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
-from onika.desk.environment.outcome.worker import Outcome
 from onika.desk.environment.review.opening import open_one, subject_of
 from onika.desk.environment.run_state.recorded_run import Subject
 from onika.desk.environment.run_state.review_session import Looking
@@ -27,8 +26,9 @@ def relinked(carry_out: Handler) -> Handler:
         if isinstance(done, No) or looking is None:
             return done
         is_read_again = isinstance(asked, act.Reload)
-        orders = (_order(one, done.model, outside, is_read_again=is_read_again) for one in _both(looking))
-        return replace(done, orders=(*done.orders, *filter(None, orders)))
+        for subject in _both(looking):
+            _follow(subject, done.model, outside, is_read_again=is_read_again)
+        return done
 
     return handler
 
@@ -37,24 +37,24 @@ def _both(looking: Looking) -> tuple[Subject, ...]:
     return (looking.subject, looking.other) if looking.other else (looking.subject,)
 
 
-def _order(subject: Subject, model: Model, outside: Surroundings, *, is_read_again: bool) -> Order | None:
-    """Have a recorded run shown at the icons of its application; None: it is already, or has none that is open."""
+def _follow(subject: Subject, model: Model, outside: Surroundings, *, is_read_again: bool) -> None:
+    """Have a recorded run shown at the icons of its application, if that is open and it is not shown there already."""
     opened = open_one(model, subject.review.run.prepare.plan)
-    if outside.reading is None or opened is None or (opened.id == subject.view.doc and not is_read_again):
-        return None
-    syntax, site = model.syntax, outside.site
+    aside, syntax, site = outside.reading, model.syntax, outside.site
+    if aside is None or opened is None or (opened.id == subject.view.doc and not is_read_again):
+        return
 
-    def work() -> Outcome:
+    def work() -> None:
         if subject.away.is_set() or syntax is None:
-            return Done
+            return
         try:
-            found = subject_of(subject.review, opened, "", site, syntax)
+            recorded = subject_of(subject.review, opened, "", site, syntax)
         except UNREADABLE:
-            return Done  # who looks at it next is told
-        found = replace(found, samples=subject.samples, away=subject.away)
-        return lambda model: Done(_shown(model, subject, found, opened))
+            return  # who looks at it next is told
+        recorded = replace(recorded, samples=subject.samples, away=subject.away)
+        aside.tell(lambda model: Done(_shown(model, subject, recorded, opened)))
 
-    return outside.reading.order(work)
+    aside.do(work)
 
 
 def _shown(model: Model, former: Subject, found: Subject, opened: OpenApplication) -> Model:

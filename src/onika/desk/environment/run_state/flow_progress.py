@@ -58,7 +58,7 @@ def over(run: Run, result: event.Result) -> Run:
     """The run at its end (E14); what was under way is left."""
     for subsystem, flow in run.view.flows.items():
         run = _closed(run, subsystem, flow.step, result.runtime_s)
-    return replace(run, busy={}, on=frozenset(), wait=None).shown(
+    return replace(run, busy={}, on=frozenset(), awaits=None).shown(
         state="over",
         asks={},
         stops={key: one for key, one in run.view.stops.items() if not key},

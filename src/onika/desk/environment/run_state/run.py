@@ -15,15 +15,6 @@ from onika.wire.view import FlowRunView, RunView
 
 
 @dataclass(frozen=True, slots=True)
-class Wait:
-    """Something that is awaited before a run can begin: an order whose outcome comes as a number, later or earlier."""
-
-    order: Any
-    """It is replied to with the outcome."""
-    number: int
-
-
-@dataclass(frozen=True, slots=True)
 class Run:
     """The run of an application that goes on now, or the last one."""
 
@@ -42,7 +33,8 @@ class Run:
     """The tasks that are ON, as `SUBSYSTEM/TASK`."""
     failures: Mapping[str, event.Failed] = field(default_factory=dict)
     """Of the tasks in ERROR, by `SUBSYSTEM/TASK`."""
-    wait: Wait | None = None
+    awaits: int | None = None
+    """The live change that has to end before it can begin, by its number."""
     reason: str = ""
     """Why a flow stood when it was ended."""
     is_given_up: bool = False

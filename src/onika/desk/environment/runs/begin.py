@@ -6,7 +6,6 @@ what stands in the way, if the user wants it; to check the plan; to begin. The a
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from pathlib import Path
 
 import msgspec
@@ -15,7 +14,7 @@ from onika.desk.environment.control.held_subsystems import run_here
 from onika.desk.environment.following import given_up
 from onika.desk.environment.outcome.fault_view import Troubles, place_of
 from onika.desk.environment.outcome.on_application import closed
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.outcome import Ask, Done, Ending, No, Order, Procedure, Reach, Shown, Steps, Until
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import not_run
@@ -23,7 +22,7 @@ from onika.desk.environment.reconcile.descriptions import describe
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
-from onika.desk.environment.run_state.run import Run, Wait, begun
+from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.runs import flow_placement, recording, run_reducer, unsaved
 from onika.desk.environment.runs.obstacles import Obstacle, left, obstacles
 from onika.desk.environment.runs.preflight_result import looked, worth_noting
@@ -59,25 +58,40 @@ class _Start:
     troubles: Troubles
     durations: dict[tuple[int, int], float]
     notes: tuple[str, ...]
-    former: Run | None
     began_at_s: float
-    closes: tuple[str, ...] = ()
-    """Subsystems that are to end first."""
     record: str = ""
     """The file of its recording; empty: none is made."""
 
 
-def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
-    """Run an application as it is here."""
+def run(model: Model, asked: act.Run, outside: Surroundings) -> Procedure:
+    """Run an application as it is here; the value is the number of the run."""
+    former = model.run
+    begun_with = _start(model, asked, outside)
+    if isinstance(begun_with, No):
+        return begun_with
+    model, start = begun_with
+    model, refused_ = yield from _begun(model, start)
+    if refused_ is not None:
+        yield Shown(replace(model, run=former))  # nothing runs: what was shown before is shown again
+        return refused_
+    if model.run is None:
+        return Done(model)
+    run = model.run if model.run.is_over else model.run.shown(state="running")
+    says = (page.Say("info", f"{start.name} runs", asked.doc),)
+    described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
+    end = (Order(request.Abort("aborted by the user")),) if _is_given_up(model) else ()
+    return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
+
+
+def _start(model: Model, asked: act.Run, outside: Surroundings) -> tuple[Model, _Start] | No:
+    """What is to be begun, with everything saved that it uses; or all that speaks against it here."""
     opened = model.applications.get(asked.doc)
     if opened is None:
         return closed()
-    if model.run is not None and not model.run.is_over:
-        return No(f"{model.run.view.name} runs already, and one application runs at a time", (_ABORT,))
-    if run_here(model):
-        other = model.runtime.holds[run_here(model)].application
-        return No(f"{other}, which was taken over here, runs already, and one application runs at a time")
     syntax = model.syntax
+    busy = _busy(model)
+    if busy is not None:
+        return busy
     if syntax is None:
         return No("there is no syntax definition that can be read: nothing is known of the types of icons")
     unread = not_run(opened)
@@ -100,7 +114,7 @@ def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
     file = recording.place(model, asked, opened.name, outside)
     if isinstance(file, No):
         return file
-    start = _Start(
+    return model, _Start(
         asked=asked,
         name=opened.name,
         plan=prepared.plan,
@@ -110,11 +124,20 @@ def run(model: Model, asked: act.Run, outside: Surroundings) -> Done | No:
         troubles=troubles,
         durations=durations(prepared.targets, syntax),
         notes=(),
-        former=model.run,
         began_at_s=outside.calendar(),
         record="" if file is None else str(file),
     )
-    return _began(replace(model, run=_new(model, start)), start)
+
+
+def _busy(model: Model) -> No | None:
+    """Why nothing can run beside what runs."""
+    if model.run is not None and not model.run.is_over:
+        return No(f"{model.run.view.name} runs already, and one application runs at a time", (_ABORT,))
+    taken = run_here(model)
+    if taken:
+        other = model.runtime.holds[taken].application
+        return No(f"{other}, which was taken over here, runs already, and one application runs at a time")
+    return None
 
 
 def ready(opened: OpenApplication, site: Site, syntax: Syntax, *, passes_breakpoints: bool = False) -> PreparedRun:
@@ -147,35 +170,48 @@ def _new(model: Model, start: _Start) -> Run:
     return run
 
 
-def _began(model: Model, start: _Start) -> Done:
-    """The runtime of this environment is asked what there is; it is started where there is none."""
+def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
+    """Ask the runtime of this environment to begin; it is started where there is none."""
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
-    then = partial(_surveyed, start=start)
-    order = Order(live.Survey(), then, start.asked.doc, Reach(url))
-    return Done(replace(model, runtime=state), orders=(order,), is_answered_later=True)
+    model = replace(model, run=_new(model, start), runtime=state)
+    model, standing = yield Ask(model, live.Survey(), Reach(url))
+    if not isinstance(standing, live.Standing):
+        why = refusal(standing)
+        return flow_placement.lost(model, why), No(f"no runtime: {in_short(why)}")
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
+    placed = _placed(model, standing, start)
+    if isinstance(placed, No):
+        return model, placed
+    start, ended = placed
+    model = replace(model, run=_new(model, start))
+    for subsystem in ended:
+        model, refused_ = yield from _ended(model, start, subsystem)
+        if refused_ is not None:
+            return model, refused_
+    model, response = yield Ask(model, request.Prepare(start.plan, start.targets))
+    model, refused_ = _prepared(model, response, start)
+    if refused_ is not None:
+        return model, refused_
+    begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.asked.on_loss, record=start.record)
+    model, response = yield Ask(model, begin)
+    return model, None if isinstance(response, request.Done) else _unbegun(start, refusal(response))
 
 
-def _surveyed(model: Model, response: request.Response, start: _Start) -> Done | No:
-    if not isinstance(response, live.Standing):
-        return _off(
-            flow_placement.lost(model, refusal(response)), start, No(f"no runtime: {in_short(refusal(response))}")
-        )
-    model = replace(model, runtime=runtime_view(model.runtime, response))
+def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Start, tuple[str, ...]] | No:
+    """The run in subsystems that nobody else has, and those that are to end first."""
     if _is_given_up(model):
-        return _off(model, start, _given_up(start))
+        return _given_up(start)
     refused_ = flow_placement.refused(model, start.plan)
     if refused_ is not None:
-        return _off(model, start, refused_)
-    found = obstacles(model, response, start.plan)
-    if found and not start.asked.confirmed:
-        return _off(model, start, _in_the_way(found, start))
-    gone = tuple(one.subsystem for one in found)
-    taken = {one.name for one in response.subsystems if one.tasks or one.application} - set(gone)
-    plan = rehoused(start.plan, flow_placement.free(model, start.plan, taken))
-    notes = flow_placement.notes(model, plan)
-    start = replace(start, plan=plan, notes=notes, closes=gone)
-    return _close(replace(model, run=_new(model, start)), start)
+        return refused_
+    obstructing = obstacles(model, standing, start.plan)
+    if obstructing and not start.asked.confirmed:
+        return _in_the_way(obstructing, start)
+    gone = tuple(obstacle.subsystem for obstacle in obstructing)
+    living = {subsystem.name for subsystem in standing.subsystems if subsystem.tasks or subsystem.application}
+    plan = rehoused(start.plan, flow_placement.free(model, start.plan, living - set(gone)))
+    return replace(start, plan=plan, notes=flow_placement.notes(model, plan)), gone
 
 
 def _in_the_way(found: Sequence[Obstacle], start: _Start) -> No:
@@ -188,70 +224,39 @@ def _in_the_way(found: Sequence[Obstacle], start: _Start) -> No:
     return No(reason, (Remedy(_END_THEM, msgspec.structs.replace(start.asked, confirmed=True)),))
 
 
-def _close(model: Model, start: _Start) -> Done | No:
-    """What stands in the way is ended, one after the other; then the plan is checked."""
-    if not start.closes:
-        then = partial(_prepared, start=start)
-        order = Order(request.Prepare(start.plan, start.targets), then, start.asked.doc)
-        return Done(model, orders=(order,), is_answered_later=True)
-    subsystem = start.closes[0]
-    names = [one.name for one in model.documents.values() if one.live is not None and one.live.subsystem == subsystem]
+def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No | None]]:
+    """End what stands in the way, with all its tasks."""
+    documents = model.documents.values()
+    names = [document.name for document in documents if document.live and document.live.subsystem == subsystem]
+    says = tuple(page.Say("info", f"{name} is no longer connected: its tasks end for {start.name}") for name in names)
     after = left(model, (subsystem,))
-    says = [page.Say("info", f"{name} is no longer connected: its tasks end for {start.name}") for name in names]
-    then = partial(_closing, start=replace(start, closes=start.closes[1:]))
-    order = Order(live.Close(subsystem), then, start.asked.doc)
-    return Done(after, orders=(order,), is_answered_later=True, says=tuple(says), replies=given_up(model, after))
-
-
-def _closing(model: Model, response: request.Response, start: _Start) -> Done | No:
-    """It is being ended; its outcome is told by an event, before or after this."""
+    model, response = yield Ask(after, live.Close(subsystem), says=says, news=given_up(model, after))
     if not isinstance(response, live.Accepted):
-        return _off(model, start, No(refusal(response)))
+        return model, No(refusal(response))
     if model.run is None:
-        return _off(model, start, No("the run was given up"))
-    kept = Order(live.Survey(), partial(_closed, start=start), start.asked.doc, is_kept=True)
-    cause = model.run.outcomes.get(response.number)
-    if cause is not None:
-        answered: request.Response = request.Refused(cause) if cause else request.Done()
-        return Done(model, orders=(kept,), is_answered_later=True, replies=((kept, answered),))
-    waiting = replace(model.run, wait=Wait(kept, response.number))
-    return Done(replace(model, run=waiting), orders=(kept,), is_answered_later=True)
+        return model, No("the run was given up")
+    cause = model.run.outcomes.get(response.number)  # its outcome is told by an event, before or after this
+    refused_ = No(cause) if cause else None
+    if cause is None:
+        awaiting = replace(model.run, awaits=response.number)
+        model, refused_ = yield Until(replace(model, run=awaiting), Ending(response.number))
+    if refused_ is None and _is_given_up(model):
+        refused_ = _given_up(start)
+    return model, refused_
 
 
-def _closed(model: Model, response: request.Response, start: _Start) -> Done | No:
-    if not isinstance(response, request.Done):
-        return _off(model, start, No(refusal(response)))
-    return _off(model, start, _given_up(start)) if _is_given_up(model) else _close(model, start)
-
-
-def _prepared(model: Model, response: request.Response, start: _Start) -> Done | No:
+def _prepared(model: Model, response: request.Response, start: _Start) -> tuple[Model, No | None]:
     """The runtime has looked at every module, argument line and target of the plan."""
+    if isinstance(response, request.Prepared):
+        model = looked(model, start.troubles, start.plan, response)
     if not isinstance(response, request.Prepared) or response.faults:
-        if isinstance(response, request.Prepared):
-            model = looked(model, start.troubles, start.plan, response)
-        return _off(model, start, refused_by_runtime(start.troubles, response))
+        return model, refused_by_runtime(start.troubles, response)
     if _is_given_up(model):
-        return _off(model, start, _given_up(start))
-    model = looked(model, start.troubles, start.plan, response)
+        return model, _given_up(start)
     if model.run is not None:
         for note in worth_noting(response):
             model = replace(model, run=model.run.noted(note))
-    asked = request.Begin(may_ask=True, on_error="wait", on_loss=start.asked.on_loss, record=start.record)
-    then = partial(_running, start=start)
-    return Done(model, orders=(Order(asked, then, start.asked.doc),), is_answered_later=True)
-
-
-def _running(model: Model, response: request.Response, start: _Start) -> Done | No:
-    if not isinstance(response, request.Done):
-        return _off(model, start, _unbegun(start, refusal(response)))
-    if model.run is None:
-        return Done(model)
-    run = model.run if model.run.is_over else model.run.shown(state="running")
-    says = (page.Say("info", f"{start.name} runs", start.asked.doc),)
-    described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
-    end = (Order(request.Abort("aborted by the user"), doc=start.asked.doc, is_aside=True),)
-    orders = (*(end if _is_given_up(model) else ()), run_reducer.look(), *described.orders)
-    return Done(described.model, value=run.view.number, says=says, orders=orders)
+    return model, None
 
 
 def _unbegun(start: _Start, why: str) -> No:
@@ -268,8 +273,3 @@ def _is_given_up(model: Model) -> bool:
 
 def _given_up(start: _Start) -> No:
     return No(f"{start.name} was aborted before it had begun")
-
-
-def _off(model: Model, start: _Start, why: No) -> No:
-    """Nothing runs: what was shown before is shown again."""
-    return replace(why, instead=Done(replace(model, run=start.former)))

@@ -13,7 +13,7 @@ from onika.desk.environment.outcome.on_application import on_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import not_run
-from onika.desk.environment.outcome.worker import Aside, Outcome
+from onika.desk.environment.outcome.worker import Aside
 from onika.desk.environment.runs import unsaved
 from onika.desk.environment.runs.begin import ready
 from onika.desk.environment.state.model import Model
@@ -59,9 +59,9 @@ def keep_test(model: Model, opened: OpenApplication, asked: act.KeepTest, outsid
         redirects=opened.redirects,
     )
     home = outside.site if opened.base is None else outside.site.at(opened.base)
-    order = outside.keeping.order(partial(_kept, outside.keeping, opened, path, settings, home))
+    outside.keeping.do(partial(_keep, outside.keeping, opened, path, settings, home))
     shown = KeepingView(opened.id, str(path))
-    return Done(replace(saved, keeping=shown), value=str(path), orders=(order,))
+    return Done(replace(saved, keeping=shown), value=str(path))
 
 
 def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
@@ -128,7 +128,7 @@ def _saved(model: Model, opened: OpenApplication, asked: act.KeepTest, outside: 
     return saved if isinstance(saved, No) else saved.model
 
 
-def _kept(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettings, site: Site) -> Outcome:
+def _keep(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettings, site: Site) -> None:
     """Do it, in a thread of its own; what comes of it is shown."""
 
     def progress(number: int, of: int) -> None:
@@ -143,7 +143,7 @@ def _kept(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettin
         say = page.Say("success", f"{path.name} is kept: {text}", opened.id)
     else:
         say = page.Say("error", f"{path.name} is not kept: {text}", opened.id)
-    return lambda model: Done(_shown(model, shown), says=(say,))
+    aside.tell(lambda model: Done(_shown(model, shown), says=(say,)))
 
 
 def _stand_back() -> None:

@@ -4,12 +4,11 @@ What is open is judged as it is shown; then the runtime looks at modules, argume
 does before each run. It is launched where there is none.
 """
 
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import replace
 
 from onika.desk.environment.outcome.fault_view import Troubles
 from onika.desk.environment.outcome.on_application import on_application
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import not_run
@@ -26,20 +25,10 @@ from onika.wire.request import TargetValues
 from onika.wire.view import FaultView, Remedy
 
 
-@dataclass(frozen=True, slots=True)
-class _Look:
-    """A look on its way."""
-
-    name: str
-    troubles: Troubles
-    plan: Plan
-    targets: tuple[TargetValues, ...]
-    found: tuple[FaultView, ...]
-    """What was seen without a runtime."""
-
-
 @on_application
-def preflight(model: Model, opened: OpenApplication, asked: act.Preflight, outside: Surroundings) -> Done | No:
+def preflight(
+    model: Model, opened: OpenApplication, _asked: act.Preflight, outside: Surroundings
+) -> Done | No | Procedure:
     """Look at everything; replied with how many faults there are."""
     busy = _busy(model, opened.name) or not_run(opened)
     if busy is not None:
@@ -51,32 +40,37 @@ def preflight(model: Model, opened: OpenApplication, asked: act.Preflight, outsi
     found = tuple(troubles.views(prepared))
     if prepared.plan is None or not any(flow.tasks for flow in prepared.plan.flows):
         return Done(model, value=_count(found)) if _count(found) else No(f"{opened.name} has nothing to run")
-    look = _Look(opened.name, troubles, prepared.plan, prepared.targets, found)
+    return _checked(model, opened, troubles, prepared.plan, prepared.targets, found)
+
+
+def _checked(
+    model: Model,
+    opened: OpenApplication,
+    troubles: Troubles,
+    plan: Plan,
+    targets: tuple[TargetValues, ...],
+    found: tuple[FaultView, ...],
+) -> Procedure:
+    """Have the runtime look at it too; `found` was seen without one."""
     url = model.runtime.address
     state = model.runtime if model.runtime.state == "linked" else flow_placement.starting(model.runtime)
-    order = Order(live.Survey(), partial(_surveyed, look=look), opened.id, Reach(url))
-    return Done(replace(model, runtime=state), orders=(order,), is_answered_later=True)
-
-
-def _surveyed(model: Model, response: request.Response, look: _Look) -> Done | No:
-    if not isinstance(response, live.Standing):
-        why = refusal(response)
-        return No(f"no runtime: {in_short(why)}", instead=Done(flow_placement.lost(model, why)))
-    model = replace(model, runtime=runtime_view(model.runtime, response))
-    busy = _busy(model, look.name)  # somebody began a run meanwhile
+    model, standing = yield Ask(replace(model, runtime=state), live.Survey(), Reach(url))
+    if not isinstance(standing, live.Standing):
+        why = refusal(standing)
+        yield Shown(flow_placement.lost(model, why))
+        return No(f"no runtime: {in_short(why)}")
+    model = replace(model, runtime=runtime_view(model.runtime, standing))
+    busy = _busy(model, opened.name)  # somebody began a run meanwhile
     if busy is not None:
-        return replace(busy, instead=Done(model))
-    order = Order(request.Prepare(look.plan, look.targets), partial(_prepared, look=look), look.troubles.doc)
-    return Done(model, orders=(order,), is_answered_later=True)
-
-
-def _prepared(model: Model, response: request.Response, look: _Look) -> Done | No:
+        yield Shown(model)
+        return busy
+    model, response = yield Ask(model, request.Prepare(plan, targets))
     if not isinstance(response, request.Prepared):
-        return No(f"{look.name} cannot be checked: {refusal(response)}")
-    model = looked(model, look.troubles, look.plan, response)
-    opened = model.applications.get(look.troubles.doc)
-    one = opened.looked if opened is not None else None
-    return Done(model, value=_count((*look.found, *(one.faults if one is not None else ()))))
+        return No(f"{opened.name} cannot be checked: {refusal(response)}")
+    model = looked(model, troubles, plan, response)
+    here = model.applications.get(opened.id)
+    result = here.looked if here is not None else None
+    return Done(model, value=_count((*found, *(result.faults if result is not None else ()))))
 
 
 def _busy(model: Model, name: str) -> No | None:

@@ -3,8 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 
-from onika.desk.environment.following import given_up
-from onika.desk.environment.outcome.outcome import Done, No, Order, Reach
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.merge import runtime_view
@@ -14,13 +13,13 @@ from onika.desk.environment.runs import flow_placement
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
 from onika.desk.run.runtime import in_short
-from onika.wire import act, live, page, request
+from onika.wire import act, live, page
 from onika.wire.view import Remedy
 
 _CAUSE = "the runtime was started anew"
 
 
-def start_anew(model: Model, asked: act.StartAnew, _outside: Surroundings) -> Done | No:
+def start_anew(model: Model, asked: act.StartAnew, _outside: Surroundings) -> Procedure:
     """End the runtime that was started here, and start another; what was connected is connected no more."""
     if model.runtime.address:
         return No(f"the runtime at {model.runtime.address} was started by somebody else, who alone can start it anew")
@@ -35,8 +34,13 @@ def start_anew(model: Model, asked: act.StartAnew, _outside: Surroundings) -> Do
         after = replace(after, run=flow_progress.lost(after.run, _CAUSE))
         says.append(page.Say("error", f"{model.run.view.name if model.run else ''} was aborted: {_CAUSE}"))
     after = replace(after, runtime=flow_placement.starting(model.runtime))
-    order = Order(live.Survey(), _started, reach=Reach(is_anew=True))
-    return Done(after, orders=(order,), is_answered_later=True, says=tuple(says), replies=given_up(model, after))
+    model, response = yield Ask(after, live.Survey(), Reach(is_anew=True), says=tuple(says))
+    if not isinstance(response, live.Standing):
+        why = refusal(response)
+        yield Shown(flow_placement.lost(model, why))
+        return No(f"no runtime: {in_short(why)}")
+    note = page.Say("info", "a new runtime is there; its workcell is as it was at the beginning")
+    return Done(replace(model, runtime=runtime_view(model.runtime, response)), says=(note,))
 
 
 def _told(ends: Sequence[str]) -> str:
@@ -44,11 +48,3 @@ def _told(ends: Sequence[str]) -> str:
         f"the runtime ends, and {', '.join(ends)} with it; "
         "then another one starts, and its workcell is as it was at the beginning"
     )
-
-
-def _started(model: Model, response: request.Response) -> Done | No:
-    if not isinstance(response, live.Standing):
-        why = refusal(response)
-        return No(f"no runtime: {in_short(why)}", instead=Done(flow_placement.lost(model, why)))
-    said = page.Say("info", "a new runtime is there; its workcell is as it was at the beginning")
-    return Done(replace(model, runtime=runtime_view(model.runtime, response)), says=(said,))

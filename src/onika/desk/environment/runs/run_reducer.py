@@ -5,7 +5,7 @@ from functools import partial
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.outcome import Done, No, Order
+from onika.desk.environment.outcome.outcome import Done, Ending, No, Order
 from onika.desk.environment.reconcile.current_values import measured, values_of
 from onika.desk.environment.reconcile.merge import runtime_view
 from onika.desk.environment.run_state import flow_progress, run_view
@@ -40,28 +40,28 @@ def lost(model: Model, reason: str) -> Done:
     if run is None or run.is_over:
         return Done(model)
     if run.view.state == "beginning":
-        waits = ((run.wait.order, request.Refused(reason)),) if run.wait else ()
-        return Done(replace(model, run=replace(run, wait=None)), replies=waits)
+        news = () if run.awaits is None else ((Ending(run.awaits), No(reason)),)
+        return Done(replace(model, run=replace(run, awaits=None)), news=news)
     now = recording.measured(flow_progress.lost(run, f"the runtime is lost: {reason}"))
     return Done(replace(model, run=now), says=(end(now),))
 
 
 def who() -> Order:
     """Ask where the flows are: whether they will pause, and which loops they are in."""
-    return Order(steer.Who(), placed, is_aside=True)
+    return Order(steer.Who(), placed)
 
 
 def look() -> Order:
     """Ask what there is: worlds are opened by a run, and subsystems come and go with it."""
-    return Order(live.Survey(), _surveyed, is_aside=True)
+    return Order(live.Survey(), _surveyed)
 
 
 def _edited(model: Model, run: Run, told: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
-    if run.wait is None or run.wait.number != told.number:
+    if run.awaits != told.number:
         return Done(replace(model, run=replace(run, outcomes={**run.outcomes, told.number: told.cause})))
-    order, response = run.wait.order, request.Refused(told.cause) if told.cause else request.Done()
-    return Done(replace(model, run=replace(run, wait=None)), replies=((order, response),))
+    news = ((Ending(told.number), No(told.cause) if told.cause else None),)
+    return Done(replace(model, run=replace(run, awaits=None)), news=news)
 
 
 def _orders(model: Model, former: Run, run: Run, told: event.Event) -> tuple[Order, ...]:
@@ -110,7 +110,7 @@ def _ask_present(model: Model, run: Run, told: event.Asked) -> tuple[Order, ...]
     if not wanted:
         return ()
     then = partial(_present, key=f"{told.subsystem}/{told.task}", wanted=wanted)
-    return (Order(live.Read(told.subsystem, tuple(dict.fromkeys(wanted.values()))), then, is_aside=True),)
+    return (Order(live.Read(told.subsystem, tuple(dict.fromkeys(wanted.values()))), then),)
 
 
 def _present(model: Model, response: request.Response, key: str, wanted: dict[str, str]) -> Done:
@@ -121,7 +121,7 @@ def _present(model: Model, response: request.Response, key: str, wanted: dict[st
     return Done(replace(model, run=run.shown(asks={**run.view.asks, key: asked})))
 
 
-def placed(model: Model, response: request.Response) -> Done | No:
+def placed(model: Model, response: request.Response) -> Done:
     """Where the flows are, as the runtime says."""
     run = model.run
     if run is None or run.is_over or not isinstance(response, steer.Positions):
@@ -135,7 +135,7 @@ def placed(model: Model, response: request.Response) -> Done | No:
     return Done(replace(model, run=run.shown(flows=flows)))
 
 
-def _surveyed(model: Model, response: request.Response) -> Done | No:
+def _surveyed(model: Model, response: request.Response) -> Done:
     if not isinstance(response, live.Standing):
         return Done(model)
     return Done(replace(model, runtime=runtime_view(model.runtime, response)))

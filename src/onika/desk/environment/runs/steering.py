@@ -1,13 +1,12 @@
 """Acts on the run of an application: steering, skips to a step, answers, breakpoints (E07, E13, E15)."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import replace
-from functools import partial
 
 from onika.desk.environment.canvas import task_commands
 from onika.desk.environment.control import held_subsystems
-from onika.desk.environment.outcome.outcome import Done, No, Order
-from onika.desk.environment.outcome.runtime_refusal import refusal
+from onika.desk.environment.outcome.outcome import Ask, Done, No, Order, Procedure
+from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.run_state.membership import icons
 from onika.desk.environment.run_state.run import Run
@@ -19,10 +18,8 @@ from onika.model.application import Application
 from onika.wire import act, page, request, steer
 from onika.wire.view import Remedy
 
-_Then = Callable[[Model, request.Response], Done | No]
 
-
-def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done | No:
+def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done | No | Procedure:
     """Do what a line of steering says, for the run that goes on."""
     run = _going(model)
     if isinstance(run, No):
@@ -32,7 +29,7 @@ def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done |
     except ValueError as wrong:
         return No(str(wrong))
     if isinstance(wish, steering.Look):
-        return _ordered(model, steer.Who(), _looked)
+        return _look(model)
     if not isinstance(wish, steering.Order):
         return No(f"`{asked.line}` is for scripts: it waits, and a page goes on")
     if isinstance(wish.asked, request.Abort) and run.view.state == "beginning":
@@ -40,11 +37,11 @@ def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done |
     if isinstance(wish.asked, steer.Resume):
         named = len(asked.line.split()) > 1
         whom = wish.subsystem if named or not any(one.is_nested for one in run.cast.parts) else ""  # whoever rests
-        return _ordered(model, steer.Resume(whom), partial(_went_on, whom=whom))
-    return _ordered(model, wish.asked, _steered)
+        return _resumed(model, whom)
+    return _steered(model, wish.asked)
 
 
-def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> Done | No:
+def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> No | Procedure:
     """Send the flow of a step to it at once; to the first action of what runs an application, or of a branch."""
     run = _going(model)
     if isinstance(run, No):
@@ -53,10 +50,10 @@ def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> Done | N
     if found is None:
         return No("nothing of this run is carried out there: it was begun without it")
     flow, index = found
-    return _ordered(model, steer.Skip(run.homes[flow], index), _steered)
+    return _steered(model, steer.Skip(run.homes[flow], index))
 
 
-def answer(model: Model, asked: act.Answer, outside: Surroundings) -> Done | No:
+def answer(model: Model, asked: act.Answer, outside: Surroundings) -> No | Procedure:
     """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration, or of a taken run."""
     if not asked.doc:
         return held_subsystems.answer(model, asked, outside)
@@ -66,7 +63,7 @@ def answer(model: Model, asked: act.Answer, outside: Surroundings) -> Done | No:
     if asked.task not in run.view.asks:
         return No(f"{asked.task} asks for nothing")
     subsystem, _, task = asked.task.rpartition("/")
-    return _ordered(model, request.Reply(subsystem, task, asked.line), task_commands.simply_done)
+    return simply_done(model, request.Reply(subsystem, task, asked.line))
 
 
 def dismiss(model: Model, _asked: act.Dismiss, _outside: Surroundings) -> Done | No:
@@ -86,7 +83,7 @@ def marks(before: Model, after: Model) -> tuple[Order, ...]:
         return ()
     former, now = _breakpoints(old), _breakpoints(new)
     changed = [step for step in {**former, **now} if former.get(step) != now.get(step)]
-    return tuple(Order(asked, _marked, run.doc, is_aside=True) for step in changed for asked in _mark(run, step, now))
+    return tuple(Order(asked, _marked) for step in changed for asked in _mark(run, step, now))
 
 
 def _mark(run: Run, step: int, now: dict[int, str]) -> Iterator[steer.Mark]:
@@ -106,31 +103,28 @@ def _going(model: Model) -> Run | No:
     return No("nothing runs") if run is None or run.is_over else run
 
 
-def _ordered(model: Model, asked: request.Request, then: _Then) -> Done:
-    doc = model.run.doc if model.run else ""
-    return Done(model, orders=(Order(asked, then, doc),), is_answered_later=True)
-
-
-def _steered(model: Model, response: request.Response) -> Done | No:
+def _steered(model: Model, wish: request.Request) -> Procedure:
+    """Ask for it, then where the flows are."""
+    model, response = yield Ask(model, wish)
     if not isinstance(response, request.Done):
         return No(refusal(response))
     return Done(model, orders=(run_reducer.who(),) if _is_going(model) else ())
 
 
-def _went_on(model: Model, response: request.Response, whom: str) -> Done | No:
+def _resumed(model: Model, whom: str) -> Procedure:
     """Those that pause go on; where none does, why the others stand, and what lets them go on."""
-    if isinstance(response, request.Done) or model.run is None:
-        return _steered(model, response)
-    found = standing(model.run, whom)
-    if not found:
+    model, response = yield Ask(model, steer.Resume(whom))
+    if isinstance(response, request.Done):
+        return Done(model, orders=(run_reducer.who(),) if _is_going(model) else ())
+    stands = standing(model.run, whom) if model.run is not None else ()
+    if not stands:
         return No(refusal(response))
-    return No("nothing pauses: " + "; ".join(text for text, _ in found), tuple(one for _, one in found))
+    return No("nothing pauses: " + "; ".join(text for text, _ in stands), tuple(remedy for _, remedy in stands))
 
 
-def _looked(model: Model, response: request.Response) -> Done | No:
-    if isinstance(response, steer.Positions):
-        return run_reducer.placed(model, response)
-    return No(refusal(response))
+def _look(model: Model) -> Procedure:
+    model, response = yield Ask(model, steer.Who())
+    return run_reducer.placed(model, response) if isinstance(response, steer.Positions) else No(refusal(response))
 
 
 def _marked(model: Model, response: request.Response) -> Done:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any, Literal
+from typing import Literal
 
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.history import Edits, History, Step
@@ -50,8 +50,6 @@ class Pending:
     """The history with the steps that it carries out."""
     tasks: frozenset[str] = frozenset()
     """Which tasks it touches."""
-    kept: tuple[Any, ...] = ()
-    """Orders of acts that waited for this change and are answered with it."""
     number: int | None = None
     """By which its outcome is told; None: it was not accepted yet."""
 
@@ -86,10 +84,12 @@ class Live:
     """By their own count, oldest first."""
     early: Mapping[int, str] = field(default_factory=dict)
     """Outcomes of changes, by number, that were told before the changes were accepted."""
-    kept: tuple[Any, ...] = ()
-    """Orders of acts that wait for the next change."""
+    changes: int = 0
+    """How many changes of the subsystem were ever asked for; acts wait for one of them by this number."""
+    is_awaited: bool = False
+    """Whether acts wait for the next change, with which goes out what they did while one was under way."""
     asked: int = 0
-    """How many changes were ever asked for."""
+    """How many things were ever asked for."""
 
     @property
     def is_changing(self) -> bool:
