@@ -6,25 +6,10 @@ from kit import build
 from kit.scene import JOB, ends
 from kit.script import bottom, nested, program
 from onika.engine.flow import FlowState
-from onika.engine.news import (
-    Abort,
-    Cleared,
-    Failed,
-    Leave,
-    Mark,
-    Pass,
-    Pause,
-    Recover,
-    Resume,
-    Run,
-    Skip,
-    Spawned,
-    Steering,
-    Step,
-    TurnedOn,
-)
+from onika.engine.news import Abort, Cleared, Failed, Run, Spawned, TurnedOn
 from onika.engine.orders import Moved
 from onika.wire.plan import Do, Meet
+from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
 
 MEET = build.job("move", trigger="move", synch_tag="meet")
 ALLOWED = {
@@ -40,15 +25,15 @@ ALLOWED = {
     "killing": "Mark",
 }
 NEWS = {
-    "Pause": Pause(0),
-    "Resume": Resume(0),
-    "Step": Step(0),
-    "Skip": Skip(0),
-    "Skip0": Skip(0, 0),
-    "Pass": Pass(0),
-    "Leave": Leave(0),
-    "Mark": Mark(0, 0),
-    "Recover": Recover(0),
+    "Pause": Pause("0"),
+    "Resume": Resume("0"),
+    "Step": Step("0"),
+    "Skip": Skip("0"),
+    "Skip0": Skip("0", 0),
+    "Pass": Pass("0"),
+    "Leave": Leave("0"),
+    "Mark": Mark("0", 0),
+    "Recover": Recover("0"),
 }
 
 
@@ -65,11 +50,11 @@ def brought(state):
     story = {
         "ready": [],
         "spawning": [Run()],
-        "paused": [*begun, Pause(0), *ends(0)],
+        "paused": [*begun, Pause("0"), *ends(0)],
         "waiting": [*begun, *ends(0)],
         "joining": [*begun, *ends(0)],
         "stopped": stopped,
-        "clearing": [*stopped, Recover(0)],
+        "clearing": [*stopped, Recover("0")],
         "done": [*begun, *ends(0), *ends(0)],
         "killing": [*begun, Abort("stop")],
     }.get(state, begun)
@@ -105,11 +90,11 @@ def test_a_loop_that_is_left_is_told_and_the_place_too():
     for news in (Run(), Spawned(0, "move")):
         engine.feed(news)
     assert engine.positions()[0].loops == ("round",)
-    assert engine.feed(Leave(0)) == [Moved(0, "running", 0, text="leaves the loop round at its next test")]
+    assert engine.feed(Leave("0")) == [Moved(0, "running", 0, text="leaves the loop round at its next test")]
 
 
 def test_who_is_sent_elsewhere_while_his_task_is_cleared_hears_to_wait():
     engine = brought("clearing")
-    assert "found it clearing" in engine.refusal(Skip(0, 1))
+    assert "found it clearing" in engine.refusal(Skip("0", 1))
     engine.feed(Cleared(0, "move"))
-    assert engine.refusal(Skip(0, 1)) == ""
+    assert engine.refusal(Skip("0", 1)) == ""

@@ -2,10 +2,11 @@ from dataclasses import is_dataclass
 from typing import get_args
 
 from onika.engine import news
+from onika.wire.steer import Steering
 
 
 def test_every_news_is_a_frozen_value_that_says_what_it_tells():
-    for each in get_args(news.News):
+    for each in set(get_args(news.News)) - set(get_args(Steering)):
         assert is_dataclass(each)
         assert each.__dataclass_params__.frozen
         assert each.__doc__

@@ -1,7 +1,8 @@
 from kit import build
 from kit.scene import begins
-from onika.engine.news import Cleared, Failed, Finished, Recover, Run, Spawned, TurnedOn
+from onika.engine.news import Cleared, Failed, Finished, Run, Spawned, TurnedOn
 from onika.engine.orders import Clear, Off
+from onika.wire.steer import Recover
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
 
@@ -27,14 +28,14 @@ def test_all_tasks_in_error_are_cleared_and_nothing_comes_on_before_the_last_is(
     engine = running(True)
     for task in ("puma", "move"):
         engine.feed(Failed(0, task, "x"))
-    assert engine.feed(Recover(0))[1:] == [Clear(0, "move"), Clear(0, "puma")]
+    assert engine.feed(Recover("0"))[1:] == [Clear(0, "move"), Clear(0, "puma")]
     assert engine.feed(Cleared(0, "puma")) == []
     assert [type(order).__name__ for order in engine.feed(Cleared(0, "move"))] == ["Switch", "Began", "Moved"]
 
 
 def test_a_recovered_action_ends_by_its_trigger_and_not_by_a_word_from_before():  # R-E08
     engine = running(True)
-    for news in (Failed(0, "puma", "x"), Recover(0), Cleared(0, "puma")):
+    for news in (Failed(0, "puma", "x"), Recover("0"), Cleared(0, "puma")):
         engine.feed(news)
     assert engine.feed(Finished(0, "move"))[0].text.endswith("ends no action now: ignored")
     engine.feed(TurnedOn(0, "move"))

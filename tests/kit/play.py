@@ -10,9 +10,9 @@ from collections.abc import Iterable
 from typing import Self, TypeVar
 
 from onika.engine.engine import Engine
-from onika.engine.news import News, Steering
+from onika.engine.news import News
 from onika.engine.orders import Case, Order
-from onika.wire.steer import Position
+from onika.wire.steer import Position, Steering
 
 Line = TypeVar("Line", News, Order)
 

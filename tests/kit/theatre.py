@@ -30,6 +30,7 @@ from onika.engine.orders import (
     Switch,
     Together,
 )
+from onika.wire import steer
 from onika.wire.plan import Plan, PlannedAction
 
 Address = tuple[int, str]
@@ -157,6 +158,10 @@ class Theatre:
         """An action of a flow."""
         return self.plan.flows[flow].actions[index]
 
+    def flow(self, subsystem: str) -> int:
+        """The number of the flow that has this subsystem."""
+        return next(number for number, planned in enumerate(self.plan.flows) if planned.subsystem == subsystem)
+
     def state(self, flow: int) -> FlowState:
         """The state of a flow, as the engine tells it."""
         return FlowState(self.engine.positions()[flow].state)
@@ -166,9 +171,10 @@ class Theatre:
     def feed(self, news: News) -> list[Order]:
         """The engine hears it, and what it orders is done."""
         self._tell(f">> {news}")
-        if isinstance(news, told.Skip | told.Recover) and not self.engine.refusal(news):
-            self._excused[news.flow] = isinstance(news, told.Recover)
-            self.open[news.flow] = self.open[news.flow] if isinstance(news, told.Recover) else None
+        if isinstance(news, steer.Skip | steer.Recover) and not self.engine.refusal(news):
+            flow = self.flow(news.subsystem)
+            self._excused[flow] = isinstance(news, steer.Recover)
+            self.open[flow] = self.open[flow] if isinstance(news, steer.Recover) else None
         orders = self.engine.feed(news)
         for order in orders:
             self._tell(f"<< {order}")

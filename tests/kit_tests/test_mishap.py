@@ -1,6 +1,7 @@
 from kit.mishap import AGAIN, REACH, clearing, finish, on, paused, running, started, stopped, where
-from onika.engine.news import Cleared, Failed, Finished, Recover, TurnedOn
+from onika.engine.news import Cleared, Failed, Finished, TurnedOn
 from onika.engine.orders import Began, Clear, Moved, Note, Off, Start, Switch
+from onika.wire.steer import Recover
 
 
 def test_a_mishap_begins_in_the_first_action_of_every_flow_with_all_tasks_on():
@@ -29,5 +30,5 @@ def test_the_lines_are_what_they_say():
 
 def test_a_mishap_can_be_cleared():
     play = started() >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-    play = play >> Recover(0) << clearing() << Clear(0, "puma")
+    play = play >> Recover("0") << clearing() << Clear(0, "puma")
     assert play >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)

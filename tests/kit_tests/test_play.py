@@ -2,8 +2,9 @@ import pytest
 
 from kit import build
 from kit.play import Play
-from onika.engine.news import Pass, Pause, Run, Spawned, TurnedOn
+from onika.engine.news import Run, Spawned, TurnedOn
 from onika.engine.orders import Began, Spawn, Start, Switch
+from onika.wire.steer import Pass, Pause
 
 
 def play():
@@ -54,17 +55,17 @@ def begun():
 
 
 def test_what_is_refused_is_refused_with_its_reason():
-    assert begun().refuses(Pass(0), "expected flow 0 to be waiting")
+    assert begun().refuses(Pass("0"), "expected flow 0 to be waiting")
     with pytest.raises(AssertionError, match=r"expected .* refused: because\nfound    expected flow 0 to be waiting"):
-        begun().refuses(Pass(0), "because")
+        begun().refuses(Pass("0"), "because")
     with pytest.raises(AssertionError, match="found    no refusal"):
-        begun().refuses(Pause(0), "because")
+        begun().refuses(Pause("0"), "because")
 
 
 def test_the_place_and_the_cases_of_a_flow_can_be_asked_once_all_is_told():
     play = begun()
     assert (play.position(0).action, [case.task for case in play.cases(0)]) == (0, ["move"])
-    untold = begun() >> Pause(0)
+    untold = begun() >> Pause("0")
     for ask in (untold.position, untold.cases):
         with pytest.raises(AssertionError, match="expected no further order\nfound    Moved"):
             ask(0)

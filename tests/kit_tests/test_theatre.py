@@ -7,6 +7,7 @@ from kit.tree import Act, engine_for, planned
 from onika.engine import news
 from onika.engine.engine import Engine
 from onika.engine.orders import Began, Case, Done, Note, Off, Start, Switch
+from onika.wire import steer
 
 MOVE = (0, "move")
 
@@ -85,5 +86,5 @@ def test_words_of_an_earlier_activation_are_not_heard():
     for task in ("move", "arm"):
         theatre.hear((0, task))
     theatre.say(MOVE, news.Finished(*MOVE), "off")
-    theatre.feed(news.Skip(0, 1))
+    theatre.feed(steer.Skip("flow0", 1))
     assert [type(one) for one in theatre.tasks[MOVE].mail] == [news.TurnedOn]

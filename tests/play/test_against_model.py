@@ -20,6 +20,7 @@ from kit.theatre import RUNTIME, Theatre
 from kit.tree import Act, Loop, Pick, Side, engine_for, planned
 from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
+from onika.wire import steer
 
 NOOP = Act(tasks=(), is_noop=True)
 TASKS = (("move", "arm"), ("grip", "arm"), ("move", "view"), ("arm", "view"))
@@ -146,59 +147,63 @@ class Comparison(RuleBasedStateMachine):
             self.feed_mail()
             self.small.failed(flow, task)
 
+    def name(self, flow):
+        return self.theatre.plan.flows[flow].subsystem
+
     @rule(which=st.integers(0, 9))
     def pauses(self, which):
         flow = which % self.flows
         states = ("running", "waiting", "joining", "stopped")
-        assert self.may(news.Pause(flow)) == (self.small.flows[flow].state in states)
-        if self.may(news.Pause(flow)):
-            self.feed(news.Pause(flow))
+        assert self.may(steer.Pause(self.name(flow))) == (self.small.flows[flow].state in states)
+        if self.may(steer.Pause(self.name(flow))):
+            self.feed(steer.Pause(self.name(flow)))
             self.small.pause(flow)
 
     @rule(which=st.integers(0, 9))
     def resumes(self, which):
         flow = which % self.flows
         small = self.small.flows[flow]
-        assert self.may(news.Resume(flow)) == (small.state == "paused" or small.is_pausing)
-        if self.may(news.Resume(flow)):
-            self.feed(news.Resume(flow))
+        assert self.may(steer.Resume(self.name(flow))) == (small.state == "paused" or small.is_pausing)
+        if self.may(steer.Resume(self.name(flow))):
+            self.feed(steer.Resume(self.name(flow)))
             self.small.resume(flow)
 
     @rule(which=st.integers(0, 9))
     def steps(self, which):
         flow = which % self.flows
-        if self.may(news.Step(flow)):
-            self.feed(news.Step(flow))
+        if self.may(steer.Step(self.name(flow))):
+            self.feed(steer.Step(self.name(flow)))
             self.small.resume(flow, steps=True)
 
     @rule(which=st.integers(0, 9), action=st.one_of(st.none(), st.integers(0, 9)))
     def skips(self, which, action):
-        said = news.Skip(which % self.flows, action)
-        if self.may(said):
-            self.feed(said)
-            self.small.skip(said.flow, action)
+        flow = which % self.flows
+        skip = steer.Skip(self.name(flow), action)
+        if self.may(skip):
+            self.feed(skip)
+            self.small.skip(flow, action)
 
     @rule(which=st.integers(0, 9))
     def passes(self, which):
         flow = which % self.flows
-        if self.may(news.Pass(flow)):
+        if self.may(steer.Pass(self.name(flow))):
             assert self.small.flows[flow].state in ("waiting", "joining")
-            self.feed(news.Pass(flow))
+            self.feed(steer.Pass(self.name(flow)))
             self.small.let_pass(flow)
 
     @rule(which=st.integers(0, 9))
     def leaves(self, which):
         flow = which % self.flows
-        if self.small.flows[flow].state in ("running", "waiting") and self.may(news.Leave(flow)):
-            self.feed(news.Leave(flow))
+        if self.small.flows[flow].state in ("running", "waiting") and self.may(steer.Leave(self.name(flow))):
+            self.feed(steer.Leave(self.name(flow)))
             self.small.leave(flow)
 
     @rule(which=st.integers(0, 9))
     def recovers(self, which):
         flow = which % self.flows
-        assert self.may(news.Recover(flow)) == (self.small.flows[flow].state == "stopped")
-        if self.may(news.Recover(flow)):
-            self.feed(news.Recover(flow))
+        assert self.may(steer.Recover(self.name(flow))) == (self.small.flows[flow].state == "stopped")
+        if self.may(steer.Recover(self.name(flow))):
+            self.feed(steer.Recover(self.name(flow)))
             self.small.recover(flow)
 
     @rule(condition=st.sampled_from("AB"))
@@ -256,7 +261,8 @@ def tell(name):
         if kind == "finish":
             story.finish(0, *what)
         elif kind == "skip":
-            story.feed(news.Skip(*what))
+            flow, action = what
+            story.feed(steer.Skip(story.name(flow), action))
             story.small.skip(*what)
         elif kind == "pass":
             story.passes(*what)

@@ -5,9 +5,10 @@ import pytest
 from kit import build
 from kit.scene import JOB, NOOP, begins, ends, goes_on, passes, started
 from kit.script import bottom, branch, nested, program, top
-from onika.engine.news import Pause, Resume, Skip, TurnedOn
+from onika.engine.news import TurnedOn
 from onika.engine.orders import Done, Moved, Note, Off, Settle, Together
 from onika.wire.plan import Do, Halt
+from onika.wire.steer import Pause, Resume, Skip
 
 THREE = program(Do(0), branch([Do(1)], [Do(2)], [Do(3)], name="sort"), Do(4))
 
@@ -47,7 +48,7 @@ def test_a_conditional_that_comes_first_takes_flow_0():  # decision 21, R-D10
 def test_a_conditional_after_a_skip_takes_flow_0():  # decision 21
     play = started(build.flow([JOB] * 5, THREE)) >> TurnedOn(0, "move")
     left = Note(0, "test.appl flow 0 action 0: left by the user")
-    assert play >> Skip(0) << left << Off(0, "move") << begins(0, 1)
+    assert play >> Skip("0") << left << Off(0, "move") << begins(0, 1)
 
 
 def test_a_conditional_after_a_nested_application_takes_the_value_of_its_last_executed_action():  # decision 21
@@ -98,9 +99,9 @@ def together_at_a_fork(flow, index, child):
 def test_the_value_is_remembered_in_a_pause():  # R-E07, R-D10
     assert (
         started(build.flow([JOB] * 5, THREE))
-        >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
+        >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
         >> ends(0, 2) << Done(0, 0) << Moved(0, "paused", 0)
-        >> Resume(0) << goes_on(0, 3)
+        >> Resume("0") << goes_on(0, 3)
     )  # fmt: skip
 
 

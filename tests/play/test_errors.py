@@ -5,26 +5,16 @@ import pytest
 from kit import build
 from kit.mishap import REACH, clearing, finish, on, running, started, stopped, where
 from kit.play import Play
-from onika.engine.news import (
-    Abort,
-    Cleared,
-    Failed,
-    Finished,
-    Killed,
-    Recover,
-    Refused,
-    Run,
-    Spawned,
-    TurnedOn,
-)
+from onika.engine.news import Abort, Cleared, Failed, Finished, Killed, Refused, Run, Spawned, TurnedOn
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Switch
+from onika.wire.steer import Recover
 
 
 def test_an_error_stops_the_flow_with_its_trigger_off_and_the_step_is_repeated_with_the_same_target():  # R-E08
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
         >> finish() << Done(0, 0) << Switch(0, (), on("move", told="3 4")) << Began(0, 1)
     )  # fmt: skip
@@ -34,7 +24,7 @@ def test_an_error_of_the_trigger_itself_leaves_the_others_on_and_only_it_comes_b
     assert (
         started()
         >> Failed(0, "move", "out of reach") << stopped(task="move", text="out of reach")
-        >> Recover(0) << clearing() << Clear(0, "move")
+        >> Recover("0") << clearing() << Clear(0, "move")
         >> Cleared(0, "move") << Switch(0, (), on("move")) << running(0)
     )  # fmt: skip
 
@@ -45,7 +35,7 @@ def test_two_tasks_in_error_are_both_cleared_and_come_on_in_one_switch():  # R-E
         started([job])
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Failed(0, "pd", "no number") << stopped(task="pd", text="no number")
-        >> Recover(0) << clearing() << Clear(0, "pd") << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "pd") << Clear(0, "puma")
         >> Cleared(0, "puma")
         >> Cleared(0, "pd") << Switch(0, (), on("move", "pd", "puma")) << running(0)
     )  # fmt: skip
@@ -56,7 +46,7 @@ def test_the_trigger_may_fail_after_another_task():  # R-E08
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Failed(0, "move", "gave up") << stopped(task="move", text="gave up")
-        >> Recover(0) << clearing() << Clear(0, "move") << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "move") << Clear(0, "puma")
         >> [Cleared(0, "move")]
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
     )  # fmt: skip
@@ -68,7 +58,7 @@ def test_an_error_that_comes_again_stops_the_flow_again():  # R-E08
         play = (
             play
             >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-            >> Recover(0) << clearing() << Clear(0, "puma")
+            >> Recover("0") << clearing() << Clear(0, "puma")
             >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
             >> [TurnedOn(0, "puma"), TurnedOn(0, "move")]
         )  # fmt: skip
@@ -79,9 +69,9 @@ def test_a_task_that_fails_while_it_is_cleared_leaves_the_flow_stopped():  # R-E
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Failed(0, "puma", "panic button") << stopped(text="panic button")
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
     )  # fmt: skip
 
@@ -90,10 +80,10 @@ def test_a_task_that_will_not_be_cleared_leaves_the_flow_stopped_with_the_reason
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Refused(0, "puma", "panic button")
         << Moved(0, "stopped", 0, text=f"{where(0, 0)}: puma is not cleared: panic button")
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
     )  # fmt: skip
 
@@ -105,7 +95,7 @@ def two_failed():
         started([job])
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Failed(0, "pd", "no number") << stopped(task="pd", text="no number")
-        >> Recover(0) << clearing() << Clear(0, "pd") << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "pd") << Clear(0, "puma")
     )  # fmt: skip
 
 
@@ -114,7 +104,7 @@ def test_of_two_that_will_not_be_cleared_both_reasons_are_told():  # R-E08
         two_failed()
         >> Refused(0, "pd", "no number") << Moved(0, "stopped", 0, text=f"{where(0, 0)}: pd is not cleared: no number")
         >> Refused(0, "puma", "panic button") << Note(0, f"{where(0, 0)}: puma is not cleared: panic button")
-        >> Recover(0) << clearing() << Clear(0, "pd") << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "pd") << Clear(0, "puma")
     )  # fmt: skip
 
 
@@ -122,7 +112,7 @@ def test_a_task_that_was_cleared_twice_does_no_harm_when_the_second_time_is_refu
     assert (
         two_failed()
         >> Failed(0, "puma", "joint limit") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "pd") << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "pd") << Clear(0, "puma")
         >> [Cleared(0, "pd"), Refused(0, "pd", "it is OFF")]
         >> Cleared(0, "puma") << Switch(0, (), on("move", "pd", "puma")) << running(0)
     )  # fmt: skip
@@ -133,7 +123,7 @@ def test_a_task_that_was_cleared_before_the_user_says_so_is_not_cleared_again():
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Cleared(0, "puma")
-        >> Recover(0) << clearing() << Switch(0, (), on("move", "puma")) << running(0)
+        >> Recover("0") << clearing() << Switch(0, (), on("move", "puma")) << running(0)
     )  # fmt: skip
 
 
@@ -142,7 +132,7 @@ def test_a_task_that_would_not_come_on_stops_the_flow_and_the_step_can_be_repeat
     assert (
         started()
         >> Refused(0, "move", "endpoint 9 is above 3.1") << Moved(0, "stopped", 0, text=text)
-        >> Recover(0) << clearing() << Switch(0, (), on("move")) << running(0)
+        >> Recover("0") << clearing() << Switch(0, (), on("move")) << running(0)
     )  # fmt: skip
 
 
@@ -151,7 +141,7 @@ def test_a_task_that_had_no_part_in_the_action_stays_off_when_it_is_cleared():  
     assert (
         started([REACH, other])
         >> Failed(0, "grip", "no air") << Off(0, "move") << stopped(task="grip", text="no air")
-        >> Recover(0) << clearing() << Clear(0, "grip")
+        >> Recover("0") << clearing() << Clear(0, "grip")
         >> Cleared(0, "grip") << Switch(0, (), on("move")) << running(0)
     )  # fmt: skip
 
@@ -161,7 +151,7 @@ def test_every_trigger_of_the_action_goes_off_at_an_error_and_comes_back():  # R
     assert (
         started([job], others=[(0, "timer")])
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << Off(0, "timer") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "timer", "puma")) << running(0)
     )  # fmt: skip
 
@@ -172,7 +162,7 @@ def test_a_finish_that_comes_after_the_error_does_not_end_the_action():  # R-E08
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
         >> Finished(0, "move") << ignored
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
     )  # fmt: skip
 
@@ -186,13 +176,13 @@ def test_an_error_of_a_passive_task_stops_nobody():  # decision 17
 def test_what_failed_can_be_asked():  # R-X06
     play = started() >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
     assert (play.position(0).state, play.position(0).failed) == ("stopped", ("puma",))
-    play = play >> Recover(0) << clearing() << Clear(0, "puma")
+    play = play >> Recover("0") << clearing() << Clear(0, "puma")
     assert play >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
     assert play.position(0).failed == ()
 
 
 def test_only_a_flow_in_error_is_recovered():  # R-E08
-    assert started().refuses(Recover(0), "expected flow 0 to be stopped at an error, found it running")
+    assert started().refuses(Recover("0"), "expected flow 0 to be stopped at an error, found it running")
 
 
 def test_an_error_before_all_tasks_live_ends_the_run():  # R-E08
@@ -209,6 +199,6 @@ def test_an_error_before_all_tasks_live_ends_the_run():  # R-E08
 @pytest.mark.parametrize("recovering", [False, True])
 def test_a_flow_in_error_can_be_aborted(recovering):  # R-E07, R-E08
     play = started() >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-    play = play >> Recover(0) << clearing() << Clear(0, "puma") if recovering else play
+    play = play >> Recover("0") << clearing() << Clear(0, "puma") if recovering else play
     play = play >> Abort("stop") << Kill(0, "move") << Kill(0, "puma") >> [Cleared(0, "puma"), Killed(0, "move")]
     assert play >> Killed(0, "puma") << End(False, "stop")

@@ -15,6 +15,7 @@ from kit.tree import Act, Loop, Pick, Side, engine_for, planned
 from onika.engine import news as told
 from onika.engine.flow import FlowState
 from onika.model.rules import meetings
+from onika.wire import steer
 
 NOOP = Act(tasks=(), is_noop=True)
 GRIP = Act(tasks=("grip", "arm"))
@@ -141,18 +142,24 @@ class Explorer:
             if self.theatre.is_ready(flow):
                 continue
             if one.state == "paused":
-                yield told.Resume(flow)
+                yield steer.Resume(one.subsystem)
             if one.state == "stopped":
-                yield told.Recover(flow)
+                yield steer.Recover(one.subsystem)
 
     def acts(self):
         """All that the user may do now."""
         for flow, one in enumerate(self.plan.flows):
             if self.theatre.is_ready(flow):
                 continue
-            every = [told.Pause(flow), told.Resume(flow), told.Step(flow), told.Skip(flow), told.Pass(flow)]
-            every += [told.Leave(flow), told.Recover(flow)]
-            every += [told.Skip(flow, index) for index in range(len(one.actions))]
+            every = [
+                steer.Pause(one.subsystem),
+                steer.Resume(one.subsystem),
+                steer.Step(one.subsystem),
+                steer.Skip(one.subsystem),
+                steer.Pass(one.subsystem),
+            ]
+            every += [steer.Leave(one.subsystem), steer.Recover(one.subsystem)]
+            every += [steer.Skip(one.subsystem, index) for index in range(len(one.actions))]
             yield from (act for act in every if not self.theatre.engine.refusal(act))
 
     def faults(self):
@@ -222,20 +229,20 @@ class Explorer:
                 return
             for address in list(theatre.triggers_on()):
                 theatre.say(address, told.Finished(*address), "off")
-            for flow in range(len(self.plan.flows)) if turn > 20 else ():
-                if not theatre.engine.refusal(told.Leave(flow)):
-                    theatre.feed(told.Leave(flow))  # endless loops are left by the user
+            for one in self.plan.flows if turn > 20 else ():
+                if not theatre.engine.refusal(steer.Leave(one.subsystem)):
+                    theatre.feed(steer.Leave(one.subsystem))  # endless loops are left by the user
             if not theatre.has_news:
                 self.help()
         raise AssertionError(f"{theatre.story}\nand comes to no end")
 
     def help(self):
-        for flow, one in enumerate(self.theatre.engine.positions()):
+        for one in self.theatre.engine.positions():
             act = {
-                FlowState.PAUSED: told.Resume(flow),
-                FlowState.STOPPED: told.Recover(flow),
-                FlowState.WAITING: told.Pass(flow),
-                FlowState.RUNNING: told.Skip(flow),
+                FlowState.PAUSED: steer.Resume(one.subsystem),
+                FlowState.STOPPED: steer.Recover(one.subsystem),
+                FlowState.WAITING: steer.Pass(one.subsystem),
+                FlowState.RUNNING: steer.Skip(one.subsystem),
             }.get(FlowState(one.state))
             if act and not self.theatre.engine.refusal(act):
                 self.theatre.feed(act)

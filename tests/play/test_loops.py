@@ -5,9 +5,10 @@ import pytest
 from kit import build
 from kit.scene import JOB, NOOP, begins, ends, passes, started
 from kit.script import bottom, program, top
-from onika.engine.news import Abort, Killed, Leave, Run, Skip, Spawned, TurnedOn
+from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
 from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle
 from onika.wire.plan import Do
+from onika.wire.steer import Leave, Skip
 
 TWO_THEN_ONE = program(bottom("round", Do(0), Do(1)), Do(2))
 TESTED = program(top("round", Do(0), Do(1)), Do(2))
@@ -88,7 +89,7 @@ def test_a_no_op_as_the_test_makes_a_loop_without_an_end():  # R-E05, R-D11
         play = play >> ends(0) << Done(0, 0) << passes(0, 1) << begins(0, 0)
     assert (
         play
-        >> Leave(0) << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
         >> ends(0) << Done(0, 0) << passes(0, 1) << begins(0, 2)
     )  # fmt: skip
 
@@ -136,11 +137,11 @@ def test_the_inner_loop_is_left_first_then_the_outer_one():  # R-E07
     assert play.position(0).loops == ("outer", "inner")
     assert (
         play
-        >> Leave(0)
+        >> Leave("0")
         << Moved(0, "running", 1, text="leaves the loop inner at its next test")
-        >> Leave(0)
+        >> Leave("0")
         << Moved(0, "running", 1, text="leaves the loop outer at its next test")
-    ).refuses(Leave(0), "in a loop that it is not leaving yet")
+    ).refuses(Leave("0"), "in a loop that it is not leaving yet")
     assert (
         play
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
@@ -152,7 +153,7 @@ def test_a_loop_that_was_left_is_a_loop_again_when_the_flow_comes_back():  # R-E
     assert (
         started(build.flow([JOB] * 4, INNER))
         >> ends(0) << Done(0, 0) << begins(0, 1)
-        >> Leave(0) << Moved(0, "running", 1, text="leaves the loop inner at its next test")
+        >> Leave("0") << Moved(0, "running", 1, text="leaves the loop inner at its next test")
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
         >> ends(0, loop=True) << Done(0, 2) << begins(0, 0)
         >> ends(0) << Done(0, 0) << begins(0, 1)
@@ -166,7 +167,7 @@ def test_a_top_test_loop_is_left_from_its_test_and_from_its_body(index):  # R-E0
     play = play if index == 0 else play >> ends(0, loop=True) << Done(0, 0) << begins(0, 1)
     assert (
         play
-        >> Leave(0) << Moved(0, "running", index, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", index, text="leaves the loop round at its next test")
         >> ends(0, loop=True) << Done(0, index) << begins(0, 2)
     )  # fmt: skip
 
@@ -175,20 +176,20 @@ def test_a_loop_with_a_condition_is_left_whatever_that_says():  # R-E07, R-D13
     script = program(bottom("round", Do(0), condition="X > 1"), Do(1))
     assert (
         started(build.flow([JOB] * 2, script), judge=lambda _flow, _condition: True)
-        >> Leave(0) << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
         >> ends(0, loop=True) << Done(0, 0) << begins(0, 1)
     )  # fmt: skip
 
 
 def test_outside_of_a_loop_there_is_none_to_leave():  # R-E07
     play = started(build.flow([JOB] * 2, program(Do(0), bottom("round", Do(1)))))
-    assert play.refuses(Leave(0), "expected flow 0 in a loop")
+    assert play.refuses(Leave("0"), "expected flow 0 in a loop")
 
 
 def test_a_skipped_test_leaves_the_loop():  # decision 22
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> ends(0) << Done(0, 0) << begins(0, 1) >> TurnedOn(0, "move")
     left = Note(0, "test.appl flow 0 action 1: left by the user")
-    assert play >> Skip(0) << left << Off(0, "move") << begins(0, 2)
+    assert play >> Skip("0") << left << Off(0, "move") << begins(0, 2)
 
 
 def test_a_skip_out_of_a_loop_forgets_that_it_was_to_be_left():  # R-E13
@@ -196,9 +197,9 @@ def test_a_skip_out_of_a_loop_forgets_that_it_was_to_be_left():  # R-E13
     left = Note(0, "test.appl flow 0 action 0: left by the user")
     assert (
         play
-        >> Leave(0) << Moved(0, "running", 0, text="leaves the loop round at its next test")
-        >> Skip(0, 2) << left << Off(0, "move") << begins(0, 2) >> TurnedOn(0, "move")
-        >> Skip(0, 1) << Note(0, "test.appl flow 0 action 2: left by the user") << Off(0, "move") << begins(0, 1)
+        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Skip("0", 2) << left << Off(0, "move") << begins(0, 2) >> TurnedOn(0, "move")
+        >> Skip("0", 1) << Note(0, "test.appl flow 0 action 2: left by the user") << Off(0, "move") << begins(0, 1)
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 0)
     )  # fmt: skip
 
@@ -207,7 +208,7 @@ def test_a_skip_within_a_loop_remembers_that_it_is_to_be_left():  # R-E07, R-E13
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> TurnedOn(0, "move")
     assert (
         play
-        >> Leave(0) << Moved(0, "running", 0, text="leaves the loop round at its next test")
-        >> Skip(0) << Note(0, "test.appl flow 0 action 0: left by the user") << Off(0, "move") << begins(0, 1)
+        >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
+        >> Skip("0") << Note(0, "test.appl flow 0 action 0: left by the user") << Off(0, "move") << begins(0, 1)
         >> ends(0, loop=True) << Done(0, 1) << begins(0, 2)
     )  # fmt: skip

@@ -6,22 +6,10 @@ from kit import build
 from kit.play import Play
 from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from kit.script import bottom, nested, program
-from onika.engine.news import (
-    Cleared,
-    Failed,
-    Killed,
-    Pass,
-    Pause,
-    Recover,
-    Resume,
-    Run,
-    Settled,
-    Skip,
-    Spawned,
-    TurnedOn,
-)
+from onika.engine.news import Cleared, Failed, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Clear, Done, End, Kill, Moved, Note, Off, Order, Settle, Together
 from onika.wire.plan import Do, Halt, Meet
+from onika.wire.steer import Pass, Pause, Recover, Resume, Skip
 
 ONE = (Do(0), Halt())
 
@@ -124,8 +112,8 @@ def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  #
     assert (
         play
         >> ends(0) << Done(0, 0) << Moved(0, "waiting", 0, "meet a", (1,))
-        >> Pass(0) << goes_on(0, 1) >> TurnedOn(1, "move")
-        >> Skip(1, 1) << skipped << Off(1, "move") << begins(1, 1)
+        >> Pass("0") << goes_on(0, 1) >> TurnedOn(1, "move")
+        >> Skip("1", 1) << skipped << Off(1, "move") << begins(1, 1)
         >> ends(1) << Done(1, 1) << done(1, 1)
         >> ends(0, loop=True) << Done(0, 1) << forked(0, 0, 1)
         >> ends(1) << Done(1, 0) << Moved(1, "waiting", 0, "meet a", (0,))
@@ -214,17 +202,17 @@ def joined():
 def test_a_flow_that_waits_for_nested_ones_can_be_paused_and_goes_on_when_both_say_so():  # R-E07
     assert (
         joined()
-        >> Pause(0) << Moved(0, "paused", 1)
+        >> Pause("0") << Moved(0, "paused", 1)
         >> ends(1) << Done(1, 0) << done(1, 0)
-        >> Resume(0) << goes_on(0, 2)
+        >> Resume("0") << goes_on(0, 2)
     )  # fmt: skip
 
 
 def test_a_flow_that_waits_for_nested_ones_waits_again_after_a_pause():  # R-E07
     assert (
         joined()
-        >> Pause(0) << Moved(0, "paused", 1)
-        >> Resume(0) << joining(0, 1, 1)
+        >> Pause("0") << Moved(0, "paused", 1)
+        >> Resume("0") << joining(0, 1, 1)
         >> ends(1) << Done(1, 0) << done(1, 0) << goes_on(0, 2)
     )  # fmt: skip
 
@@ -232,9 +220,9 @@ def test_a_flow_that_waits_for_nested_ones_waits_again_after_a_pause():  # R-E07
 def test_a_nested_flow_that_pauses_is_waited_for():  # R-E07
     assert (
         joined()
-        >> Pause(1) << Moved(1, "running", 0, text="pauses after its current action")
+        >> Pause("1") << Moved(1, "running", 0, text="pauses after its current action")
         >> ends(1) << Done(1, 0) << Moved(1, "paused", 0)
-        >> Resume(1) << done(1, 0) << goes_on(0, 2)
+        >> Resume("1") << done(1, 0) << goes_on(0, 2)
     )  # fmt: skip
 
 
@@ -242,11 +230,11 @@ def test_a_nested_flow_that_was_to_pause_before_its_first_action_does_so_when_it
     flow = parent([JOB, JOB], Do(0), nested([(1, 0)], Do(1)))
     assert (
         opened(flow, child())
-        >> Pause(1) << Moved(1, "spawning", -1, text="pauses before its first action")
+        >> Pause("1") << Moved(1, "spawning", -1, text="pauses before its first action")
         >> Spawned(1, "move") << begins(0, 0)
         >> ends(0) << Done(0, 0) << Moved(1, "paused", -1) << begins(0, 1)
         >> ends(0) << Done(0, 1) << joining(0, 1, 1)
-        >> Resume(1) << goes_on(1, 0)
+        >> Resume("1") << goes_on(1, 0)
     )  # fmt: skip
 
 
@@ -254,34 +242,34 @@ def test_a_flow_is_let_pass_and_does_not_begin_the_nested_ones_again_before_they
     flow = parent([JOB, JOB], bottom("round", nested([(1, 0)], Do(0)), Do(1)))
     play = opened(flow, child()) >> Spawned(1, "move")
     play = play << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
-    play = play >> ends(0) << Done(0, 0) << joining(0, 0, 1) >> Pass(0) << goes_on(0, 1)
+    play = play >> ends(0) << Done(0, 0) << joining(0, 0, 1) >> Pass("0") << goes_on(0, 1)
     play = play >> ends(0, loop=True) << Done(0, 1) << joining(0, 1, 1)
-    play = play.refuses(Pass(0), "waits for flows that it is about to begin again")
+    play = play.refuses(Pass("0"), "waits for flows that it is about to begin again")
     assert play >> ends(1) << Done(1, 0) << done(1, 0) << Together("", (0, 1)) << goes_on(0, 0) << goes_on(1, 0)
 
 
 def test_a_flow_that_was_let_pass_does_not_end_the_application_before_the_nested_ones():  # R-E14
-    play = joined() >> Pass(0) << goes_on(0, 2) >> ends(0) << Done(0, 2) << done(0, 2)
+    play = joined() >> Pass("0") << goes_on(0, 2) >> ends(0) << Done(0, 2) << done(0, 2)
     assert play >> ends(1) << Done(1, 0) << done(1, 0) << Settle()
 
 
 @pytest.mark.parametrize("to", [0, 2])
 def test_nobody_is_sent_into_a_nested_parallel_application_or_out_of_it(to):  # R-E13
     play = started(SIMPLE, child()) >> ends(0) << Done(0, 0) << forked(0, 1, 1)
-    assert play.refuses(Skip(0, to), "not on the same side of a nested parallel application")
+    assert play.refuses(Skip("0", to), "not on the same side of a nested parallel application")
 
 
 def test_nobody_is_sent_to_a_stretch_that_the_flow_above_begins():  # R-E13
     stretches = child(JOB, JOB, script=(Do(0), Halt(), Do(1), Halt()))
     flow = parent([JOB, JOB], nested([(1, 0)], Do(0)), nested([(1, 2)], Do(1)))
     play = opened(flow, stretches) >> Spawned(1, "move") << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
-    assert play.refuses(Skip(1, 1), "begun by the flow above it")
+    assert play.refuses(Skip("1", 1), "begun by the flow above it")
 
 
 def test_the_next_action_of_a_flow_may_be_the_end_of_a_nested_application():  # R-E07
     play = started(SIMPLE, child()) >> ends(0) << Done(0, 0) << forked(0, 1, 1) >> TurnedOn(0, "move")
     left = Note(0, "test.appl flow 0 action 1: left by the user")
-    assert play >> Skip(0) << left << Off(0, "move") << joining(0, 1, 1)
+    assert play >> Skip("0") << left << Off(0, "move") << joining(0, 1, 1)
 
 
 # Errors
@@ -296,7 +284,7 @@ def test_a_nested_flow_in_error_is_waited_for():  # R-E08, decision 28
     assert (
         joined() >> TurnedOn(1, "move")
         >> Failed(1, "move", "it broke") << stopped(1, 0)
-        >> Recover(1) << Moved(1, "clearing", 0) << Clear(1, "move")
+        >> Recover("1") << Moved(1, "clearing", 0) << Clear(1, "move")
         >> Cleared(1, "move") << goes_on(1, 0)
         >> ends(1) << Done(1, 0) << done(1, 0) << goes_on(0, 2)
     )  # fmt: skip
@@ -306,7 +294,7 @@ def test_an_error_while_a_flow_waits_for_nested_ones_is_cleared_and_it_waits_on(
     assert (
         joined()
         >> Failed(0, "move", "it broke") << stopped(0, 1)
-        >> Recover(0) << Moved(0, "clearing", 1) << Clear(0, "move")
+        >> Recover("0") << Moved(0, "clearing", 1) << Clear(0, "move")
         >> Cleared(0, "move") << joining(0, 1, 1)
         >> ends(1) << Done(1, 0) << done(1, 0) << goes_on(0, 2)
     )  # fmt: skip
@@ -317,7 +305,7 @@ def test_nested_flows_may_end_while_the_one_above_is_in_error():  # R-E08
         joined()
         >> Failed(0, "move", "it broke") << stopped(0, 1)
         >> ends(1) << Done(1, 0) << done(1, 0)
-        >> Recover(0) << Moved(0, "clearing", 1) << Clear(0, "move")
+        >> Recover("0") << Moved(0, "clearing", 1) << Clear(0, "move")
         >> Cleared(0, "move") << goes_on(0, 2)
     )  # fmt: skip
 
@@ -328,7 +316,7 @@ def test_a_nested_flow_that_fails_before_it_is_begun_is_cleared_and_does_not_beg
         started(SIMPLE, child())
         >> Failed(1, "move", "it broke") << Moved(1, "stopped", -1, text=text)
         >> ends(0) << Done(0, 0) << joining(0, 0, 1)
-        >> Recover(1) << Moved(1, "clearing", -1) << Clear(1, "move")
+        >> Recover("1") << Moved(1, "clearing", -1) << Clear(1, "move")
         >> Cleared(1, "move") << done(1, -1) << Together("", (0, 1)) << goes_on(0, 1) << goes_on(1, 0)
     )  # fmt: skip
 

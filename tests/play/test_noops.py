@@ -3,8 +3,9 @@
 from kit import build
 from kit.play import Play
 from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
-from onika.engine.news import Pause, Resume, Run, Settled, Spawned
+from onika.engine.news import Run, Settled, Spawned
 from onika.engine.orders import Done, End, Moved, Settle, Together
+from onika.wire.steer import Pause, Resume
 
 
 def test_no_ops_are_told_and_take_no_time():  # R-D11
@@ -34,14 +35,14 @@ def test_a_breakpoint_after_a_no_op_pauses_behind_it():  # R-D11, decision 25
     assert (
         started([JOB, build.noop(marker=True), NOOP, JOB])
         >> ends(0) << Done(0, 0) << passes(0, 1) << Moved(0, "paused", 1)
-        >> Resume(0) << passes(0, 2) << goes_on(0, 3)
+        >> Resume("0") << passes(0, 2) << goes_on(0, 3)
     )  # fmt: skip
 
 
 def test_a_pause_that_is_asked_for_comes_before_the_next_no_op():  # R-E07, R-D11
     assert (
         started([JOB, NOOP, JOB])
-        >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
+        >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
         >> ends(0) << Done(0, 0) << Moved(0, "paused", 0)
-        >> Resume(0) << passes(0, 1) << goes_on(0, 2)
+        >> Resume("0") << passes(0, 1) << goes_on(0, 2)
     )  # fmt: skip

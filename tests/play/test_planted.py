@@ -11,7 +11,7 @@ from hypothesis.stateful import run_state_machine_as_test
 
 from onika.engine import progress, walk
 from onika.engine.engine import Engine
-from onika.engine.flow_control import Helm
+from onika.engine.flow_control import FlowControl
 from onika.engine.flow_router import Itinerary
 from onika.engine.flow_tasks import Crew
 from onika.engine.meeting import Meetings
@@ -33,10 +33,15 @@ MISTAKES = {
     ),
     "nobody is cleared": (Recovery, "recover", "for task in sorted(flow.crew.in_error)", "for task in ()"),
     "it goes on before all is cleared": (Recovery, "_when_cleared", "if flow.crew.in_error:", "if False:"),
-    "a paused flow has come to its tag": (Helm, "_pause", "self._itinerary.meetings.withdraw(flow.flow)", "pass"),
-    "a step does not end": (Helm, "_step", "flow.is_pausing = True\n    return", "return"),
-    "a pause that is taken back comes": (Helm, "_resume", "flow.is_pausing = False", "pass"),
-    "a skip leaves the trigger ON": (Helm, "_skip", ", *flow.crew.rest(step.triggers)", ""),
+    "a paused flow has come to its tag": (
+        FlowControl,
+        "_pause",
+        "self._itinerary.meetings.withdraw(flow.flow)",
+        "pass",
+    ),
+    "a step does not end": (FlowControl, "_step", "flow.is_pausing = True\n    return", "return"),
+    "a pause that is taken back comes": (FlowControl, "_resume", "flow.is_pausing = False", "pass"),
+    "a skip leaves the trigger ON": (FlowControl, "_skip", ", *flow.crew.rest(step.triggers)", ""),
     "a skip brings the old value along": (Progress, "go_to", "self._value = None", "pass"),
     "who was let pass has not been there": (Meetings, "let_pass", "del self._waiting[flow]", "self.withdraw(flow)"),
     "two of three are enough to meet": (

@@ -6,23 +6,10 @@ from kit import build
 from kit.play import Play
 from kit.scene import JOB, NOOP, ends, opened, passes, started
 from kit.script import bottom, branch, nested, program, top
-from onika.engine.news import (
-    Asked,
-    Failed,
-    Finished,
-    Leave,
-    Mark,
-    Pause,
-    Refused,
-    Resume,
-    Run,
-    Skip,
-    Spawned,
-    SwitchedOff,
-    TurnedOn,
-)
+from onika.engine.news import Asked, Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
 from onika.wire.plan import Do, Rest
+from onika.wire.steer import Leave, Mark, Pause, Resume, Skip
 
 NEXT = Switch(0, (), (Start("move", "", 100.0),))
 
@@ -90,7 +77,7 @@ def test_loop_and_choice_together_make_a_case_for_each_pair_that_matters():  # d
 
 def test_a_loop_that_is_to_be_left_has_one_case():  # R-E07
     play = begun(build.flow(jobs("1", "2"), program(bottom("round", Do(0)), Do(1))))
-    play = play >> Leave(0) << Moved(0, "running", 0, text="leaves the loop round at its next test")
+    play = play >> Leave("0") << Moved(0, "running", 0, text="leaves the loop round at its next test")
     assert play.cases(0) == [case(None, None, "2")]
 
 
@@ -125,17 +112,17 @@ def test_what_cannot_be_foreseen_is_not_prepared(before):
 
 
 def test_a_flow_that_will_pause_has_no_case_until_the_pause_is_taken_back():  # R-E07
-    play = begun(jobs("1", "2")) >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
+    play = begun(jobs("1", "2")) >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
     assert play.cases(0) == []
-    assert (play >> Resume(0) << Moved(0, "running", 0, text="does not pause")).cases(0) == [case(None, None, "2")]
+    assert (play >> Resume("0") << Moved(0, "running", 0, text="does not pause")).cases(0) == [case(None, None, "2")]
 
 
 def test_a_breakpoint_set_in_the_run_takes_the_case_away():  # R-E07
-    assert (begun(jobs("1", "2")) >> Mark(0, 0)).cases(0) == []
+    assert (begun(jobs("1", "2")) >> Mark("0", 0)).cases(0) == []
 
 
 def test_a_flow_that_does_not_run_has_no_case():
-    play = begun(jobs("1", "2")) >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
+    play = begun(jobs("1", "2")) >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
     assert (play >> ends(0) << Done(0, 0) << Moved(0, "paused", 0)).cases(0) == []
     assert opened(jobs("1", "2")).cases(0) == []
 
@@ -206,12 +193,12 @@ def test_the_revision_changes_with_everything_that_may_change_the_cases():
     for news in (Run(), Spawned(0, "move"), TurnedOn(0, "move")):
         engine.feed(news)
     for news in (
-        Leave(0),
-        Pause(0),
-        Resume(0),
-        Mark(0, 1),
-        Mark(0, 1, is_set=False),
-        Skip(0),
+        Leave("0"),
+        Pause("0"),
+        Resume("0"),
+        Mark("0", 1),
+        Mark("0", 1, is_set=False),
+        Skip("0"),
         TurnedOn(0, "move"),
         Finished(0, "move"),
     ):

@@ -4,20 +4,9 @@ import pytest
 
 from kit import build
 from kit.mishap import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
-from onika.engine.news import (
-    Cleared,
-    Failed,
-    Finished,
-    Killed,
-    Pause,
-    Recover,
-    Refused,
-    Resume,
-    Settled,
-    Skip,
-    Step,
-)
+from onika.engine.news import Cleared, Failed, Finished, Killed, Refused, Settled
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Settle, Switch, Together
+from onika.wire.steer import Pause, Recover, Resume, Skip, Step
 
 # Between two actions
 
@@ -25,12 +14,12 @@ from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off,
 def test_a_flow_that_was_paused_pauses_again_with_its_task_back_on_and_nothing_moves():  # R-E08
     assert (
         started()
-        >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
+        >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
         >> Finished(0, "move") << Done(0, 0) << paused()
         >> Failed(0, "puma", "joint limit") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << paused()
-        >> Resume(0) << Switch(0, (), on("move", told="3 4")) << running(1)
+        >> Resume("0") << Switch(0, (), on("move", told="3 4")) << running(1)
     )  # fmt: skip
 
 
@@ -38,12 +27,12 @@ def test_a_trigger_that_fails_after_its_action_does_not_come_back_in_the_pause()
     job = build.job("move", "timer", trigger="move", arguments="1 2")
     assert (
         started([job, job], others=[(0, "timer")])
-        >> Pause(0) << Moved(0, "running", 0, text="pauses after its current action")
+        >> Pause("0") << Moved(0, "running", 0, text="pauses after its current action")
         >> Finished(0, "timer") << Done(0, 0) << paused()
         >> Failed(0, "move", "gave up") << stopped(task="move", text="gave up")
-        >> Recover(0) << clearing() << Clear(0, "move")
+        >> Recover("0") << clearing() << Clear(0, "move")
         >> Cleared(0, "move") << paused()
-        >> Resume(0) << Switch(0, (), on("move", "timer")) << running(1)
+        >> Resume("0") << Switch(0, (), on("move", "timer")) << running(1)
     )  # fmt: skip
 
 
@@ -59,7 +48,7 @@ def test_a_flow_that_was_waiting_waits_again_with_its_task_back_on():  # R-E08, 
     assert (
         waiting()
         >> Failed(0, "puma", "joint limit") << stopped()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << Moved(0, "waiting", 0, "meet", (1,))
         >> Finished(1, "move") << Done(1, 0) << Together("meet", (0, 1))
         << Switch(0, (), on("move", told="5 6")) << running(1)
@@ -72,7 +61,7 @@ def test_the_others_run_on_to_their_next_tag_and_wait_there_for_who_has_stopped(
         waiting()
         >> Failed(0, "puma", "joint limit") << stopped()
         >> Finished(1, "move") << Done(1, 0) << Moved(1, "waiting", 0, "meet", (0,))
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << Together("meet", (0, 1))
         << Switch(0, (), on("move", told="5 6")) << running(1)
         << Switch(1, (), on("move", told="5 6")) << running(1, flow=1)
@@ -93,7 +82,7 @@ def test_a_flow_that_had_waited_behind_a_no_op_gets_its_task_back():  # R-E08, R
         started([REACH, build.noop(), MEET], [REACH, MEET])
         >> Finished(0, "move") << Done(0, 0) << Began(0, 1) << Done(0, 1) << Moved(0, "waiting", 1, "meet", (1,))
         >> Failed(0, "puma", "joint limit") << stopped(1)
-        >> Recover(0) << clearing(1) << Clear(0, "puma")
+        >> Recover("0") << clearing(1) << Clear(0, "puma")
     )  # fmt: skip
     assert play >> Cleared(0, "puma") << Switch(0, (), on("puma")) << Moved(0, "waiting", 1, "meet", (1,))
 
@@ -104,7 +93,7 @@ def test_a_flow_that_was_done_is_done_again_and_the_application_ends_after_all()
         >> Finished(0, "move") << Done(0, 0) << Moved(0, "done", 0) << Settle()
         >> Failed(0, "puma", "joint limit") << stopped()
         >> Settled()
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << Moved(0, "done", 0) << Settle()
         >> Settled() << Kill(0, "move") << Kill(0, "puma")
         >> [Killed(0, "move")]
@@ -113,10 +102,10 @@ def test_a_flow_that_was_done_is_done_again_and_the_application_ends_after_all()
 
 
 def test_a_flow_that_was_done_is_sent_nowhere_while_it_is_in_error():  # R-E13
-    play = started([REACH, AGAIN]) >> Skip(0, 1) << Note(0, f"{where(0, 0)}: left by the user") << Off(0, "move")
+    play = started([REACH, AGAIN]) >> Skip("0", 1) << Note(0, f"{where(0, 0)}: left by the user") << Off(0, "move")
     play = play << Switch(0, (), on("move", told="3 4")) << Began(0, 1) >> finish() << Done(0, 1)
     play = play << Moved(0, "done", 1) << Settle() >> Failed(0, "puma", "joint limit") << stopped(1)
-    assert play.refuses(Skip(0, 0), "found it stopped")
+    assert play.refuses(Skip("0", 0), "found it stopped")
 
 
 # What else the user may want of a flow in error
@@ -126,7 +115,7 @@ def test_a_flow_in_error_can_be_sent_to_another_action_once_it_is_cleared():  # 
     assert (
         started([REACH, AGAIN, REACH])
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Skip(0, 2) << clearing() << Clear(0, "puma")
+        >> Skip("0", 2) << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(2)
         >> finish() << Done(0, 2) << Moved(0, "done", 2) << Settle()
     )  # fmt: skip
@@ -136,7 +125,7 @@ def test_a_flow_in_error_can_be_sent_to_the_next_action():  # R-E07, R-E08
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Skip(0) << clearing() << Clear(0, "puma")
+        >> Skip("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma", told="3 4")) << running(1)
     )  # fmt: skip
 
@@ -145,10 +134,10 @@ def test_where_a_flow_in_error_was_sent_it_still_goes_when_clearing_took_two_att
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> Skip(0, 1) << clearing() << Clear(0, "puma")
+        >> Skip("0", 1) << clearing() << Clear(0, "puma")
         >> Refused(0, "puma", "panic button")
         << Moved(0, "stopped", 0, text=f"{where(0, 0)}: puma is not cleared: panic button")
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma", told="3 4")) << running(1)
         >> finish() << Done(0, 1) << Moved(0, "done", 1) << Settle()
     )  # fmt: skip
@@ -159,8 +148,8 @@ def test_a_flow_in_error_pauses_after_the_repeated_step_if_the_user_wants(kind):
     assert (
         started()
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()
-        >> kind(0) << Moved(0, "stopped", 0, text="pauses after its current action")
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> kind("0") << Moved(0, "stopped", 0, text="pauses after its current action")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("move", "puma")) << running(0)
         >> finish() << Done(0, 0) << paused()
     )  # fmt: skip
@@ -170,8 +159,8 @@ def test_a_flow_that_failed_at_a_tag_pauses_there_if_the_user_wants():  # R-E07,
     assert (
         waiting()
         >> Failed(0, "puma", "joint limit") << stopped()
-        >> Pause(0) << Moved(0, "stopped", 0, text="pauses after its current action")
-        >> Recover(0) << clearing() << Clear(0, "puma")
+        >> Pause("0") << Moved(0, "stopped", 0, text="pauses after its current action")
+        >> Recover("0") << clearing() << Clear(0, "puma")
         >> Cleared(0, "puma") << Switch(0, (), on("puma")) << paused()
-        >> Resume(0) << Moved(0, "waiting", 0, "meet", (1,))
+        >> Resume("0") << Moved(0, "waiting", 0, "meet", (1,))
     )  # fmt: skip

@@ -2,9 +2,10 @@
 
 from kit import build, scene, script
 from kit.play import Play
-from onika.engine.news import Abort, Finished, Killed, Pass, Run, Settled, Spawned, TurnedOn
+from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
 from onika.wire.plan import Do, Halt, Meet
+from onika.wire.steer import Pass
 
 FREE = build.job("move", trigger="move")
 MEET = build.job("move", trigger="move", synch_tag="meet")
@@ -111,7 +112,7 @@ def test_a_flow_that_comes_to_wait_for_an_ended_one_is_reported_and_can_be_let_p
         met([FREE, MEET, MEET], [FREE, MEET])
         >> Finished(1, "move") << Done(1, 1) << Moved(1, "done", 1)
         >> Finished(0, "move") << Done(0, 1) << waits(0, 1, after=1, text=ENDED)
-        >> Pass(0) << scene.goes_on(0, 2)
+        >> Pass("0") << scene.goes_on(0, 2)
         >> scene.ends(0) << Done(0, 2) << Moved(0, "done", 2) << Settle()
     )  # fmt: skip
 

@@ -9,7 +9,7 @@ Whoever carries the orders out counts the activations of each task and keeps fro
 from collections.abc import Callable, Mapping, Set
 
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.flow_control import Helm
+from onika.engine.flow_control import FlowControl
 from onika.engine.flow_router import Itinerary
 from onika.engine.news import (
     Abort,
@@ -24,7 +24,6 @@ from onika.engine.news import (
     Run,
     Settled,
     Spawned,
-    Steering,
     SwitchedOff,
     TaskNews,
     TurnedOn,
@@ -36,7 +35,7 @@ from onika.engine.recovery import Recovery
 from onika.engine.step import steps
 from onika.engine.walk import Value
 from onika.wire.plan import Plan
-from onika.wire.steer import Position
+from onika.wire.steer import Position, Steering
 
 _OVER = (FlowState.KILLING, FlowState.ENDED)
 _AT_REST = {FlowState.WAITING, FlowState.JOINING, FlowState.PAUSED, FlowState.STOPPED, FlowState.DONE}
@@ -78,15 +77,16 @@ class Engine:
         names = [planned.subsystem for planned in plan.flows]
         self._itinerary = Itinerary(self._flows, names)
         self._recovery = Recovery(self._itinerary, stands_still)
-        self._helm = Helm(self._itinerary, self._recovery)
+        self._numbers = {name: flow for flow, name in enumerate(names)}
+        self._control = FlowControl(self._itinerary, self._recovery)
 
     # What can be asked
 
-    def refusal(self, news: Steering) -> str:
-        """Why this cannot be done now; empty: it can."""
-        if news.flow not in range(len(self._flows)):
-            return f"expected a flow from 0 to {len(self._flows) - 1}, found {news.flow}"
-        return self._helm.refusal(self._flows[news.flow], news)
+    def refusal(self, command: Steering) -> str:
+        """Why this cannot be done now with the flow that it names by its subsystem; empty: it can."""
+        if command.subsystem not in self._numbers:
+            return f"expected one of the flows {', '.join(self._numbers)}, found {command.subsystem or 'none'}"
+        return self._control.refusal(self._steered(command), command)
 
     def positions(self) -> list[Position]:
         """Where every flow is, and who waits for whom."""
@@ -120,7 +120,10 @@ class Engine:
                 return self._abort(news.cause)
         if isinstance(news, TaskNews):
             return self._guarded(self._hear(self._flows[news.flow], news))
-        return [] if self.refusal(news) else self._guarded(self._helm.steer(self._flows[news.flow], news))
+        return [] if self.refusal(news) else self._guarded(self._control.steer(self._steered(news), news))
+
+    def _steered(self, command: Steering) -> Progress:
+        return self._flows[self._numbers[command.subsystem]]
 
     def _guarded(self, orders: list[Order]) -> list[Order]:
         """Orders, and the end of the application where a flow has gone astray."""

@@ -1,12 +1,12 @@
-"""The helm: what the user may do with each flow at any time (requirements E07, E13, §5.9.2)."""
+"""Flow control: decides what the user may do with a flow, and does it (requirements E07, E13, §5.9.2)."""
 
 from onika.engine.flow import FlowState
 from onika.engine.flow_router import Itinerary
-from onika.engine.news import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
 from onika.engine.orders import Note, Order
 from onika.engine.progress import Progress
 from onika.engine.recovery import Recovery
 from onika.wire.plan import Join
+from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
 
 _UNDER_WAY = (
     FlowState.SPAWNING,
@@ -20,38 +20,33 @@ _UNDER_WAY = (
 _SENT_FROM = (FlowState.RUNNING, FlowState.WAITING, FlowState.PAUSED, FlowState.STOPPED)
 
 
-class Helm:
-    """Judges what is asked, and does it."""
+class FlowControl:
+    """Refuses or carries out the steering messages for the flows of one plan."""
 
     def __init__(self, itinerary: Itinerary, recovery: Recovery) -> None:
         self._itinerary = itinerary
         self._recovery = recovery
 
-    def refusal(self, flow: Progress, news: Steering) -> str:
+    def refusal(self, flow: Progress, command: Steering) -> str:
         """Why this cannot be done now; empty: it can."""
-        match news:
+        match command:
             case Mark():
-                return _no_such_action(flow, news.action)
+                return _no_such_action(flow, command.action)
             case Recover():
                 return "" if flow.state is FlowState.STOPPED else _expected("stopped at an error", flow)
             case Pass():
                 return self._why_not_pass(flow)
             case Skip():
-                return self._why_not_skip(flow, news)
+                return self._why_not_skip(flow, command)
             case Resume():
                 is_resting = flow.state is FlowState.PAUSED or (flow.is_pausing and flow.state in _UNDER_WAY)
                 return "" if is_resting else _expected("paused", flow)
-        if flow.state not in _UNDER_WAY:
-            return _expected("under way", flow)
-        if isinstance(news, Leave):
-            return "" if self._innermost(flow) else f"expected flow {flow.flow} in a loop that it is not leaving yet"
-        if isinstance(news, Pause) and flow.state is FlowState.PAUSED:
-            return f"flow {flow.flow} is paused already"
-        return ""
+            case Pause() | Step() | Leave():
+                return self._why_not_under_way(flow, command)
 
-    def steer(self, flow: Progress, news: Steering) -> list[Order]:
+    def steer(self, flow: Progress, command: Steering) -> list[Order]:
         """Do what `refusal` allows."""
-        match news:
+        match command:
             case Pause():
                 return self._pause(flow)
             case Step():
@@ -59,7 +54,7 @@ class Helm:
             case Resume():
                 return self._resume(flow)
             case Skip():
-                return self._skip(flow, news.action)
+                return self._skip(flow, command.action)
             case Pass():
                 return self._pass(flow)
             case Leave():
@@ -68,7 +63,7 @@ class Helm:
                 flow.revision += 1
                 return [flow.moved(text=f"leaves the loop {name} at its next test")]
             case Mark():
-                return _mark(flow, news)
+                return _mark(flow, command)
             case Recover():
                 return self._recovery.recover(flow)
 
@@ -101,26 +96,24 @@ class Helm:
         flow.is_pausing = True
         return self._itinerary.go_on([flow.flow])
 
+    def _why_not_under_way(self, flow: Progress, command: Pause | Step | Leave) -> str:
+        if flow.state not in _UNDER_WAY:
+            return _expected("under way", flow)
+        if isinstance(command, Leave):
+            return "" if self._innermost(flow) else f"expected flow {flow.flow} in a loop that it is not leaving yet"
+        is_paused = isinstance(command, Pause) and flow.state is FlowState.PAUSED
+        return f"flow {flow.flow} is paused already" if is_paused else ""
+
     # Elsewhere
 
-    def _why_not_skip(self, flow: Progress, news: Skip) -> str:
+    def _why_not_skip(self, flow: Progress, skip: Skip) -> str:
         was_done = flow.state is FlowState.STOPPED and flow.interrupted is FlowState.DONE
         if flow.state not in _SENT_FROM or was_done:
             return _expected("running, waiting, paused or stopped at an action", flow)
-        if news.action is None:
+        if skip.action is None:
             is_waiting = flow.state is FlowState.WAITING
             return f"flow {flow.flow} waits at a tag; let it pass, or skip to an action" if is_waiting else ""
-        missing = _no_such_action(flow, news.action)
-        if missing:
-            return missing
-        program, to = flow.program, flow.program.entries[news.action]
-        if program.stretch(flow.place) != program.stretch(to):
-            return (
-                f"action {news.action} belongs to another run of flow {flow.flow}, which is begun by the flow above it"
-            )
-        if program.parallel_at(flow.place) != program.parallel_at(to):
-            return f"action {news.action} is not on the same side of a nested parallel application as flow {flow.flow}"
-        return ""
+        return _no_such_action(flow, skip.action) or _out_of_reach(flow, skip.action)
 
     def _skip(self, flow: Progress, action: int | None) -> list[Order]:
         orders: list[Order] = []
@@ -152,11 +145,11 @@ class Helm:
         return names[-1] if names else ""
 
 
-def _mark(flow: Progress, news: Mark) -> list[Order]:
-    if news.is_set:
-        flow.breakpoints[news.action] = news.condition
+def _mark(flow: Progress, mark: Mark) -> list[Order]:
+    if mark.is_set:
+        flow.breakpoints[mark.action] = mark.condition
     else:
-        flow.breakpoints.pop(news.action, None)
+        flow.breakpoints.pop(mark.action, None)
     flow.revision += 1
     return []
 
@@ -166,6 +159,16 @@ def _no_such_action(flow: Progress, action: int) -> str:
     return (
         "" if 0 <= action < count else f"expected an action from 1 to {count} of flow {flow.flow}, found {action + 1}"
     )
+
+
+def _out_of_reach(flow: Progress, action: int) -> str:
+    """Why a flow cannot be sent from where it is to an action that it has; empty: it can."""
+    program, to = flow.program, flow.program.entries[action]
+    if program.stretch(flow.place) != program.stretch(to):
+        return f"action {action} belongs to another run of flow {flow.flow}, which is begun by the flow above it"
+    if program.parallel_at(flow.place) != program.parallel_at(to):
+        return f"action {action} is not on the same side of a nested parallel application as flow {flow.flow}"
+    return ""
 
 
 def _expected(what: str, flow: Progress) -> str:

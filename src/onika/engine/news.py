@@ -1,6 +1,11 @@
-"""What the engine is told: each news names the flow (by number) and, where it has one, the task (law 28)."""
+"""What the engine is told: each news names the flow (by number) and, where it has one, the task (law 28).
+
+What users want of a flow comes as they sent it (`wire.steer`); it names the flow by its subsystem.
+"""
 
 from dataclasses import dataclass
+
+from onika.wire.steer import Steering
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,66 +104,6 @@ class Cleared:
 
 
 @dataclass(frozen=True, slots=True)
-class Pause:
-    """The user: pause after the current action."""
-
-    flow: int
-
-
-@dataclass(frozen=True, slots=True)
-class Resume:
-    """The user: go on after a pause, or take it back before it has come."""
-
-    flow: int
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """The user: one action, then pause."""
-
-    flow: int
-
-
-@dataclass(frozen=True, slots=True)
-class Skip:
-    """The user: leave the current action and go to this one; none: to the next."""
-
-    flow: int
-    action: int | None = None
-
-
-@dataclass(frozen=True, slots=True)
-class Pass:
-    """The user: do not wait any longer."""
-
-    flow: int
-
-
-@dataclass(frozen=True, slots=True)
-class Leave:
-    """The user: leave the innermost loop at its next test."""
-
-    flow: int
-
-
-@dataclass(frozen=True, slots=True)
-class Mark:
-    """The user: a breakpoint after an action, always or under a condition; or none any more."""
-
-    flow: int
-    action: int
-    is_set: bool = True
-    condition: str = ""
-
-
-@dataclass(frozen=True, slots=True)
-class Recover:
-    """The user: clear the tasks in error and repeat the step."""
-
-    flow: int
-
-
-@dataclass(frozen=True, slots=True)
 class Settled:
     """What had to be read after the last finish has been read; the tasks may go."""
 
@@ -171,5 +116,4 @@ class Abort:
 
 
 TaskNews = Spawned | Refused | TurnedOn | Finished | SwitchedOff | Failed | Cleared | Asked | Illegal | Killed
-Steering = Pause | Resume | Step | Skip | Pass | Leave | Mark | Recover
 News = Run | TaskNews | Steering | Settled | Abort

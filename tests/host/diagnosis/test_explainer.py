@@ -16,6 +16,7 @@ from onika.ring.segment import Segment
 from onika.runtime import news
 from onika.runtime.table import Table
 from onika.runtime.user_input import AskedItem
+from onika.wire import steer
 from onika.words.shape import Shape
 
 MS = 1_000_000
@@ -252,7 +253,7 @@ def test_whoever_waited_before_is_told_with_the_stop_only():  # R-X06
 
 def test_a_flow_that_would_not_be_cleared_is_explained_anew():  # R-E08, R-X06
     run = Run([None]).fails("arm")
-    run.feed(said.Recover(0))
+    run.feed(steer.Recover("flow0"))
     heard = news.Refused("flow0", "arm", "clear", "ModuleError: panic button pressed")
     run.ends(heard, said.Refused(0, "arm", "clear: ModuleError: panic button pressed"))
     _, again = run.told

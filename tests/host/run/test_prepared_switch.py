@@ -14,6 +14,7 @@ from onika.ring.segment import Segment
 from onika.runtime import command
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
+from onika.wire import steer
 
 
 class Units:
@@ -117,7 +118,7 @@ def test_a_flow_that_is_to_pause_has_nothing_prepared():  # R-E07
     view = View()
     view.outlook.freed(0)
     view.units.take(command.Prepared)
-    view.feed(said.Pause(0))
+    view.feed(steer.Pause("flow0"))
     assert view.units.take(command.Prepared) == []
 
 

@@ -2,7 +2,6 @@ import pytest
 
 from kit.rail import YardLoading
 from kit.workshop import Workshop, action
-from onika.engine import news as said
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.ring.segment import Segment
@@ -10,7 +9,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 from onika.runtime.user_input import AskedItem
-from onika.wire import event
+from onika.wire import event, steer
 from onika.wire.request import Begin
 
 ARM = """
@@ -387,7 +386,7 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
     bench.hear(news.Failed("flow0", "arm", "cycle", "panic", "", 0, "", bench.now))
     assert ("bell",) in [order.off for _, order in bench.units.take(command.Switch)]  # its trigger waits for nobody
     answers = []
-    bench.runner.steer(said.Recover(0), bench.now, answers.append)
+    bench.runner.steer(steer.Recover("flow0"), bench.now, answers.append)
     assert answers == [""]
     assert [order.task for _, order in bench.units.take(command.Clear)] == ["arm"]
     bench.hear(news.Changed("flow0", "arm", "OFF", bench.now))
@@ -399,9 +398,9 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
 def test_a_failure_counts_however_late_it_is_heard():  # R-E08
     bench = Bench([action("bell"), action("bell")], begin=Begin(on_error="wait")).start().born("bell").on("bell")
     ((_, prepared),) = bench.units.take(command.Prepared)
-    bench.runner.steer(said.Skip(0, 1), bench.now, lambda _refusal: None)
+    bench.runner.steer(steer.Skip("flow0", 1), bench.now, lambda _refusal: None)
     bench.hear(news.Unprepared("flow0"))
     bench.hear(news.Failed("flow0", "bell", "off", "no", "", 0, "", bench.now, prepared.activation))
     assert [one.state for one in bench.of(event.Moved)][-1] == "stopped"
-    bench.runner.steer(said.Recover(0), bench.now, lambda _refusal: None)
+    bench.runner.steer(steer.Recover("flow0"), bench.now, lambda _refusal: None)
     assert [order.task for _, order in bench.units.take(command.Clear)] == ["bell"]

@@ -5,7 +5,6 @@ from time import monotonic_ns
 
 from msgspec import structs
 
-from onika.engine.news import Pause
 from onika.host.loading.plan_preparation import Preparation
 from onika.host.run.runner import Runner
 from onika.host.units.unit_registry import Units
@@ -13,6 +12,7 @@ from onika.runtime import news
 from onika.runtime.subsystem import Member, Subsystem
 from onika.wire import event
 from onika.wire.request import Begin
+from onika.wire.steer import Pause
 
 _REST_NS = 300_000_000
 """How long the end of a run waits at most until every drive holds."""
@@ -54,8 +54,8 @@ class Performance:
         if self.on_loss == "stop":
             self.runner.abort(cause, now)
         elif self.on_loss == "finish":
-            for flow in range(len(self.names)):
-                self.runner.steer(Pause(flow), now, lambda _refusal: None)
+            for name in self.names:
+                self.runner.steer(Pause(name), now, lambda _refusal: None)
 
     def is_through(self, is_at_rest: Callable[[], bool]) -> bool:
         """Whether it is over, and every drive holds or had the time to."""

@@ -2,7 +2,8 @@
 
 from collections.abc import Callable, Sequence
 
-from onika.engine import news as said
+from msgspec import structs
+
 from onika.host.run.run import Performance
 from onika.host.subsystems import Stage
 from onika.wire import request, steer
@@ -32,18 +33,17 @@ class Helm:
         if isinstance(performance, str):
             answer(request.Refused(performance))
             return
-        name = asked.subsystem
-        flows = [performance.names.index(name)] if name else list(range(len(performance.names)))
-        if len(flows) > 1 and not isinstance(asked, steer.Pause | steer.Resume | steer.Step | steer.Recover):
+        names = (asked.subsystem,) if asked.subsystem else performance.names
+        if len(names) > 1 and not isinstance(asked, steer.Pause | steer.Resume | steer.Step | steer.Recover):
             answer(request.Refused(f"expected one of the flows {', '.join(performance.names)}, found none"))
             return
         wrong = _wrong_condition(asked)
         if wrong:
             answer(request.Refused(wrong))
             return
-        waits = _Answers(len(flows), answer)
-        for flow in flows:
-            performance.runner.steer(_news(flow, asked), now, waits.take)
+        waits = _Answers(len(names), answer)
+        for name in names:
+            performance.runner.steer(structs.replace(asked, subsystem=name), now, waits.take)
 
     def who(self, session: str) -> request.Response:
         """Where every flow is: of the asker's applications, of all where it has none."""
@@ -88,23 +88,3 @@ def _wrong_condition(asked: steer.Steering) -> str:
         except ValueError as wrong:
             return str(wrong)
     return ""
-
-
-def _news(flow: int, asked: steer.Steering) -> said.Steering:
-    match asked:
-        case steer.Pause():
-            return said.Pause(flow)
-        case steer.Resume():
-            return said.Resume(flow)
-        case steer.Step():
-            return said.Step(flow)
-        case steer.Skip():
-            return said.Skip(flow, asked.action)
-        case steer.Pass():
-            return said.Pass(flow)
-        case steer.Leave():
-            return said.Leave(flow)
-        case steer.Mark():
-            return said.Mark(flow, asked.action, asked.is_set, asked.condition)
-        case steer.Recover():
-            return said.Recover(flow)

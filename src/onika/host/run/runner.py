@@ -28,7 +28,7 @@ from onika.runtime import command, news
 from onika.runtime.subsystem import Subsystem
 from onika.wire import event
 from onika.wire.request import Begin
-from onika.wire.steer import Position
+from onika.wire.steer import Position, Steering
 
 Tell = Callable[[event.Event], None]
 
@@ -108,8 +108,8 @@ class Runner:
 
     # Steering
 
-    def steer(self, wanted: said.Steering, now: int, answer: Callable[[str], None]) -> None:
-        """What the user wants of a flow; answered, maybe a little later, with why it cannot be done, or nothing."""
+    def steer(self, wanted: Steering, now: int, answer: Callable[[str], None]) -> None:
+        """Carry out what the user wants of the flow of this subsystem; answered, maybe a little later, with why not."""
 
         def act() -> None:
             self._now = max(now, self._now)
@@ -118,8 +118,8 @@ class Runner:
                 self._feed(wanted)
             answer(refusal)
 
-        if wanted.flow in self._subsystems:
-            self._outlook.when_free(wanted.flow, act)
+        if wanted.subsystem in self._flows:
+            self._outlook.when_free(self._flows[wanted.subsystem], act)
         else:
             act()
 
