@@ -13,7 +13,7 @@ from onika.host.loading.plan_preparation import Preparation, inspect, prepare
 from onika.host.loading.request_backlog import Answer, Backlog
 from onika.host.recording.recorder import Recorder
 from onika.host.run.run import Performance
-from onika.host.run.run_commands import Helm
+from onika.host.run.run_commands import RunCommands
 from onika.host.sessions.control_authority import Holders
 from onika.host.sessions.leases import Leases
 from onika.host.sessions.presence import Company
@@ -40,9 +40,9 @@ class Program:
         self.stage = Stage(driver, gate.tell, rtpus)
         driver.listen(self.stage)
         self._editor = Editor(self.stage, loading)
-        self._helm = Helm(self.stage)
+        self._run_commands = RunCommands(self.stage)
         self._company = Company(gate, lambda: self.holders.watching, self._lease_of)
-        self.holders = Holders(self.stage, gate.tell, self._helm, self._company.sessions)
+        self.holders = Holders(self.stage, gate.tell, self._run_commands, self._company.sessions)
         self.leases = Leases(self.holders, gate.hearing, lease_ns, deaf=gate.deaf_ns)
         self._look = Look(self.stage, driver, gate, rtpus)
         self._recorder = Recorder(self.stage, driver, gate, rtpus)
@@ -183,7 +183,7 @@ class Program:
             case live.Advance():
                 self._advance(call.asked.seconds, answer)
             case steer.Who():
-                answer(self._helm.who(call.session))
+                answer(self._run_commands.who(call.session))
             case (
                 steer.Pause()
                 | steer.Resume()
@@ -194,7 +194,7 @@ class Program:
                 | steer.Mark()
                 | steer.Recover()
             ):
-                self._helm.carry_out(call.session, call.asked, self._driver.now, answer)
+                self._run_commands.carry_out(call.session, call.asked, self._driver.now, answer)
             case _:
                 answer(self._respond(call.session, call.asked))
 

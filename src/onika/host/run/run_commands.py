@@ -1,4 +1,4 @@
-"""The helm: what users ask of running applications, taken to the flows it is meant for (E07, E08, E13, X03)."""
+"""Run commands: what users want of running applications is taken to the flows it is meant for (E07, E08, E13, X03)."""
 
 from collections.abc import Callable, Sequence
 
@@ -12,8 +12,8 @@ from onika.words.condition import Condition
 Answer = Callable[[request.Response], None]
 
 
-class Helm:
-    """Of all applications of a runtime."""
+class RunCommands:
+    """Judges and passes on the steering messages for all applications of a runtime."""
 
     def __init__(self, stage: Stage) -> None:
         self._stage = stage

@@ -5,7 +5,7 @@ from typing import get_args
 
 from onika.host.edit import transactions
 from onika.host.run.run import Performance
-from onika.host.run.run_commands import Helm
+from onika.host.run.run_commands import RunCommands
 from onika.host.sessions.handover import Offer, Offers
 from onika.host.sessions.permission import changes_nothing
 from onika.host.subsystems import Stage, Tell
@@ -32,11 +32,15 @@ class Holders:
     """Judges requests by who holds what; a session that is lost, or silent for too long, holds nothing any more."""
 
     def __init__(
-        self, stage: Stage, tell: Tell, helm: Helm, sessions: Callable[[], Sequence[holding.SessionStanding]]
+        self,
+        stage: Stage,
+        tell: Tell,
+        run_commands: RunCommands,
+        sessions: Callable[[], Sequence[holding.SessionStanding]],
     ) -> None:
         self._stage = stage
         self._tell = tell
-        self._helm = helm
+        self._run_commands = run_commands
         self._sessions = sessions
         self._offers = Offers(tell)
         self._lapsed: set[str] = set()
@@ -58,7 +62,7 @@ class Holders:
         if isinstance(asked, live.Reset):
             return self._foreign(session)
         if isinstance(asked, steer.Steering):
-            return self._helm.refusal(session, asked)
+            return self._run_commands.refusal(session, asked)
         if not isinstance(asked, _HOLDER_ONLY):
             return ""
         if is_stopped and isinstance(asked, live.Change) and (asked.on or asked.spawn):
