@@ -5,15 +5,19 @@ the files that differ from the code and ends with 1 if any does.
 """
 
 import argparse
-import runpy
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from inspect import cleandoc, getsourcefile
 from pathlib import Path
 from types import ModuleType
 from typing import TypeVar
 
+import catalogues
+import engine_page
+import message_page
+import typescript
 from onika.desk.plan.compile import UNKNOWN, planned_task
 from onika.engine import flow
 from onika.host.units.world_registry import open_world, split
@@ -106,33 +110,13 @@ def laboratory() -> str:
     return "\n".join(parts)
 
 
-def messages() -> str:
-    """Every message between environment and runtime."""
-    return str(runpy.run_path(str(Path(__file__).with_name("messages.py")))["page"]())
-
-
-def engine() -> str:
-    """How flows wait, loop, stop and go on."""
-    return str(runpy.run_path(str(Path(__file__).with_name("engine.py")))["page"]())
-
-
-def typescript() -> str:
-    """The messages of the page, for the browser."""
-    return str(runpy.run_path(str(Path(__file__).with_name("typescript.py")))["source"]())
-
-
-def spanish() -> str:
-    """The sentences in Spanish, for the browser."""
-    return str(runpy.run_path(str(Path(__file__).with_name("catalogues.py")))["source"]("es"))
-
-
 PAGES: Mapping[str, Callable[[], str]] = {
-    "docs/engine.md": engine,
+    "docs/engine.md": engine_page.page,
     "docs/lifecycles.md": lifecycles,
     "docs/laboratory.md": laboratory,
-    "docs/messages.md": messages,
-    "browser/src/api.gen.ts": typescript,
-    "browser/src/texts/catalogue.es.gen.ts": spanish,
+    "docs/messages.md": message_page.page,
+    "browser/src/api.gen.ts": typescript.source,
+    "browser/src/texts/catalogue.es.gen.ts": partial(catalogues.source, "es"),
 }
 """Every generated file by its path in the repository."""
 

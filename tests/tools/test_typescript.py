@@ -1,14 +1,12 @@
-import runpy
-from pathlib import Path
 from typing import get_args
 
 import msgspec
 import pytest
 
+import typescript
 from onika.wire import act, page
 
-TOOL = runpy.run_path(str(Path(__file__).parents[2] / "tools" / "typescript.py"))
-SOURCE = TOOL["source"]()
+SOURCE = typescript.source()
 
 
 @pytest.mark.parametrize("kind", [*get_args(act.AnyAct), *get_args(page.AnyMessage)], ids=lambda kind: kind.__name__)
@@ -33,7 +31,7 @@ def test_every_message_has_its_interface_with_its_tag(kind):
     ],
 )
 def test_a_type_is_written_as_typescript_has_it(kind, written):
-    assert TOOL["_type"](msgspec.inspect.type_info(kind)) == written
+    assert typescript._type(msgspec.inspect.type_info(kind)) == written
 
 
 def test_a_field_that_may_be_left_out_may_be_left_out_there_too():
@@ -42,4 +40,4 @@ def test_a_field_that_may_be_left_out_may_be_left_out_there_too():
 
 def test_a_type_that_typescript_has_not_raises():
     with pytest.raises(TypeError):
-        TOOL["_type"](msgspec.inspect.type_info(complex))
+        typescript._type(msgspec.inspect.type_info(complex))
