@@ -11,10 +11,11 @@ import re
 import sys
 import tomllib
 from collections import Counter
-from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, field
 from itertools import zip_longest
 from pathlib import Path, PurePosixPath
+
+from import_graph import imports
 
 ROOT = Path(__file__).parents[1]
 
@@ -23,9 +24,6 @@ VAGUE = frozenset({"one", "found", "told", "said", "asked", "heard", "known"})
 
 COMPLEX = 15
 """A function of this complexity is named in the table."""
-
-_DATA = PurePosixPath("labs")
-"""The laboratories are data that is loaded by path: they import nobody's packages but `onika`."""
 
 _BRANCHES = (
     ast.If,
@@ -80,17 +78,13 @@ class Figures:
 def count(root: Path) -> Figures:
     """All figures of the repository at `root`."""
     figures = Figures()
-    imports: set[tuple[PurePosixPath, PurePosixPath]] = set()
-    modules = {path.relative_to(root / "src"): path for path in sorted((root / "src" / "onika").rglob("*.py"))}
-    for name, path in modules.items():
-        _count_file(figures, f"src/{name.as_posix()}", path.read_text(encoding="utf-8"))
-        if not PurePosixPath(name).is_relative_to(PurePosixPath("onika") / _DATA):
-            imports |= set(_imports(PurePosixPath(name), path, modules))
+    for path in sorted((root / "src" / "onika").rglob("*.py")):
+        _count_file(figures, path.relative_to(root).as_posix(), path.read_text(encoding="utf-8"))
     for path in sorted((root / "browser" / "src").rglob("*")):
         if path.is_file():
             _count_page(figures, path.relative_to(root).as_posix(), path)
     figures.functions.sort(key=lambda row: (-row[0], row[1]))
-    figures.mutual = sorted(f"{left} and {right}" for left, right in _mutual(imports))
+    figures.mutual = sorted(f"{left} and {right}" for left, right in _mutual(root))
     return figures
 
 
@@ -144,36 +138,10 @@ def _count_page(figures: Figures, name: str, path: Path) -> None:
                 figures.sentences.append(f"{name}:{number} {pattern}")
 
 
-def _imports(name: PurePosixPath, path: Path, modules: Iterable[Path]) -> Iterator[tuple[PurePosixPath, PurePosixPath]]:
-    """The packages of an importing and of an imported module, for each import of one file."""
-    files = {PurePosixPath(module) for module in modules}
-    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.Import):
-            targets = [alias.name for alias in node.names]
-        elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
-            targets = [f"{node.module}.{alias.name}" for alias in node.names]
-        else:
-            continue
-        for target in targets:
-            package = _package(PurePosixPath(*target.split(".")), files)
-            if package is not None and package != name.parent:
-                yield name.parent, package
-
-
-def _package(target: PurePosixPath, files: set[PurePosixPath]) -> PurePosixPath | None:
-    """The package an imported name lives in; None for another distribution's."""
-    while target.parts and target.parts[0] == "onika":
-        if target.with_name(f"{target.name}.py") in files:
-            return target.parent
-        if target / "__init__.py" in files:
-            return target
-        target = target.parent
-    return None
-
-
-def _mutual(imports: set[tuple[PurePosixPath, PurePosixPath]]) -> set[tuple[str, str]]:
+def _mutual(root: Path) -> set[tuple[str, str]]:
     """The pairs that import each other: neighbours in one package, or a package and one within it."""
-    facing = {_facing(importer, imported) for importer, imported in imports}
+    packages = {(importer.parent, imported.parent) for importer, imported in imports(root)}
+    facing = {_facing(importer, imported) for importer, imported in packages if importer != imported}
     return {(left, right) for left, right in facing if left < right and (right, left) in facing}
 
 
