@@ -100,4 +100,4 @@ def test_one_whose_file_could_be_read_in_part_still_asks_before_it_is_saved(gall
     opened = gallery.environment.model.applications[doc]
     again = application_of(rescue_of(opened), "a9", gallery.environment.model.syntax)
     assert again.is_partial
-    assert again.told
+    assert again.file_faults

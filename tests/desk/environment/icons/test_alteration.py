@@ -1,7 +1,7 @@
 import pytest
 
 from kit.gallery import Gallery
-from onika.desk.environment.icons.alteration import altered, flow_at, found, place_behind, reflowed
+from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow
 
@@ -38,5 +38,5 @@ def test_a_place_is_found_behind_a_step_or_at_the_beginning(gallery):  # R-D05
 def test_steps_are_found_in_their_order_and_those_that_are_gone_passed_over(gallery):
     doc = gallery.begun("grip", "open")
     one, other = gallery.number(doc, "grip"), gallery.number(doc, "open")
-    assert [spot.step.number for spot in found(gallery.application(doc), (other, 99, one))] == [one, other]
-    assert found(gallery.application(doc), (99,)).reason == "what was selected is no longer there"
+    assert [spot.step.number for spot in spots_of(gallery.application(doc), (other, 99, one))] == [one, other]
+    assert spots_of(gallery.application(doc), (99,)).reason == "what was selected is no longer there"

@@ -50,7 +50,7 @@ def test_a_text_names_no_file_and_no_line(play):  # R-E11, R-X06
     play.run(play.open([*move("above the box"), showing(job("bC"), "hold still")]))
     plan = play.environment.model.run.plan.flows[0]
     first, second = plan.actions
-    said = speech(play).said
+    said = speech(play).with_icons
     assert said(f"{first.place}:{first.line} (aC box): left by the user") == (
         "“move the joints above the box”: left by the user"
     )

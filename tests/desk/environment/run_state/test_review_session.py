@@ -7,7 +7,7 @@ def test_one_is_looked_at_and_perhaps_another_beside_it(cinema):  # R-X05
     cinema.look(cinema.film(cinema.open([job("aC")])))
     subject = cinema.environment.model.looking.subject
     alone, both = Looking(subject), Looking(subject, subject)
-    assert (alone.one(of_other=False), alone.one(of_other=True)) == (subject, None)
+    assert (alone.subject_of(of_other=False), alone.subject_of(of_other=True)) == (subject, None)
     docs = cinema.environment.model.applications
     assert (alone.view(docs).other, both.view(docs).other) == (None, subject.view)
 

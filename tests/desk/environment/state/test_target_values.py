@@ -1,4 +1,4 @@
-from onika.desk.environment.state.target_values import checked, shown, told
+from onika.desk.environment.state.target_values import checked, refusal_text, shown
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.store.site import open_site
@@ -35,7 +35,7 @@ def test_every_value_is_typed_and_within_its_bounds():  # R-D08
         "times": "expected a whole number (int), found '1.5'",
         "word": "expected text that fits on a line, found 'two\\nlines'",
     }
-    assert told({"a": "b", "c": "d"}) == "a: b; c: d"
+    assert refusal_text({"a": "b", "c": "d"}) == "a: b; c: d"
 
 
 def test_there_are_as_many_values_as_the_type_has():  # R-D08

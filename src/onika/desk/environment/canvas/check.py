@@ -20,7 +20,7 @@ def check(model: Model, asked: act.Check, outside: Surroundings) -> Done | No:
 
 @on_application
 def _application(model: Model, opened: OpenApplication, _asked: act.Check, _outside: Surroundings) -> Done | No:
-    faults = (*opened.told, *(opened.judgement.faults if opened.judgement else ()))
+    faults = (*opened.file_faults, *(opened.judgement.faults if opened.judgement else ()))
     return Done(model, value=tuple(one.text for one in sorted(faults, key=lambda one: _ORDER.index(one.level))))
 
 

@@ -73,7 +73,7 @@ def save(model: Model, opened: OpenApplication, asked: act.Save, outside: Surrou
     again = act.Save(asked.doc, asked.name, asked.base, overwrites=True)
     elsewhere = Remedy("Save as…", show="save-as")
     if opened.is_partial and not asked.overwrites and opened.opened and opened.opened.path == path:
-        lost = next(one.text for one in opened.told if one.level == "fault")
+        lost = next(one.text for one in opened.file_faults if one.level == "fault")
         return No(f"what could not be read of {path} would be lost: {lost}", (elsewhere, Remedy("Overwrite it", again)))
     application = replace(opened.application, name=name)
     try:
@@ -85,7 +85,7 @@ def save(model: Model, opened: OpenApplication, asked: act.Save, outside: Surrou
     if is_running(model, opened.id) and not (opened.opened and opened.opened.path == done.path):
         return _copied(model, opened, done, base)
     saved = replace(opened, application=application, opened=done, base=base, has_changed_on_disk=False)
-    saved = replace(saved, told=(), is_partial=False)
+    saved = replace(saved, file_faults=(), is_partial=False)
     return Done(model.with_application(saved), value=str(done.path))
 
 
@@ -174,7 +174,7 @@ def taken_over(here: OpenApplication, found: Found) -> OpenApplication:
         last_number=last,
         opened=replace(found.opened, value=application),
         has_changed_on_disk=False,
-        told=told(application, found.faults, is_partial=found.is_partial),
+        file_faults=told(application, found.faults, is_partial=found.is_partial),
         is_partial=found.is_partial,
     )
 

@@ -96,7 +96,7 @@ def application_of(rescue: Rescue, doc: str, syntax: Syntax, name: str = "") -> 
     return replace(
         here,
         opened=Opened(former, path, rescue.former) if former else None,
-        told=told(former, wrong, is_partial=is_partial) if former else (),
+        file_faults=told(former, wrong, is_partial=is_partial) if former else (),
         is_partial=is_partial,
         has_changed_on_disk=_has_changed(rescue),
     )

@@ -28,7 +28,7 @@ def reflowed(
 
 def flow_at(application: Application, path: str) -> AppFlow | None:
     """The flow of this path."""
-    return next((flow for one, flow in flows_by_path(application) if one == path), None)
+    return next((flow for flow_path, flow in flows_by_path(application) if flow_path == path), None)
 
 
 def place_behind(application: Application, path: str, after: int) -> tuple[str, int] | No:
@@ -39,7 +39,7 @@ def place_behind(application: Application, path: str, after: int) -> tuple[str, 
     return (spot.path, spot.position) if spot else No("the icon it should stand behind is no longer there")
 
 
-def found(application: Application, steps: act.Steps) -> list[Spot] | No:
+def spots_of(application: Application, steps: act.Steps) -> list[Spot] | No:
     """Where steps stand, in their order there; those that somebody else has deleted are passed over."""
     wanted = set(steps)
     there = [spot for number, spot in spots(application).items() if number in wanted]

@@ -65,25 +65,27 @@ def _elsewhere() -> Remedy:
 
 def _reasons(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Iterable[str]:
     """What is wrong with its steps, which comes first, in the words of the list beside it; then what its holes want."""
-    wrong = [said(one) for one in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
-    return dict.fromkeys((*wrong, *(in_words(plain(one.reason)) for one in refused[len(wrong) :])))
+    wrong = [said(fault) for fault in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
+    return dict.fromkeys((*wrong, *(in_words(plain(refusal.reason)) for refusal in refused[len(wrong) :])))
 
 
 def _remedies(opened: OpenApplication, syntax: Syntax) -> Iterator[Remedy]:
     """To its holes: first those where an action is missing, which no target can fill."""
-    found = sorted(hole.holes(Outline.of(opened.application, syntax, opened.name), syntax), key=lambda one: one.types)
-    for one in found:
-        step = one.passage.flow.steps[one.position]
-        label = f"Fill the hole for {a_kind(one.types[0])}" if one.types else "Fill the hole"
+    holes = sorted(
+        hole.holes(Outline.of(opened.application, syntax, opened.name), syntax), key=lambda open_hole: open_hole.types
+    )
+    for open_hole in holes:
+        step = open_hole.passage.flow.steps[open_hole.position]
+        label = f"Fill the hole for {a_kind(open_hole.types[0])}" if open_hole.types else "Fill the hole"
         yield Remedy(label, show=f"step:{step.number}")
 
 
 def _filled(opened: OpenApplication, syntax: Syntax) -> Iterator[str]:
     """That one target fills several holes (D09), which is worth knowing before."""
     outline = Outline.of(opened.application, syntax, opened.name)
-    wanted = [kind for one in hole.holes(outline, syntax) for kind in one.types]
+    wanted = [kind for open_hole in hole.holes(outline, syntax) for kind in open_hole.types]
     for kind in hole.open_types(outline, syntax):
-        count = sum(one.lower() == kind.lower() for one in wanted)
+        count = sum(wanted_kind.lower() == kind.lower() for wanted_kind in wanted)
         if count > 1:
             yield f"the {kind_named(kind)} behind it fills {count} holes"
 

@@ -20,50 +20,53 @@ MOST_FLOWS = 32
 
 @on_resting_application
 def set_conditions(
-    model: Model, opened: OpenApplication, asked: act.SetConditions, _outside: Surroundings
+    model: Model, opened: OpenApplication, command: act.SetConditions, _outside: Surroundings
 ) -> Done | No:
     """Say which flow of a branch runs."""
-    branch = _branch(opened.application, asked.step)
+    branch = _branch(opened.application, command.step)
     if isinstance(branch, No):
         return branch
-    conditions = conditions_of(asked.conditions, len(branch.flows))
+    conditions = conditions_of(command.conditions, len(branch.flows))
     if isinstance(conditions, No):
         return conditions
-    application = with_step(opened.application, asked.step, replace(branch, conditions=conditions))
+    application = with_step(opened.application, command.step, replace(branch, conditions=conditions))
     return altered(model, opened, application, "saying which flow of a branch runs")
 
 
 @on_resting_application
-def add_flow(model: Model, opened: OpenApplication, asked: act.AddFlow, _outside: Surroundings) -> Done | No:
+def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outside: Surroundings) -> Done | No:
     """One more flow, empty; the value is its path."""
     application = opened.application
-    if not asked.step:
+    if not command.step:
         if len(application.flows) >= MOST_FLOWS:
             return _too_many()
         flows = (*application.flows, AppFlow(()))
         path = str(len(application.flows))
         return altered(model, opened, replace(application, flows=flows), "adding a flow", path)
-    branch = _branch(application, asked.step)
+    branch = _branch(application, command.step)
     if isinstance(branch, No):
         return branch
     if len(branch.flows) >= MOST_FLOWS:
         return _too_many()
     if branch.conditions:
-        freed = act.SetConditions(opened.id, asked.step, ())
-        remedies = (Remedy("Choose by what was returned", freed), Remedy("Show the branch", show=f"step:{asked.step}"))
+        freed = act.SetConditions(opened.id, command.step, ())
+        remedies = (
+            Remedy("Choose by what was returned", freed),
+            Remedy("Show the branch", show=f"step:{command.step}"),
+        )
         return No("this branch chooses by conditions: one more flow would have none", remedies)
     grown = replace(branch, flows=(*branch.flows, AppFlow(())))
-    path = f"{spots(application)[asked.step].path}/{asked.step}/{len(branch.flows)}"
-    return altered(model, opened, with_step(application, asked.step, grown), "adding a flow to a branch", path)
+    path = f"{spots(application)[command.step].path}/{command.step}/{len(branch.flows)}"
+    return altered(model, opened, with_step(application, command.step, grown), "adding a flow to a branch", path)
 
 
 @on_resting_application
-def remove_flow(model: Model, opened: OpenApplication, asked: act.RemoveFlow, _outside: Surroundings) -> Done | No:
+def remove_flow(model: Model, opened: OpenApplication, command: act.RemoveFlow, _outside: Surroundings) -> Done | No:
     """Take a flow away with all that is in it; of a branch its condition too."""
     application = opened.application
-    if flow_at(application, asked.flow) is None:
+    if flow_at(application, command.flow) is None:
         return No("this flow is no longer there")
-    *way, last = asked.flow.split("/")
+    *way, last = command.flow.split("/")
     number = int(last)
     if not way:
         if len(application.flows) == 1:
@@ -83,12 +86,12 @@ def remove_flow(model: Model, opened: OpenApplication, asked: act.RemoveFlow, _o
 
 
 @on_resting_application
-def set_parallel(model: Model, opened: OpenApplication, asked: act.SetParallel, _outside: Surroundings) -> Done | No:
+def set_parallel(model: Model, opened: OpenApplication, command: act.SetParallel, _outside: Surroundings) -> Done | No:
     """Whether the flows run side by side, or one of them is chosen."""
-    label = "making it parallel" if asked.is_parallel else "making it conditional"
-    if opened.application.is_parallel == asked.is_parallel:
+    label = "making it parallel" if command.is_parallel else "making it conditional"
+    if opened.application.is_parallel == command.is_parallel:
         return Done(model)
-    return altered(model, opened, replace(opened.application, is_parallel=asked.is_parallel), label)
+    return altered(model, opened, replace(opened.application, is_parallel=command.is_parallel), label)
 
 
 def branch_of(flows: int, conditions: tuple[str, ...]) -> Branch | No:

@@ -5,7 +5,7 @@ What is copied travels as the text of an application of one flow (§A.4), which 
 
 from dataclasses import replace
 
-from onika.desk.environment.icons.alteration import flow_at, found, place_behind, reflowed
+from onika.desk.environment.icons.alteration import flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.icons.fitting import misfit
 from onika.desk.environment.icons.insertion import is_too_deep, is_within, remove_icons, too_deep
 from onika.desk.environment.icons.loops import for_pasting
@@ -33,9 +33,9 @@ _NAME = "copied"
 
 
 @on_application
-def copy_icons(model: Model, opened: OpenApplication, asked: act.CopyIcons, _outside: Surroundings) -> Done | No:
+def copy_icons(model: Model, opened: OpenApplication, command: act.CopyIcons, _outside: Surroundings) -> Done | No:
     """Take steps into the buffer; the value is their text."""
-    spots = found(opened.application, asked.steps)
+    spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):
         return spots
     numbers = {spot.step.number for spot in spots}
@@ -46,30 +46,30 @@ def copy_icons(model: Model, opened: OpenApplication, asked: act.CopyIcons, _out
 
 
 @on_application
-def cut_icons(model: Model, opened: OpenApplication, asked: act.CutIcons, outside: Surroundings) -> Done | No:
+def cut_icons(model: Model, opened: OpenApplication, command: act.CutIcons, outside: Surroundings) -> Done | No:
     """Take steps into the buffer and delete them, as one step; the value is their text."""
     if is_running(model, opened.id):
         return running(opened)
-    copied = copy_icons(model, act.CopyIcons(asked.doc, asked.steps), outside)
+    copied = copy_icons(model, act.CopyIcons(command.doc, command.steps), outside)
     if isinstance(copied, No):
         return copied
-    done = remove_icons(copied.model, act.RemoveIcons(asked.doc, asked.steps), outside)
+    done = remove_icons(copied.model, act.RemoveIcons(command.doc, command.steps), outside)
     if isinstance(done, No):
         return done
     return replace(done, label=done.label.replace("deleting", "cutting", 1), value=copied.value)
 
 
 @on_resting_application
-def paste_icons(model: Model, opened: OpenApplication, asked: act.PasteIcons, _outside: Surroundings) -> Done | No:
+def paste_icons(model: Model, opened: OpenApplication, command: act.PasteIcons, _outside: Surroundings) -> Done | No:
     """Insert what was copied behind a step; the value is the numbers of the new steps."""
     syntax = syntax_of(model)
-    steps = _read(asked.text, syntax) if asked.text else model.icons
+    steps = _read(command.text, syntax) if command.text else model.icons
     if isinstance(steps, No):
         return steps
     first = next((step for step in steps if not isinstance(step, Hole)), None)
     if first is None:
         return No("nothing was copied yet")
-    place = place_behind(opened.application, asked.flow, asked.after)
+    place = place_behind(opened.application, command.flow, command.after)
     if isinstance(place, No):
         return place
     path, position = place
@@ -93,9 +93,9 @@ def _written(steps: tuple[Step, ...]) -> str:
 
 def _read(text: str, syntax: Syntax) -> tuple[Step, ...] | No:
     """The steps of a text; those of its only flow."""
-    found, faults = appl.read(text.strip() + "\n", _NAME, "the text", syntax)
-    if found is None:
+    application, faults = appl.read(text.strip() + "\n", _NAME, "the text", syntax)
+    if application is None:
         return No(f"this is no text of icons: {plain(str(faults[0]).partition('; instead')[0])}")
-    if len(found.flows) != 1:
-        return No(f"expected the icons of one flow, found {len(found.flows)} flows")
-    return unnumbered(found.flows[0].steps)
+    if len(application.flows) != 1:
+        return No(f"expected the icons of one flow, found {len(application.flows)} flows")
+    return unnumbered(application.flows[0].steps)

@@ -16,29 +16,31 @@ from onika.wire import act
 from onika.wire.view import Remedy
 
 
-def open_dictionary(model: Model, asked: act.OpenDictionary, outside: Surroundings) -> Done | No:
+def open_dictionary(model: Model, command: act.OpenDictionary, outside: Surroundings) -> Done | No:
     """Open the dictionary of a base directory, named itself or by its `dict/`; one that is open already is shown."""
     try:
-        path = Path(asked.path).expanduser().absolute()
+        path = Path(command.path).expanduser().absolute()
         path = path.parent if path.name == "dict" and path.is_dir() else path
         whole = path.resolve()
         refused = _no_dictionary(path)
     except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
-        return No(f"{asked.path!r} cannot be opened: {error}", fields={"path": str(error)})
+        return No(f"{command.path!r} cannot be opened: {error}", fields={"path": str(error)})
     if refused:
         return refused
-    known = next((one for one in model.dictionaries if one.base.path.resolve() == whole), None)
-    if known is not None:
-        return Done(model, value=str(known.base.path))
+    dictionary = next(
+        (dictionary for dictionary in model.dictionaries if dictionary.base.path.resolve() == whole), None
+    )
+    if dictionary is not None:
+        return Done(model, value=str(dictionary.base.path))
     done = rearranged(model, in_order(model, BaseDirectory(path), outside.site), frozenset())
     return replace(done, value=str(path))
 
 
-def close_dictionary(model: Model, asked: act.CloseDictionary, _outside: Surroundings) -> Done | No:
+def close_dictionary(model: Model, command: act.CloseDictionary, _outside: Surroundings) -> Done | No:
     """Close a dictionary; what is placed of it stays, and names that it kept from later ones are theirs."""
-    left = [one.base for one in model.dictionaries if str(one.base.path) != asked.dictionary]
+    left = [dictionary.base for dictionary in model.dictionaries if str(dictionary.base.path) != command.dictionary]
     if len(left) == len(model.dictionaries):
-        return No(f"the dictionary {asked.dictionary} is not open")
+        return No(f"the dictionary {command.dictionary} is not open")
     return rearranged(model, left, frozenset())
 
 
@@ -47,7 +49,7 @@ def reread(model: Model, changed: Set[Path]) -> Done:
     icons = [path for path in changed if is_icon(path)]
     if not icons:
         return Done(model)
-    bases = [one.base for one in model.dictionaries]
+    bases = [dictionary.base for dictionary in model.dictionaries]
     for home in sorted({path.parent.parent for path in icons}):
         if home in model.search and BaseDirectory(home) not in bases and _is_new(BaseDirectory(home), changed):
             bases = _inserted(bases, BaseDirectory(home), model.search)
@@ -57,8 +59,8 @@ def reread(model: Model, changed: Set[Path]) -> Done:
 def shown_at_once(model: Model, path: Path, site: Site) -> Model:
     """With an icon that was saved or removed here; its dictionary is opened where it is on the search path."""
     base = BaseDirectory(path.parent.parent)
-    bases: Iterable[BaseDirectory] = (one.base for one in model.dictionaries)
-    if _is_on(site, base) and not any(one.base == base for one in model.dictionaries):
+    bases: Iterable[BaseDirectory] = (dictionary.base for dictionary in model.dictionaries)
+    if _is_on(site, base) and not any(dictionary.base == base for dictionary in model.dictionaries):
         bases = in_order(model, base, site)
     return rearranged(model, bases, {path}).model
 
@@ -71,17 +73,19 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
     if model.syntax is None:
         return Done(model)
     former = model.dictionaries
-    found = open_dictionaries(bases, model.syntax, former, frozenset(changed))
-    if len(found) == len(former) and all(new is old for new, old in zip(found, former, strict=True)):
+    dictionaries = open_dictionaries(bases, model.syntax, former, frozenset(changed))
+    if len(dictionaries) == len(former) and all(new is old for new, old in zip(dictionaries, former, strict=True)):
         return Done(model)
-    known = {fault for one in former for fault in one.faults}
-    news = tuple(fault for one in found for fault in one.faults if fault not in known)
-    return Done(replace(model, dictionaries=found), says=told(news))
+    faults = {fault for dictionary in former for fault in dictionary.faults}
+    news = tuple(fault for dictionary in dictionaries for fault in dictionary.faults if fault not in faults)
+    return Done(replace(model, dictionaries=dictionaries), says=told(news))
 
 
 def in_order(model: Model, base: BaseDirectory, site: Site) -> list[BaseDirectory]:
     """The base directories of the open dictionaries and one more: where the search path has it, else last."""
-    return _inserted([one.base for one in model.dictionaries], base, [one.path for one in site.directories])
+    return _inserted(
+        [dictionary.base for dictionary in model.dictionaries], base, [directory.path for directory in site.directories]
+    )
 
 
 def is_icon(path: Path) -> bool:
@@ -89,11 +93,18 @@ def is_icon(path: Path) -> bool:
     return path.suffix == onk.ENDING and path.parent.name == "dict"
 
 
-def _inserted(found: Sequence[BaseDirectory], base: BaseDirectory, search: Iterable[Path]) -> list[BaseDirectory]:
+def _inserted(bases: Sequence[BaseDirectory], base: BaseDirectory, search: Iterable[Path]) -> list[BaseDirectory]:
     places = {path.resolve(): place for place, path in enumerate(search)}
     place = places.get(base.path.resolve(), len(places))
-    at = next((at for at, one in enumerate(found) if places.get(one.path.resolve(), len(places)) > place), len(found))
-    return [*found[:at], base, *found[at:]]
+    at = next(
+        (
+            at
+            for at, base_directory in enumerate(bases)
+            if places.get(base_directory.path.resolve(), len(places)) > place
+        ),
+        len(bases),
+    )
+    return [*bases[:at], base, *bases[at:]]
 
 
 def _is_new(base: BaseDirectory, changed: Set[Path]) -> bool:
@@ -102,7 +113,7 @@ def _is_new(base: BaseDirectory, changed: Set[Path]) -> bool:
 
 
 def _is_on(site: Site, base: BaseDirectory) -> bool:
-    return any(one.path.resolve() == base.path.resolve() for one in site.directories)
+    return any(directory.path.resolve() == base.path.resolve() for directory in site.directories)
 
 
 def _no_dictionary(path: Path) -> No | None:
@@ -113,5 +124,5 @@ def _no_dictionary(path: Path) -> No | None:
     if has_dictionary(BaseDirectory(path)):
         return None
     reason = f"{path} has no dictionary: expected a folder dict in it, found none"
-    below = sorted(one for one in path.iterdir() if (one / "dict").is_dir())[:3]
-    return No(reason, tuple(Remedy(f"Open {one}", act.OpenDictionary(str(one))) for one in below), {"path": reason})
+    below = sorted(path for path in path.iterdir() if (path / "dict").is_dir())[:3]
+    return No(reason, tuple(Remedy(f"Open {path}", act.OpenDictionary(str(path))) for path in below), {"path": reason})

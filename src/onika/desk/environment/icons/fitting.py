@@ -29,8 +29,8 @@ def onikons(model: Model) -> Iterator[Onikon]:
 
 def onikon(model: Model, name: str) -> Onikon | No:
     """The icon of this name."""
-    found = next((one for one in onikons(model) if one.name == name), None)
-    return found or No(f"no open dictionary has an icon {name}")
+    onikon = next((onikon for onikon in onikons(model) if onikon.name == name), None)
+    return onikon or No(f"no open dictionary has an icon {name}")
 
 
 def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, step: Solid, *, path: str) -> No | None:
@@ -64,8 +64,8 @@ def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, ste
 def fitting_behind(model: Model, left: IconType) -> list[Onikon]:
     """The icons that fit behind one of this type."""
     syntax = syntax_of(model)
-    found = ((one, syntax.acting(one.type)) for one in onikons(model))
-    return [one for one, kind in found if kind and stands_in_flow(kind) and fits(left, kind)]
+    kinds = ((onikon, syntax.acting(onikon.type)) for onikon in onikons(model))
+    return [onikon for onikon, kind in kinds if kind and stands_in_flow(kind) and fits(left, kind)]
 
 
 def _needed(left: IconType, syntax: Syntax, at: int) -> str:
@@ -94,11 +94,18 @@ def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, 
     """Those of the role of what was meant first, those behind which it would fit, and those that are in use here."""
     role = role_of(meant)
     used = {
-        one.onikon.name for _, flow in flows_by_path(opened.application) for one in flow.steps if isinstance(one, Icon)
+        step.onikon.name
+        for _, flow in flows_by_path(opened.application)
+        for step in flow.steps
+        if isinstance(step, Icon)
     }
 
-    def rank(one: Onikon) -> tuple[bool, bool, bool]:
-        return role_of(syntax.acting(one.type)) != role, not _leads_to(one, meant, syntax), one.name not in used
+    def rank(onikon: Onikon) -> tuple[bool, bool, bool]:
+        return (
+            role_of(syntax.acting(onikon.type)) != role,
+            not _leads_to(onikon, meant, syntax),
+            onikon.name not in used,
+        )
 
     return sorted(fitting, key=rank)
 
@@ -106,14 +113,14 @@ def _likeliest(fitting: list[Onikon], meant: IconType, opened: OpenApplication, 
 def _use(
     opened: OpenApplication, path: str, number: int, fitting: list[Onikon], meant: IconType, syntax: Syntax
 ) -> Iterator[Remedy]:
-    for one in fitting[:2]:
-        label = f"First insert {named(one)}" if _leads_to(one, meant, syntax) else f"Use {named(one)}"
-        yield Remedy(label, act.InsertIcon(opened.id, one.name, path, number))
+    for onikon in fitting[:2]:
+        label = f"First insert {named(onikon)}" if _leads_to(onikon, meant, syntax) else f"Use {named(onikon)}"
+        yield Remedy(label, act.InsertIcon(opened.id, onikon.name, path, number))
 
 
-def _leads_to(one: Onikon, target: IconType, syntax: Syntax) -> bool:
+def _leads_to(onikon: Onikon, target: IconType, syntax: Syntax) -> bool:
     """Whether an icon is an action that takes this target."""
-    kind = syntax.acting(one.type)
+    kind = syntax.acting(onikon.type)
     return target.is_target and kind is not None and kind.needs_target and fits(kind, target)
 
 
@@ -124,9 +131,9 @@ def _other_jobs(
     now = syntax.acting(before.onikon.type)
     if now is None or not now.needs_target:
         return
-    for one in onikons(model):
-        kind = syntax.acting(one.type)
+    for onikon in onikons(model):
+        kind = syntax.acting(onikon.type)
         if kind and role_of(kind) == role_of(now) and kind.left_edge == now.left_edge and fits(kind, target):
-            act_ = act.ExchangeIcon(opened.id, before.number, one.name)
-            yield Remedy(f"Change {named(before.onikon)} to {named(one)}", act_)
+            act_ = act.ExchangeIcon(opened.id, before.number, onikon.name)
+            yield Remedy(f"Change {named(before.onikon)} to {named(onikon)}", act_)
             return

@@ -20,38 +20,38 @@ from onika.wire import act
 
 
 @on_resting_application
-def edit_icon(model: Model, opened: OpenApplication, asked: act.EditIcon, _outside: Surroundings) -> Done | No:
+def edit_icon(model: Model, opened: OpenApplication, command: act.EditIcon, _outside: Surroundings) -> Done | No:
     """Change this one icon; those of the dictionary and its other instances stay as they are."""
-    spot = spots(opened.application).get(asked.step)
+    spot = spots(opened.application).get(command.step)
     if spot is None:
         return No("this icon is no longer there")
     icon = spot.step
     if not isinstance(icon, Icon):
         return No("only icons can be changed")
-    changed = _changed(model, icon.onikon, asked)
+    changed = _changed(model, icon.onikon, command)
     if isinstance(changed, No):
         return changed
     if changed == icon.onikon:
         return Done(model)
-    application = with_step(opened.application, asked.step, replace(icon, onikon=changed))
+    application = with_step(opened.application, command.step, replace(icon, onikon=changed))
     return altered(model, opened, application, f"changing {named(icon.onikon)}")
 
 
-def _changed(model: Model, onikon: Onikon, asked: act.EditIcon) -> Onikon | No:
-    if asked.values is not None:
+def _changed(model: Model, onikon: Onikon, command: act.EditIcon) -> Onikon | No:
+    if command.values is not None:
         items = items_of(model, onikon.type)
-        if not items and asked.values:
+        if not items and command.values:
             return No(f"{quoted(onikon)} is {a_kind(onikon.type)}, which has no values")
-        typed = target_values.checked(items, asked.values)
+        typed = target_values.checked(items, command.values)
         if isinstance(typed, dict):
-            return No(target_values.told(typed), fields=typed)
+            return No(target_values.refusal_text(typed), fields=typed)
         onikon = replace(onikon, values=typed)
-    if asked.picture is not None:
-        picture = painted(asked.picture)
+    if command.picture is not None:
+        picture = painted(command.picture)
         if isinstance(picture, str):
             return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
         onikon = replace(onikon, picture=picture)
-    if asked.description is not None:
-        said = " ".join(asked.description.split())
-        onikon = replace(onikon, description=said, words=told_again(onikon, said))
+    if command.description is not None:
+        description = " ".join(command.description.split())
+        onikon = replace(onikon, description=description, words=told_again(onikon, description))
     return onikon

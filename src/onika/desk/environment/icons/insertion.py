@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from onika.desk.environment.icons.alteration import flow_at, found, place_behind, reflowed
+from onika.desk.environment.icons.alteration import flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.icons.branches import branch_of
 from onika.desk.environment.icons.fitting import misfit, onikon
 from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
@@ -22,32 +22,36 @@ from onika.wire import act
 
 
 @on_resting_application
-def insert_icon(model: Model, opened: OpenApplication, asked: act.InsertIcon, _outside: Surroundings) -> Done | No:
+def insert_icon(model: Model, opened: OpenApplication, command: act.InsertIcon, _outside: Surroundings) -> Done | No:
     """Insert an icon of a dictionary; the value is its number."""
-    wanted = onikon(model, asked.onikon)
+    wanted = onikon(model, command.onikon)
     if isinstance(wanted, No):
         return wanted
-    return _inserted(model, opened, asked.flow, asked.after, Icon(for_placing(wanted)))
+    return _inserted(model, opened, command.flow, command.after, Icon(for_placing(wanted)))
 
 
 @on_resting_application
-def insert_branch(model: Model, opened: OpenApplication, asked: act.InsertBranch, _outside: Surroundings) -> Done | No:
+def insert_branch(
+    model: Model, opened: OpenApplication, command: act.InsertBranch, _outside: Surroundings
+) -> Done | No:
     """Insert a branch; the value is its number."""
-    branch = branch_of(asked.flows, asked.conditions)
-    return branch if isinstance(branch, No) else _inserted(model, opened, asked.flow, asked.after, branch)
+    branch = branch_of(command.flows, command.conditions)
+    return branch if isinstance(branch, No) else _inserted(model, opened, command.flow, command.after, branch)
 
 
 @on_resting_application
-def exchange_icon(model: Model, opened: OpenApplication, asked: act.ExchangeIcon, _outside: Surroundings) -> Done | No:
+def exchange_icon(
+    model: Model, opened: OpenApplication, command: act.ExchangeIcon, _outside: Surroundings
+) -> Done | No:
     """Put another icon where one stands, with its marks; a hole before it says that nothing fits there anyway."""
-    wanted, spots = onikon(model, asked.onikon), found(opened.application, (asked.step,))
+    wanted, spots = onikon(model, command.onikon), spots_of(opened.application, (command.step,))
     if isinstance(wanted, No):
         return wanted
     if isinstance(spots, No):
         return spots
     path, position, step = spots[0]
     if not isinstance(step, Icon):
-        return _inserted(model, opened, path, asked.step, Icon(for_placing(wanted)))
+        return _inserted(model, opened, path, command.step, Icon(for_placing(wanted)))
     flow = flow_at(opened.application, path) or AppFlow(())
     new = _exchanged(model, step, for_placing(wanted))
     if position == 0 or not isinstance(flow.steps[position - 1], Hole):
@@ -56,13 +60,13 @@ def exchange_icon(model: Model, opened: OpenApplication, asked: act.ExchangeIcon
             return refused
     after = jigsaw.exchange(flow, position, new, syntax_of(model))
     label = f"exchanging {step_named(step)} for {named(wanted)}"
-    return reflowed(model, opened, {path: after}, label, asked.step)
+    return reflowed(model, opened, {path: after}, label, command.step)
 
 
 @on_resting_application
-def remove_icons(model: Model, opened: OpenApplication, asked: act.RemoveIcons, _outside: Surroundings) -> Done | No:
+def remove_icons(model: Model, opened: OpenApplication, command: act.RemoveIcons, _outside: Surroundings) -> Done | No:
     """Delete steps; a hole is closed by filling it, never by deleting it."""
-    spots = found(opened.application, asked.steps)
+    spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):
         return spots
     gone = [spot.step for spot in spots if not isinstance(spot.step, Hole) or spot.step.kept]
@@ -74,14 +78,14 @@ def remove_icons(model: Model, opened: OpenApplication, asked: act.RemoveIcons, 
 
 def without(model: Model, opened: OpenApplication, numbers: set[int]) -> dict[str, AppFlow]:
     """The flows that change where the steps of these numbers are taken out; none within a branch that goes."""
-    spots = found(opened.application, tuple(numbers))
+    spots = spots_of(opened.application, tuple(numbers))
     taken: dict[str, set[int]] = {}
     for spot in () if isinstance(spots, No) else spots:
         if not is_within(spot.path, numbers):
             taken.setdefault(spot.path, set()).add(spot.position)
     syntax = syntax_of(model)
     application = opened.application
-    for path in sorted(taken, key=lambda one: -one.count("/")):  # inner ones first: outer ones hold what is left
+    for path in sorted(taken, key=lambda path: -path.count("/")):  # inner ones first: outer ones hold what is left
         flow = flow_at(application, path) or AppFlow(())
         application = with_flows(application, {path: jigsaw.take_out(flow, taken[path], syntax)})
     roots = {path.split("/")[0] for path in taken}

@@ -23,38 +23,38 @@ from onika.wire.view import DraftView, Remedy
 from onika.words.fault import Refusal
 
 
-def draft(model: Model, asked: act.Draft, outside: Surroundings) -> Done | No:
+def draft(model: Model, command: act.Draft, outside: Surroundings) -> Done | No:
     """What icon a configuration or an application would make; the value is a `view.DraftView`."""
-    found = _drafted(model, asked.doc, outside)
-    return found if isinstance(found, No) else Done(model, value=_view(found))
+    job = _drafted(model, command.doc, outside)
+    return job if isinstance(job, No) else Done(model, value=_view(job))
 
 
-def make_job(model: Model, asked: act.MakeJob, outside: Surroundings) -> Done | No:
+def make_job(model: Model, command: act.MakeJob, outside: Surroundings) -> Done | No:
     """Save the onikon of a configuration or application beside it; the value is the path of its file."""
-    found = _drafted(model, asked.doc, outside)
-    if isinstance(found, No):
-        return found
-    picture = painted(asked.picture)
+    job = _drafted(model, command.doc, outside)
+    if isinstance(job, No):
+        return job
+    picture = painted(command.picture)
     if isinstance(picture, str):
         return No(f"the picture cannot be kept: {picture}", fields={"picture": picture})
-    name, path = found.name, found.path
-    meant = Remedy("Replace it", msgspec.structs.replace(asked, overwrites=True))
-    if path.exists() and not asked.overwrites:
-        return No(found.taken or f"{path} is there already", (meant,))
-    description = " ".join(asked.description.split())
-    words = told_again(found.former.value, description) if found.former else ()
-    made = Onikon(name, found.kind.type, description, (), picture, found.kind.more_targets, words)
-    saved = found.home.save_onikon(made, found.former, overwrites=asked.overwrites)
+    name, path = job.name, job.path
+    meant = Remedy("Replace it", msgspec.structs.replace(command, overwrites=True))
+    if path.exists() and not command.overwrites:
+        return No(job.taken or f"{path} is there already", (meant,))
+    description = " ".join(command.description.split())
+    words = told_again(job.former.value, description) if job.former else ()
+    made = Onikon(name, job.kind.type, description, (), picture, job.kind.more_targets, words)
+    saved = job.home.save_onikon(made, job.former, overwrites=command.overwrites)
     if isinstance(saved, Refusal):
-        again = overwriting(saved, msgspec.structs.replace(asked, overwrites=True), "Replace it")
-        return No(plain(saved.reason), () if asked.overwrites else again)
-    text = f"{name} is {found.says} now: {kind_named(made.type)}, in {saved.path}"
-    source = file_index.again(found.source, model.syntax)
+        again = overwriting(saved, msgspec.structs.replace(command, overwrites=True), "Replace it")
+        return No(plain(saved.reason), () if command.overwrites else again)
+    text = f"{name} is {job.says} now: {kind_named(made.type)}, in {saved.path}"
+    source = file_index.again(job.source, model.syntax)
     model = source.beside(model) if source else model  # what was saved just now is what the icon is judged by
     now = shown_at_once(model, saved.path, outside.site)
-    gone = forgotten(found.former.value, description) if found.former else ""
-    lost = (page.Say("warning", gone, asked.doc),) if gone else ()
-    return Done(now, value=str(saved.path), says=(page.Say("success", text, asked.doc), *lost))
+    gone = forgotten(job.former.value, description) if job.former else ""
+    lost = (page.Say("warning", gone, command.doc),) if gone else ()
+    return Done(now, value=str(saved.path), says=(page.Say("success", text, command.doc), *lost))
 
 
 def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
@@ -68,13 +68,13 @@ def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
     unsaved = _unsaved(document)
     if unsaved:
         return unsaved
-    found = drafted(document, outside.site)
-    if isinstance(found, Draft):
+    job = drafted(document, outside.site)
+    if isinstance(job, Draft):
         edited = [name for name in document.content.names if name in model.shelf.edits]
         text = "{} was changed here and is not saved: the job runs what its file says"
-        warnings = (*(text.format(name) for name in edited), *found.warnings)
-        return replace(found, warnings=warnings + (found.notes if model.habits.shows_warnings else ()))
-    return No("; ".join(found))
+        warnings = (*(text.format(name) for name in edited), *job.warnings)
+        return replace(job, warnings=warnings + (job.notes if model.habits.shows_warnings else ()))
+    return No("; ".join(job))
 
 
 def _unsaved(document: Document) -> No | None:
@@ -87,16 +87,16 @@ def _unsaved(document: Document) -> No | None:
     return None
 
 
-def _view(found: Draft) -> DraftView:
-    former = found.former.value if found.former else None
-    left, right = (str(edge) for edge in found.edges)
+def _view(draft: Draft) -> DraftView:
+    former = draft.former.value if draft.former else None
+    left, right = (str(edge) for edge in draft.edges)
     return DraftView(
-        name=found.name,
-        type=found.kind.type,
+        name=draft.name,
+        type=draft.kind.type,
         left_edge=left,
         right_edge=right,
-        warnings=found.warnings,
+        warnings=draft.warnings,
         picture="".join(former.picture.rows) if former else "",
         description=former.description if former else "",
-        path=str(found.path),
+        path=str(draft.path),
     )

@@ -21,13 +21,13 @@ from onika.wire.view import Remedy
 
 
 @on_resting_application
-def set_loop(model: Model, opened: OpenApplication, asked: act.SetLoop, _outside: Surroundings) -> Done | No:
+def set_loop(model: Model, opened: OpenApplication, command: act.SetLoop, _outside: Surroundings) -> Done | No:
     """Mark two actions of one flow as a loop, in place of the loops they had; the value is its tag."""
-    condition = condition_of(asked.condition)
-    refused = condition if isinstance(condition, No) else tag_refused(asked.tag)
+    condition = condition_of(command.condition)
+    refused = condition if isinstance(condition, No) else tag_refused(command.tag)
     if isinstance(condition, No) or refused:
         return refused or No("this is no condition")
-    test, anchor = action_of(model, opened, asked.test), action_of(model, opened, asked.anchor)
+    test, anchor = action_of(model, opened, command.test), action_of(model, opened, command.anchor)
     if isinstance(test, No):
         return test
     if isinstance(anchor, No):
@@ -38,9 +38,9 @@ def set_loop(model: Model, opened: OpenApplication, asked: act.SetLoop, _outside
         return No("a loop has two actions: one that decides, and one that is gone back to")
     syntax = syntax_of(model)
     freed = _without(test.flow, {test.action.icon.while_tag, anchor.action.icon.while_tag})
-    tag = asked.tag or _free(with_flows(opened.application, {test.path: freed}))
+    tag = command.tag or _free(with_flows(opened.application, {test.path: freed}))
     if tag in tags(freed.steps):
-        other = Remedy("Take a free tag", act.SetLoop(asked.doc, asked.test, asked.anchor, "", asked.condition))
+        other = Remedy("Take a free tag", act.SetLoop(command.doc, command.test, command.anchor, "", command.condition))
         return No(f"there is a loop {tag} in this flow already", (other,), {"tag": "expected another tag"})
     job, back = freed.steps[test.action.position], freed.steps[anchor.action.position]
     if not (isinstance(job, Icon) and isinstance(back, Icon)):
@@ -54,22 +54,22 @@ def set_loop(model: Model, opened: OpenApplication, asked: act.SetLoop, _outside
     )
     crossed = _crossed(flow, tag, syntax)
     if crossed:
-        remove = (Remedy(f"Remove the loop {one}", act.RemoveLoop(opened.id, at)) for one, at in crossed.items())
+        remove = (Remedy(f"Remove the loop {tag}", act.RemoveLoop(opened.id, at)) for tag, at in crossed.items())
         return No(f"this loop would cross the loop {listed(crossed)}: one has to lie within the other", tuple(remove))
     label = f"looping from {named(job.onikon)} to {named(back.onikon)}"
     return reflowed(model, opened, {test.path: flow}, label, tag)
 
 
 @on_resting_application
-def remove_loop(model: Model, opened: OpenApplication, asked: act.RemoveLoop, _outside: Surroundings) -> Done | No:
+def remove_loop(model: Model, opened: OpenApplication, command: act.RemoveLoop, _outside: Surroundings) -> Done | No:
     """Take the loop of a step away: both its tags."""
-    found = action_of(model, opened, asked.step)
-    if isinstance(found, No):
-        return found
-    tag = found.action.icon.while_tag
+    action = action_of(model, opened, command.step)
+    if isinstance(action, No):
+        return action
+    tag = action.action.icon.while_tag
     if tag is None:
-        return No(f"{quoted(found.action.icon.onikon)} is part of no loop")
-    return reflowed(model, opened, {found.path: _without(found.flow, {tag})}, f"removing the loop {tag}")
+        return No(f"{quoted(action.action.icon.onikon)} is part of no loop")
+    return reflowed(model, opened, {action.path: _without(action.flow, {tag})}, f"removing the loop {tag}")
 
 
 def for_pasting(steps: Sequence[Step], flow: AppFlow) -> tuple[Step, ...]:
@@ -79,7 +79,7 @@ def for_pasting(steps: Sequence[Step], flow: AppFlow) -> tuple[Step, ...]:
     """
     count = tags(steps)
     there = tags(flow.steps)
-    free = (one for one in _names() if one not in there and one not in count)
+    free = (name for name in _names() if name not in there and name not in count)
     renamed: dict[str, str] = {}
     for tag, tests in count.items():
         whole = sorted(tests) == [False, True]
@@ -93,11 +93,11 @@ def for_pasting(steps: Sequence[Step], flow: AppFlow) -> tuple[Step, ...]:
 
 def tags(steps: Iterable[Step]) -> dict[str, list[bool]]:
     """The loop tags of steps, each with whether each of its icons is the test."""
-    found: dict[str, list[bool]] = {}
+    tests: dict[str, list[bool]] = {}
     for step in steps:
         if isinstance(step, Icon) and step.while_tag is not None:
-            found.setdefault(step.while_tag, []).append(step.while_test)
-    return found
+            tests.setdefault(step.while_tag, []).append(step.while_test)
+    return tests
 
 
 def _renamed(step: Step, names: dict[str, str]) -> Step:
@@ -111,13 +111,13 @@ def _renamed(step: Step, names: dict[str, str]) -> Step:
 def _without(flow: AppFlow, gone: set[str | None]) -> AppFlow:
     """A flow without the loops of these tags."""
     icons = ((at, step) for at, step in enumerate(flow.steps) if isinstance(step, Icon) and step.while_tag is not None)
-    return exchanged(flow, unmarked((at, one) for at, one in icons if one.while_tag in gone))
+    return exchanged(flow, unmarked((at, icon) for at, icon in icons if icon.while_tag in gone))
 
 
 def _free(application: Application) -> str:
     """The first letter that no loop of an application has: two loops of one name would puzzle who reads it."""
     taken = {tag for _, flow in flows_by_path(application) for tag in tags(flow.steps)}
-    return next(one for one in _names() if one not in taken)
+    return next(name for name in _names() if name not in taken)
 
 
 def _names() -> Iterable[str]:
@@ -139,5 +139,5 @@ def _crossed(flow: AppFlow, tag: str, syntax: Syntax) -> dict[str, int]:
     start, end = spans.pop(tag)
     whole = {other: span for other, span in spans.items() if len(span) == 2}
     return {
-        other: numbers[other] for other, (one, last) in whole.items() if (start < one < end) != (start < last < end)
+        other: numbers[other] for other, (first, last) in whole.items() if (start < first < end) != (start < last < end)
     }

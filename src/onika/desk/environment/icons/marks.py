@@ -20,21 +20,21 @@ _TAG = re.compile(r"[^\s\x00-\x1f\x7f-\x9f#]{1,16}\Z")
 
 @on_application
 def set_breakpoint(
-    model: Model, opened: OpenApplication, asked: act.SetBreakpoint, _outside: Surroundings
+    model: Model, opened: OpenApplication, command: act.SetBreakpoint, _outside: Surroundings
 ) -> Done | No:
     """Pause after these actions, or no longer; also while they run."""
-    condition = condition_of(asked.condition)
+    condition = condition_of(command.condition)
     if isinstance(condition, No):
         return condition
-    found = [action_of(model, opened, step) for step in asked.steps]
-    marked = [one for one in found if not isinstance(one, No)]
+    actions = [action_of(model, opened, step) for step in command.steps]
+    marked = [action for action in actions if not isinstance(action, No)]
     if not marked:
-        return next((one for one in found if isinstance(one, No)), No("nothing is selected"))
+        return next((action for action in actions if isinstance(action, No)), No("nothing is selected"))
     flows: dict[str, AppFlow] = {}
     for path, flow, action in marked:
-        icon = replace(action.icon, marker=asked.is_set, marker_if=condition if asked.is_set else "")
+        icon = replace(action.icon, marker=command.is_set, marker_if=condition if command.is_set else "")
         flows[path] = exchanged(flows.get(path, flow), {action.position: icon})
-    label = f"{'setting' if asked.is_set else 'removing'} {_breakpoints(marked)}"
+    label = f"{'setting' if command.is_set else 'removing'} {_breakpoints(marked)}"
     done = reflowed(model, opened, flows, label)
     return done if condition else _still_looked(done, opened)
 
@@ -49,19 +49,19 @@ def _still_looked(done: Done, before: OpenApplication) -> Done:
 
 
 @on_resting_application
-def set_synch_tag(model: Model, opened: OpenApplication, asked: act.SetSynchTag, _outside: Surroundings) -> Done | No:
+def set_synch_tag(model: Model, opened: OpenApplication, command: act.SetSynchTag, _outside: Surroundings) -> Done | No:
     """The tag at which an action waits for other flows; empty takes it away."""
-    tag = asked.tag.strip()
+    tag = command.tag.strip()
     wrong = tag_refused(tag)
     if wrong:
         return wrong
-    found = action_of(model, opened, asked.step)
-    if isinstance(found, No):
-        return found
-    icon: Icon = replace(found.action.icon, synch_tag=tag or None)
+    action = action_of(model, opened, command.step)
+    if isinstance(action, No):
+        return action
+    icon: Icon = replace(action.action.icon, synch_tag=tag or None)
     name = named(icon.onikon)
     label = f"setting the tag {tag} at {name}" if tag else f"removing the tag at {name}"
-    return reflowed(model, opened, {found.path: found.having(icon)}, label)
+    return reflowed(model, opened, {action.path: action.having(icon)}, label)
 
 
 def tag_refused(tag: str) -> No | None:

@@ -29,7 +29,7 @@ class Measure:
 
 def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
     """What could be read for the data of a type of target, each once; what nothing measures has none."""
-    found: dict[Measure, None] = {}
+    measures: dict[Measure, None] = {}
     if model.syntax is None:
         return ()
     uses = uses_of(model.shelf, model.syntax, kind)
@@ -37,20 +37,20 @@ def measures_of(model: Model, kind: IconType) -> tuple[Measure, ...]:
         for use in uses.get(item.name, ()):
             for port in _like(use.input, ports_of(model.shelf, use.task)):
                 is_frame = port.shape != use.input.shape
-                found[Measure(item.name, item.count, item.type, use.variable(port.name), is_frame, item.dimension)] = (
-                    None
-                )
-    return tuple(found)
+                measures[
+                    Measure(item.name, item.count, item.type, use.variable(port.name), is_frame, item.dimension)
+                ] = None
+    return tuple(measures)
 
 
 def values_of(measure: Measure, value: Any) -> tuple[float, ...] | str:
     """The values of a variable as those of a datum; else why they are none, in words."""
     if measure.is_frame:
         return pose_numbers.nine_of(value)
-    found = tuple(_flat(value))
-    if len(found) != measure.count and not (measure.dimension and found):
-        return f"{measure.variable} has {len(found)} values and {measure.item} {measure.count}"
-    return tuple(round(one) for one in found) if measure.type.is_whole else found
+    numbers = tuple(_flat(value))
+    if len(numbers) != measure.count and not (measure.dimension and numbers):
+        return f"{measure.variable} has {len(numbers)} values and {measure.item} {measure.count}"
+    return tuple(round(number) for number in numbers) if measure.type.is_whole else numbers
 
 
 def _like(wanted: InputSheet, ports: Iterable[PortSheet]) -> Iterator[PortSheet]:
@@ -67,4 +67,4 @@ def _like(wanted: InputSheet, ports: Iterable[PortSheet]) -> Iterator[PortSheet]
 
 
 def _flat(value: object) -> list[float]:
-    return [one for part in value for one in _flat(part)] if isinstance(value, list) else [float(str(value))]
+    return [number for part in value for number in _flat(part)] if isinstance(value, list) else [float(str(value))]

@@ -17,12 +17,12 @@ _MOST = 3
 
 def ways_to_measure(model: Model, measures: Sequence[Measure]) -> tuple[Remedy, ...]:
     """Buttons, likeliest first: turn tasks ON that live, connect what is open, open what could be."""
-    return tuple(islice(_ways(model, frozenset(one.variable for one in measures)), _MOST))
+    return tuple(islice(_ways(model, frozenset(measure.variable for measure in measures)), _MOST))
 
 
 def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
     documents = model.documents.values()
-    able = [(one, tasks) for one in documents if (tasks := _writers(model, one.content.names, wanted))]
+    able = [(document, tasks) for document in documents if (tasks := _writers(model, document.content.names, wanted))]
     for document, tasks in able:
         sleeping = tuple(name for name in _with_hardware(model, document, tasks) if _is_off(document, name))
         if document.live is not None and document.live.state == "live" and sleeping:
@@ -30,7 +30,7 @@ def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
     for document, _ in able:
         if document.live is None:
             yield Remedy(f"Connect {document.name}", act.Connect(document.id))
-    opened = {str(one.opened.path) for one in documents if one.opened}
+    opened = {str(document.opened.path) for document in documents if document.opened}
     for path, source in sorted(model.sources.items(), key=_size):
         is_other = isinstance(source, Configuration) and path not in opened
         if is_other and _writers(model, _names(source), wanted):
@@ -38,18 +38,20 @@ def _ways(model: Model, wanted: frozenset[str]) -> Iterator[Remedy]:
 
 
 def _writers(model: Model, names: Iterable[str], wanted: frozenset[str]) -> list[Task]:
-    known = model.shelf.tasks
-    return [known[name] for name in names if name in known and known[name].given_while_running & wanted]
+    tasks = model.shelf.tasks
+    return [tasks[name] for name in names if name in tasks and tasks[name].given_while_running & wanted]
 
 
 def _with_hardware(model: Model, document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
     """These tasks behind the drivers of robots whose measurements they read."""
     reads = {name for task in tasks for name in task.svars(task.invar)}
-    known = model.shelf.tasks
+    library_tasks = model.shelf.tasks
     drivers = [
         name
         for name in document.content.names
-        if name in known and _drives(model, known[name]) and known[name].given_while_running & reads
+        if name in library_tasks
+        and _drives(model, library_tasks[name])
+        and library_tasks[name].given_while_running & reads
     ]
     return tuple(dict.fromkeys((*drivers, *(task.name for task in tasks))))
 
@@ -65,9 +67,9 @@ def _is_off(document: Document, name: str) -> bool:
 
 
 def _names(source: object) -> tuple[str, ...]:
-    return tuple(one.task for one in source.placed) if isinstance(source, Configuration) else ()
+    return tuple(placed.task for placed in source.placed) if isinstance(source, Configuration) else ()
 
 
-def _size(one: tuple[str, object]) -> tuple[int, str]:
+def _size(pair: tuple[str, object]) -> tuple[int, str]:
     """Configurations of few tasks first."""
-    return len(_names(one[1])), one[0]
+    return len(_names(pair[1])), pair[0]

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from onika.desk.environment.icons.alteration import altered, flow_at, found, place_behind
+from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, spots_of
 from onika.desk.environment.icons.fitting import misfit
 from onika.desk.environment.icons.insertion import is_too_deep, is_within, too_deep, without
 from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
@@ -20,9 +20,9 @@ from onika.wire import act
 
 
 @on_resting_application
-def move_icons(model: Model, opened: OpenApplication, asked: act.MoveIcons, _outside: Surroundings) -> Done | No:
+def move_icons(model: Model, opened: OpenApplication, command: act.MoveIcons, _outside: Surroundings) -> Done | No:
     """Take steps out and insert them behind another one; an action takes its targets with it."""
-    spots = found(opened.application, asked.steps)
+    spots = spots_of(opened.application, command.steps)
     if isinstance(spots, No):
         return spots
     syntax = syntax_of(model)
@@ -31,7 +31,7 @@ def move_icons(model: Model, opened: OpenApplication, asked: act.MoveIcons, _out
         return No("a hole is no icon: it goes where it is needed by itself")
     steps = list(taken(opened.application, wanted, syntax))
     numbers = {step.number for step in steps}
-    place = place_behind(opened.application, asked.flow, asked.after)
+    place = place_behind(opened.application, command.flow, command.after)
     if isinstance(place, No):
         return place
     if is_within(place[0], numbers):
@@ -48,7 +48,9 @@ def move_icons(model: Model, opened: OpenApplication, asked: act.MoveIcons, _out
         return No("a hole is no icon: it goes where it is needed by itself")
     refused = misfit(model, replace(opened, application=left), flow, position, first, path=path)
     if refused:
-        shown = tuple(one for one in refused.remedies if one.show)  # the others would insert, and nothing is moved
+        shown = tuple(
+            remedy for remedy in refused.remedies if remedy.show
+        )  # the others would insert, and nothing is moved
         return replace(refused, remedies=shown)
     application = with_flows(left, {path: jigsaw.insert_all(flow, position, steps, syntax)})
     if is_too_deep(application):

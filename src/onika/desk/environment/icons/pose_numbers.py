@@ -10,4 +10,4 @@ SHAPE = "double[4,4]"
 def nine_of(rows: Sequence[Sequence[float]]) -> tuple[float, ...]:
     """The nine numbers of a frame of four rows: its third column, its first and its last, without the row below."""
     columns = list(zip(*rows[:3], strict=True))
-    return tuple(float(one) for column in (columns[2], columns[0], columns[3]) for one in column)
+    return tuple(float(number) for column in (columns[2], columns[0], columns[3]) for number in column)

@@ -25,48 +25,48 @@ from onika.wire.view import Remedy
 from onika.words.fault import Refusal
 
 
-def edit_onikon(model: Model, asked: act.EditOnikon, outside: Surroundings) -> Done | No:
+def edit_onikon(model: Model, command: act.EditOnikon, outside: Surroundings) -> Done | No:
     """Change what an icon says, its values or its picture; the value is the path of its file."""
-    found = _found(model, asked.onikon)
-    if isinstance(found, No):
-        return found
-    home, opened = found
-    target = BaseDirectory(Path(asked.base).expanduser().absolute()) if asked.base else home
-    if is_shipped(target.path) and not asked.overwrites:
-        return _shipped(asked, outside.site.own)
-    changed = _changed(model, asked, opened.value)
+    place = _found(model, command.onikon)
+    if isinstance(place, No):
+        return place
+    home, opened = place
+    target = BaseDirectory(Path(command.base).expanduser().absolute()) if command.base else home
+    if is_shipped(target.path) and not command.overwrites:
+        return _shipped(command, outside.site.own)
+    changed = _changed(model, command, opened.value)
     if isinstance(changed, No):
         return changed
     is_copy = target.path.resolve() != home.path.resolve()
-    saved = target.save_onikon(changed, None if is_copy else opened, overwrites=asked.overwrites and not is_copy)
+    saved = target.save_onikon(changed, None if is_copy else opened, overwrites=command.overwrites and not is_copy)
     if isinstance(saved, Refusal):
-        meant = overwriting(saved, msgspec.structs.replace(asked, overwrites=True))
-        return No(plain(saved.reason), () if is_copy or asked.overwrites else meant)
-    text = f"{asked.onikon} is changed, in {saved.path}"
+        meant = overwriting(saved, msgspec.structs.replace(command, overwrites=True))
+        return No(plain(saved.reason), () if is_copy or command.overwrites else meant)
+    text = f"{command.onikon} is changed, in {saved.path}"
     gone = forgotten(opened.value, changed.description)
     text += f"; {gone}" if gone else ""
     now = shown_at_once(model, saved.path, outside.site)
     return Done(now, value=str(saved.path), says=(page.Say("success", text),))
 
 
-def remove_onikon(model: Model, asked: act.RemoveOnikon, outside: Surroundings) -> Done | No:
+def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Surroundings) -> Done | No:
     """Delete the file of an icon; nothing brings it back, so it is asked first, with whom it is placed."""
-    found = _found(model, asked.onikon)
-    if isinstance(found, No):
-        return found
-    home, opened = found
+    place = _found(model, command.onikon)
+    if isinstance(place, No):
+        return place
+    home, opened = place
     if is_shipped(home.path):
         close = Remedy(f"Close the dictionary {home.path.name}", act.CloseDictionary(str(home.path)))
-        return No(f"{asked.onikon} comes with Onika and stays", (close,))
-    if not asked.confirmed:
+        return No(f"{command.onikon} comes with Onika and stays", (close,))
+    if not command.confirmed:
         reason = f"the file {opened.path} is deleted, and nothing brings it back{_placed(model, opened.value)}"
-        return No(reason, (Remedy("Delete it", act.RemoveOnikon(asked.onikon, confirmed=True)),))
+        return No(reason, (Remedy("Delete it", act.RemoveOnikon(command.onikon, confirmed=True)),))
     try:
         opened.path.unlink(missing_ok=True)
     except OSError as error:
         return No(f"{opened.path} cannot be deleted: {error.strerror}")
     now = shown_at_once(model, opened.path, outside.site)
-    return Done(now, says=(page.Say("success", f"{asked.onikon} is deleted"),))
+    return Done(now, says=(page.Say("success", f"{command.onikon} is deleted"),))
 
 
 def _found(model: Model, name: str) -> tuple[BaseDirectory, Opened[Onikon]] | No:
@@ -74,34 +74,34 @@ def _found(model: Model, name: str) -> tuple[BaseDirectory, Opened[Onikon]] | No
     return No(f"no open dictionary has an icon {name}") if home is None else (home.base, home.onikons[name])
 
 
-def _changed(model: Model, asked: act.EditOnikon, onikon: Onikon) -> Onikon | No:
+def _changed(model: Model, command: act.EditOnikon, onikon: Onikon) -> Onikon | No:
     """The icon as it is to be, or everything that is wrong with it."""
     wrong: dict[str, str] = {}
-    if asked.values is not None:
-        typed = target_values.checked(items_of(model, onikon.type), asked.values)
+    if command.values is not None:
+        typed = target_values.checked(items_of(model, onikon.type), command.values)
         if isinstance(typed, dict):
             wrong |= typed
         else:
             onikon = replace(onikon, values=typed)
-    if asked.picture is not None:
-        picture = painted(asked.picture)
+    if command.picture is not None:
+        picture = painted(command.picture)
         if isinstance(picture, str):
             wrong["picture"] = picture
         else:
             onikon = replace(onikon, picture=picture)
     if wrong:
-        return No(target_values.told(wrong), fields=wrong)
-    if asked.description is None:
+        return No(target_values.refusal_text(wrong), fields=wrong)
+    if command.description is None:
         return onikon
-    description = " ".join(asked.description.split())
+    description = " ".join(command.description.split())
     return replace(onikon, description=description, words=told_again(onikon, description))
 
 
-def _shipped(asked: act.EditOnikon, own: Path | None) -> No:
+def _shipped(command: act.EditOnikon, own: Path | None) -> No:
     """What comes with Onika is not changed by the way; a copy of the user's own comes before it."""
-    here = () if own is None else (Remedy(f"Save a copy in {own}", msgspec.structs.replace(asked, base=str(own))),)
-    meant = Remedy("Change the shipped one", msgspec.structs.replace(asked, overwrites=True))
-    return No(f"{asked.onikon} is part of Onika itself", (*here, meant))
+    here = () if own is None else (Remedy(f"Save a copy in {own}", msgspec.structs.replace(command, base=str(own))),)
+    meant = Remedy("Change the shipped one", msgspec.structs.replace(command, overwrites=True))
+    return No(f"{command.onikon} is part of Onika itself", (*here, meant))
 
 
 def _placed(model: Model, onikon: Onikon) -> str:

@@ -35,15 +35,15 @@ def redefined(model: Model, site: Site) -> Done:
     says = told(faults)
     if syntax is None or syntax == model.syntax:
         return Done(model, says=says)
-    defined = with_syntax(model, syntax, (one.base for one in model.dictionaries))
+    defined = with_syntax(model, syntax, (dictionary.base for dictionary in model.dictionaries))
     for path in model.application_files:
-        found = file_index.again(Path(path), syntax)
-        defined = found.beside(defined) if found else defined
-    known = {kind.name for kind in model.syntax.types} if model.syntax else set()
-    new = [kind.name for kind in syntax.types if kind.name not in known]
+        reread = file_index.again(Path(path), syntax)
+        defined = reread.beside(defined) if reread else defined
+    names = {kind.name for kind in model.syntax.types} if model.syntax else set()
+    new = [kind.name for kind in syntax.types if kind.name not in names]
     text = "the types of icons are defined anew" + (f": {', '.join(map(kind_named, new))}" if new else "")
-    old = {fault for one in model.dictionaries for fault in one.faults}
-    faults = tuple(fault for one in defined.dictionaries for fault in one.faults if fault not in old)
+    old = {fault for dictionary in model.dictionaries for fault in dictionary.faults}
+    faults = tuple(fault for dictionary in defined.dictionaries for fault in dictionary.faults if fault not in old)
     return Done(defined, says=(*says, page.Say("info", text), *told(faults)))
 
 

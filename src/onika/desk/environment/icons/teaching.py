@@ -17,11 +17,11 @@ Writers = Mapping[str, str]
 """By variable: the task that writes it now."""
 
 
-def teach(model: Model, asked: act.Teach, _outside: Surroundings) -> Procedure:
+def teach(model: Model, command: act.Teach, _outside: Surroundings) -> Procedure:
     """Ask for what is measured now; the value is a `view.TaughtView`, of which what nothing measures is left out."""
-    kind = model.syntax.find(asked.type) if model.syntax else None
+    kind = model.syntax.find(command.type) if model.syntax else None
     if kind is None or not kind.is_target:
-        return No(f"{kind_named(asked.type)} is no type of target", fields={"type": "expected a type of target"})
+        return No(f"{kind_named(command.type)} is no type of target", fields={"type": "expected a type of target"})
     measures = measures_of(model, kind)
     if not measures:
         return No(f"no task that takes {a_kind(kind.name)} measures anything like it: its values are typed in")
@@ -31,12 +31,12 @@ def teach(model: Model, asked: act.Teach, _outside: Surroundings) -> Procedure:
     if not isinstance(standing, live.Standing):
         return No(refusal(standing))
     places = {home.name: writers for home in standing.subsystems if (writers := _writers(home, measures))}
-    if asked.subsystem and asked.subsystem not in places:
-        return No(f"nothing in {asked.subsystem} measures {a_kind(kind.name)} now", ways_to_measure(model, measures))
+    if command.subsystem and command.subsystem not in places:
+        return No(f"nothing in {command.subsystem} measures {a_kind(kind.name)} now", ways_to_measure(model, measures))
     if not places:
         names = " or ".join(dict.fromkeys(measure.variable for measure in measures))
         return No(f"nothing that runs measures {names} now", ways_to_measure(model, measures))
-    subsystem = asked.subsystem or _nearest(model, places)
+    subsystem = command.subsystem or _nearest(model, places)
     others = tuple(name for name in places if name != subsystem)
     model, response = yield Ask(model, live.Read(subsystem, tuple(places[subsystem])))
     if not isinstance(response, live.Values):
@@ -64,23 +64,27 @@ def _taught(
                 taken[measure.item] = values
     if not taken:
         return No("what is measured does not fit: " + "; ".join(wrong))
-    used = {one.variable for one in measures if one.item in taken and one.variable in writers}
+    used = {measure.variable for measure in measures if measure.item in taken and measure.variable in writers}
     source = " and ".join(f"{name}, as {writers[name]} measures it in {subsystem}" for name in writers if name in used)
     return Done(model, value=TaughtView(taken, source, subsystem, others))
 
 
 def _writers(subsystem: live.SubsystemStanding, measures: Sequence[Measure]) -> dict[str, str]:
     """What tasks that are ON write of what is wanted: else it is old, or never was."""
-    wanted = {one.variable for one in measures}
-    found: dict[str, str] = {}
-    for one in subsystem.tasks:
-        if one.state == "ON":
-            task = task_of(one.task)
-            found |= dict.fromkeys(sorted(task.outputs & wanted), task.name)
-    return found
+    wanted = {measure.variable for measure in measures}
+    writers: dict[str, str] = {}
+    for standing in subsystem.tasks:
+        if standing.state == "ON":
+            task = task_of(standing.task)
+            writers |= dict.fromkeys(sorted(task.outputs & wanted), task.name)
+    return writers
 
 
 def _nearest(model: Model, places: Mapping[str, Writers]) -> str:
     """The subsystem of an open configuration before others."""
-    here = [one.live.subsystem for one in model.documents.values() if one.live and one.live.state == "live"]
+    here = [
+        document.live.subsystem
+        for document in model.documents.values()
+        if document.live and document.live.state == "live"
+    ]
     return next((name for name in here if name in places), next(iter(places)))

@@ -11,13 +11,13 @@ from onika.store.base_directory import BaseDirectory
 
 def users_of(model: Model, onikon: Onikon) -> tuple[str, ...]:
     """The names of the applications, each once: as they are here where they are open, else as their files say."""
-    here = {str(one.opened.path) for one in model.applications.values() if one.opened}
-    found = [one.name for one in model.applications.values() if _has(one.application, onikon)]
+    here = {str(application.opened.path) for application in model.applications.values() if application.opened}
+    names = [application.name for application in model.applications.values() if _has(application.application, onikon)]
     for path, file in model.application_files.items():
         if path not in here and model.syntax is not None:
             read, _ = BaseDirectory(Path(file.base)).application(file.name, model.syntax)
-            found += [file.name] if read is not None and _has(read, onikon) else []
-    return tuple(dict.fromkeys(found))
+            names += [file.name] if read is not None and _has(read, onikon) else []
+    return tuple(dict.fromkeys(names))
 
 
 def _has(application: Application, onikon: Onikon) -> bool:

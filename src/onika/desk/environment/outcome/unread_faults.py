@@ -21,7 +21,7 @@ def not_run(opened: OpenApplication) -> No | None:
     """Why an application of which not everything could be read is not run; None: it is whole."""
     if not opened.is_partial:
         return None
-    lost = [one for one in opened.told if one.level == "fault"]
+    lost = [one for one in opened.file_faults if one.level == "fault"]
     where = [one.step for one in lost if one.step][:1]
     show = tuple(Remedy("Show where", show=f"step:{step}") for step in where)
     reason = f"{opened.name} could not be read whole: {lost[0].text}" if lost else f"{opened.name} was not read whole"

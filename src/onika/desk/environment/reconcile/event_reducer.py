@@ -81,7 +81,7 @@ def _of_task(model: Model, told: _OfTask) -> Done:
             said = page.Say("error", f"{told.task} failed: {told.text}", document.id, where, told.at_s)
             return done(replace(facts or TaskFacts(""), failed=told), said)
         case event.Asked():
-            now = done(replace(facts or TaskFacts(""), asked=told))
+            now = done(replace(facts or TaskFacts(""), question=told))
             return replace(now, orders=ask_present(model, document, told.task))
         case event.Warned():
             text = f"{told.task}: {told.text}" if told.task else told.text
@@ -112,7 +112,7 @@ def _in_state(facts: TaskFacts, state: str) -> TaskFacts:
         facts,
         state=state,
         note="",
-        asked=facts.asked if state == "ASKING" else None,
+        question=facts.question if state == "ASKING" else None,
         present=facts.present if state == "ASKING" else {},
         failed=facts.failed if state == "ERROR" else None,
     )

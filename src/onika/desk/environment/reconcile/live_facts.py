@@ -48,14 +48,14 @@ def true_to_facts(content: Content, known: Live, sent: Content) -> Content:
 
 def _facts(one: live.TaskStanding, former: TaskFacts | None, asked: event.Asked | None) -> TaskFacts:
     known = former or TaskFacts("")
-    asked = asked or known.asked
+    asked = asked or known.question
     is_asking = one.state == "ASKING"
     return TaskFacts(
         state=one.state,
         note="" if asked and is_asking else one.reason,
         rtpu=one.rtpu,
         hz=one.frequency,
-        asked=asked if is_asking else None,
+        question=asked if is_asking else None,
         present=known.present if is_asking else {},
         failed=known.failed if one.state == "ERROR" else None,
         warnings=known.warnings,

@@ -75,9 +75,9 @@ def noted(model: Model, former: Shelf, *, but: str = "") -> tuple[Model, tuple[s
 def under_way(document: Document, task: str) -> tuple[Document, int]:
     """With something about a task asked for that changes nothing in the document, and by which count it is known."""
     known, _ = _of(document)
-    key = known.asked + 1
+    key = known.requests + 1
     pending = {**known.pending, key: Pending(tasks=frozenset((task,)))}
-    return replace(document, live=replace(known, asked=key, pending=pending)), key
+    return replace(document, live=replace(known, requests=key, pending=pending)), key
 
 
 def next_change(doc: str, known: Live) -> Change:
@@ -144,12 +144,12 @@ def _sent(model: Model, document: Document, what: Alteration) -> Done:
     content = document.content
     if what.resting:
         content = replace(content, wanted={**content.wanted, **dict.fromkeys(what.resting, False)})
-    key = known.asked + 1
+    key = known.requests + 1
     pending = Pending(base, content, document.history, what.names)
     change = next_change(document.id, known)
     known = with_facts(known, what, living_units(model))
     pendings = {**known.pending, key: pending}
-    known = replace(known, asked=key, changes=change.number, is_awaited=False)
+    known = replace(known, requests=key, changes=change.number, is_awaited=False)
     known = replace(known, pending=pendings, base=replace(base, edits={}))
     then = partial(accepted, doc=document.id, key=key, change=change)
     order = Order(what.change(known.subsystem), then)

@@ -103,5 +103,5 @@ def _view(found: Difference | None, one: Subject) -> DifferenceView:
         return DifferenceView()
     series = one.review.series.get(found.variable)
     first, second = _numbers(found, series.unit if series else "") or (_plain(found.first), _plain(found.second))
-    text = one.said(f"{found.what}: {first}, in the other {second}")
+    text = one.with_icons(f"{found.what}: {first}, in the other {second}")
     return DifferenceView(text, found.at_ns * 1e-9, found.variable)

@@ -44,7 +44,7 @@ def looked_at(model: Model, *, of_other: bool) -> Subject | No:
     looking: Looking | None = model.looking
     if looking is None:
         return No("no recording is looked at")
-    return looking.one(of_other=of_other) or No("no other recording is looked at beside it")
+    return looking.subject_of(of_other=of_other) or No("no other recording is looked at beside it")
 
 
 def sane(at_s: float) -> float:

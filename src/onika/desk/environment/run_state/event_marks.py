@@ -22,52 +22,54 @@ _STEERED: dict[type, str] = {
 
 def marks(run: Run, review: Review) -> tuple[MarkView, ...]:
     """All of them, in the order of time."""
-    found = [mark for at, _, one in review.events if (mark := _of_event(run, at * 1e-9, one)) is not None]
-    found += [_of_command(run, at * 1e-9, one) for at, one in review.commands]
-    return tuple(sorted(found, key=lambda one: one.at_s))
+    found_marks = [mark for at, _, message in review.events if (mark := _of_event(run, at * 1e-9, message)) is not None]
+    found_marks += [_of_command(run, at * 1e-9, command) for at, command in review.commands]
+    return tuple(sorted(found_marks, key=lambda mark_view: mark_view.at_s))
 
 
-def _of_event(run: Run, at_s: float, one: event.Event) -> MarkView | None:
-    match one:
+def _of_event(run: Run, at_s: float, message: event.Event) -> MarkView | None:
+    match message:
         case event.Failed():
-            return MarkView(at_s, "error", run.speech.said(f"{one.task}: {one.text}"))
+            return MarkView(at_s, "error", run.speech.with_icons(f"{message.task}: {message.text}"))
         case event.Lost():
-            return MarkView(at_s, "error", f"{one.name} was lost: {one.cause}")
-        case event.Stopped() if one.is_stopped:
-            return MarkView(at_s, "stop", f"everything was stopped: {one.cause}" if one.cause else "everything stopped")
-        case event.Explained() if one.choices:
-            return MarkView(at_s, "stop", run.speech.said(f"{one.subsystem}: {one.text}"))
-        case event.Result() if not one.completed:
-            return MarkView(at_s, "stop", run.speech.said(f"the run ended: {one.cause}"))
+            return MarkView(at_s, "error", f"{message.name} was lost: {message.cause}")
+        case event.Stopped() if message.is_stopped:
+            return MarkView(
+                at_s, "stop", f"everything was stopped: {message.cause}" if message.cause else "everything stopped"
+            )
+        case event.Explained() if message.choices:
+            return MarkView(at_s, "stop", run.speech.with_icons(f"{message.subsystem}: {message.text}"))
+        case event.Result() if not message.completed:
+            return MarkView(at_s, "stop", run.speech.with_icons(f"the run ended: {message.cause}"))
         case event.Met():
-            return MarkView(at_s, "meet", f"{' and '.join(one.subsystems)} met at {tag(one.tag)}")
+            return MarkView(at_s, "meet", f"{' and '.join(message.subsystems)} met at {tag(message.tag)}")
     return None
 
 
-def _of_command(run: Run, at_s: float, one: request.Request) -> MarkView:
-    return MarkView(at_s, "stop" if isinstance(one, request.Stop) else "command", _command(run, one))
+def _of_command(run: Run, at_s: float, command: request.Request) -> MarkView:
+    return MarkView(at_s, "stop" if isinstance(command, request.Stop) else "command", _command(run, command))
 
 
-def _command(run: Run, one: request.Request) -> str:
-    match one:
+def _command(run: Run, command: request.Request) -> str:
+    match command:
         case request.Stop():
-            return f"stop: {one.cause}" if one.cause else "stop"
+            return f"stop: {command.cause}" if command.cause else "stop"
         case request.Abort():
-            return f"end the run: {one.cause}"
+            return f"end the run: {command.cause}"
         case request.Reply():
-            return f"answer to {one.task}: {one.line}"
+            return f"answer to {command.task}: {command.line}"
         case steer.Skip():
-            where = run.called(one.subsystem, one.action) if one.action is not None else "the next action"
-            return f"skip to {where}: {one.subsystem}"
+            where = run.called(command.subsystem, command.action) if command.action is not None else "the next action"
+            return f"skip to {where}: {command.subsystem}"
         case steer.Mark():
-            verb = "set a breakpoint after" if one.is_set else "remove the breakpoint after"
-            return f"{verb} {run.called(one.subsystem, one.action)}"
+            verb = "set a breakpoint after" if command.is_set else "remove the breakpoint after"
+            return f"{verb} {run.called(command.subsystem, command.action)}"
         case live.Touch():
-            return f"{one.part} is {'pressed' if one.value else 'let go'}"
+            return f"{command.part} is {'pressed' if command.value else 'let go'}"
         case live.Set():
-            return f"set {one.name} of {one.task} to {one.value}"
+            return f"set {command.name} of {command.task} to {command.value}"
         case live.Clear() | live.Reinit():
-            verb = "bring out of its error" if isinstance(one, live.Clear) else "begin anew"
-            return f"{verb}: {one.task}"
-    home = getattr(one, "subsystem", "")
-    return _STEERED[type(one)] + (f": {home}" if home else "")
+            verb = "bring out of its error" if isinstance(command, live.Clear) else "begin anew"
+            return f"{verb}: {command.task}"
+    home = getattr(command, "subsystem", "")
+    return _STEERED[type(command)] + (f": {home}" if home else "")

@@ -27,14 +27,14 @@ class Belonging:
 
     def targets(self) -> dict[int, tuple[int, ...]]:
         """Of each action that has some: its targets and the holes for them, in order."""
-        found: dict[int, tuple[int, ...]] = {}
+        inside: dict[int, tuple[int, ...]] = {}
         for target, action in self.owners.items():
-            found[action] = (*found.get(action, ()), target)
-        return found
+            inside[action] = (*inside.get(action, ()), target)
+        return inside
 
     def meant(self, step: int) -> frozenset[tuple[int, ...]]:
         """The actions that are meant by a step, each as the beginning of a spot."""
-        return frozenset((one,) for one in self.inside.get(step, frozenset((self.owners.get(step, step),))))
+        return frozenset((member,) for member in self.inside.get(step, frozenset((self.owners.get(step, step),))))
 
 
 def _look(flow: AppFlow, syntax: Syntax, owners: dict[int, int], inside: dict[int, frozenset[int]]) -> None:
@@ -44,8 +44,8 @@ def _look(flow: AppFlow, syntax: Syntax, owners: dict[int, int], inside: dict[in
     for step in flow.steps:
         if isinstance(step, Branch):
             inside[step.number] = frozenset(_numbers(step.flows))
-            for one in step.flows:
-                _look(one, syntax, owners, inside)
+            for inner in step.flows:
+                _look(inner, syntax, owners, inside)
 
 
 def _numbers(flows: tuple[AppFlow, ...]) -> Iterator[int]:
@@ -67,5 +67,5 @@ def _icons(steps: tuple[Step, ...]) -> Iterator[Icon]:
         if isinstance(step, Icon):
             yield step
         elif isinstance(step, Branch):
-            for one in step.flows:
-                yield from _icons(one.steps)
+            for flow in step.flows:
+                yield from _icons(flow.steps)

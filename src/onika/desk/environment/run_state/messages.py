@@ -35,35 +35,48 @@ class Speech:
     @classmethod
     def of(cls, place: Place, application: Application, program: Program | None, syntax: Syntax) -> "Speech":
         """Those of an application that stands in the file `place`, and of what it runs."""
-        known = {place.file: application}
+        applications = {place.file: application}
         if program is not None:
-            known |= {program.files.get(name, name): one for name, one in program.applications.items()}
-        by_icon = {one.onikon.name: named(one.onikon) for each in reversed(known.values()) for one in icons(each)}
-        by_place = {(file, line): shown for file, one in known.items() for line, shown in _by_line(one, syntax)}
+            applications |= {
+                program.files.get(name, name): application for name, application in program.applications.items()
+            }
+        by_icon = {
+            icon.onikon.name: named(icon.onikon) for each in reversed(applications.values()) for icon in icons(each)
+        }
+        by_place = {
+            (file, line): shown
+            for file, application in applications.items()
+            for line, shown in _by_line(application, syntax)
+        }
         return cls(by_icon, by_place)
 
     def hearing(self, plan: Plan) -> "Speech":
         """The same, for what a runtime tells of this plan."""
-        every = [one for flow in plan.flows for one in flow.actions]
-        told: dict[str, str] = {}
-        for one in every:
-            told[f"{Place(one.place, one.line)} ({one.name})"] = said = self.action(one)
-            told.setdefault(one.name, said)
-        places = {*(one.place for one in every), *(task.place for flow in plan.flows for task in flow.tasks)}
-        files = {one: Path(one).name.removesuffix(appl.ENDING).removesuffix(rmod.ENDING) for one in places if one}
-        return replace(self, actions=told, files=dict(sorted(files.items(), key=lambda one: -len(one[0]))))
+        every = [action for flow in plan.flows for action in flow.actions]
+        names: dict[str, str] = {}
+        for action in every:
+            names[f"{Place(action.place, action.line)} ({action.name})"] = shown = self.action(action)
+            names.setdefault(action.name, shown)
+        places = {
+            *(planned_action.place for planned_action in every),
+            *(task.place for flow in plan.flows for task in flow.tasks),
+        }
+        files = {
+            place: Path(place).name.removesuffix(appl.ENDING).removesuffix(rmod.ENDING) for place in places if place
+        }
+        return replace(self, actions=names, files=dict(sorted(files.items(), key=lambda pair: -len(pair[0]))))
 
-    def action(self, one: PlannedAction) -> str:
+    def action(self, planned_action: PlannedAction) -> str:
         """An action: what its icon and those of its targets show."""
-        here = self.by_place.get((one.place, one.line), {})
-        names = (one.job, *(one.target or "").split())
+        here = self.by_place.get((planned_action.place, planned_action.line), {})
+        names = (planned_action.job, *(planned_action.target or "").split())
         return " ".join(here.get(name) or self.icon(name) for name in names)
 
     def icon(self, name: str) -> str:
         """What an icon shows."""
         return self.by_icon.get(name, name)
 
-    def said(self, text: str) -> str:
+    def with_icons(self, text: str) -> str:
         """A text of the runtime."""
         for file, name in self.files.items():
             if file in text:
@@ -74,14 +87,14 @@ class Speech:
 
     def meaning(self, text: str) -> str:
         """What a choice does, in the words of the runtime."""
-        return _CHOSEN.sub(lambda found: f"{found[1]} “{self.actions.get(found[2], found[2])}”", text)
+        return _CHOSEN.sub(lambda match: f"{match[1]} “{self.actions.get(match[2], match[2])}”", text)
 
-    def _at_place(self, found: re.Match[str]) -> str:
-        return f"“{self.actions.get(found[1], found[2])}”"
+    def _at_place(self, match: re.Match[str]) -> str:
+        return f"“{self.actions.get(match[1], match[2])}”"
 
 
 def _by_line(application: Application, syntax: Syntax) -> Iterator[tuple[int, _Icons]]:
     for _, flow in every_flow(application):
-        for one in actions(flow, syntax):
-            icons_ = (one.icon, *(target for target in one.targets if not isinstance(target, Hole)))
-            yield one.icon.line, {icon.onikon.name: named(icon.onikon) for icon in icons_}
+        for action in actions(flow, syntax):
+            icons_ = (action.icon, *(target for target in action.targets if not isinstance(target, Hole)))
+            yield action.icon.line, {icon.onikon.name: named(icon.onikon) for icon in icons_}

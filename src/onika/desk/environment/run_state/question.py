@@ -6,10 +6,10 @@ from onika.wire import event
 from onika.wire.view import AskItem, AskView
 
 
-def ask_view(told: event.Asked, present: Mapping[str, Sequence[float]] | None = None) -> AskView:
+def ask_view(question: event.Asked, present: Mapping[str, Sequence[float]] | None = None) -> AskView:
     """A question; `present` is where the robot stands, by the names of the inputs."""
     items = tuple(
-        AskItem(one.name, one.type, one.count, one.unit, one.meaning, one.default, one.low, one.high)
-        for one in told.items
+        AskItem(item.name, item.type, item.count, item.unit, item.meaning, item.default, item.low, item.high)
+        for item in question.items
     )
-    return AskView(items, told.reason, {name: tuple(values) for name, values in (present or {}).items()})
+    return AskView(items, question.reason, {name: tuple(values) for name, values in (present or {}).items()})

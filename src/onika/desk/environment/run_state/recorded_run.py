@@ -41,9 +41,9 @@ class Subject:
         """Whether both were made when the same recording was opened: it may be shown at other icons since."""
         return self.review is other.review
 
-    def said(self, text: str) -> str:
+    def with_icons(self, text: str) -> str:
         """A text in the words of the icons, where it names actions as files do."""
-        for name, shown in sorted(self.speech.actions.items(), key=lambda one: -len(one[0])):
+        for name, shown in sorted(self.speech.actions.items(), key=lambda pair: -len(pair[0])):
             text = text.replace(f"action {name} ", f"“{shown}” ")
         return text
 
@@ -65,13 +65,14 @@ def _view(review: Review, run: Run, recast: Recast) -> RecordingView:
         is_virtual=review.run.is_virtual,
         is_whole=review.is_whole,
         is_completed=review.ending.get("completed") == "yes",
-        cause=run.speech.said(review.ending.get("cause", "")),
+        cause=run.speech.with_icons(review.ending.get("cause", "")),
         begin_s=begin_s,
         end_s=end_s,
         flows={
-            one.subsystem: RecordedFlowView(order, _passages(one, run, order)) for order, one in enumerate(review.flows)
+            flow.subsystem: RecordedFlowView(order, _passages(flow, run, order))
+            for order, flow in enumerate(review.flows)
         },
-        variables={address: _variable(one) for address, one in review.series.items()},
+        variables={address: _variable(series) for address, series in review.series.items()},
         worlds=review.worlds,
         marks=marks(run, review),
         notes=(*_losses(review), *recast.notes),
@@ -94,38 +95,42 @@ def _redirects(review: Review) -> Iterator[RedirectView]:
 def _passages(flow: Flow, run: Run, number: int) -> tuple[PassageView, ...]:
     return tuple(
         PassageView(
-            one.action,
-            run.called(flow.subsystem, one.action) or one.name,
-            one.begin_s,
-            one.end_s,
-            run.step_at(flow.subsystem, one.action),
+            interval.action,
+            run.called(flow.subsystem, interval.action) or interval.name,
+            interval.begin_s,
+            interval.end_s,
+            run.step_at(flow.subsystem, interval.action),
         )
-        for one in flow.intervals
+        for interval in flow.intervals
     )
 
 
-def _variable(one: Series) -> RecordedVariableView:
-    return RecordedVariableView(one.unit, () if one.is_picture else tuple(one.labels))
+def _variable(series: Series) -> RecordedVariableView:
+    return RecordedVariableView(series.unit, () if series.is_picture else tuple(series.labels))
 
 
 def _losses(review: Review) -> list[str]:
     """What is not in the recording."""
-    found = []
+    losses = []
     if not review.is_whole:
-        found.append("the recording was cut short: what came after its end is not known")
+        losses.append("the recording was cut short: what came after its end is not known")
     missed, untold = (int(review.ending.get(key, "0") or 0) for key in ("missed", "untold"))
     if missed:
-        found.append(f"{missed} values were written over before they could be recorded")
+        losses.append(f"{missed} values were written over before they could be recorded")
     if untold:
-        found.append(f"{untold} events could not be recorded for want of room")
+        losses.append(f"{untold} events could not be recorded for want of room")
     if not review.run.is_virtual:
-        found.append("it was recorded in wall time: continued from an instant, it goes on nearly as then, not exactly")
-    return found
+        losses.append("it was recorded in wall time: continued from an instant, it goes on nearly as then, not exactly")
+    return losses
 
 
 def _cannot_continue(path: Path) -> str:
-    found = recorded_run(Source(path))
-    return "; ".join(f"expected {one.expected}, found {one.found}" for one in found) if isinstance(found, tuple) else ""
+    source = recorded_run(Source(path))
+    return (
+        "; ".join(f"expected {fault.expected}, found {fault.found}" for fault in source)
+        if isinstance(source, tuple)
+        else ""
+    )
 
 
 def _began(iso: str) -> float:

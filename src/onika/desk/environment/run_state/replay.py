@@ -20,10 +20,10 @@ class Replay:
 
     def __init__(self, begun: Run, events: Sequence[tuple[int, str, event.Event]]) -> None:
         self._times = list(accumulate((at for at, _, _ in events), max))
-        self._told = [one for _, _, one in events]
+        self._told = [message for _, _, message in events]
         self._kept = [begun]
-        for number, told in enumerate(self._told, 1):
-            begun = flow_progress.after(begun, told)
+        for number, message in enumerate(self._told, 1):
+            begun = flow_progress.after(begun, message)
             if number % _EVERY == 0:
                 self._kept.append(begun)
 
@@ -36,7 +36,7 @@ class Replay:
         """What was shown then. Nothing in it can be chosen: that time is over."""
         count = bisect_right(self._times, round(at_s * 1e9))
         run = self._kept[count // _EVERY]
-        for told in self._told[count - count % _EVERY : count]:
-            run = flow_progress.after(run, told)
-        stops = {key: structs.replace(one, choices=(), meanings=()) for key, one in run.view.stops.items()}
+        for message in self._told[count - count % _EVERY : count]:
+            run = flow_progress.after(run, message)
+        stops = {key: structs.replace(stop, choices=(), meanings=()) for key, stop in run.view.stops.items()}
         return structs.replace(run.view, stops=stops)

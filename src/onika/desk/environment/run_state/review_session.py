@@ -22,7 +22,7 @@ class Looking:
         other = _of(self.other.view, docs) if self.other else None
         return ReviewView(_of(self.subject.view, docs), other, self.difference)
 
-    def one(self, *, of_other: bool) -> Subject | None:
+    def subject_of(self, *, of_other: bool) -> Subject | None:
         """One of the two; None: there is no other."""
         return self.other if of_other else self.subject
 

@@ -55,11 +55,11 @@ class Run:
     @property
     def homes(self) -> tuple[str, ...]:
         """Its subsystems, in the order of the plan."""
-        return tuple(one.subsystem for one in self.plan.flows)
+        return tuple(flow.subsystem for flow in self.plan.flows)
 
     def number_of(self, subsystem: str) -> int | None:
         """Which flow of the plan lives in a subsystem; None: none."""
-        return next((n for n, one in enumerate(self.plan.flows) if one.subsystem == subsystem), None)
+        return next((n for n, flow in enumerate(self.plan.flows) if flow.subsystem == subsystem), None)
 
     def action(self, flow: int, index: int) -> PlannedAction | None:
         """An action of the plan; None: there is none such."""
@@ -78,11 +78,11 @@ class Run:
         for is_nested in (False, True):
             for number, flow in enumerate(self.plan.flows):
                 if (flow.parent is not None) is is_nested:
-                    yield from ((number, at) for at, one in enumerate(flow.actions) if one.spot[:1] in meant)
+                    yield from ((number, at) for at, action in enumerate(flow.actions) if action.spot[:1] in meant)
 
     def has_loops(self, flow: int) -> bool:
         """Whether a flow can go round."""
-        return any(isinstance(one, Again | Unless) for one in self.plan.flows[flow].program)
+        return any(isinstance(instruction, Again | Unless) for instruction in self.plan.flows[flow].program)
 
     def shown(self, **changes: Any) -> "Run":
         """With something else in what is shown."""
@@ -95,7 +95,7 @@ class Run:
 
     def noted(self, text: str) -> "Run":
         """With one more note, said by a runtime; old ones are forgotten."""
-        return self.shown(notes=(*self.view.notes, self.speech.said(text))[-_MOST_NOTES:])
+        return self.shown(notes=(*self.view.notes, self.speech.with_icons(text))[-_MOST_NOTES:])
 
     def called(self, subsystem: str, index: int) -> str:
         """What an action is about, in the words of its icons; empty: there is none such."""
@@ -111,9 +111,9 @@ _AS_NAMED = Speech()
 def begun(doc: str, plan: Plan, number: int, at_s: float, belonging: Belonging, speech: Speech = _AS_NAMED) -> Run:
     """A run that is about to begin; `at_s` is seconds since 1970."""
     flows = {
-        one.subsystem: FlowRunView(order, of=len(one.actions), is_nested=one.parent is not None)
-        for order, one in enumerate(plan.flows)
+        flow.subsystem: FlowRunView(order, of=len(flow.actions), is_nested=flow.parent is not None)
+        for order, flow in enumerate(plan.flows)
     }
-    of = sum(len(one.actions) for one in plan.flows)
+    of = sum(len(flow.actions) for flow in plan.flows)
     view = RunView(doc, plan.application, number, began_at_s=at_s, flows=flows, of=of)
     return Run(view, plan, Cast.of(plan), belonging, speech.hearing(plan))

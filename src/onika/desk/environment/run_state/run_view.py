@@ -13,51 +13,55 @@ _MOST_SAMPLES = 120
 """Of a variable's last seconds: more than that are not told apart on a screen."""
 
 
-def stop_view(run: Run, told: event.Explained) -> StopView:
+def stop_view(run: Run, explained: event.Explained) -> StopView:
     """Why a flow stands still, or the run ends."""
-    failed = run.failures.get(f"{told.subsystem}/{told.task}")
+    failed = run.failures.get(f"{explained.subsystem}/{explained.task}")
     return StopView(
-        text=run.speech.said(told.text),
-        kind=told.kind,
-        at_s=told.at_s,
-        subsystem=told.subsystem,
-        task=told.task,
-        step=run.step_at(told.subsystem, told.index),
-        action=run.called(told.subsystem, told.index) or told.action,
-        index=told.index,
-        suspect=told.suspect,
-        path=told.path,
-        line=told.line,
+        text=run.speech.with_icons(explained.text),
+        kind=explained.kind,
+        at_s=explained.at_s,
+        subsystem=explained.subsystem,
+        task=explained.task,
+        step=run.step_at(explained.subsystem, explained.index),
+        action=run.called(explained.subsystem, explained.index) or explained.action,
+        index=explained.index,
+        suspect=explained.suspect,
+        path=explained.path,
+        line=explained.line,
         traceback=failed.traceback if failed else "",
-        waiting=told.waiting,
-        courses=tuple(map(_course, told.courses)),
-        choices=tuple(_choice(words, run, told) for words, _ in told.choices),
-        meanings=tuple(run.speech.meaning(meaning) for _, meaning in told.choices),
+        waiting=explained.waiting,
+        courses=tuple(map(_course, explained.courses)),
+        choices=tuple(_choice(words, run, explained) for words, _ in explained.choices),
+        meanings=tuple(run.speech.meaning(meaning) for _, meaning in explained.choices),
     )
 
 
 def left_for(run: Run, subsystem: str) -> set[str]:
     """The flows that are told to wait for ever for this one, straight or through others."""
-    flows, found = run.view.flows, {subsystem}
+    flows, waiting = run.view.flows, {subsystem}
     while True:
-        more = {name for name, one in flows.items() if name not in found and found & set(one.waits_for)}
+        more = {name for name, flow in flows.items() if name not in waiting and waiting & set(flow.waits_for)}
         if not more:
-            return {one for one in found if one in run.view.stops and run.view.stops[one].kind == _DESERTED}
-        found |= more
+            return {
+                subsystem
+                for subsystem in waiting
+                if subsystem in run.view.stops and run.view.stops[subsystem].kind == _DESERTED
+            }
+        waiting |= more
 
 
 def standing(run: Run, whom: str) -> list[tuple[str, Remedy]]:
     """The flows that stand and do not pause, or the one of a subsystem: why, and what lets each go on."""
-    flows = {name: one for name, one in run.view.flows.items() if whom in ("", name)}
-    found = []
-    for name, one in flows.items():
-        if one.state == "stopped":
-            found.append((f"{name} stands at an error", Remedy(f"Clear {name}", act.Steer(f"clear {name}"))))
-        elif one.state == "waiting":
-            others = f" for {listed(one.waits_for)}" if one.waits_for else ""
-            text = f"{name} waits at {one.tag}{others}"
-            found.append((text, Remedy(f"Let {name} pass", act.Steer(f"pass {name}"))))
-    return found
+    flows = {name: flow for name, flow in run.view.flows.items() if whom in ("", name)}
+    ways = []
+    for name, flow in flows.items():
+        if flow.state == "stopped":
+            ways.append((f"{name} stands at an error", Remedy(f"Clear {name}", act.Steer(f"clear {name}"))))
+        elif flow.state == "waiting":
+            others = f" for {listed(flow.waits_for)}" if flow.waits_for else ""
+            text = f"{name} waits at {flow.tag}{others}"
+            ways.append((text, Remedy(f"Let {name} pass", act.Steer(f"pass {name}"))))
+    return ways
 
 
 def is_question(text: str) -> bool:
@@ -67,25 +71,25 @@ def is_question(text: str) -> bool:
 
 def loops(names: tuple[str, ...]) -> tuple[str, ...]:
     """Loops by the words of their tags, outermost first."""
-    return tuple(one.rpartition("/")[2].partition("#")[0] for one in names)
+    return tuple(name.rpartition("/")[2].partition("#")[0] for name in names)
 
 
-def tag(told: str) -> str:
+def tag(text: str) -> str:
     """A synchronisation tag by the word that stands in the file."""
-    return told.rpartition(" ")[2]
+    return text.rpartition(" ")[2]
 
 
-def _choice(words: str, run: Run, told: event.Explained) -> Remedy:
+def _choice(words: str, run: Run, explained: event.Explained) -> Remedy:
     """A word of steering; one that leaves open which action is shown and not done at once, if there are several."""
     if not words.endswith(" N"):
         return Remedy(words, act.Steer(words))
     verb, *whom = words.split()[:-1]
-    subsystem = whom[0] if whom else told.subsystem
-    others = set(range(run.cast.count(subsystem))) - {told.index if subsystem == told.subsystem else -1}
+    subsystem = whom[0] if whom else explained.subsystem
+    others = set(range(run.cast.count(subsystem))) - {explained.index if subsystem == explained.subsystem else -1}
     return Remedy(words, act.Steer(f"{verb} {subsystem} {others.pop() + 1}") if len(others) == 1 else None)
 
 
-def _course(one: event.Course) -> CourseView:
-    every = max(1, -(-len(one.at_s) // _MOST_SAMPLES))
-    newest = slice((len(one.at_s) - 1) % every, None, every)
-    return CourseView(one.variable, one.unit, one.at_s[newest], one.values[newest])
+def _course(course: event.Course) -> CourseView:
+    every = max(1, -(-len(course.at_s) // _MOST_SAMPLES))
+    newest = slice((len(course.at_s) - 1) % every, None, every)
+    return CourseView(course.variable, course.unit, course.at_s[newest], course.values[newest])

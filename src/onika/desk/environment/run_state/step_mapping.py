@@ -61,12 +61,12 @@ _Partners = Mapping[tuple[int, int], PlannedAction]
 
 
 def _partners(recorded: Plan, now: Plan) -> dict[tuple[int, int], PlannedAction]:
-    found = {}
+    partners = {}
     for flow, other in _pairs(recorded, now):
         actions = now.flows[other].actions
         for at, there in _same(recorded.flows[flow], now.flows[other]):
-            found[flow, at] = actions[there]
-    return found
+            partners[flow, at] = actions[there]
+    return partners
 
 
 def _pairs(recorded: Plan, now: Plan) -> Iterator[tuple[int, int]]:
@@ -88,21 +88,21 @@ def _pairs(recorded: Plan, now: Plan) -> Iterator[tuple[int, int]]:
 
 def _same(recorded: PlannedFlow, now: PlannedFlow) -> Iterator[tuple[int, int]]:
     """The actions that are the same, by their indices."""
-    one, other = _words(recorded), _words(now)
-    if one == other:
-        yield from ((at, at) for at, _ in enumerate(one))
+    mine, other = _words(recorded), _words(now)
+    if mine == other:
+        yield from ((at, at) for at, _ in enumerate(mine))
         return
-    for block in SequenceMatcher(None, one, other, autojunk=False).get_matching_blocks():
+    for block in SequenceMatcher(None, mine, other, autojunk=False).get_matching_blocks():
         yield from ((block.a + k, block.b + k) for k in range(block.size))
 
 
-def _likeness(one: PlannedFlow, other: PlannedFlow) -> float:
-    return SequenceMatcher(None, _words(one), _words(other), autojunk=False).ratio()
+def _likeness(planned_flow: PlannedFlow, other: PlannedFlow) -> float:
+    return SequenceMatcher(None, _words(planned_flow), _words(other), autojunk=False).ratio()
 
 
 def _words(flow: PlannedFlow) -> list[tuple[str, ...]]:
     """What its actions are called, and the applications and branches in which they stand."""
-    return [(*one.within, one.name) for one in flow.actions]
+    return [(*action.within, action.name) for action in flow.actions]
 
 
 # -- what is made of it
@@ -111,26 +111,26 @@ def _words(flow: PlannedFlow) -> list[tuple[str, ...]]:
 def _placed(recorded: Plan, partners: _Partners) -> Plan:
     flows = []
     for number, flow in enumerate(recorded.flows):
-        actions = tuple(_at(one, partners.get((number, index))) for index, one in enumerate(flow.actions))
+        actions = tuple(_at(action, partners.get((number, index))) for index, action in enumerate(flow.actions))
         flows.append(structs.replace(flow, actions=actions))
     return structs.replace(recorded, flows=tuple(flows))
 
 
-def _at(one: PlannedAction, partner: PlannedAction | None) -> PlannedAction:
+def _at(planned_action: PlannedAction, partner: PlannedAction | None) -> PlannedAction:
     if partner is None:
-        return structs.replace(one, spot=())
-    return structs.replace(one, spot=partner.spot, place=partner.place, line=partner.line)
+        return structs.replace(planned_action, spot=())
+    return structs.replace(planned_action, spot=partner.spot, place=partner.place, line=partner.line)
 
 
 def _told(speech: Speech, recorded: Plan, plan: Plan) -> Speech:
     """The words of now, for what was told with the places of then."""
-    heard = speech.hearing(recorded)
-    actions = dict(heard.actions)
+    recorded_speech = speech.hearing(recorded)
+    actions = dict(recorded_speech.actions)
     for flow, now in zip(recorded.flows, plan.flows, strict=True):
-        for one, placed in zip(flow.actions, now.actions, strict=True):
-            said = speech.action(placed)
-            actions[f"{Place(one.place, one.line)} ({one.name})"] = actions[one.name] = said
-    return replace(heard, actions=actions)
+        for action, placed in zip(flow.actions, now.actions, strict=True):
+            shown = speech.action(placed)
+            actions[f"{Place(action.place, action.line)} ({action.name})"] = actions[action.name] = shown
+    return replace(recorded_speech, actions=actions)
 
 
 def _changed(recorded: Plan, present: Present, partners: _Partners) -> Iterator[str]:
@@ -142,7 +142,7 @@ def _changed(recorded: Plan, present: Present, partners: _Partners) -> Iterator[
     more = sum(len(flow.actions) for flow in present.plan.flows) - len(partners)
     changed = f"{present.name} has changed since it was recorded"
     if lacking:
-        names = list(dict.fromkeys(present.speech.action(one) for one in lacking))
+        names = list(dict.fromkeys(present.speech.action(planned_action) for planned_action in lacking))
         some = ", ".join(names[:_NAMED]) + (", …" if len(names) > _NAMED else "")
         have = "has" if len(lacking) == 1 else "have"
         yield f"{changed}: {len(lacking)} of {len(every)} recorded actions {have} no icon now: {some}"

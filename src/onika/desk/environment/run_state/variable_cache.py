@@ -19,15 +19,15 @@ class Kept:
     def get(self, address: str) -> Samples | None:
         """Those of a variable; None: it has to be read."""
         with self._lock:
-            known = self._known.pop(address, None)
-            if known is not None:
-                self._known[address] = known
-            return known
+            samples = self._known.pop(address, None)
+            if samples is not None:
+                self._known[address] = samples
+            return samples
 
     def put(self, address: str, samples: Samples) -> None:
         """Keep them; the newest are kept in any case."""
         with self._lock:
             self._known.pop(address, None)
             self._known[address] = samples
-            while len(self._known) > 1 and sum(one.bytes for one in self._known.values()) > self._most:
+            while len(self._known) > 1 and sum(samples.bytes for samples in self._known.values()) > self._most:
                 del self._known[next(iter(self._known))]

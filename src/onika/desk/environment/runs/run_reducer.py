@@ -82,7 +82,7 @@ def _says(run: Run, told: event.Event, *, is_held: bool) -> tuple[page.Say, ...]
         case event.Explained() if told.choices and not is_held:  # an end is told with the result, a stop by the stop
             where = run.step_at(told.subsystem, told.index)
             who_ = "/".join(one for one in (told.subsystem, told.task) if one)
-            text = run.speech.said(f"{who_}: {told.text}" if who_ else told.text)
+            text = run.speech.with_icons(f"{who_}: {told.text}" if who_ else told.text)
             return (page.Say("error", text, doc, f"step:{where}" if where else "", told.at_s),)
         case event.Warned() | event.Stepped():
             return (page.Say("warning", run.view.notes[-1], doc, "", told.at_s),)

@@ -26,7 +26,7 @@ class _Flow:
 
     flow: AppFlow
     view: AppFlowView
-    known: Mapping[int, Known]
+    step_views: Mapping[int, Known]
     steps: Mapping[str, StepView]
     holes: int
 
@@ -54,19 +54,19 @@ class ApplicationSight:
             undo=past.last.label if past.last else "",
             redo=past.next.label if past.next else "",
             is_parallel=opened.application.is_parallel,
-            flows={path: one.view for path, one in self._flows.items()},
+            flows={path: flow.view for path, flow in self._flows.items()},
             steps=self._marked(opened if looked else None),
-            holes=sum(one.holes for one in self._flows.values()),
+            holes=sum(flow.holes for flow in self._flows.values()),
             faults=self._told(opened, looked),
             is_judged=opened.is_judged,
             is_checked=looked is not None,
             is_running=is_running,
-            redirects=tuple(_wish(opened, one) for one in opened.redirects),
+            redirects=tuple(_wish(opened, redirect) for redirect in opened.redirects),
         )
 
     def _marked(self, looked_at: OpenApplication | None) -> dict[str, StepView]:
         """The steps by their numbers, with what became of them where a runtime has looked at what is here now."""
-        steps = {number: view for one in self._flows.values() for number, view in one.steps.items()}
+        steps = {number: view for flow in self._flows.values() for number, view in flow.steps.items()}
         for number, note in (looked_at.marks if looked_at is not None else {}).items():
             if (view := steps.get(str(number))) is not None:
                 steps[str(number)] = structs.replace(view, note=note)
@@ -75,51 +75,53 @@ class ApplicationSight:
     def _look(self, opened: OpenApplication, model: Model) -> None:
         """Make anew what changed; all of it where the types or the dictionaries are others."""
         of = (model.syntax, model.dictionaries)
-        is_same = all(one is other for one, other in zip(of, self._of, strict=True))
+        is_same = all(part is other for part, other in zip(of, self._of, strict=True))
         former, self._of = self._flows if is_same else {}, of
         flows = dict(flows_by_path(opened.application))
         stays = {path for path, before in former.items() if before.flow is flows.get(path)}
-        known = {number: one for path in former.keys() - stays for number, one in former[path].known.items()}
+        former_steps = {
+            number: step_view for path in former.keys() - stays for number, step_view in former[path].step_views.items()
+        }
         self._flows = {
-            path: former[path] if path in stays else _seen(path, flow, model, former.get(path), known)
+            path: former[path] if path in stays else _seen(path, flow, model, former.get(path), former_steps)
             for path, flow in flows.items()
         }
 
     def _told(self, opened: OpenApplication, looked: Looked | None) -> dict[str, FaultView]:
         """What is wrong with its file, then with what is here, as it was looked at last."""
-        told, judgement, looked_before, faults = self._faults
-        if told is opened.told and judgement is opened.judgement and looked_before is looked:
+        file_faults, judgement, looked_before, faults = self._faults
+        if file_faults is opened.file_faults and judgement is opened.judgement and looked_before is looked:
             return faults
         judged = opened.judgement.faults if opened.judgement else ()
-        known = {(one.step, one.text) for one in judged}
-        more = [one for one in looked.faults if (one.step, one.text) not in known] if looked else []
-        found = _keyed("file", opened.told) | _keyed("here", judged) | _keyed("runtime", more)
-        self._faults = (opened.told, opened.judgement, looked, found)
-        return found
+        shown_already = {(fault.step, fault.text) for fault in judged}
+        more = [fault for fault in looked.faults if (fault.step, fault.text) not in shown_already] if looked else []
+        fault_views = _keyed("file", opened.file_faults) | _keyed("here", judged) | _keyed("runtime", more)
+        self._faults = (opened.file_faults, opened.judgement, looked, fault_views)
+        return fault_views
 
 
 def _keyed(where: str, faults: Iterable[FaultView]) -> dict[str, FaultView]:
     """By where they were found, their steps, and a count of those: one more at one step gives no other a new key."""
     counts: Counter[int] = Counter()
-    found = {}
-    for one in faults:
-        counts[one.step] += 1
-        found[f"{where} {one.step} {counts[one.step]}"] = one
-    return found
+    keyed = {}
+    for fault in faults:
+        counts[fault.step] += 1
+        keyed[f"{where} {fault.step} {counts[fault.step]}"] = fault
+    return keyed
 
 
-def _wish(opened: OpenApplication, one: Redirect) -> RedirectView:
-    known = opened.judgement.homes.get(one.old, ()) if opened.judgement is not None else ()
-    return RedirectView(one.old, one.new, one.home, (one.home,) if one.home else known)
+def _wish(opened: OpenApplication, redirect: Redirect) -> RedirectView:
+    homes = opened.judgement.homes.get(redirect.old, ()) if opened.judgement is not None else ()
+    return RedirectView(redirect.old, redirect.new, redirect.home, (redirect.home,) if redirect.home else homes)
 
 
-def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, known: Mapping[int, Known]) -> _Flow:
+def _seen(path: str, flow: AppFlow, model: Model, before: _Flow | None, former_steps: Mapping[int, Known]) -> _Flow:
     syntax = syntax_of(model)
-    made = step_views(flow, path, model, known, before.flow if before else None)
+    made = step_views(flow, path, model, former_steps, before.flow if before else None)
     view = AppFlowView(tuple(made), end=_edge(END, syntax, is_left=True), start=_edge(START, syntax, is_left=False))
     if before is not None and before.view == view:
         view = before.view
-    steps = {str(number): one.view for number, one in made.items()}
+    steps = {str(number): step_view.view for number, step_view in made.items()}
     return _Flow(flow, view, made, steps, sum(isinstance(step, Hole) for step in flow.steps))
 
 

@@ -20,15 +20,15 @@ from onika.wire.view import DictionaryView, OnikonView
 def dictionary_views(model: Model) -> dict[str, DictionaryView]:
     """The open dictionaries, by the paths of their base directories."""
     return {
-        str(one.base.path): DictionaryView(
-            name=one.base.path.name,
-            path=str(one.base.path),
+        str(dictionary.base.path): DictionaryView(
+            name=dictionary.base.path.name,
+            path=str(dictionary.base.path),
             order=order,
-            onikons=len(one.onikons),
-            faults=tuple(plain(str(fault)) for fault in one.faults),
-            is_shipped=is_shipped(one.base.path),
+            onikons=len(dictionary.onikons),
+            faults=tuple(plain(str(fault)) for fault in dictionary.faults),
+            is_shipped=is_shipped(dictionary.base.path),
         )
-        for order, one in enumerate(model.dictionaries)
+        for order, dictionary in enumerate(model.dictionaries)
     }
 
 
@@ -38,13 +38,13 @@ def onikon_views(model: Model, former: Mapping[str, OnikonView]) -> dict[str, On
     if syntax is None:
         return {}
     sources = Sources(model, syntax)
-    found = {}
+    views = {}
     for dictionary in model.dictionaries:
         for order, (name, opened) in enumerate(dictionary.onikons.items()):
             view = _view(opened, order, dictionary, sources, syntax)
-            known = former.get(name)
-            found[name] = known if known is not None and known == view else view
-    return found
+            former_view = former.get(name)
+            views[name] = former_view if former_view is not None and former_view == view else view
+    return views
 
 
 def _view(opened: Opened[Onikon], order: int, dictionary: Dictionary, sources: Sources, syntax: Syntax) -> OnikonView:

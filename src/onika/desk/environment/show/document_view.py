@@ -15,32 +15,32 @@ _V = TypeVar("_V")
 
 def library_views(shelf: Shelf) -> dict[str, LibraryView]:
     """The open libraries, by their paths; those in which nothing is to be seen come last."""
-    libraries = sorted(shelf.libraries, key=lambda one: not one.tasks and not one.faults)
+    libraries = sorted(shelf.libraries, key=lambda library: not library.tasks and not library.faults)
     return {
-        str(one.base.path): LibraryView(
-            name=one.base.path.name,
-            path=str(one.base.path),
+        str(library.base.path): LibraryView(
+            name=library.base.path.name,
+            path=str(library.base.path),
             order=order,
-            tasks=len(one.tasks),
-            faults=tuple(str(fault) for fault in one.faults),
-            is_shipped=is_shipped(one.base.path),
+            tasks=len(library.tasks),
+            faults=tuple(str(fault) for fault in library.faults),
+            is_shipped=is_shipped(library.base.path),
         )
-        for order, one in enumerate(libraries)
+        for order, library in enumerate(libraries)
     }
 
 
 def task_views(shelf: Shelf, former: Mapping[str, TaskView], before: Shelf | None) -> dict[str, TaskView]:
     """Every task of the open libraries; what looks as it did in the shelf `before` is the same object."""
-    found = {}
+    views = {}
     is_near = before is not None and _is_near(shelf, before)
     for order, (name, task) in enumerate(shelf.tasks.items()):
-        known = former.get(name)
-        if known is not None and before is not None and is_near and _is_same(name, shelf, before):
-            found[name] = known
+        former_view = former.get(name)
+        if former_view is not None and before is not None and is_near and _is_same(name, shelf, before):
+            views[name] = former_view
             continue
         view = _task(name, task, order, shelf)
-        found[name] = known if known is not None and known == view else view
-    return found
+        views[name] = former_view if former_view is not None and former_view == view else view
+    return views
 
 
 def _is_near(shelf: Shelf, before: Shelf) -> bool:
@@ -67,8 +67,8 @@ def _task(name: str, task: Task, order: int, shelf: Shelf) -> TaskView:
     pins = []
     for pin in box.pins if box else ():
         port = ports.get(pin.name)
-        told = (port.shape, port.unit, port.meaning) if port else ("", "", "")
-        pins.append(PinView(pin.name, pin.svar, pin.kind.value, pin.y, *told))
+        declared = (port.shape, port.unit, port.meaning) if port else ("", "", "")
+        pins.append(PinView(pin.name, pin.svar, pin.kind.value, pin.y, *declared))
     return TaskView(
         name=name,
         module=task.module,
@@ -131,7 +131,7 @@ def document_view(
 
 def _kept(new: dict[str, _V], old: dict[str, _V]) -> dict[str, _V]:
     """The same objects for what is equal, and the same map where everything is."""
-    same = {key: old[key] if old.get(key) == one else one for key, one in new.items()}
-    if len(same) == len(old) and all(old.get(key) is one for key, one in same.items()):
+    same = {key: old[key] if old.get(key) == value else value for key, value in new.items()}
+    if len(same) == len(old) and all(old.get(key) is value for key, value in same.items()):
         return old
     return same

@@ -95,8 +95,8 @@ def _edited(former: Shelf, shelf: Shelf) -> set[str] | None:
         return set()
     if former.tasks.keys() != shelf.tasks.keys():
         return None
-    found = {name for name, task in shelf.tasks.items() if former.tasks[name] is not task}
-    return found if len(found) <= _FEW else None
+    tasks = {name for name, task in shelf.tasks.items() if former.tasks[name] is not task}
+    return tasks if len(tasks) <= _FEW else None
 
 
 def _keep_order(former: Sequence[str], names: Sequence[str]) -> bool:

@@ -11,19 +11,19 @@ from onika.words.fault import Refusal
 def objections(document: Document, shelf: Shelf) -> dict[str, tuple[Reason, ...]]:
     """Why tasks would not run, as far as a runtime has read their modules."""
     placed = {name for name in document.content.names if name in shelf.tasks}
-    found: dict[str, list[Refusal]] = {}
+    refusals: dict[str, list[Refusal]] = {}
     for svar, users in shelf.contested.items():
         standing = [name for name in users if name in placed]
         for name in users if standing else ():
-            found.setdefault(name, []).extend(agreement.disagreements(name, svar, users, standing))
+            refusals.setdefault(name, []).extend(agreement.disagreements(name, svar, users, standing))
     for device, names in shelf.rivals.items():
         standing = [name for name in names if name in placed]
         for name in names if standing else ():
-            found.setdefault(name, []).extend(agreement.claims(name, device, standing))
-    told = {name: reasons(why, document.id, shelf.tasks[name]) for name, why in found.items() if why}
+            refusals.setdefault(name, []).extend(agreement.claims(name, device, standing))
+    objections_by_task = {name: reasons(why, document.id, shelf.tasks[name]) for name, why in refusals.items() if why}
     for name, reason in _unread(shelf).items():
-        told[name] = (reason, *told.get(name, ()))
-    return {name: why for name, why in told.items() if name not in placed}
+        objections_by_task[name] = (reason, *objections_by_task.get(name, ()))
+    return {name: why for name, why in objections_by_task.items() if name not in placed}
 
 
 def _unread(shelf: Shelf) -> dict[str, Reason]:

@@ -25,13 +25,17 @@ _WIDTH, _HEIGHT = 136, 64
 """Of a task that no open library has."""
 
 
-def peek(model: Model, asked: act.Peek, outside: Surroundings) -> Done | No:
+def peek(model: Model, command: act.Peek, outside: Surroundings) -> Done | No:
     """What the file says now; the value is a `view.PeekView`."""
-    path = Path(asked.path)
+    path = Path(command.path)
     if path.suffix == ".appl":
         return _application(model, path)
-    found = configurations.read(asked.path, outside)
-    return found if isinstance(found, No) else Done(model, value=_drawn(found[1].value, model.shelf))
+    configuration = configurations.read(command.path, outside)
+    return (
+        configuration
+        if isinstance(configuration, No)
+        else Done(model, value=_drawn(configuration[1].value, model.shelf))
+    )
 
 
 def _application(model: Model, path: Path) -> Done | No:
@@ -39,22 +43,22 @@ def _application(model: Model, path: Path) -> Done | No:
         return No("there is no syntax definition: icons have no types")
     application, faults = BaseDirectory(path.absolute().parent.parent).application(path.stem, model.syntax)
     if application is None:
-        return No(f"{path} cannot be read: " + "; ".join(plain(str(one)) for one in faults))
+        return No(f"{path} cannot be read: " + "; ".join(plain(str(fault)) for fault in faults))
     return Done(model, value=PeekView(application.name, flows=tuple(_flows(application, model.syntax))))
 
 
 def _flows(application: Application, syntax: Syntax) -> Iterator[tuple[PeekIcon, ...]]:
     for flow in application.flows[:_FLOWS]:
-        icons = [one.onikon for one in flow.steps if isinstance(one, Icon)][:_ICONS]
-        yield tuple(PeekIcon("".join(one.picture.rows), *edges_of(syntax.acting(one.type))) for one in icons)
+        icons = [step.onikon for step in flow.steps if isinstance(step, Icon)][:_ICONS]
+        yield tuple(PeekIcon("".join(icon.picture.rows), *edges_of(syntax.acting(icon.type))) for icon in icons)
 
 
 def _drawn(configuration: Configuration, shelf: Shelf) -> PeekView:
-    boxes = {one.task: shelf.box(one.task) for one in configuration.placed}
+    boxes = {placed.task: shelf.box(placed.task) for placed in configuration.placed}
     places = {
-        one.task: (one.x, one.y, box.width if box else _WIDTH, box.height if box else _HEIGHT)
-        for one in configuration.placed
-        for box in (boxes[one.task],)
+        placed.task: (placed.x, placed.y, box.width if box else _WIDTH, box.height if box else _HEIGHT)
+        for placed in configuration.placed
+        for box in (boxes[placed.task],)
     }
     return PeekView(configuration.name, places, tuple(dict.fromkeys(_wires(boxes.items()))))
 

@@ -7,9 +7,9 @@ from onika.desk.environment.state.model import Model
 from onika.wire import act, live
 
 
-def scene(model: Model, asked: act.Scene, _outside: Surroundings) -> Procedure:
+def scene(model: Model, command: act.Scene, _outside: Surroundings) -> Procedure:
     """Ask what a world consists of."""
-    model, response = yield Ask(model, live.Scene(asked.world))
+    model, response = yield Ask(model, live.Scene(command.world))
     if isinstance(response, live.Scenery):
         return Done(model, value=response.scene)
     return No(refusal(response))

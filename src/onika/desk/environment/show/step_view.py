@@ -48,15 +48,15 @@ def step_views(
     """
     steps, syntax = flow.steps, syntax_of(model)
     start, end = _touched(before, flow, syntax) if before is not None else (0, len(steps))
-    found = {step.number: former[step.number] for step in steps[:start]}
+    views = {step.number: former[step.number] for step in steps[:start]}
     part = AppFlow(steps[start : end + 1])  # with the next action, as a hole before it has its edge
     for step, stand in zip(steps[start:end], _stands(part, path, syntax), strict=False):
-        known = former.get(step.number)
-        if known is None or known.step is not step or known.stand != stand:
-            known = Known(step, stand, _view(step, stand, model))
-        found[step.number] = known
-    found.update((step.number, former[step.number]) for step in steps[end:])
-    return found
+        former_view = former.get(step.number)
+        if former_view is None or former_view.step is not step or former_view.stand != stand:
+            former_view = Known(step, stand, _view(step, stand, model))
+        views[step.number] = former_view
+    views.update((step.number, former[step.number]) for step in steps[end:])
+    return views
 
 
 def _touched(before: AppFlow, flow: AppFlow, syntax: Syntax) -> tuple[int, int]:
@@ -78,7 +78,7 @@ def _stands(flow: AppFlow, path: str, syntax: Syntax) -> list[Stand]:
     acting = actions(flow, syntax)
     joined, wants = _joined(flow, acting, syntax)
     every = kinds(flow, syntax, acting)
-    found = []
+    wanted = []
     for at, step in enumerate(flow.steps):
         before, kind, after = every[at], every[at + 1], every[at + 2]
         if isinstance(step, Hole):
@@ -86,8 +86,8 @@ def _stands(flow: AppFlow, path: str, syntax: Syntax) -> list[Stand]:
         else:
             left, right = (kind.left_edge, kind.right_edge) if kind else ("", "")
         where = path if isinstance(step, Branch) else ""
-        found.append(Stand(str(left), str(right), at in joined, tuple(wants.get(at, ())), where))
-    return found
+        wanted.append(Stand(str(left), str(right), at in joined, tuple(wants.get(at, ())), where))
+    return wanted
 
 
 def _joined(flow: AppFlow, acting: Sequence[Action], syntax: Syntax) -> tuple[set[int], dict[int, list[str]]]:
@@ -99,7 +99,7 @@ def _joined(flow: AppFlow, acting: Sequence[Action], syntax: Syntax) -> tuple[se
             continue
         positions = action.positions
         joined.update(positions)
-        if any(isinstance(one, Hole) for one in action.targets):
+        if any(isinstance(target, Hole) for target in action.targets):
             for position, kind in zip(positions, wanted_targets(action.icon.onikon, syntax), strict=False):
                 if isinstance(flow.steps[position], Hole):
                     wants.setdefault(position, []).append(kind)

@@ -47,7 +47,7 @@ class Projector:
             documents=documents,
             files=dict(model.files),
             application_files=dict(model.application_files),
-            clipboard=" ".join(one.task for one in model.buffer.placed),
+            clipboard=" ".join(placed.task for placed in model.buffer.placed),
             runtime=model.runtime,
             preferences=self._once("preferences", (model.preferences, model.habits), lambda: preference_values(model)),
             buttons=self._once("buttons", (model.buttons, model.runs), lambda: button_views(model)),
@@ -132,9 +132,9 @@ class Projector:
 
     def _once(self, key: str, of: tuple[Any, ...], make: Any) -> Any:
         """What `make` gives, made anew only where one of `of` is another object."""
-        known = self._made.get(key)
-        if known is not None and all(_is_same(old, new) for old, new in zip(known[0], of, strict=True)):
-            return known[1]
+        made_before = self._made.get(key)
+        if made_before is not None and all(_is_same(old, new) for old, new in zip(made_before[0], of, strict=True)):
+            return made_before[1]
         made = make()
         self._made[key] = (of, made)
         return made

@@ -28,31 +28,40 @@ class Seen:
 def placed_views(document: Document, shelf: Shelf, seen: Seen | None) -> dict[str, PlacedView]:
     """The tasks on the canvas."""
     old = seen.view.tasks if seen else {}
-    known = {one.task: one for one in seen.document.content.configuration.placed} if seen else {}
+    placed_before = {placed.task: placed for placed in seen.document.content.configuration.placed} if seen else {}
     facts, former = _facts(document), _facts(seen.document) if seen else {}
     tasks = shelf.tasks
-    found: dict[str, PlacedView] = {}
-    for one in document.content.configuration.placed:
-        name, view = one.task, old.get(one.task)
+    views: dict[str, PlacedView] = {}
+    for placed in document.content.configuration.placed:
+        name, view = placed.task, old.get(placed.task)
         is_missing, fact = name not in tasks, facts.get(name)
-        is_old = view is not None and known[name] is one and former.get(name) is fact and view.is_missing == is_missing
-        found[name] = view if is_old and view else _same(_placed(one, fact, is_missing, document), view)
-    return _same_map(found, old)
+        is_old = (
+            view is not None
+            and placed_before[name] is placed
+            and former.get(name) is fact
+            and view.is_missing == is_missing
+        )
+        views[name] = view if is_old and view else _same(_placed(placed, fact, is_missing, document), view)
+    return _same_map(views, old)
 
 
 def locus_views(document: Document, shelf: Shelf, seen: Seen | None) -> dict[str, LocusView]:
     """The loci on the canvas."""
     old = seen.view.loci if seen else {}
     touched = _touched(document, shelf, seen) if seen else None
-    former = {one.svar: one for one in seen.document.content.configuration.loci} if seen else {}
+    former = {locus.svar: locus for locus in seen.document.content.configuration.loci} if seen else {}
     loci = document.content.configuration.loci
-    stale = {one.svar for one in loci if touched is None or one.svar in touched or former.get(one.svar) is not one}
+    stale = {
+        locus.svar for locus in loci if touched is None or locus.svar in touched or former.get(locus.svar) is not locus
+    }
     users = _users(document.content.names, shelf, stale) if stale else {}
     return _same_map(
         {
-            svar: _same(_locus(one, users.get(svar, _NOBODY), document), old.get(svar)) if svar in stale else old[svar]
-            for one in loci
-            for svar in (one.svar,)
+            svar: _same(_locus(locus, users.get(svar, _NOBODY), document), old.get(svar))
+            if svar in stale
+            else old[svar]
+            for locus in loci
+            for svar in (locus.svar,)
         },
         old,
     )
@@ -62,7 +71,7 @@ def group_views(document: Document, seen: Seen | None) -> dict[str, GroupView]:
     """The supermodules."""
     old = seen.view.groups if seen else {}
     groups = document.content.configuration.groups
-    return _same_map({one.name: _same(GroupView(one.tasks), old.get(one.name)) for one in groups}, old)
+    return _same_map({group.name: _same(GroupView(group.tasks), old.get(group.name)) for group in groups}, old)
 
 
 @dataclass(slots=True)
@@ -97,7 +106,9 @@ def _touched(document: Document, shelf: Shelf, seen: Seen) -> set[str] | None:
     """The variables whose users, or the states of those, have changed; None: all may have."""
     before, now = seen.document.content.names, document.content.names
     changed = set(before) ^ set(now)
-    if before != now and [one for one in before if one not in changed] != [one for one in now if one not in changed]:
+    if before != now and [name for name in before if name not in changed] != [
+        name for name in now if name not in changed
+    ]:
         return None
     old, new = _facts(seen.document), _facts(document)
     if old is not new:
@@ -113,7 +124,7 @@ def _state(facts: TaskFacts | None) -> str:
 
 
 def _users(names: Sequence[str], shelf: Shelf, svars: Set[str]) -> dict[str, _Users]:
-    found: dict[str, _Users] = {}
+    users_by_svar: dict[str, _Users] = {}
     for name in names:
         box = shelf.box(name)
         if box is None or svars.isdisjoint(box.uses):
@@ -121,20 +132,20 @@ def _users(names: Sequence[str], shelf: Shelf, svars: Set[str]) -> dict[str, _Us
         for pin in box.pins:
             if pin.svar not in svars:
                 continue
-            users = found.setdefault(pin.svar, _Users([], []))
+            users = users_by_svar.setdefault(pin.svar, _Users([], []))
             side = users.readers if pin.kind.is_input else users.writers
             if not side or side[-1] != name:
                 side.append(name)
             if pin.kind.at_cycle:
                 users.is_constant = False
-    return found
+    return users_by_svar
 
 
-def _locus(one: Locus, users: _Users, document: Document) -> LocusView:
+def _locus(locus: Locus, users: _Users, document: Document) -> LocusView:
     return LocusView(
-        x=one.x,
-        y=one.y,
-        is_shown=one.show,
+        x=locus.x,
+        y=locus.y,
+        is_shown=locus.show,
         line=_line(users.writers, document),
         is_constant=users.is_constant,
         writers=tuple(users.writers),
@@ -151,25 +162,25 @@ def _line(writers: Sequence[str], document: Document) -> Literal["live", "idle",
     return "stale" if "ERROR" in states else "idle"
 
 
-def _placed(one: Placed, facts: TaskFacts | None, is_missing: bool, document: Document) -> PlacedView:
+def _placed(placed: Placed, facts: TaskFacts | None, is_missing: bool, document: Document) -> PlacedView:
     if facts is None:
-        return PlacedView(one.x, one.y, one.in_left, one.frequency, one.rtpu, is_missing=is_missing)
+        return PlacedView(placed.x, placed.y, placed.in_left, placed.frequency, placed.rtpu, is_missing=is_missing)
     return PlacedView(
-        x=one.x,
-        y=one.y,
-        in_left=one.in_left,
-        hz=one.frequency,
-        rtpu=facts.rtpu or one.rtpu,
+        x=placed.x,
+        y=placed.y,
+        in_left=placed.in_left,
+        hz=placed.frequency,
+        rtpu=facts.rtpu or placed.rtpu,
         state=cast("State", facts.state),  # the words of a lifecycle, as the runtime tells them
         note=facts.note,
         is_missing=is_missing,
         ask=_ask(facts),
-        error=error_view(document, one.task, facts),
+        error=error_view(document, placed.task, facts),
         warnings=facts.warnings,
     )
 
 
 def _ask(facts: TaskFacts) -> AskView | None:
-    if facts.asked is None or facts.state != "ASKING":
+    if facts.question is None or facts.state != "ASKING":
         return None
-    return ask_view(facts.asked, facts.present)
+    return ask_view(facts.question, facts.present)

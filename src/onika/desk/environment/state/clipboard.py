@@ -31,14 +31,14 @@ class Copied:
     @property
     def corner(self) -> tuple[int, int]:
         """The upper left corner of all tasks; raises ValueError where there are none."""
-        return min(one.x for one in self.placed), min(one.y for one in self.placed)
+        return min(placed.x for placed in self.placed), min(placed.y for placed in self.placed)
 
     def at(self, x: int, y: int) -> "Copied":
         """The same with its upper left corner elsewhere."""
         left, top = self.corner
         right, down = x - left, y - top
-        placed = tuple(replace(one, x=one.x + right, y=one.y + down) for one in self.placed)
-        loci = tuple(replace(one, x=one.x + right, y=one.y + down) for one in self.loci)
+        placed = tuple(replace(placed, x=placed.x + right, y=placed.y + down) for placed in self.placed)
+        loci = tuple(replace(locus, x=locus.x + right, y=locus.y + down) for locus in self.loci)
         return replace(self, placed=placed, loci=loci)
 
 
@@ -46,37 +46,40 @@ def copied(configuration: Configuration, names: Iterable[str], svars: Iterable[s
     """Some tasks of a configuration; `svars` are the variables that they use."""
     tasks, variables = set(names), set(svars)
     return Copied(
-        tuple(one for one in configuration.placed if one.task in tasks),
-        tuple(one for one in configuration.loci if one.svar in variables),
-        tuple(one for one in configuration.groups if tasks.issuperset(one.tasks)),
+        tuple(placed for placed in configuration.placed if placed.task in tasks),
+        tuple(locus for locus in configuration.loci if locus.svar in variables),
+        tuple(group for group in configuration.groups if tasks.issuperset(group.tasks)),
     )
 
 
-def write(found: Copied) -> str:
+def write(copied: Copied) -> str:
     """The text of what was copied."""
-    tasks = tuple(_Task(one.task, one.x, one.y, one.in_left, one.frequency, one.rtpu) for one in found.placed)
-    loci = tuple(_Locus(one.svar, one.x, one.y, one.show) for one in found.loci)
-    groups = tuple(_Group(one.name, one.tasks) for one in found.groups)
+    tasks = tuple(
+        _Task(placed.task, placed.x, placed.y, placed.in_left, placed.frequency, placed.rtpu)
+        for placed in copied.placed
+    )
+    loci = tuple(_Locus(locus.svar, locus.x, locus.y, locus.show) for locus in copied.loci)
+    groups = tuple(_Group(group.name, group.tasks) for group in copied.groups)
     return msgspec.json.encode(_Text(_VERSION, tasks, loci, groups)).decode()
 
 
 def read(text: str) -> Copied | str:
     """What a text holds; a sentence where it was not copied from a configuration."""
     try:
-        found = _DECODER.decode(text)
+        decoded = _DECODER.decode(text)
     except (msgspec.DecodeError, UnicodeEncodeError) as wrong:
         return f"expected tasks that were copied from a configuration, found {_beginning(text)} ({wrong})"
-    if found.onika != _VERSION:
-        return f"expected tasks as this version copies them, found those of version {found.onika}"
-    wrong_names = [one.task for one in found.tasks if not TASK_NAME.match(one.task)]
-    wrong_names += [one.svar for one in found.loci if not SVAR_NAME.match(one.svar)]
-    wrong_names += [one.rtpu for one in found.tasks if not TASK_NAME.match(one.rtpu)]
-    wrong_names += [one.name for one in found.groups if not TASK_NAME.match(one.name)]
+    if decoded.onika != _VERSION:
+        return f"expected tasks as this version copies them, found those of version {decoded.onika}"
+    wrong_names = [task.task for task in decoded.tasks if not TASK_NAME.match(task.task)]
+    wrong_names += [locus.svar for locus in decoded.loci if not SVAR_NAME.match(locus.svar)]
+    wrong_names += [task.rtpu for task in decoded.tasks if not TASK_NAME.match(task.rtpu)]
+    wrong_names += [group.name for group in decoded.groups if not TASK_NAME.match(group.name)]
     if wrong_names:
         return f"expected names of tasks, units and variables, found {_beginning(wrong_names[0])}"
-    if any(not math.isfinite(one.hz) or one.hz < 0 for one in found.tasks):
+    if any(not math.isfinite(task.hz) or task.hz < 0 for task in decoded.tasks):
         return "expected rates of at least 0 Hz, found another"
-    return _unique(found)
+    return _unique(decoded)
 
 
 class _Task(Struct, frozen=True):
@@ -110,20 +113,20 @@ class _Text(Struct, frozen=True, omit_defaults=True):
 _DECODER = msgspec.json.Decoder(_Text)
 
 
-def _unique(found: _Text) -> Copied | str:
-    count = Counter(one.task for one in found.tasks)
+def _unique(decoded: _Text) -> Copied | str:
+    count = Counter(task.task for task in decoded.tasks)
     twice = next((name for name, times in count.items() if times > 1), None)
     if twice:
         return f"expected every task once, found {twice} again"
-    loci = {one.svar: Locus(one.svar, one.x, one.y, show=one.is_shown) for one in found.loci}
-    placed = (Placed(one.task, one.x, one.y, one.in_left, one.hz, one.rtpu) for one in found.tasks)
-    members = Counter(task for one in found.groups for task in one.tasks)
+    loci = {locus.svar: Locus(locus.svar, locus.x, locus.y, show=locus.is_shown) for locus in decoded.loci}
+    placed = (Placed(task.task, task.x, task.y, task.in_left, task.hz, task.rtpu) for task in decoded.tasks)
+    members = Counter(task for group in decoded.groups for task in group.tasks)
     stray = next((task for task, times in members.items() if times > 1 or task not in count), None)
-    names = Counter(one.name for one in found.groups)
+    names = Counter(group.name for group in decoded.groups)
     stray = stray or next((name for name, times in names.items() if times > 1), None)
     if stray:
         return f"expected supermodules of these tasks, each in one of them, found {_beginning(stray)}"
-    groups = tuple(Group(one.name, one.tasks) for one in found.groups)
+    groups = tuple(Group(group.name, group.tasks) for group in decoded.groups)
     return Copied(tuple(placed), tuple(loci.values()), groups)
 
 

@@ -17,14 +17,14 @@ class Content:
     @property
     def names(self) -> tuple[str, ...]:
         """The names of the tasks, in order."""
-        return tuple(one.task for one in self.configuration.placed)
+        return tuple(placed.task for placed in self.configuration.placed)
 
     def placed(self, name: str) -> Placed | None:
         """The task of that name."""
-        return next((one for one in self.configuration.placed if one.task == name), None)
+        return next((placed for placed in self.configuration.placed if placed.task == name), None)
 
     def with_configuration(self, configuration: Configuration) -> "Content":
         """With another configuration; tasks that are no longer in it are wanted no more, and in no supermodule."""
-        names = {one.task for one in configuration.placed}
+        names = {placed.task for placed in configuration.placed}
         wanted = {name: is_on for name, is_on in self.wanted.items() if name in names}
         return replace(self, configuration=configuration.regrouped(configuration.groups), wanted=wanted)

@@ -18,12 +18,12 @@ _NAMES = ("shape", "unit", "meaning")
 
 def declared_inputs(code: Path) -> tuple[InputSheet, ...]:
     """The inputs of the class in a file, in their order; none where it cannot be read or says them in another way."""
-    return tuple(one for one in _of_file(code) if isinstance(one, InputSheet))
+    return tuple(sheet for sheet in _of_file(code) if isinstance(sheet, InputSheet))
 
 
 def declared_ports(code: Path) -> tuple[PortSheet, ...]:
     """Its ports."""
-    return tuple(one for one in _of_file(code) if isinstance(one, PortSheet))
+    return tuple(sheet for sheet in _of_file(code) if isinstance(sheet, PortSheet))
 
 
 def _of_file(code: Path) -> tuple[InputSheet | PortSheet, ...]:
@@ -41,24 +41,26 @@ def _declared(code: Path, _written_ns: int, _size: int) -> tuple[InputSheet | Po
         tree = ast.parse(source or "")
     except (SyntaxError, ValueError, RecursionError):
         return ()  # a runtime says what is wrong with it
-    bodies = (one.body for one in tree.body if isinstance(one, ast.ClassDef))
-    found = (_sheet(statement) for body in bodies for statement in body)
-    return tuple(one for one in found if one is not None)
+    bodies = (statement.body for statement in tree.body if isinstance(statement, ast.ClassDef))
+    sheets = (_sheet(statement) for body in bodies for statement in body)
+    return tuple(sheet for sheet in sheets if sheet is not None)
 
 
 def _sheet(statement: ast.stmt) -> InputSheet | PortSheet | None:
     """The declaration `name = Input("double", …)` or `NAME = InVar("double", …)`, where that is one."""
     match statement:
         case ast.Assign(targets=[ast.Name(id=name)], value=ast.Call(func=ast.Name(id=kind)) as call):
-            said = dict(zip(_NAMES, map(_literal, call.args), strict=False))
-            said |= {one.arg: _literal(one.value) for one in call.keywords if one.arg}
-            if not isinstance(said.get("shape"), str):
+            arguments = dict(zip(_NAMES, map(_literal, call.args), strict=False))
+            arguments |= {keyword.arg: _literal(keyword.value) for keyword in call.keywords if keyword.arg}
+            if not isinstance(arguments.get("shape"), str):
                 return None
-            told = (said["shape"], str(said.get("unit", "-")), str(said.get("meaning", "")))
+            described = (arguments["shape"], str(arguments.get("unit", "-")), str(arguments.get("meaning", "")))
             if kind in _PORTS:
-                return PortSheet(kind.upper(), str(said.get("name") or name), *told)
+                return PortSheet(kind.upper(), str(arguments.get("name") or name), *described)
             if kind == "Input":
-                return InputSheet(name, *told, said.get("low"), said.get("high"), said.get("default"))
+                return InputSheet(
+                    name, *described, arguments.get("low"), arguments.get("high"), arguments.get("default")
+                )
     return None
 
 

@@ -23,7 +23,7 @@ class Dictionary:
     onikons: Mapping[str, Opened[Onikon]]
     """By their names, grouped by type in the order of the syntax."""
     faults: Faults = ()
-    found: Mapping[str, Found] = field(default_factory=dict)
+    readings: Mapping[str, Found] = field(default_factory=dict)
     """What every file gave that was read, also where that is no icon, by the names of the files."""
 
 
@@ -37,14 +37,14 @@ def open_dictionaries(
 
     A later icon of a name is not added and is told. What is as it was is the same object.
     """
-    known = {one.base: one for one in former}
+    former_by_base = {dictionary.base: dictionary for dictionary in former}
     owners: dict[str, BaseDirectory] = {}
     opened = []
     for base in bases:
         names = base.onikons
         first = [name for name in names if owners.setdefault(name, base) is base]
         again = [_again(base, name, owners[name]) for name in names if owners[name] is not base]
-        before = known.get(base)
+        before = former_by_base.get(base)
         made = _open(base, first, again, syntax, before, changed)
         opened.append(before if before == made else made)
     return tuple(opened)
@@ -57,12 +57,12 @@ def has_dictionary(base: BaseDirectory) -> bool:
 
 def find(dictionaries: Iterable[Dictionary], name: str) -> Opened[Onikon] | None:
     """The icon of a name among open dictionaries."""
-    return next((one.onikons[name] for one in dictionaries if name in one.onikons), None)
+    return next((dictionary.onikons[name] for dictionary in dictionaries if name in dictionary.onikons), None)
 
 
 def home_of(dictionaries: Iterable[Dictionary], name: str) -> Dictionary | None:
     """The dictionary that has an icon."""
-    return next((one for one in dictionaries if name in one.onikons), None)
+    return next((dictionary for dictionary in dictionaries if name in dictionary.onikons), None)
 
 
 def _open(
@@ -73,25 +73,25 @@ def _open(
     former: Dictionary | None,
     changed: frozenset[Path],
 ) -> Dictionary:
-    known = former.found if former else {}
-    found = {name: _read(base, name, syntax, known.get(name), changed) for name in names}
+    former_readings = former.readings if former else {}
+    readings = {name: _read(base, name, syntax, former_readings.get(name), changed) for name in names}
     ranks = {kind.name: place for place, kind in enumerate(syntax.types)}
 
     def rank(opened: Opened[Onikon]) -> tuple[int, str, str]:
         return ranks.get(opened.value.type, len(ranks)), opened.value.type, opened.value.name
 
-    icons = sorted((opened for opened, _ in found.values() if opened is not None), key=rank)
-    faults += [one for one in (*base.unreadable, *base.misnamed) if _is_of(base, one)]
-    faults += [one for _, wrong in found.values() for one in wrong]
-    return Dictionary(base, {one.value.name: one for one in icons}, tuple(sorted(faults)), found)
+    icons = sorted((opened for opened, _ in readings.values() if opened is not None), key=rank)
+    faults += [fault for fault in (*base.unreadable, *base.misnamed) if _is_of(base, fault)]
+    faults += [fault for _, wrong in readings.values() for fault in wrong]
+    return Dictionary(base, {icon.value.name: icon for icon in icons}, tuple(sorted(faults)), readings)
 
 
-def _read(base: BaseDirectory, name: str, syntax: Syntax, known: Found | None, changed: frozenset[Path]) -> Found:
+def _read(base: BaseDirectory, name: str, syntax: Syntax, reading: Found | None, changed: frozenset[Path]) -> Found:
     """A file, or what is known of it where it has not changed."""
-    if known is not None:
+    if reading is not None:
         file = base.onikon_file(name)
-        if file not in changed or (known[0] is not None and text.load(file, str(file))[0] == known[0].text):
-            return known
+        if file not in changed or (reading[0] is not None and text.load(file, str(file))[0] == reading[0].text):
+            return reading
     return base.open_onikon(name, syntax)
 
 
@@ -102,6 +102,6 @@ def _is_of(base: BaseDirectory, fault: Fault) -> bool:
 
 
 def _again(base: BaseDirectory, name: str, owner: BaseDirectory) -> Fault:
-    found = f"it again, first in {owner.path / 'dict'}"
+    duplicate = f"it again, first in {owner.path / 'dict'}"
     expected = f"the name {name} once in all dictionaries"
-    return Fault(Place(str(base.onikon_file(name))), expected, found, "the first one is used", is_note=True)
+    return Fault(Place(str(base.onikon_file(name))), expected, duplicate, "the first one is used", is_note=True)

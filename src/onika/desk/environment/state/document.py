@@ -52,5 +52,5 @@ class Document:
 
 def _meaning(configuration: Configuration) -> tuple[Mapping[str, tuple[float, str]], Mapping[str, tuple[str, ...]]]:
     """A configuration without its looks: which tasks, at which rate, on which unit, and its supermodules."""
-    tasks = {one.task: (one.frequency, one.rtpu) for one in configuration.placed}
-    return tasks, {one.name: one.tasks for one in configuration.groups}
+    tasks = {placed.task: (placed.frequency, placed.rtpu) for placed in configuration.placed}
+    return tasks, {group.name: group.tasks for group in configuration.groups}

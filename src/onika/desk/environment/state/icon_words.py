@@ -13,8 +13,8 @@ def words_of(model: Model, onikon: Onikon) -> dict[str, str]:
     """
     if onikon.words:
         return dict(onikon.words)
-    found = find(model.dictionaries, onikon.name)
-    return dict(found.value.words) if found and found.value.description == onikon.description else {}
+    onikon_file = find(model.dictionaries, onikon.name)
+    return dict(onikon_file.value.words) if onikon_file and onikon_file.value.description == onikon.description else {}
 
 
 def for_placing(onikon: Onikon) -> Onikon:

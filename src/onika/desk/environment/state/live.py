@@ -17,7 +17,7 @@ class TaskFacts:
     note: str = ""
     rtpu: str = ""
     hz: float | None = None
-    asked: event.Asked | None = None
+    question: event.Asked | None = None
     present: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
     """Of what it asks for: the values that it measures, by the names of the inputs."""
     failed: event.Failed | None = None
@@ -88,13 +88,13 @@ class Live:
     """How many changes of the subsystem were ever asked for; acts wait for one of them by this number."""
     is_awaited: bool = False
     """Whether acts wait for the next change, with which goes out what they did while one was under way."""
-    asked: int = 0
+    requests: int = 0
     """How many things were ever asked for."""
 
     @property
     def is_changing(self) -> bool:
         """Whether a change of the subsystem is under way: the next one waits for it."""
-        return any(one.before is not None for one in self.pending.values())
+        return any(change.before is not None for change in self.pending.values())
 
     @property
     def is_held_here(self) -> bool:
@@ -113,9 +113,9 @@ class Live:
 
     def with_task(self, name: str, facts: TaskFacts | None) -> "Live":
         """With what is known of a task now; None: it is gone."""
-        tasks = {key: one for key, one in self.tasks.items() if key != name}
+        tasks = {other: former for other, former in self.tasks.items() if other != name}
         return replace(self, tasks=tasks if facts is None else {**self.tasks, name: facts})
 
     def without_pending(self, key: int) -> "Live":
         """With one change less whose outcome is not known."""
-        return replace(self, pending={one: kept for one, kept in self.pending.items() if one != key})
+        return replace(self, pending={number: change for number, change in self.pending.items() if number != key})

@@ -81,11 +81,13 @@ class Model:
 
     def without(self, doc: str) -> "Model":
         """With one document less."""
-        return replace(self, documents={key: one for key, one in self.documents.items() if key != doc})
+        return replace(self, documents={key: document for key, document in self.documents.items() if key != doc})
 
     def blank_name(self) -> str:
         """The name of the next new configuration or application (C21)."""
-        taken = {one.name for one in self.documents.values()} | {one.name for one in self.applications.values()}
+        taken = {document.name for document in self.documents.values()} | {
+            application.name for application in self.applications.values()
+        }
         number = 1
         while f"Untitled-{number}" in taken:
             number += 1

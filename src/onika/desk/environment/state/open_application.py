@@ -59,7 +59,7 @@ class OpenApplication:
     base: Path | None = None
     """The base directory of its file, or the one it is meant for."""
     has_changed_on_disk: bool = False
-    told: tuple[FaultView, ...] = ()
+    file_faults: tuple[FaultView, ...] = ()
     """What was wrong with the file when it was read."""
     is_partial: bool = False
     """Whether some of the file could not be read: it is not run, nor overwritten without asking."""
@@ -91,10 +91,15 @@ class OpenApplication:
 
     def looked_at(self, address: str) -> Looked | None:
         """What the runtime of that address has found in what is here now; None: it has not looked at it."""
-        one = self.looked
-        if one is None or one.of is not self.application or one.redirects != self.redirects or one.at != address:
+        looked = self.looked
+        if (
+            looked is None
+            or looked.of is not self.application
+            or looked.redirects != self.redirects
+            or looked.at != address
+        ):
             return None
-        return one
+        return looked
 
     def having(self, application: Application) -> "OpenApplication":
         """With other content."""

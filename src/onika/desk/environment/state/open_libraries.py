@@ -34,11 +34,11 @@ class Shelf:
     @cached_property
     def records(self) -> Mapping[str, RmodText]:
         """Every task with the text of its file."""
-        found: dict[str, RmodText] = {}
+        texts: dict[str, RmodText] = {}
         for library in self.libraries:
             for name, record in library.tasks.items():
-                found.setdefault(name, record)
-        return found
+                texts.setdefault(name, record)
+        return texts
 
     @cached_property
     def tasks(self) -> Mapping[str, Task]:
@@ -48,11 +48,11 @@ class Shelf:
     @cached_property
     def homes(self) -> Mapping[str, Library]:
         """The library of every task."""
-        found: dict[str, Library] = {}
+        libraries: dict[str, Library] = {}
         for library in self.libraries:
             for name in library.tasks:
-                found.setdefault(name, library)
-        return found
+                libraries.setdefault(name, library)
+        return libraries
 
     @cached_property
     def company(self) -> Company:
@@ -62,8 +62,8 @@ class Shelf:
     def code_file(self, name: str) -> Path | None:
         """The code of a task's module: beside its own file, else in the first library that has it; None: nowhere."""
         module, home = self.tasks[name].module, self.homes[name]
-        found = next((one for one in (home, *self.libraries) if module in one.modules), None)
-        return found.base.code_file(module) if found else None
+        library = next((library for library in (home, *self.libraries) if module in library.modules), None)
+        return library.base.code_file(module) if library else None
 
     @cached_property
     def _boxes(self) -> dict[str, Box]:
@@ -102,16 +102,16 @@ class Shelf:
         """With tasks changed, or as their files say again where there is None."""
         wished = {name: self._onto(name, task) for name, task in edits.items()}
         kept = {name: task for name, task in {**self.edits, **wished}.items() if task is not None}
-        found = replace(self, edits={name: task for name, task in kept.items() if task != self.filed(name)})
-        return found._knowing(self, edits)
+        forgotten = replace(self, edits={name: task for name, task in kept.items() if task != self.filed(name)})
+        return forgotten._knowing(self, edits)
 
     def rated(self, rates: Mapping[str, float | None]) -> "Shelf":
         """With rates for later placements, or those of their files again where there is None."""
         kept = {**self.rates, **rates}
-        found = replace(self, rates={name: hz for name, hz in kept.items() if hz is not None})._knowing(self, ())
-        known = self.__dict__
-        found.__dict__.update({name: known[name] for name in ("tasks", "company") if name in known})
-        return found
+        rated = replace(self, rates={name: hz for name, hz in kept.items() if hz is not None})._knowing(self, ())
+        attributes = self.__dict__
+        rated.__dict__.update({name: attributes[name] for name in ("tasks", "company") if name in attributes})
+        return rated
 
     def filed(self, name: str) -> Task | None:
         """A task as its file says; None where there is none."""
@@ -124,8 +124,8 @@ class Shelf:
 
     def _knowing(self, former: "Shelf", changed: Collection[str]) -> "Shelf":
         """With what `former` has found out about the same libraries already."""
-        known = former.__dict__
-        self.__dict__.update({name: known[name] for name in ("records", "homes") if name in known})
-        boxes = {name: box for name, box in known.get("_boxes", {}).items() if name not in changed}
+        attributes = former.__dict__
+        self.__dict__.update({name: attributes[name] for name in ("records", "homes") if name in attributes})
+        boxes = {name: box for name, box in attributes.get("_boxes", {}).items() if name not in changed}
         self.__dict__["_boxes"] = boxes
         return self

@@ -21,12 +21,12 @@ _seen: dict[int, tuple[Picture, tuple[str, str]]] = {}
 
 def drawn(picture: Picture) -> tuple[str, str]:
     """The key of a picture and its 1024 digits; asked for every icon with every change, so one is not read again."""
-    known = _seen.get(id(picture))
-    if known is None:
+    picture_seen = _seen.get(id(picture))
+    if picture_seen is None:
         if len(_seen) >= _MOST_SEEN:
             _seen.clear()
-        known = _seen[id(picture)] = picture, _drawn(picture)
-    return known[1]
+        picture_seen = _seen[id(picture)] = picture, _drawn(picture)
+    return picture_seen[1]
 
 
 @lru_cache(maxsize=1 << 16)  # a picture that is read again from its file is another object
@@ -55,23 +55,27 @@ class Album:
         """Every picture of these; `ends` are those of the start and end icons. The same dict where nothing is new."""
         former, self._known = self._known, {}
         every: list[Dictionary | AppFlow] = [*dictionaries, *_flows(applications)]
-        for one in every:
-            known = former.get(id(one))
-            self._known[id(one)] = known if known and known[0] is one else (one, dict(map(drawn, _pictures(one))))
+        for part in every:
+            former_pictures = former.get(id(part))
+            self._known[id(part)] = (
+                former_pictures
+                if former_pictures and former_pictures[0] is part
+                else (part, dict(map(drawn, _pictures(part))))
+            )
         parts = [{START: ends[0], END: ends[1]}, *(mapping for _, mapping in self._known.values())]
         if parts != self._parts:  # mostly a flow has what it had before: thousands need not be put together then
             self._parts = parts
-            found = dict(chain.from_iterable(part.items() for part in parts))
-            self._shown = self._shown if found == self._shown else found
+            shown_pictures = dict(chain.from_iterable(part.items() for part in parts))
+            self._shown = self._shown if shown_pictures == self._shown else shown_pictures
         return self._shown
 
 
 def _flows(applications: Mapping[str, OpenApplication]) -> Iterator[AppFlow]:
-    for one in applications.values():
-        yield from (flow for _, flow in every_flow(one.application))
+    for application in applications.values():
+        yield from (flow for _, flow in every_flow(application.application))
 
 
-def _pictures(one: Dictionary | AppFlow) -> Iterator[Picture]:
-    if isinstance(one, Dictionary):
-        return (icon.value.picture for icon in one.onikons.values())
-    return (step.onikon.picture for step in one.steps if isinstance(step, Icon))
+def _pictures(source: Dictionary | AppFlow) -> Iterator[Picture]:
+    if isinstance(source, Dictionary):
+        return (icon.value.picture for icon in source.onikons.values())
+    return (step.onikon.picture for step in source.steps if isinstance(step, Icon))

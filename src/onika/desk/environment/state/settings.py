@@ -28,10 +28,10 @@ class Habits:
 
 def read(state: Path | None, environment: Mapping[str, str]) -> tuple[Habits, str]:
     """The habits of a user, and a sentence where the file cannot be read: then the defaults hold."""
-    found, wrong = _kept(state / NAME if state else None)
+    habits, wrong = _kept(state / NAME if state else None)
     named = {"shows_warnings": "ONIKA_WARNINGS", "shows_lower": "ONIKA_LOWER"}
-    said = {habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment}
-    return replace(found, **said), wrong
+    overrides = {habit: environment[name].lower() not in _NO for habit, name in named.items() if name in environment}
+    return replace(habits, **overrides), wrong
 
 
 def keep(state: Path | None, values: Mapping[str, bool]) -> Refusal | None:

@@ -37,12 +37,12 @@ def items_of(model: Model, type_: str) -> tuple[ItemView, ...]:
 
 def uses_of(shelf: Shelf, syntax: Syntax, kind: IconType) -> dict[str, tuple[Use, ...]]:
     """The inputs of tasks that take the data of a type of target, by the names of these."""
-    found: dict[str, tuple[Use, ...]] = {}
+    uses_by_type: dict[str, tuple[Use, ...]] = {}
     for task in shelf.tasks.values() if kind.is_target else ():
         if takes(task, kind, syntax):
             for item, taken in _paired(kind.items, inputs_of(shelf, task)):
-                found[item.name] = (*found.get(item.name, ()), Use(task, taken))
-    return found
+                uses_by_type[item.name] = (*uses_by_type.get(item.name, ()), Use(task, taken))
+    return uses_by_type
 
 
 def inputs_of(shelf: Shelf, task: Task) -> tuple[InputSheet, ...]:
@@ -78,17 +78,17 @@ def _paired(items: Sequence[DataItem], inputs: Sequence[InputSheet]) -> Iterator
 
 
 def _view(item: DataItem, uses: Sequence[Use], limits: Limits) -> ItemView:
-    units = [one.input.unit for one in uses if one.input.unit not in ("", "-")]
-    meanings = [one.input.meaning for one in uses if one.input.meaning]
-    defaults = [one.input.default for one in uses if one.input.default is not None]
+    units = [use.input.unit for use in uses if use.input.unit not in ("", "-")]
+    meanings = [use.input.meaning for use in uses if use.input.meaning]
+    defaults = [use.input.default for use in uses if use.input.default is not None]
     return ItemView(
         name=item.name,
         type=item.type.value,
         count=item.count,
         unit=units[0] if units else "",
         meaning=meanings[0] if meanings else "",
-        low=_widest([_bound(one, one.input.low, item.count, limits) for one in uses], min),
-        high=_widest([_bound(one, one.input.high, item.count, limits) for one in uses], max),
+        low=_widest([_bound(use, use.input.low, item.count, limits) for use in uses], min),
+        high=_widest([_bound(use, use.input.high, item.count, limits) for use in uses], max),
         default=_spread(defaults[0], item.count) if defaults else None,
         dimension=item.dimension,
     )
@@ -102,10 +102,10 @@ def _bound(use: Use, bound: float | str | None, count: int, limits: Limits) -> t
 
 def _widest(bounds: Sequence[tuple[float, ...] | None], choose: Any) -> tuple[float, ...] | None:
     """What some task would take; none where one takes anything, or nothing is known."""
-    known = [one for one in bounds if one is not None]
-    if not known or len(known) < len(bounds):
+    stated = [bound for bound in bounds if bound is not None]
+    if not stated or len(stated) < len(bounds):
         return None
-    return tuple(choose(each) for each in zip(*known, strict=True))
+    return tuple(choose(each) for each in zip(*stated, strict=True))
 
 
 def _spread(value: Any, count: int) -> tuple[Any, ...] | None:

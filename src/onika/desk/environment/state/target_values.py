@@ -31,7 +31,7 @@ def checked(items: Sequence[ItemView], words: Words) -> Typed | dict[str, str]:
         names = ", ".join(item.name for item in items) or "no values"
         return {"values": f"expected {names}, found {len(words)} values"}
     wrong: dict[str, str] = {}
-    found = []
+    wrong_values = []
     for item, some in zip(items, words, strict=True):
         if len(some) != item.count and not (item.dimension and some):
             wrong[item.name] = f"expected {item.count} values, found {len(some)}"
@@ -42,11 +42,11 @@ def checked(items: Sequence[ItemView], words: Words) -> Typed | dict[str, str]:
                 values.append(_value(item, index, word))
             except ValueError as why:
                 wrong[item.name if item.count == 1 else f"{item.name}[{index}]"] = str(why)
-        found.append(tuple(values))
-    return wrong or tuple(found)
+        wrong_values.append(tuple(values))
+    return wrong or tuple(wrong_values)
 
 
-def told(wrong: dict[str, str]) -> str:
+def refusal_text(wrong: dict[str, str]) -> str:
     """Everything that is wrong as one sentence."""
     return "; ".join(f"{name}: {why}" for name, why in wrong.items())
 
