@@ -49,10 +49,10 @@ class Sitting:
         return fault
 
     def states(self, subsystem="main"):
-        return {name: one.state for name, one in self.session.tasks(subsystem).items()}
+        return {name: task.state for name, task in self.session.tasks(subsystem).items()}
 
-    def asked(self, kind):
-        return [one for one in self.runtime.asked if isinstance(one, kind)]
+    def requests_of(self, kind):
+        return [message for message in self.runtime.asked if isinstance(message, kind)]
 
     def _is_interrupted(self):
         self.interrupts -= 1

@@ -9,11 +9,11 @@ def command(name, **given):
 
 def test_a_unique_beginning_names_a_command_and_a_whole_name_always_does():  # R-A16
     on, open_, off = command("on"), command("open"), command("off")
-    known = (on, open_, off)
-    assert find("on", known) == [on]
-    assert find("op", known) == [open_]
-    assert find("o", known) == [on, open_, off]
-    assert find("x", known) == find("", known) == []
+    every = (on, open_, off)
+    assert find("on", every) == [on]
+    assert find("op", every) == [open_]
+    assert find("o", every) == [on, open_, off]
+    assert find("x", every) == find("", every) == []
 
 
 @pytest.mark.parametrize(

@@ -7,16 +7,16 @@ from onika.desk.console import commands
 ALL = [*commands.TASKS, *commands.CHANGES, *commands.LOOKS, *commands.WHOLE]
 
 
-@pytest.mark.parametrize("one", ALL, ids=lambda one: one.name)
-def test_a_command_is_written_as_its_name_says_and_explained_in_a_line(one):  # R-A16
-    assert re.split(r"\W", one.usage)[0] == one.name
-    assert 0 < len(one.summary) < 80
-    assert not one.summary.endswith(".")
-    assert all(len(line) < 110 for line in one.text.splitlines())
+@pytest.mark.parametrize("command", ALL, ids=lambda command: command.name)
+def test_a_command_is_written_as_its_name_says_and_explained_in_a_line(command):  # R-A16
+    assert re.split(r"\W", command.usage)[0] == command.name
+    assert 0 < len(command.summary) < 80
+    assert not command.summary.endswith(".")
+    assert all(len(line) < 110 for line in command.text.splitlines())
 
 
 def test_names_are_there_once():
-    names = [one.name for one in ALL]
+    names = [command.name for command in ALL]
     assert len(names) == len(set(names))
 
 

@@ -2,11 +2,11 @@ import pytest
 
 
 @pytest.fixture
-def one(sit):
-    found = sit()
-    found.does("spawn puma pd", "spawn left/diff")
-    found.runtime.variables["main"] = {"Q_MEZ": [0.0], "Q_REF": [0.0], "NDOF": 6}
-    return found
+def sitting(sit):
+    sitting = sit()
+    sitting.does("spawn puma pd", "spawn left/diff")
+    sitting.runtime.variables["main"] = {"Q_MEZ": [0.0], "Q_REF": [0.0], "NDOF": 6}
+    return sitting
 
 
 @pytest.mark.parametrize(
@@ -33,12 +33,12 @@ def one(sit):
         ("dance x", []),
     ],
 )
-def test_what_may_stand_at_the_cursor_is_offered(one, before, expected):  # R-A16
-    found = one.console.completion.candidates(before)
+def test_what_may_stand_at_the_cursor_is_offered(sitting, before, expected):  # R-A16
+    candidates = sitting.console.completion.candidates(before)
     if expected is None:
-        assert {"spawn", "quit", "help"} <= set(found)
+        assert {"spawn", "quit", "help"} <= set(candidates)
     else:
-        assert found == expected
+        assert candidates == expected
 
 
 def test_a_task_that_asks_is_offered_for_an_answer(asking):
@@ -46,12 +46,12 @@ def test_a_task_that_asks_is_offered_for_an_answer(asking):
     assert asking.console.completion.candidates("answer ") == ["jtraj"]
 
 
-def test_files_and_folders_are_offered_for_scripts(one, tmp_path, monkeypatch):
+def test_files_and_folders_are_offered_for_scripts(sitting, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "scripts").mkdir()
     (tmp_path / "scripts" / "start").write_text("")
     (tmp_path / ".hidden").write_text("")
-    offer = one.console.completion.candidates
+    offer = sitting.console.completion.candidates
     assert offer("source ") == ["scripts/"]
     assert offer("source scripts/") == ["scripts/start"]
     assert offer("<scr") == ["<scripts/"]

@@ -6,21 +6,21 @@ from onika.words.fault import Place
 
 
 def test_a_command_may_be_cut_to_what_tells_it_from_the_others(sit):  # R-A16
-    one = sit()
-    one.does("sp puma", "on puma")
-    assert one.states() == {"puma": "ON"}
-    fault = one.fails("s puma")
+    sitting = sit()
+    sitting.does("sp puma", "on puma")
+    assert sitting.states() == {"puma": "ON"}
+    fault = sitting.fails("s puma")
     assert "spawn" in fault.expected
     assert "status" in fault.expected
-    assert one.fails("dance").expected == "one command; `help` names them"
+    assert sitting.fails("dance").expected == "one command; `help` names them"
 
 
 @pytest.mark.parametrize("line", ["", "   ", "# nothing"])
 def test_an_empty_line_is_nothing(sit, line):
-    one = sit()
-    asked = len(one.runtime.asked)
-    assert one.console.carry_out(line) == ()
-    assert len(one.runtime.asked) == asked
+    sitting = sit()
+    count = len(sitting.runtime.asked)
+    assert sitting.console.carry_out(line) == ()
+    assert len(sitting.runtime.asked) == count
 
 
 def test_a_line_that_is_not_as_it_should_be_is_answered_with_how(sit):
@@ -32,18 +32,18 @@ def test_a_line_that_is_not_as_it_should_be_is_answered_with_how(sit):
 @pytest.mark.parametrize("line", ["import os", "!ls", "$(touch x)", "; touch x", "echo `touch x`; touch x"])
 def test_nothing_is_ever_carried_out_as_code_or_by_a_shell(sit, tmp_path, monkeypatch, line):
     monkeypatch.chdir(tmp_path)
-    one = sit()
-    one.console.carry_out(line)
+    sitting = sit()
+    sitting.console.carry_out(line)
     assert list(tmp_path.iterdir()) == []
 
 
 def test_help_names_every_command_and_says_how_each_is_written(sit):  # R-A16
-    one = sit()
-    listed = one.does("help")
-    for command in one.console._commands:
+    sitting = sit()
+    listed = sitting.does("help")
+    for command in sitting.console._commands:
         assert any(line.split()[:1] == [command.name] for line in listed)
-        assert one.does(f"help {command.name}")[0] == command.usage
-    assert one.fails("help dance").found == "'dance'"
+        assert sitting.does(f"help {command.name}")[0] == command.usage
+    assert sitting.fails("help dance").found == "'dance'"
 
 
 def test_the_required_commands_are_there(sit):  # R-A16
@@ -57,9 +57,9 @@ def test_the_required_commands_are_there(sit):  # R-A16
 
 
 def test_quit_ends_the_console_and_the_runtime_only_where_that_is_said(sit):
-    one = sit()
-    one.does("quit")
-    assert (one.console.is_over, one.runtime.is_over) == (True, False)
+    sitting = sit()
+    sitting.does("quit")
+    assert (sitting.console.is_over, sitting.runtime.is_over) == (True, False)
     other = sit()
     other.does("quit runtime")
     assert (other.console.is_over, other.runtime.is_over) == (True, True)
@@ -78,7 +78,7 @@ def test_a_question_is_answered_at_the_prompt_unless_the_line_is_a_command(askin
     asking.session.hear()
     assert asking.states() == {"jtraj": "ON"}
     assert asking.console.answer("off jtraj") == ()
-    assert [one.line for one in asking.asked(request.Reply)] == ["0.5 0.5 2"]
+    assert [reply.line for reply in asking.requests_of(request.Reply)] == ["0.5 0.5 2"]
 
 
 def test_stop_typed_at_a_question_stops(asking):  # law 27
@@ -88,66 +88,66 @@ def test_stop_typed_at_a_question_stops(asking):  # law 27
 
 
 def test_a_late_answer_of_the_runtime_is_told_and_the_console_goes_on(sit):
-    one = sit()
+    sitting = sit()
 
-    def late(asked):
+    def late(message):
         raise TimeoutError("no answer within 60 s")
 
-    one.runtime.ask = late
-    fault = one.fails("status")
+    sitting.runtime.ask = late
+    fault = sitting.fails("status")
     assert (fault.expected, fault.found) == ("an answer of the runtime", "no answer within 60 s")
 
 
 def test_a_script_is_carried_out_to_its_end(sit, tmp_path):  # R-A16
     path = tmp_path / "start"
     path.write_text("# the arm\nspawn puma diff\non puma\nrun go_home\necho there\n")
-    one = sit()
-    said = one.does(f"<{path}")
-    assert said.index("there") > next(place for place, line in enumerate(said) if "run completed" in line)
-    assert one.states() == {"puma": "ON", "diff": "OFF"}
-    assert not one.session.in_script
+    sitting = sit()
+    output = sitting.does(f"<{path}")
+    assert output.index("there") > next(place for place, line in enumerate(output) if "run completed" in line)
+    assert sitting.states() == {"puma": "ON", "diff": "OFF"}
+    assert not sitting.session.in_script
 
 
 def test_the_first_line_that_fails_ends_a_script_at_its_place(sit, tmp_path):  # R-A16
     path = tmp_path / "start"
     path.write_text("spawn puma\nspawn pumma\non puma\n")
-    one = sit()
-    (fault,) = one.console.run_script(path)
+    sitting = sit()
+    (fault,) = sitting.console.run_script(path)
     assert str(fault).startswith(f"{path}:2: expected a task on the search path")
-    assert one.states() == {"puma": "OFF"}
+    assert sitting.states() == {"puma": "OFF"}
 
 
 def test_faults_of_files_are_followed_by_the_line_that_met_them(sit, tmp_path):
     path = tmp_path / "start"
     path.write_text("spawn diff\nswap diff\n")
-    one = sit()
-    one.runtime.faults = (request.FaultText("diff.py", 3, "a class", "none", "it is not exchanged"),)
-    faults = one.console.run_script(path)
+    sitting = sit()
+    sitting.runtime.faults = (request.FaultText("diff.py", 3, "a class", "none", "it is not exchanged"),)
+    faults = sitting.console.run_script(path)
     assert [fault.place for fault in faults] == [Place("diff.py", 3), Place(str(path), 2)]
 
 
 def test_scripts_within_scripts_come_to_an_end(sit, tmp_path):
     path = tmp_path / "loop"
     path.write_text(f"source {path}\n")
-    one = sit()
-    faults = one.console.run_script(path)
+    sitting = sit()
+    faults = sitting.console.run_script(path)
     assert any("16 deep at most" in fault.expected for fault in faults)
-    assert one.console.run_script(tmp_path / "none")[0].place.file == str(tmp_path / "none")
+    assert sitting.console.run_script(tmp_path / "none")[0].place.file == str(tmp_path / "none")
 
 
 def test_a_script_ends_where_it_says_quit(sit, tmp_path):
     path = tmp_path / "start"
     path.write_text("quit\nspawn puma\n")
-    one = sit()
-    assert one.console.run_script(path) == ()
-    assert one.console.is_over
-    assert one.asked(live.Change) == []
+    sitting = sit()
+    assert sitting.console.run_script(path) == ()
+    assert sitting.console.is_over
+    assert sitting.requests_of(live.Change) == []
 
 
 def test_a_script_shows_its_lines(sit, tmp_path):
     path = tmp_path / "start"
     path.write_text("echo here\n")
-    one = sit()
-    one.does(f"source {path}")
-    assert one.lines[-2:] == ["> echo here", "here"]
-    assert one.tones[-2:] == [Tone.DIM, Tone.PLAIN]
+    sitting = sit()
+    sitting.does(f"source {path}")
+    assert sitting.lines[-2:] == ["> echo here", "here"]
+    assert sitting.tones[-2:] == [Tone.DIM, Tone.PLAIN]

@@ -6,7 +6,7 @@ from onika.wire import event
 
 
 @pytest.mark.parametrize(
-    ("one", "line", "tone"),
+    ("message", "line", "tone"),
     [
         (event.Began(0, 1, 4, "jmoveC home", 2.5), "     2.50 s  2/4  jmoveC home", Tone.PLAIN),
         (event.TaskState("main", "puma", "ON", 1.0), "     1.00 s  main/puma ON", Tone.GOOD),
@@ -45,23 +45,23 @@ from onika.wire import event
         ),
     ],
 )
-def test_an_event_is_a_line(one, line, tone):
-    assert list(lines(one)) == [(line, tone)]
+def test_an_event_is_a_line(message, line, tone):
+    assert list(lines(message)) == [(line, tone)]
 
 
-@pytest.mark.parametrize("one", [event.Done(0, 1, 2.0), event.Edited("main", 1, "", 2.0)])
-def test_what_only_machines_want_is_not_told(one):
-    assert list(lines(one)) == []
+@pytest.mark.parametrize("message", [event.Done(0, 1, 2.0), event.Edited("main", 1, "", 2.0)])
+def test_what_only_machines_want_is_not_told(message):
+    assert list(lines(message)) == []
 
 
 def test_a_failure_shows_place_traceback_source_line_and_values():  # R-A18
     trace = "  File pd.py, line 7, in cycle\n    return 1 / 0\n"
-    told = [
+    shown = [
         line
         for line, _ in lines(event.Failed("main", "pd", "ZeroDivisionError", "pd.py", 7, trace, 1.0, "cycle", {"K": 2}))
     ]
-    assert told[0] == "     1.00 s  ERROR main/pd: ZeroDivisionError (pd.py:7)"
-    assert [line.strip() for line in told[1:]] == ["File pd.py, line 7, in cycle", "return 1 / 0", "K = 2"]
+    assert shown[0] == "     1.00 s  ERROR main/pd: ZeroDivisionError (pd.py:7)"
+    assert [line.strip() for line in shown[1:]] == ["File pd.py, line 7, in cycle", "return 1 / 0", "K = 2"]
 
 
 @pytest.mark.parametrize(
@@ -75,6 +75,6 @@ def test_a_failure_shows_place_traceback_source_line_and_values():  # R-A18
 )
 def test_a_question_names_type_unit_bounds_and_default(low, high, default, end):  # R-A10
     item = event.Item("level", "double", 1, "m", "how high", default, low, high)
-    told = list(lines(event.Asked("main", "gauge", "too high", (item,), 1.0)))
-    assert told[0] == ("     1.00 s  main/gauge: too high", Tone.ASK)
-    assert told[1] == (f"     1.00 s  main/gauge asks for level double in m, {end}", Tone.ASK)
+    shown = list(lines(event.Asked("main", "gauge", "too high", (item,), 1.0)))
+    assert shown[0] == ("     1.00 s  main/gauge: too high", Tone.ASK)
+    assert shown[1] == (f"     1.00 s  main/gauge asks for level double in m, {end}", Tone.ASK)

@@ -7,11 +7,11 @@ from onika.wire import live, request
 
 @pytest.fixture
 def followed(sit, tmp_path):
-    one = sit()
+    sitting = sit()
     path = tmp_path / "diff.py"
     path.write_text("# one\n")
-    one.does("spawn diff", f"follow diff {path}")
-    return one, path
+    sitting.does("spawn diff", f"follow diff {path}")
+    return sitting, path
 
 
 def write(path, text, second):
@@ -20,94 +20,94 @@ def write(path, text, second):
     os.utime(path, ns=(second * 10**9, second * 10**9))
 
 
-def pass_a_second(one):
-    start = len(one.lines)
+def pass_a_second(sitting):
+    start = len(sitting.lines)
     for _ in range(120):
-        one.session.hear()
-    return one.lines[start:]
+        sitting.session.hear()
+    return sitting.lines[start:]
 
 
 def test_a_changed_file_is_the_tasks_new_code(followed):  # R-X15, R-A14
-    one, path = followed
-    assert pass_a_second(one) == []
+    sitting, path = followed
+    assert pass_a_second(sitting) == []
     write(path, "# two\n", 1)
-    assert any("runs the new code" in line for line in pass_a_second(one))
-    assert [swap.code.source for swap in one.asked(live.Swap)] == ["# two\n"]
-    pass_a_second(one)
-    assert len(one.asked(live.Swap)) == 1
+    assert any("runs the new code" in line for line in pass_a_second(sitting))
+    assert [swap.code.source for swap in sitting.requests_of(live.Swap)] == ["# two\n"]
+    pass_a_second(sitting)
+    assert len(sitting.requests_of(live.Swap)) == 1
 
 
 def test_a_file_that_was_only_touched_changes_nothing(followed):
-    one, path = followed
+    sitting, path = followed
     write(path, "# one\n", 7)
-    assert pass_a_second(one) == []
-    assert one.asked(live.Swap) == []
+    assert pass_a_second(sitting) == []
+    assert sitting.requests_of(live.Swap) == []
 
 
 def test_code_with_faults_leaves_the_old_code_and_is_followed_on(followed):  # R-X15
-    one, path = followed
-    one.runtime.faults = (request.FaultText("diff.py", 1, "a class", "none", "it is not exchanged"),)
+    sitting, path = followed
+    sitting.runtime.faults = (request.FaultText("diff.py", 1, "a class", "none", "it is not exchanged"),)
     write(path, "# bad\n", 2)
-    said = pass_a_second(one)
-    assert any("diff.py:1: expected a class" in line for line in said)
-    assert any("goes on with its old code" in line for line in said)
-    one.runtime.faults = ()
+    output = pass_a_second(sitting)
+    assert any("diff.py:1: expected a class" in line for line in output)
+    assert any("goes on with its old code" in line for line in output)
+    sitting.runtime.faults = ()
     write(path, "# good\n", 3)
-    assert any("runs the new code" in line for line in pass_a_second(one))
+    assert any("runs the new code" in line for line in pass_a_second(sitting))
 
 
 def test_code_that_finds_no_gap_between_cycles_is_tried_again_a_few_times(followed):  # R-X15
-    one, path = followed
-    former = one.runtime._carry_out
+    sitting, path = followed
+    former = sitting.runtime._carry_out
     outcomes = iter(["the largest gap is too small", "the largest gap is too small", ""])
 
-    def carry_out(asked):
+    def carry_out(message):
         cause = next(outcomes)
         if cause:
             raise ValueError(cause)
-        former(asked)
+        former(message)
 
-    one.runtime._carry_out = carry_out
+    sitting.runtime._carry_out = carry_out
     write(path, "# two\n", 2)
-    said = [line for _ in range(4) for line in pass_a_second(one)]
-    assert sum("tried again in a second" in line for line in said) == 2
-    assert any("runs the new code" in line for line in said)
+    output = [line for _ in range(4) for line in pass_a_second(sitting)]
+    assert sum("tried again in a second" in line for line in output) == 2
+    assert any("runs the new code" in line for line in output)
 
 
 def test_code_that_is_refused_again_and_again_is_given_up(followed):
-    one, path = followed
-    one.runtime.refusals["Swap"] = "held by ada"
+    sitting, path = followed
+    sitting.runtime.refusals["Swap"] = "held by ada"
     write(path, "# two\n", 2)
     for _ in range(10):
-        pass_a_second(one)
-    assert len(one.asked(live.Swap)) == 5
-    assert one.lines[-1] == "main/diff goes on with its old code"
+        pass_a_second(sitting)
+    assert len(sitting.requests_of(live.Swap)) == 5
+    assert sitting.lines[-1] == "main/diff goes on with its old code"
 
 
 def test_a_file_that_is_gone_for_a_moment_is_waited_for(followed):
-    one, path = followed
+    sitting, path = followed
     path.unlink()
-    assert pass_a_second(one) == []
+    assert pass_a_second(sitting) == []
     write(path, "# back\n", 4)
-    pass_a_second(one)
-    assert one.asked(live.Swap)[0].code.source == "# back\n"
+    pass_a_second(sitting)
+    assert sitting.requests_of(live.Swap)[0].code.source == "# back\n"
 
 
 def test_following_ends_with_the_task_or_when_it_is_told(followed):
-    one, path = followed
-    assert one.does("follow") == [f"main/diff follows {path}"]
-    one.does("follow off diff")
-    assert one.does("follow") == ["nothing is followed"]
-    one.does(f"follow diff {path}", "kill diff")
-    pass_a_second(one)
-    assert any("lives no more" in line for line in one.lines)
-    one.does("follow off")
-    assert one.does("follow") == ["nothing is followed"]
+    sitting, path = followed
+    assert sitting.does("follow") == [f"main/diff follows {path}"]
+    sitting.does("follow off diff")
+    assert sitting.does("follow") == ["nothing is followed"]
+    sitting.does(f"follow diff {path}", "kill diff")
+    pass_a_second(sitting)
+    assert any("lives no more" in line for line in sitting.lines)
+    sitting.does("follow off")
+    assert sitting.does("follow") == ["nothing is followed"]
 
 
 def test_the_file_of_the_search_path_is_followed_unless_another_is_named(sit, tmp_path):
-    one = sit()
-    one.does("spawn diff")
-    assert one.does("follow diff")[0].endswith("generic/module/diff.py")
-    assert one.fails(f"follow diff {tmp_path}/none.py").found == f"nothing at {tmp_path}/none.py"
-    assert one.fails("follow pd").found == "'pd'"
+    sitting = sit()
+    sitting.does("spawn diff")
+    assert sitting.does("follow diff")[0].endswith("generic/module/diff.py")
+    assert sitting.fails(f"follow diff {tmp_path}/none.py").found == f"nothing at {tmp_path}/none.py"
+    assert sitting.fails("follow pd").found == "'pd'"

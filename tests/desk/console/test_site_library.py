@@ -48,6 +48,6 @@ def test_a_syntax_that_cannot_be_read_is_a_fault_of_the_target(library, monkeypa
 
 
 def test_name_and_rate_are_altered_only_where_they_are_given():
-    one = task("pd", 100.0)
-    assert altered(one, "", None) == one
-    assert (altered(one, "x", 5.0).name, altered(one, "x", 5.0).frequency) == ("x", 5.0)
+    record = task("pd", 100.0)
+    assert altered(record, "", None) == record
+    assert (altered(record, "x", 5.0).name, altered(record, "x", 5.0).frequency) == ("x", 5.0)

@@ -10,9 +10,9 @@ THERE = steer.Position("flow1", "waiting", 0, "t a", ("flow0",))
 @pytest.fixture
 def steered(sit):
     """A sitting at a runtime where an application runs that somebody else began."""
-    one = sit()
-    one.runtime.positions = (HERE,)
-    return one
+    sitting = sit()
+    sitting.runtime.positions = (HERE,)
+    return sitting
 
 
 @pytest.mark.parametrize(
@@ -35,9 +35,9 @@ def test_the_words_of_steering_are_those_of_scripts(steered, line, asked):  # R-
 
 
 def test_where_no_application_runs_there_is_nothing_to_steer(sit):  # R-E07
-    one = sit()
-    assert (one.fails("pause").expected, one.fails("skip 3").found) == ("an application that runs", "none")
-    assert one.does("who", "runs")[-2:] == ["no application runs", "no application runs"]
+    sitting = sit()
+    assert (sitting.fails("pause").expected, sitting.fails("skip 3").found) == ("an application that runs", "none")
+    assert sitting.does("who", "runs")[-2:] == ["no application runs", "no application runs"]
 
 
 def test_what_is_written_wrongly_or_refused_is_a_fault(steered):  # R-E07
@@ -69,38 +69,38 @@ def test_actions_of_an_own_run_go_by_their_names_too(steered):  # R-E13
 
 def test_to_clear_a_flow_is_to_clear_and_continue(steered):  # R-E08
     steered.does("clear flow0")
-    assert steered.asked(steer.Recover) == [steer.Recover("flow0")]
+    assert steered.requests_of(steer.Recover) == [steer.Recover("flow0")]
     steered.runtime.positions = (steer.Position("flow0", "stopped", 1, failed=("pd",)),)
     steered.does("clear")
-    assert steered.asked(steer.Recover) == [steer.Recover("flow0")] * 2
+    assert steered.requests_of(steer.Recover) == [steer.Recover("flow0")] * 2
 
 
 def test_tasks_held_by_hand_are_cleared_as_ever(steered):  # R-A05
     steered.runtime.positions = (steer.Position("flow0", "stopped", 1, failed=("pd",)),)
     steered.does("spawn puma", "clear")
-    assert steered.asked(steer.Recover) == []
+    assert steered.requests_of(steer.Recover) == []
     steered.console.carry_out("clear puma")
-    assert steered.asked(live.Clear) == [live.Clear("main", "puma")]
+    assert steered.requests_of(live.Clear) == [live.Clear("main", "puma")]
 
 
 def test_a_run_that_somebody_left_alone_is_aborted(steered):  # R-E07
     steered.does("abort it is nobody's")
-    assert steered.asked(request.Abort) == [request.Abort("it is nobody's")]
+    assert steered.requests_of(request.Abort) == [request.Abort("it is nobody's")]
 
 
 def test_a_script_begins_an_application_and_goes_on(sit):  # R-E07
-    one = sit()
-    one.session.in_script = True
-    one.console.carry_out("begin go_home")
-    assert one.session.running == "go_home"
-    assert one.asked(request.Begin)[0].on_error == "abort"
-    one.does("wait run")
+    sitting = sit()
+    sitting.session.in_script = True
+    sitting.console.carry_out("begin go_home")
+    assert sitting.session.running == "go_home"
+    assert sitting.requests_of(request.Begin)[0].on_error == "abort"
+    sitting.does("wait run")
 
 
 def test_a_person_is_waited_for_at_an_error(sit):  # R-E08
-    one = sit()
-    one.console.carry_out("run go_home")
-    assert one.asked(request.Begin)[0].on_error == "wait"
+    sitting = sit()
+    sitting.console.carry_out("run go_home")
+    assert sitting.requests_of(request.Begin)[0].on_error == "wait"
 
 
 def test_a_script_waits_for_the_state_of_a_flow(steered):  # R-E07
@@ -110,7 +110,7 @@ def test_a_script_waits_for_the_state_of_a_flow(steered):  # R-E07
 
 
 def test_what_flows_do_is_told(steered):  # R-E11, R-X03, R-X06
-    for one in (
+    for message in (
         event.Moved("flow1", "waiting", 0, 1.0, "t a", ("flow0",)),
         event.Moved("flow0", "paused", 1, 2.0),
         event.Moved("flow0", "paused", -1, 2.0),
@@ -118,7 +118,7 @@ def test_what_flows_do_is_told(steered):  # R-E11, R-X03, R-X06
         event.Moved("flow0", "running", 1, 2.0),
         event.Met("t a", ("flow0", "flow1"), 12.0, 3.0),
     ):
-        steered.runtime.tell(one)
+        steered.runtime.tell(message)
     steered.session.hear()
     assert [line.partition(" s  ")[2] for line in steered.lines[-5:]] == [
         "flow1 waits at a for flow0",
@@ -131,8 +131,8 @@ def test_what_flows_do_is_told(steered):  # R-E11, R-X03, R-X06
 
 def test_why_a_flow_stands_still_is_told_with_what_can_be_done(steered):  # R-X06
     choices = (("clear", "clear the error and repeat"),)
-    said = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
-    steered.runtime.tell(said)
+    explained = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
+    steered.runtime.tell(explained)
     steered.session.hear()
     assert any("it broke" in line for line in steered.lines)
     assert any("clear the error and repeat" in line for line in steered.lines)

@@ -7,27 +7,27 @@ CMOVE = ("puma", "diff", "gravcomp", "pd", "torque_sum", "led_monitor", "fwdkin"
 
 
 def test_tasks_are_found_on_the_search_path_and_spawned_off(sit):  # R-A05, R-A14
-    one = sit()
-    said = one.does("spawn puma diff")
-    assert one.states() == {"puma": "OFF", "diff": "OFF"}
-    assert any("main/puma OFF" in line for line in said)
-    (change,) = one.asked(live.Change)
+    sitting = sit()
+    output = sitting.does("spawn puma diff")
+    assert sitting.states() == {"puma": "OFF", "diff": "OFF"}
+    assert any("main/puma OFF" in line for line in output)
+    (change,) = sitting.requests_of(live.Change)
     assert [task.place.rpartition("/")[2] for task in change.spawn] == ["puma.rmod", "diff.rmod"]
     assert {code.module for code in change.code} == {"puma", "diff"}
     assert all(code.source for code in change.code)
 
 
 def test_a_spawn_may_name_unit_other_name_and_rate(sit):  # R-A06
-    one = sit()
-    one.does("spawn jtraj on rt1 as path at 125")
-    ((name, found),) = one.session.tasks().items()
-    assert (name, found.rtpu, found.frequency, found.task.module) == ("path", "rt1", 125.0, "jtraj")
+    sitting = sit()
+    sitting.does("spawn jtraj on rt1 as path at 125")
+    ((name, standing),) = sitting.session.tasks().items()
+    assert (name, standing.rtpu, standing.frequency, standing.task.module) == ("path", "rt1", 125.0, "jtraj")
 
 
 def test_one_module_serves_two_tasks_with_one_code(sit):  # R-A01
-    one = sit()
-    one.does("spawn gripper gripper_right")
-    (change,) = one.asked(live.Change)
+    sitting = sit()
+    sitting.does("spawn gripper gripper_right")
+    (change,) = sitting.requests_of(live.Change)
     assert len(change.code) == 1
 
 
@@ -47,109 +47,109 @@ def test_one_module_serves_two_tasks_with_one_code(sit):  # R-A01
     ],
 )
 def test_what_cannot_be_spawned_is_told_and_nothing_is_asked(sit, line, expected, found):
-    one = sit()
-    fault = one.fails(line)
+    sitting = sit()
+    fault = sitting.fails(line)
     assert expected in fault.expected
     assert found in fault.found
-    assert one.asked(live.Change) == []
+    assert sitting.requests_of(live.Change) == []
 
 
 def test_all_tasks_of_a_configuration_are_spawned_but_those_that_live(sit):  # R-A13
-    one = sit()
-    one.does("spawn puma", "spawn all of cmoveC")
-    assert set(one.states()) == set(CMOVE)
-    assert [task.name for task in one.asked(live.Change)[1].spawn].count("puma") == 0
-    one.does("spawn all of cmoveC")
-    assert len(one.asked(live.Change)) == 2
+    sitting = sit()
+    sitting.does("spawn puma", "spawn all of cmoveC")
+    assert set(sitting.states()) == set(CMOVE)
+    assert [task.name for task in sitting.requests_of(live.Change)[1].spawn].count("puma") == 0
+    sitting.does("spawn all of cmoveC")
+    assert len(sitting.requests_of(live.Change)) == 2
 
 
 def test_a_task_goes_on_with_its_argument_line_as_it_was_typed(sit):  # R-A05, R-A10
-    one = sit()
-    one.does("spawn jtraj", 'on jtraj 0.5  "a b" 3')
-    assert one.states() == {"jtraj": "ON"}
-    assert one.asked(live.Change)[1].on == (live.Turn("jtraj", '0.5  "a b" 3'),)
+    sitting = sit()
+    sitting.does("spawn jtraj", 'on jtraj 0.5  "a b" 3')
+    assert sitting.states() == {"jtraj": "ON"}
+    assert sitting.requests_of(live.Change)[1].on == (live.Turn("jtraj", '0.5  "a b" 3'),)
 
 
 def test_a_target_of_the_dictionary_gives_the_arguments(sit):
-    one = sit()
-    one.does("spawn jtraj", "on jtraj @home")
-    assert one.asked(live.Change)[1].on == (live.Turn("jtraj", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"),)
-    fault = one.fails("on jtraj @hme")
+    sitting = sit()
+    sitting.does("spawn jtraj", "on jtraj @home")
+    assert sitting.requests_of(live.Change)[1].on == (live.Turn("jtraj", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"),)
+    fault = sitting.fails("on jtraj @hme")
     assert "a target on the search path (near it: home" in fault.expected
 
 
 def test_a_target_without_values_gives_no_arguments(sit):
-    one = sit()
-    one.does("spawn jtraj")
-    assert one.fails("on jtraj @noop").expected == "a target with values, as in @noop"
+    sitting = sit()
+    sitting.does("spawn jtraj")
+    assert sitting.fails("on jtraj @noop").expected == "a target with values, as in @noop"
 
 
 def test_all_that_is_off_goes_on_and_all_that_is_on_goes_off(sit):
-    one = sit()
-    one.does("spawn puma diff", "on puma", "on all")
-    assert one.states() == {"puma": "ON", "diff": "ON"}
-    one.does("off puma")
-    assert one.states() == {"puma": "OFF", "diff": "ON"}
-    one.does("off")
-    assert one.states() == {"puma": "OFF", "diff": "OFF"}
-    asked = len(one.asked(live.Change))
-    one.does("off all")
-    assert len(one.asked(live.Change)) == asked
+    sitting = sit()
+    sitting.does("spawn puma diff", "on puma", "on all")
+    assert sitting.states() == {"puma": "ON", "diff": "ON"}
+    sitting.does("off puma")
+    assert sitting.states() == {"puma": "OFF", "diff": "ON"}
+    sitting.does("off")
+    assert sitting.states() == {"puma": "OFF", "diff": "OFF"}
+    count = len(sitting.requests_of(live.Change))
+    sitting.does("off all")
+    assert len(sitting.requests_of(live.Change)) == count
 
 
 def test_tasks_are_killed_one_by_one_or_with_their_subsystem(sit):  # R-A05
-    one = sit()
-    one.does("spawn puma diff pd", "kill diff pd")
-    assert one.states() == {"puma": "OFF"}
-    one.does("kill all")
-    assert one.asked(live.Close) == [live.Close("main")]
-    one.does("kill all")
-    assert len(one.asked(live.Close)) == 1
+    sitting = sit()
+    sitting.does("spawn puma diff pd", "kill diff pd")
+    assert sitting.states() == {"puma": "OFF"}
+    sitting.does("kill all")
+    assert sitting.requests_of(live.Close) == [live.Close("main")]
+    sitting.does("kill all")
+    assert len(sitting.requests_of(live.Close)) == 1
 
 
 def test_another_subsystem_is_named_before_the_task(sit):  # R-A06
-    one = sit()
-    one.does("spawn left/puma", "spawn puma", "on left/puma")
-    assert (one.states("left"), one.states()) == ({"puma": "ON"}, {"puma": "OFF"})
-    one.does("kill left/puma puma")
-    assert (one.states("left"), one.states()) == ({}, {})
+    sitting = sit()
+    sitting.does("spawn left/puma", "spawn puma", "on left/puma")
+    assert (sitting.states("left"), sitting.states()) == ({"puma": "ON"}, {"puma": "OFF"})
+    sitting.does("kill left/puma puma")
+    assert (sitting.states("left"), sitting.states()) == ({}, {})
 
 
 @pytest.mark.parametrize("line", ["on diff", "off diff", "kill puma diff", "clear diff"])
 def test_a_task_that_does_not_live_is_named_with_those_that_do(sit, line):
-    one = sit()
-    one.does("spawn puma")
-    fault = one.fails(line)
+    sitting = sit()
+    sitting.does("spawn puma")
+    fault = sitting.fails(line)
     assert (fault.expected, fault.found) == ("a living task of main (puma)", "'diff'")
-    assert one.states() == {"puma": "OFF"}
+    assert sitting.states() == {"puma": "OFF"}
 
 
 def test_the_outcome_of_a_change_is_waited_for_and_its_cause_told(sit):
-    one = sit()
-    one.does("spawn puma", "on puma")
-    fault = one.fails("on puma")
+    sitting = sit()
+    sitting.does("spawn puma", "on puma")
+    fault = sitting.fails("on puma")
     assert fault.expected == "the change to be done"
     assert "while ON, found on" in fault.found
 
 
 def test_a_task_in_error_is_cleared_by_name_or_with_all_others(sit):  # R-A05
-    one = sit()
-    one.does("spawn puma diff pd")
+    sitting = sit()
+    sitting.does("spawn puma diff pd")
     for name in ("puma", "diff"):
-        one.runtime.lives["main"][name].state = type(one.runtime.lives["main"][name].state).ERROR
-    one.session.look_again()
-    one.does("clear puma")
-    assert one.states() == {"puma": "OFF", "diff": "ERROR", "pd": "OFF"}
-    one.does("clear")
-    assert set(one.states().values()) == {"OFF"}
+        sitting.runtime.lives["main"][name].state = type(sitting.runtime.lives["main"][name].state).ERROR
+    sitting.session.look_again()
+    sitting.does("clear puma")
+    assert sitting.states() == {"puma": "OFF", "diff": "ERROR", "pd": "OFF"}
+    sitting.does("clear")
+    assert set(sitting.states().values()) == {"OFF"}
 
 
 def test_a_configuration_replaces_what_is_there_and_leaves_what_is_in_both(sit):  # R-A13
-    one = sit()
-    one.does("config jmoveC @home", "config cmoveC 1 2 3")
-    assert set(one.states()) == set(CMOVE)
-    assert set(one.states().values()) == {"ON"}
-    first, second = one.asked(live.Change)
+    sitting = sit()
+    sitting.does("config jmoveC @home", "config cmoveC 1 2 3")
+    assert set(sitting.states()) == set(CMOVE)
+    assert set(sitting.states().values()) == {"ON"}
+    first, second = sitting.requests_of(live.Change)
     assert [turn.arguments for turn in first.on if turn.task == "jtraj"] == ["0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"]
     assert {task.name for task in second.spawn} == {"fwdkin", "invkin", "ctraj"}
     assert second.kill == ("jtraj",)
@@ -159,8 +159,8 @@ def test_a_configuration_replaces_what_is_there_and_leaves_what_is_in_both(sit):
 
 def test_a_configuration_with_a_missing_task_changes_nothing(sit, tmp_path):
     Laboratory(tmp_path).configuration("lost", "gone 9")
-    one = sit()
-    faults = one.console.carry_out("config lost")
+    sitting = sit()
+    faults = sitting.console.carry_out("config lost")
     assert [fault.found for fault in faults] == ["'gone'"]
-    assert one.asked(live.Change) == []
-    assert one.fails("config nothing").found == "'nothing'"
+    assert sitting.requests_of(live.Change) == []
+    assert sitting.fails("config nothing").found == "'nothing'"

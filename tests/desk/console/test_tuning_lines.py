@@ -4,68 +4,68 @@ from onika.wire import live, request
 
 
 def test_a_rate_is_changed_while_the_task_runs(sit):  # R-A04
-    one = sit()
-    one.does("spawn puma", "on puma", "rate puma 250")
-    assert one.session.tasks()["puma"].frequency == 250.0
-    assert one.states() == {"puma": "ON"}
-    assert one.fails("rate puma often").found == "'often'"
+    sitting = sit()
+    sitting.does("spawn puma", "on puma", "rate puma 250")
+    assert sitting.session.tasks()["puma"].frequency == 250.0
+    assert sitting.states() == {"puma": "ON"}
+    assert sitting.fails("rate puma often").found == "'often'"
 
 
 def test_a_task_is_initialised_anew_with_another_local_line(sit):  # R-A13
-    one = sit()
-    one.does("spawn jtraj", "reinit jtraj", "reinit jtraj SPEED 0.25", "reinit jtraj LABEL two words")
-    plain, speed, label = one.asked(live.Reinit)
+    sitting = sit()
+    sitting.does("spawn jtraj", "reinit jtraj", "reinit jtraj SPEED 0.25", "reinit jtraj LABEL two words")
+    plain, speed, label = sitting.requests_of(live.Reinit)
     assert plain.local is None
     assert speed.local == (("SPEED", ("0.25",)), ("SETTLE", ("0.5",)))
     assert dict(label.local)["LABEL"] == ("two", "words")
-    assert one.fails("reinit jtraj SPEED").expected == "the words of the LOCAL line SPEED"
+    assert sitting.fails("reinit jtraj SPEED").expected == "the words of the LOCAL line SPEED"
 
 
 def test_code_is_exchanged_for_that_of_its_file_or_of_another(sit, tmp_path):  # R-A14
-    one = sit()
-    one.does("spawn diff", "swap diff")
+    sitting = sit()
+    sitting.does("spawn diff", "swap diff")
     other = tmp_path / "other.py"
     other.write_text("# other\n")
-    one.does(f"swap diff {other}")
-    shipped, given = one.asked(live.Swap)
+    sitting.does(f"swap diff {other}")
+    shipped, given = sitting.requests_of(live.Swap)
     assert shipped.code.path.endswith("generic/module/diff.py")
     assert (given.code.source, given.code.module) == ("# other\n", "diff")
     assert shipped.code.digest != given.code.digest
 
 
 def test_code_that_cannot_be_read_or_that_the_runtime_finds_faults_in_is_not_exchanged(sit, tmp_path):  # R-A14
-    one = sit()
-    one.does("spawn diff")
-    assert one.fails(f"swap diff {tmp_path}/none.py").place.file == f"{tmp_path}/none.py"
-    assert one.asked(live.Swap) == []
-    one.runtime.faults = (request.FaultText("diff.py", 3, "a class", "none", "it is not exchanged"),)
-    fault = one.fails("swap diff")
+    sitting = sit()
+    sitting.does("spawn diff")
+    assert sitting.fails(f"swap diff {tmp_path}/none.py").place.file == f"{tmp_path}/none.py"
+    assert sitting.requests_of(live.Swap) == []
+    sitting.runtime.faults = (request.FaultText("diff.py", 3, "a class", "none", "it is not exchanged"),)
+    fault = sitting.fails("swap diff")
     assert (fault.place.file, fault.place.line, fault.expected) == ("diff.py", 3, "a class")
 
 
 def test_the_code_of_a_task_under_another_name_is_found_by_its_module(sit):
-    one = sit()
-    one.does("spawn jtraj as path", "swap path")
-    assert one.asked(live.Swap)[0].code.path.endswith("jtraj.py")
+    sitting = sit()
+    sitting.does("spawn jtraj as path", "swap path")
+    assert sitting.requests_of(live.Swap)[0].code.path.endswith("jtraj.py")
 
 
 def test_a_module_is_asked_and_told_by_name(sit):  # R-A01, R-A05
-    one = sit()
-    one.does("spawn jtraj", "set jtraj label two words")
-    assert one.does("get jtraj label") == ["label = two words"]
-    assert one.asked(live.Set) == [live.Set("main", "jtraj", "label", "two words")]
-    assert "nothing called 'gain'" in one.fails("get jtraj gain").found
+    sitting = sit()
+    sitting.does("spawn jtraj", "set jtraj label two words")
+    assert sitting.does("get jtraj label") == ["label = two words"]
+    assert sitting.requests_of(live.Set) == [live.Set("main", "jtraj", "label", "two words")]
+    assert "nothing called 'gain'" in sitting.fails("get jtraj gain").found
 
 
 def test_a_question_is_answered_with_words_or_with_a_target(asking):  # R-A10
     asking.does("spawn jtraj")
-    said = asking.does("on jtraj")
-    assert any("asks for endpoint double[2] in rad, where to go, from -1 -1 to 1 1" in line for line in said)
+    output = asking.does("on jtraj")
+    assert any("asks for endpoint double[2] in rad, where to go, from -1 -1 to 1 1" in line for line in output)
     assert asking.states() == {"jtraj": "ASKING"}
     asking.does("answer jtraj 0.5 0.5 2")
     assert asking.states() == {"jtraj": "ON"}
     asking.does("off jtraj", "on jtraj", "answer jtraj @home")
-    assert [one.line for one in asking.asked(request.Reply)] == ["0.5 0.5 2", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"]
+    assert [reply.line for reply in asking.requests_of(request.Reply)] == ["0.5 0.5 2", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"]
 
 
 def test_an_answer_that_will_not_do_is_asked_for_again(asking):  # R-A10
@@ -91,9 +91,9 @@ def test_defaults_are_the_answer_where_every_input_has_one(sit):
     from onika.wire import event
 
     item = event.Item("label", "string", 1, "-", "its name", ("two words",), None, None)
-    one = sit(asks={"diff": (item,)})
-    one.does("spawn diff", "on diff", "answer diff")
-    assert one.asked(request.Reply)[0].line == '"two words"'
+    sitting = sit(asks={"diff": (item,)})
+    sitting.does("spawn diff", "on diff", "answer diff")
+    assert sitting.requests_of(request.Reply)[0].line == '"two words"'
 
 
 @pytest.mark.parametrize("line", ["rate diff 5", "reinit diff", "swap diff", "get diff x", "set diff x 1"])

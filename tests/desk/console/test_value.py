@@ -15,8 +15,8 @@ def test_a_value_shows_its_type(value, kind):
 
 @given(st.lists(st.one_of(st.floats(allow_nan=False), st.integers(), st.text())))
 def test_all_elements_stand_in_one_line_from_which_they_can_be_read(value):
-    found = split(words(value))
-    assert [type(one)(word) for one, word in zip(value, found, strict=True)] == value
+    elements = split(words(value))
+    assert [type(element)(word) for element, word in zip(value, elements, strict=True)] == value
 
 
 def test_numbers_are_shown_as_people_read_them():

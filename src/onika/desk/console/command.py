@@ -39,9 +39,9 @@ class Command:
 
 def find(name: str, commands: Iterable[Command]) -> list[Command]:
     """The command of this name, else all that begin with it."""
-    known = list(commands)
-    exact = [one for one in known if one.name == name]
-    return exact or [one for one in known if name and one.name.startswith(name)]
+    every = list(commands)
+    exact = [command for command in every if command.name == name]
+    return exact or [command for command in every if name and command.name.startswith(name)]
 
 
 def _raw(rest: str, count: int) -> Words:

@@ -29,14 +29,14 @@ class Completion:
         if before.startswith("<"):
             return _files(typed.removeprefix("<"), "<")
         if not passed:
-            return sorted(one.name for one in self._commands if one.name.startswith(typed))
+            return sorted(command.name for command in self._commands if command.name.startswith(typed))
         return sorted({name for name in self._offered(passed, typed) if name.startswith(typed)})[:_FOUND]
 
     def _offered(self, passed: list[str], typed: str) -> Sequence[str]:
-        found = find(passed[0], self._commands)
-        if len(found) != 1 or not found[0].takes:
+        matches = find(passed[0], self._commands)
+        if len(matches) != 1 or not matches[0].takes:
             return ()
-        takes = found[0].takes
+        takes = matches[0].takes
         kind = takes[min(len(passed) - 1, len(takes) - 1)]
         if typed.startswith("@"):
             return [f"@{name}" for base in self._session.site.directories for name in base.onikons]
@@ -70,7 +70,7 @@ def _library(session: Session) -> Library:
 
 
 def _spawn_words(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
-    units = [one.name for one in session.standing().rtpus]
+    units = [unit.name for unit in session.standing().rtpus]
     library = _library(session)
     return [*library.tasks, *library.configurations, "on", "as", "at", "of", *units]
 
@@ -79,10 +79,10 @@ def _files(typed: str, before: str = "") -> list[str]:
     """Files and folders that begin so; folders end with a stroke."""
     folder, slash, start = typed.rpartition("/")
     try:
-        found = sorted(Path(folder or ("/" if slash else ".")).expanduser().iterdir())
+        entries = sorted(Path(folder or ("/" if slash else ".")).expanduser().iterdir())
     except OSError:
         return []
-    names = [one.name + ("/" if one.is_dir() else "") for one in found if start or not one.name.startswith(".")]
+    names = [entry.name + ("/" if entry.is_dir() else "") for entry in entries if start or not entry.name.startswith(".")]
     return [f"{before}{folder}{slash}{name}" for name in names if name.startswith(start)]
 
 
@@ -94,10 +94,10 @@ _KINDS: dict[str, Callable[[Session, Sequence[Command], str], list[str]]] = {
     "spawn words": _spawn_words,
     "configuration": lambda session, commands, typed: list(_library(session).configurations),
     "application": lambda session, commands, typed: list(_library(session).applications),
-    "subsystem": lambda session, commands, typed: [one.name for one in session.standing().subsystems],
-    "flow": lambda session, commands, typed: [one.subsystem for one in where(session)],
-    "command": lambda session, commands, typed: [one.name for one in commands],
-    "state": lambda session, commands, typed: [one.value.lower() for one in State],
+    "subsystem": lambda session, commands, typed: [subsystem.name for subsystem in session.standing().subsystems],
+    "flow": lambda session, commands, typed: [position.subsystem for position in where(session)],
+    "command": lambda session, commands, typed: [command.name for command in commands],
+    "state": lambda session, commands, typed: [state.value.lower() for state in State],
     "file": lambda session, commands, typed: _files(typed),
     "world": lambda session, commands, typed: list(session.standing().worlds),
     "quit words": lambda session, commands, typed: ["runtime"],

@@ -30,7 +30,7 @@ class Console:
         self._follow = Follow()
         session.ticks += [lambda: self._watch.tick(session), lambda: self._follow.tick(session)]
         self._groups = self._vocabulary()
-        self._commands = [one for _, group in self._groups for one in group]
+        self._commands = [command for _, group in self._groups for command in group]
         self.completion = Completion(session, self._commands)
 
     def carry_out(self, line: str, place: Place = TYPED) -> Faults:
@@ -47,7 +47,7 @@ class Console:
     def answer(self, line: str) -> Faults:
         """Carry out a line while a task asks: its answer, unless it begins with the full name of a command."""
         first = line.split(None, 1)[0] if line.strip() else ""
-        if not self.session.questions or any(one.name == first for one in self._commands):
+        if not self.session.questions or any(command.name == first for command in self._commands):
             return self.carry_out(line)
         subsystem, name = next(iter(self.session.questions))
         return self.carry_out(f"answer {subsystem}/{name} {line}")
@@ -91,15 +91,15 @@ class Console:
         name, _, rest = line.partition(" ")
         if not name:
             return ()
-        found = find(name, self._commands)
-        if len(found) != 1:
-            names = ", ".join(one.name for one in found)
+        matches = find(name, self._commands)
+        if len(matches) != 1:
+            names = ", ".join(command.name for command in matches)
             return self.session.no("one command" + (f" of {names}" if names else "; `help` names them"), repr(name))
         try:
-            words = found[0].words(rest.strip())
+            words = matches[0].words(rest.strip())
         except ValueError as wrong:
-            return self.session.no(f"`{found[0].usage}`", str(wrong))
-        return found[0].carry_out(self.session, words)
+            return self.session.no(f"`{matches[0].usage}`", str(wrong))
+        return matches[0].carry_out(self.session, words)
 
     # -- lines about the console itself
 
@@ -162,19 +162,19 @@ class Console:
 
     def _help(self, session: Session, words: Words) -> Faults:
         if words:
-            found = find(words[0], self._commands)
-            if not found:
+            matches = find(words[0], self._commands)
+            if not matches:
                 return session.no("a command; `help` names them", repr(words[0]))
-            for one in found:
-                session.say(one.usage, Tone.HEAD)
-                for line in one.text.splitlines():
+            for match in matches:
+                session.say(match.usage, Tone.HEAD)
+                for line in match.text.splitlines():
                     session.say(f"  {line}")
             return ()
-        width = max(len(one.name) for one in self._commands)
+        width = max(len(command.name) for command in self._commands)
         for title, group in self._groups:
             session.say(title, Tone.HEAD)
-            for one in group:
-                session.say(f"  {one.name:<{width}}  {one.summary}")
+            for command in group:
+                session.say(f"  {command.name:<{width}}  {command.summary}")
         session.say(
             "A command may be cut to what tells it from the others. `help COMMAND` says how it is written.", Tone.DIM
         )

@@ -60,13 +60,13 @@ def sessions(session: Session, words: Words) -> Faults:
     held: dict[str, list[str]] = {}
     for subsystem in session.look_again().subsystems:
         held.setdefault(subsystem.holder, []).append(subsystem.name)
-    for one in answer.sessions:
-        marks = ["this console"] if one.name == answer.you else []
-        marks += [] if one.is_here else ["away"]
-        marks += ["only watches"] if one.only_watches else []
-        marks += [f"silent for {one.lease_s:g} s at most"] if one.lease_s and one.name in held else []
-        marks += [f"holds {', '.join(held[one.name])}"] if one.name in held else []
-        session.say(f"{one.name:<16} {one.role:<11} {', '.join(marks)}".rstrip())
+    for other in answer.sessions:
+        marks = ["this console"] if other.name == answer.you else []
+        marks += [] if other.is_here else ["away"]
+        marks += ["only watches"] if other.only_watches else []
+        marks += [f"silent for {other.lease_s:g} s at most"] if other.lease_s and other.name in held else []
+        marks += [f"holds {', '.join(held[other.name])}"] if other.name in held else []
+        session.say(f"{other.name:<16} {other.role:<11} {', '.join(marks)}".rstrip())
     return ()
 
 
@@ -77,15 +77,15 @@ def open_channel(session: Session, words: Words) -> Faults:
             session.say(f"others reach this runtime at {address}", Tone.GOOD)
         return ()
     wanted = words[0] if words else "127.0.0.1:7994"
-    found = f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
+    reality = f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
     return session.no(
         "a runtime that was started to listen there",
-        found,
+        reality,
         f"nothing is opened; end it and start `onika runtime --listen {wanted}`",
     )
 
 
-def _hand(session: Session, asked: request.Request) -> Faults:
-    faults = session.order(asked)
+def _hand(session: Session, message: request.Request) -> Faults:
+    faults = session.order(message)
     session.hear()
     return faults

@@ -50,10 +50,10 @@ class Follow:
         if faults:
             return faults
         path = Path(words[1]) if len(words) > 1 else code_file(session, subsystem, name)
-        found = None if path is None else _look(path)
-        if path is None or found is None:
+        look = None if path is None else _look(path)
+        if path is None or look is None:
             return session.no("the file of its code", f"none of {words[0]!r}" if path is None else f"nothing at {path}")
-        self._files[subsystem, name] = found
+        self._files[subsystem, name] = look
         session.say(f"{subsystem}/{name} follows {path}", Tone.DIM)
         return ()
 

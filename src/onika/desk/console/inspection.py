@@ -28,10 +28,10 @@ def status(session: Session, words: Words) -> Faults:
         session.show(columns.overview(list(figures.tasks), preferences.status_columns))
     for word in words:
         subsystem, name = session.address(word)
-        found = [one for one in figures.tasks if (one.subsystem, one.task) == (subsystem, name)]
-        if not found:
+        figures_of_task = [figure for figure in figures.tasks if (figure.subsystem, figure.task) == (subsystem, name)]
+        if not figures_of_task:
             return missing(session, subsystem, (name,)) or session.no("figures of a task", f"none of {word!r}")
-        session.show(columns.whole(found[0]))
+        session.show(columns.whole(figures_of_task[0]))
     if figures.loads:
         session.say("load: " + "  ".join(f"{name} {load:.1%}" for name, load in sorted(figures.loads.items())))
     for sentence in figures.overloads:
@@ -42,10 +42,10 @@ def status(session: Session, words: Words) -> Faults:
 def tasks(session: Session, words: Words) -> Faults:
     """The living tasks of every subsystem, or of one."""
     rows = [
-        (f"{subsystem.name}/{one.task.name}", one.state, one.rtpu, _hz(one.frequency), one.reason)
+        (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), task.reason)
         for subsystem in session.look_again().subsystems
-        for one in subsystem.tasks
-        if (not words or subsystem.name == words[0]) and one.state != "KILLED"
+        for task in subsystem.tasks
+        if (not words or subsystem.name == words[0]) and task.state != "KILLED"
     ]
     if rows:
         session.show(text_table.lines(("task", "state", "rtpu", "Hz", ""), rows))
@@ -73,7 +73,7 @@ def rtpus(session: Session, words: Words) -> Faults:
     """The processing units, whether they live, and their loads."""
     del words
     units = session.look_again().rtpus
-    rows = [(one.name, "LOST" if one.is_lost else "alive", f"{one.load:.1%}") for one in units]
+    rows = [(unit.name, "LOST" if unit.is_lost else "alive", f"{unit.load:.1%}") for unit in units]
     session.show(text_table.lines(("rtpu", "", "load"), rows))
     return ()
 
@@ -81,13 +81,13 @@ def rtpus(session: Session, words: Words) -> Faults:
 def subsystems(session: Session, words: Words) -> Faults:
     """The subsystems, who holds them and what they run."""
     del words
-    found = session.look_again().subsystems
+    subsystems = session.look_again().subsystems
     rows = [
-        ("*" if one.name == session.subsystem else "", one.name, str(len(one.tasks)), one.holder or "nobody",
-         one.application or "by hand")
-        for one in found
+        ("*" if subsystem.name == session.subsystem else "", subsystem.name, str(len(subsystem.tasks)), subsystem.holder or "nobody",
+         subsystem.application or "by hand")
+        for subsystem in subsystems
     ]  # fmt: skip
-    if session.subsystem not in {one.name for one in found}:
+    if session.subsystem not in {subsystem.name for subsystem in subsystems}:
         rows.append(("*", session.subsystem, "0", "nobody", "comes into being with its first task"))
     session.show(text_table.lines(("", "subsystem", "tasks", "holder", "moved"), rows))
     return ()
@@ -123,20 +123,20 @@ def read(session: Session, words: Words) -> Faults:
     """The values of variables now."""
     for word in words:
         subsystem, name = session.address(word)
-        found, faults = value(session, subsystem, name)
+        current, faults = value(session, subsystem, name)
         if faults:
             return faults
-        for line in shown(word, found):
+        for line in shown(word, current):
             session.say(line)
     return ()
 
 
 def value(session: Session, subsystem: str, name: str) -> tuple[Any, Faults]:
     """The value of a variable now, or of an element as in `Q_MEZ[2]`; a fault where there is none."""
-    found = _ELEMENT.match(name)
-    if found:
-        whole, faults = value(session, subsystem, found[1])
-        return (None, faults) if faults else _element(session, name, whole, found[2])
+    element = _ELEMENT.match(name)
+    if element:
+        whole, faults = value(session, subsystem, element[1])
+        return (None, faults) if faults else _element(session, name, whole, element[2])
     answer = session.ask(live.Read(subsystem, (name,)))
     if not isinstance(answer, live.Values):
         return None, refused(session, f"the variable {name} of {subsystem}", answer)
@@ -147,7 +147,7 @@ def value(session: Session, subsystem: str, name: str) -> tuple[Any, Faults]:
 
 def check(session: Session, words: Words) -> Faults:
     """Check the memory of variables; each finding is a fault (requirement A12)."""
-    names = words or tuple(one.name for one in session.look_again().subsystems)
+    names = words or tuple(subsystem.name for subsystem in session.look_again().subsystems)
     faults: Faults = ()
     for name in names:
         answer = session.ask(live.Check(name))
@@ -168,19 +168,19 @@ def refused(session: Session, expected: str, answer: request.Response) -> Faults
 
 def types_of(values: live.Values) -> dict[str, str]:
     """The type of each variable: as the runtime says, else as its value looks."""
-    return {name: values.types.get(name) or type_of(found) for name, found in values.values.items()}
+    return {name: values.types.get(name) or type_of(current) for name, current in values.values.items()}
 
 
-def _element(session: Session, name: str, found: Any, index: str) -> tuple[Any, Faults]:
+def _element(session: Session, name: str, whole: Any, index: str) -> tuple[Any, Faults]:
     for place in map(int, index.split(",")):
-        if not isinstance(found, list) or place >= len(found):
+        if not isinstance(whole, list) or place >= len(whole):
             return None, session.no("an element, counted from 0", repr(name))
-        found = found[place]
-    return found, ()
+        whole = whole[place]
+    return whole, ()
 
 
-def _one_line(name: str, found: Any) -> list[str]:
-    lines = [line.partition(" = ")[2] for line in shown(name, found)]
+def _one_line(name: str, current: Any) -> list[str]:
+    lines = [line.partition(" = ")[2] for line in shown(name, current)]
     return lines[:1] + ["…"] * (len(lines) > 1)
 
 

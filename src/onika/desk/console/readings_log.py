@@ -20,7 +20,7 @@ Words = tuple[str, ...]
 def log(session: Session, words: Words) -> Faults:
     """Write the present readings of all subsystems, or of those named, to a file; an old one is replaced."""
     path = Path(words[0]).expanduser()
-    subsystems = words[1:] or tuple(one.name for one in session.look_again().subsystems)
+    subsystems = words[1:] or tuple(subsystem.name for subsystem in session.look_again().subsystems)
     lines: list[str] = []
     for subsystem in subsystems:
         answer = session.ask(live.Read(subsystem))

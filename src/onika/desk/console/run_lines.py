@@ -53,7 +53,7 @@ def begin(session: Session, words: Words) -> Faults:
 
 def abort(session: Session, words: Words) -> Faults:
     """End the run: tasks off, drives in hold."""
-    is_there = session.running or any(one.application for one in session.look_again().subsystems)
+    is_there = session.running or any(subsystem.application for subsystem in session.look_again().subsystems)
     if not is_there:
         return session.no("an application that runs", "none")
     cause = " ".join(words) or "aborted by the user"

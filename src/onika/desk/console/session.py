@@ -30,7 +30,7 @@ _KEPT = 64
 class Runtime(Protocol):
     """A runtime, launched or connected to."""
 
-    def ask(self, asked: request.Request) -> request.Response:
+    def ask(self, message: request.Request) -> request.Response:
         """Ask and wait for the response; raises LinkLost or TimeoutError."""
         ...
 
@@ -90,7 +90,7 @@ class Session:
         if isinstance(answer, request.Refused):
             return self.no("a runtime that can be operated by hand", answer.reason)
         self.is_stopped = self.standing().is_stopped
-        present = [one for one in self.standing().subsystems if not one.application]
+        present = [subsystem for subsystem in self.standing().subsystems if not subsystem.application]
         if len(present) == 1:
             self.subsystem = present[0].name
         return ()
@@ -106,19 +106,19 @@ class Session:
         for number, line in enumerate(lines):
             self.say(line, Tone.PLAIN if number else Tone.HEAD)
 
-    def no(self, expected: str, found: str, instead: str = NOTHING) -> Faults:
+    def no(self, expected: str, reality: str, instead: str = NOTHING) -> Faults:
         """One fault at the place of the present line."""
-        return (Fault(self.place, expected, found, instead),)
+        return (Fault(self.place, expected, reality, instead),)
 
     # -- asking
 
-    def ask(self, asked: request.Request) -> request.Response:
+    def ask(self, message: request.Request) -> request.Response:
         """Ask the runtime; raises LinkLost or TimeoutError."""
-        return self._runtime.ask(asked)
+        return self._runtime.ask(message)
 
-    def order(self, asked: request.Request) -> Faults:
+    def order(self, message: request.Request) -> Faults:
         """Have something carried out, to its outcome: what the runtime refuses or finds wrong are faults."""
-        answer = self.ask(asked)
+        answer = self.ask(message)
         match answer:
             case request.Refused():
                 return self.no("the runtime to do it", answer.reason)
@@ -127,7 +127,7 @@ class Session:
                     self.say(f"note: {note}", Tone.NOTE)
                 return tuple(map(fault_of, answer.faults))
             case live.Accepted():
-                return self._outcome(getattr(asked, "subsystem", self.subsystem), answer.number)
+                return self._outcome(getattr(message, "subsystem", self.subsystem), answer.number)
         return ()
 
     def standing(self) -> live.Standing:
@@ -137,7 +137,7 @@ class Session:
             if not isinstance(answer, live.Standing):
                 raise ValueError(f"expected a runtime that says what there is, found {answer}")
             self._standing = answer
-            self._applied = frozenset(one.name for one in answer.subsystems if one.application)
+            self._applied = frozenset(subsystem.name for subsystem in answer.subsystems if subsystem.application)
         return self._standing
 
     def look_again(self) -> live.Standing:
@@ -147,9 +147,9 @@ class Session:
 
     def tasks(self, subsystem: str = "") -> dict[str, live.TaskStanding]:
         """The living tasks of a subsystem (the chosen one), by name."""
-        for one in self.standing().subsystems:
-            if one.name == (subsystem or self.subsystem):
-                return {task.task.name: task for task in one.tasks if task.state != "KILLED"}
+        for standing in self.standing().subsystems:
+            if standing.name == (subsystem or self.subsystem):
+                return {task.task.name: task for task in standing.tasks if task.state != "KILLED"}
         return {}
 
     def address(self, text: str) -> tuple[str, str]:
@@ -161,11 +161,11 @@ class Session:
 
     def hear(self, timeout_s: float = 0.0) -> None:
         """Hear and show what the runtime tells, waiting for the first word so long; raises LinkLost at its end."""
-        for one in self._runtime.events(timeout_s):
-            is_chatter = self._is_chatter(one)
-            self._note(one)
+        for message in self._runtime.events(timeout_s):
+            is_chatter = self._is_chatter(message)
+            self._note(message)
             if not is_chatter:
-                for line, tone in event_lines.lines(one):
+                for line, tone in event_lines.lines(message):
                     self.say(line, tone)
         self._tick()
 
@@ -188,9 +188,9 @@ class Session:
 
     def _outcome(self, subsystem: str, number: int) -> Faults:
         """Wait until a change is done or refused, or a task asks, which is for the user to go on with."""
-        asked = set(self.questions)
+        questions_before = set(self.questions)
         key = (subsystem, number)
-        faults = self.until(lambda: key in self._edits or bool(set(self.questions) - asked), "the change to be done")
+        faults = self.until(lambda: key in self._edits or bool(set(self.questions) - questions_before), "the change to be done")
         if faults or key not in self._edits:
             return faults
         cause = self._edits.pop(key).cause
@@ -207,41 +207,41 @@ class Session:
         finally:
             self._in_tick = False
 
-    def _note(self, one: event.Event) -> None:
+    def _note(self, message: event.Event) -> None:
         """Remember what later lines need."""
         self._standing = None
-        match one:
+        match message:
             case event.Edited():
-                self._edits[one.subsystem, one.number] = one
+                self._edits[message.subsystem, message.number] = message
                 while len(self._edits) > _KEPT:  # those of other sessions are awaited by nobody here
                     del self._edits[next(iter(self._edits))]
             case event.Asked():
-                self.questions[one.subsystem, one.task] = one
-            case event.TaskState() if one.state != "ASKING":
-                self.questions.pop((one.subsystem, one.task), None)
+                self.questions[message.subsystem, message.task] = message
+            case event.TaskState() if message.state != "ASKING":
+                self.questions.pop((message.subsystem, message.task), None)
             case event.Stopped():
-                self.is_stopped = one.is_stopped
+                self.is_stopped = message.is_stopped
             case event.Stepped():
-                self.steps[one.subsystem, one.variable] = one
+                self.steps[message.subsystem, message.variable] = message
             case event.Result():
-                self._ended(one)
+                self._ended(message)
 
-    def _ended(self, one: event.Result) -> None:
-        self.steps |= {(step.subsystem, step.variable): step for step in one.steps}
-        if self._is_own(one):
+    def _ended(self, result: event.Result) -> None:
+        self.steps |= {(step.subsystem, step.variable): step for step in result.steps}
+        if self._is_own(result):
             self.running, self.cast = "", None
-            self.result = one
+            self.result = result
 
-    def _is_own(self, one: event.Result) -> bool:
+    def _is_own(self, result: event.Result) -> bool:
         """Whether it is the end of what this console runs: several applications may run side by side."""
-        subsystems = {task.subsystem for task in one.tasks}
+        subsystems = {task.subsystem for task in result.tasks}
         return bool(self.running) and (not subsystems or bool(subsystems & self.running_in))
 
-    def _is_chatter(self, one: event.Event) -> bool:
+    def _is_chatter(self, message: event.Event) -> bool:
         """Whether an application's actions tell it already: what its tasks and drives do, unless it is trouble."""
-        if isinstance(one, event.Drive):
-            return bool(self.running or self._applied) and one.state not in ("TRIPPED", "PRESSED")
-        return isinstance(one, event.TaskState) and one.state != "ERROR" and self._is_applied(one.subsystem)
+        if isinstance(message, event.Drive):
+            return bool(self.running or self._applied) and message.state not in ("TRIPPED", "PRESSED")
+        return isinstance(message, event.TaskState) and message.state != "ERROR" and self._is_applied(message.subsystem)
 
     def _is_applied(self, subsystem: str) -> bool:
         """Whether an application moves the tasks there."""

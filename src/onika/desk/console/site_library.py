@@ -49,10 +49,10 @@ class Library:
 
     def configuration(self, name: str) -> tuple[Configuration | None, Faults]:
         """A configuration by its name."""
-        found, faults = self._site.configuration(name)
-        if found is None:
+        configuration, faults = self._site.configuration(name)
+        if configuration is None:
             return None, faults or self._none("a configuration", name, self.configurations)
-        return found, faults
+        return configuration, faults
 
     def planned(self, name: str, rtpu: str = UNKNOWN) -> tuple[PlannedTask | None, Code | None, Faults]:
         """A task as a runtime takes it, and its code; None with the faults where one of them is missing."""
@@ -87,15 +87,15 @@ class Library:
             return "", faults
         onikon, faults = self._site.onikon(text[1:], types)
         if onikon is None:
-            known = _names(base.onikons for base in self._site.directories)
-            return "", faults or self._none("a target", text[1:], known)
+            names = _names(base.onikons for base in self._site.directories)
+            return "", faults or self._none("a target", text[1:], names)
         if not onikon.values:
             return "", (Fault(self._place, f"a target with values, as in {text}", "none in it", _INSTEAD),)
         return onikon.argument_line(types), faults
 
-    def _none(self, what: str, name: str, known: tuple[str, ...]) -> Faults:
-        near = get_close_matches(name, known, 3)
-        hint = f" (near it: {', '.join(near)})" if near else f" (there are {len(known)})"
+    def _none(self, what: str, name: str, names: tuple[str, ...]) -> Faults:
+        near = get_close_matches(name, names, 3)
+        hint = f" (near it: {', '.join(near)})" if near else f" (there are {len(names)})"
         return (Fault(self._place, f"{what} on the search path{hint}", repr(name), _INSTEAD),)
 
 

@@ -15,10 +15,10 @@ UNITS = {
 
 def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> list[str]:
     """One row for each task, the chosen columns; the subsystem only where there are several."""
-    several = len({one.subsystem for one in figures}) > 1
+    several = len({figure.subsystem for figure in figures}) > 1
     names = ("subsystem",) * several + ("task", *columns)
     heads = [f"{name}/{UNITS[name]}" if name in UNITS else name for name in names]
-    rows = [[one.subsystem] * several + [one.task, *(cell(one, name) for name in columns)] for one in figures]
+    rows = [[figure.subsystem] * several + [figure.task, *(cell(figure, name) for name in columns)] for figure in figures]
     return text_table.lines(heads, rows)
 
 
@@ -51,26 +51,26 @@ def _rate(hz: float) -> str:
 
 
 _CELLS: dict[str, Callable[[TaskFigure], str]] = {
-    "rmod": lambda one: one.rmod,
-    "rtpu": lambda one: one.rtpu,
-    "tid": lambda one: str(one.tid),
-    "S": lambda one: one.type,
-    "crit": lambda one: str(one.crit),
-    "state": lambda one: one.state,
-    "cycle": lambda one: str(one.cycle),
-    "miss": lambda one: str(one.miss),
-    "ref-F": lambda one: _rate(one.ref_hz),
-    "ref-T": lambda one: _period(one.ref_hz),
-    "mez-F": lambda one: _rate(one.mez_hz),
-    "mez-T": lambda one: _period(one.mez_hz),
-    "ptime": lambda one: _number(one.ptime_s, 2),
-    "tot-C": lambda one: _number(one.total_ms, 2),
-    "tick": lambda one: _number(one.tick_ms, 6).rstrip("0").rstrip("."),
-    "min-U": lambda one: _number(one.least_use * 100, 1),
-    "max-U": lambda one: _number(one.most_use * 100, 1),
-    "avg-U": lambda one: _number(one.mean_use * 100, 1),
-    "min-C": lambda one: _number(one.least_ms, 3),
-    "max-C": lambda one: _number(one.most_ms, 3),
-    "avg-C": lambda one: _number(one.mean_ms, 3),
-    "warn": lambda one: str(one.warn),
+    "rmod": lambda figure: figure.rmod,
+    "rtpu": lambda figure: figure.rtpu,
+    "tid": lambda figure: str(figure.tid),
+    "S": lambda figure: figure.type,
+    "crit": lambda figure: str(figure.crit),
+    "state": lambda figure: figure.state,
+    "cycle": lambda figure: str(figure.cycle),
+    "miss": lambda figure: str(figure.miss),
+    "ref-F": lambda figure: _rate(figure.ref_hz),
+    "ref-T": lambda figure: _period(figure.ref_hz),
+    "mez-F": lambda figure: _rate(figure.mez_hz),
+    "mez-T": lambda figure: _period(figure.mez_hz),
+    "ptime": lambda figure: _number(figure.ptime_s, 2),
+    "tot-C": lambda figure: _number(figure.total_ms, 2),
+    "tick": lambda figure: _number(figure.tick_ms, 6).rstrip("0").rstrip("."),
+    "min-U": lambda figure: _number(figure.least_use * 100, 1),
+    "max-U": lambda figure: _number(figure.most_use * 100, 1),
+    "avg-U": lambda figure: _number(figure.mean_use * 100, 1),
+    "min-C": lambda figure: _number(figure.least_ms, 3),
+    "max-C": lambda figure: _number(figure.most_ms, 3),
+    "avg-C": lambda figure: _number(figure.mean_ms, 3),
+    "warn": lambda figure: str(figure.warn),
 }

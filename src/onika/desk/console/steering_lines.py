@@ -33,10 +33,10 @@ def verb(name: str) -> Callable[[Session, Words], Faults]:
 
 def clear(session: Session, words: Words) -> Faults:
     """Bring a task out of ERROR; of a flow that has stopped: clear its tasks and repeat its action."""
-    found = where(session)
-    stopped = [one.subsystem for one in found if one.state == "stopped"]
+    spots = where(session)
+    stopped = [spot.subsystem for spot in spots if spot.state == "stopped"]
     if words:
-        flow = cast_of(session, found).flow(words[0])
+        flow = cast_of(session, spots).flow(words[0])
         return _order(session, steer.Recover(flow)) if flow else task_lines.clear(session, words)
     if session.subsystem in stopped or (stopped and not session.tasks()):
         name = session.subsystem if session.subsystem in stopped else stopped[0] if len(stopped) == 1 else ""
@@ -47,26 +47,26 @@ def clear(session: Session, words: Words) -> Faults:
 def who(session: Session, words: Words) -> Faults:
     """Where every flow is, and who waits for whom."""
     del words
-    found = where(session)
-    if not found:
+    spots = where(session)
+    if not spots:
         session.say("no application runs", Tone.DIM)
     else:
-        session.show(positions.lines(found, cast_of(session, found)))
+        session.show(positions.lines(spots, cast_of(session, spots)))
     return ()
 
 
 def runs(session: Session, words: Words) -> Faults:
     """The applications that run, each with where its flows are."""
     del words
-    found = {one.subsystem: one for one in where(session)}
+    spots = {spot.subsystem: spot for spot in where(session)}
     homes: dict[str, list[str]] = {}
-    for one in session.look_again().subsystems:
-        if one.application:
-            homes.setdefault(one.application, []).append(one.name)
+    for subsystem in session.look_again().subsystems:
+        if subsystem.application:
+            homes.setdefault(subsystem.application, []).append(subsystem.name)
     for application, names in homes.items():
         session.say(f"{application} in {', '.join(names)}", Tone.HEAD)
-        told = [found[name] for name in names if name in found]
-        for line in positions.lines(told, cast_of(session, told)) if told else ():
+        application_spots = [spots[name] for name in names if name in spots]
+        for line in positions.lines(application_spots, cast_of(session, application_spots)) if application_spots else ():
             session.say(f"  {line}")
     if not homes:
         session.say("no application runs", Tone.DIM)
@@ -79,15 +79,15 @@ def where(session: Session) -> tuple[Position, ...]:
     return answer.flows if isinstance(answer, steer.Positions) else ()
 
 
-def cast_of(session: Session, found: tuple[Position, ...] | list[Position]) -> Cast:
+def cast_of(session: Session, spots: tuple[Position, ...] | list[Position]) -> Cast:
     """These flows, with what their actions are called where this console began them."""
-    names = {one.subsystem for one in found}
+    names = {spot.subsystem for spot in spots}
     own = session.cast
-    return own if own is not None and names and names <= set(own.subsystems) else Cast.seen(found)
+    return own if own is not None and names and names <= set(own.subsystems) else Cast.seen(spots)
 
 
-def _order(session: Session, asked: request.Request) -> Faults:
-    answer = session.ask(asked)
+def _order(session: Session, message: request.Request) -> Faults:
+    answer = session.ask(message)
     session.hear()
     if isinstance(answer, request.Refused):
         return (objection(session.place, answer.reason, GOES_ON),)

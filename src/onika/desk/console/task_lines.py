@@ -52,7 +52,7 @@ def spawn(session: Session, words: Words) -> Faults:
 def on(session: Session, words: Words) -> Faults:
     """Turn a task ON, with its argument line; `all` turns all ON that are OFF."""
     if words == (ALL,):
-        resting = [name for name, one in session.tasks().items() if one.state == "OFF"]
+        resting = [name for name, task in session.tasks().items() if task.state == "OFF"]
         return session.order(live.Change(session.subsystem, on=tuple(live.Turn(name) for name in resting)))
     subsystem, name = session.address(words[0])
     line, faults = Library(session.site, session.place).arguments(words[1] if len(words) > 1 else "")
@@ -63,7 +63,7 @@ def on(session: Session, words: Words) -> Faults:
 def off(session: Session, words: Words) -> Faults:
     """Turn tasks OFF; all of them where none is named."""
     if words in ((), (ALL,)):
-        moving = tuple(name for name, one in session.tasks().items() if one.state in ("ON", "ASKING"))
+        moving = tuple(name for name, task in session.tasks().items() if task.state in ("ON", "ASKING"))
         return session.order(live.Change(session.subsystem, off=moving)) if moving else ()
     return _several(session, words, lambda subsystem, names: live.Change(subsystem, off=names))
 
@@ -78,7 +78,7 @@ def kill(session: Session, words: Words) -> Faults:
 def clear(session: Session, words: Words) -> Faults:
     """Bring a task out of ERROR, or, without a name, every task of the subsystem that is in it."""
     if not words:
-        broken = [name for name, one in session.tasks().items() if one.state == "ERROR"]
+        broken = [name for name, task in session.tasks().items() if task.state == "ERROR"]
         return tuple(fault for name in broken for fault in session.order(live.Clear(session.subsystem, name)))
     subsystem, name = session.address(words[0])
     return missing(session, subsystem, (name,)) or session.order(live.Clear(subsystem, name))
@@ -92,7 +92,7 @@ def configure(session: Session, words: Words) -> Faults:
     if configuration is None or faults or wrong:
         return faults + wrong
     living = session.tasks()
-    names = tuple(one.task for one in configuration.placed)
+    names = tuple(placed.task for placed in configuration.placed)
     planned, code, faults = _placed(session, configuration, set(living))
     starts = []
     for name in names:
@@ -107,9 +107,9 @@ def configure(session: Session, words: Words) -> Faults:
         code=code,
         on=tuple(starts),
         rates=tuple(
-            (one.task, one.frequency)
-            for one in configuration.placed
-            if one.frequency and one.task in living and living[one.task].frequency is not None
+            (placed.task, placed.frequency)
+            for placed in configuration.placed
+            if placed.frequency and placed.task in living and living[placed.task].frequency is not None
         ),
     )
     return tuple(dict.fromkeys(faults)) or session.order(change)
@@ -162,15 +162,15 @@ def _placed(
     planned: list[PlannedTask] = []
     code: dict[str, Code] = {}
     faults: Faults = ()
-    known = {one.name for one in session.standing().rtpus}
-    for one in configuration.placed:
-        if one.task in living:
+    units = {unit.name for unit in session.standing().rtpus}
+    for placed in configuration.placed:
+        if placed.task in living:
             continue
-        rtpu = one.rtpu if one.rtpu in known else UNKNOWN  # as in a run: an unknown unit is the first one
-        task, source, wrong = Library(session.site, session.place).planned(one.task, rtpu)
+        rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN  # as in a run: an unknown unit is the first one
+        task, source, wrong = Library(session.site, session.place).planned(placed.task, rtpu)
         faults += wrong
         if task is not None and source is not None:
-            planned.append(altered(task, "", one.frequency if task.frequency is not None else None))
+            planned.append(altered(task, "", placed.frequency if task.frequency is not None else None))
             code[source.digest] = source
     return tuple(planned), tuple(code.values()), faults
 
@@ -179,15 +179,15 @@ def _wish(session: Session, words: Words) -> _Wish | Faults:
     """`TASK… [on RTPU] [as NAME] [at HZ]`."""
     start = next((place for place, word in enumerate(words) if word in ("on", "as", "at")), len(words))
     names, rest = words[:start], words[start:]
-    found = dict(zip(rest[::2], rest[1::2], strict=False))
-    if not names or len(rest) % 2 or len(found) * 2 != len(rest) or set(found) - {"on", "as", "at"}:
+    settings = dict(zip(rest[::2], rest[1::2], strict=False))
+    if not names or len(rest) % 2 or len(settings) * 2 != len(rest) or set(settings) - {"on", "as", "at"}:
         return session.no("`spawn TASK… [on RTPU] [as NAME] [at HZ]`", f"`spawn {' '.join(words)}`")
     frequency = None
-    if "at" in found:
-        frequency = positive(found["at"])
+    if "at" in settings:
+        frequency = positive(settings["at"])
         if frequency is None:
-            return session.no("a rate in hertz after `at`", repr(found["at"]))
-    return _Wish(names, found.get("on", UNKNOWN), found.get("as", ""), frequency)
+            return session.no("a rate in hertz after `at`", repr(settings["at"]))
+    return _Wish(names, settings.get("on", UNKNOWN), settings.get("as", ""), frequency)
 
 
 def positive(text: str) -> float | None:
@@ -200,7 +200,7 @@ def positive(text: str) -> float | None:
 
 
 def _unit_there(session: Session, rtpu: str) -> Faults:
-    known = [one.name for one in session.standing().rtpus]
-    if rtpu == UNKNOWN or rtpu in known:
+    units = [unit.name for unit in session.standing().rtpus]
+    if rtpu == UNKNOWN or rtpu in units:
         return ()
-    return session.no(f"one of the units {', '.join(known)}", repr(rtpu))
+    return session.no(f"one of the units {', '.join(units)}", repr(rtpu))

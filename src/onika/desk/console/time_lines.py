@@ -37,12 +37,12 @@ def wait(session: Session, words: Words) -> Faults:
     seconds = positive(text)
     if seconds is not None:
         return _advance(session, seconds) if session.standing().is_virtual else _sleep(session, seconds)
-    found = _WITHIN.match(text)
-    condition, limit = (found[1], positive(found[2])) if found else (text, _USUAL_S)
+    match = _WITHIN.match(text)
+    condition, limit = (match[1], positive(match[2])) if match else (text, _USUAL_S)
     if limit is None:
         return session.no("seconds after `within`", repr(text))
     if condition == "run":
-        return ended(session, None if found is None else limit)
+        return ended(session, None if match is None else limit)
     parts = condition.split()
     if len(parts) == 2 and parts[1] in _FLOW_STATES:
         return _flow(session, parts[0], parts[1], limit)
@@ -92,7 +92,7 @@ def _state(session: Session, address: str, state: str, limit: float) -> Faults:
 
 def _flow(session: Session, name: str, state: str, limit: float) -> Faults:
     def now() -> str:
-        return next((one.state for one in where(session) if one.subsystem == name), "gone")
+        return next((position.state for position in where(session) if position.subsystem == name), "gone")
 
     if now() == "gone":
         return session.no("a flow of an application that runs", repr(name))
@@ -114,7 +114,7 @@ def _variable(session: Session, expectation: Condition, limit: float) -> Faults:
 
 
 def _until(
-    session: Session, reached: Callable[[], bool], limit: float, expected: str, found: Callable[[], str]
+    session: Session, reached: Callable[[], bool], limit: float, expected: str, reality: Callable[[], str]
 ) -> Faults:
     """Let time pass, the runtime's own, until something is so."""
     virtual = session.standing().is_virtual
@@ -123,7 +123,7 @@ def _until(
         if session.is_interrupted():
             return session.interrupt()
         if _now(session, virtual) >= until_s - 1e-9:
-            return session.no(f"{expected} within {limit:g} s", found(), "the line is given up")
+            return session.no(f"{expected} within {limit:g} s", reality(), "the line is given up")
         if not virtual:
             session.hear(_STEP_S)
             continue
@@ -163,5 +163,5 @@ def _advance(session: Session, seconds: float) -> Faults:
 
 
 def _asked(session: Session) -> Faults:
-    asking = ", ".join("/".join(one) for one in session.questions)
+    asking = ", ".join("/".join(key) for key in session.questions)
     return session.no("no task that asks, for nothing goes on until it is answered", asking)

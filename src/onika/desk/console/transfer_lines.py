@@ -11,26 +11,26 @@ Words = tuple[str, ...]
 
 def jumps(session: Session, words: Words) -> Faults:
     """The last step of each variable of living subsystems, the largest of the last run of others."""
-    told = [one for _, one in sorted(session.steps.items()) if not words or one.subsystem == words[0]]
-    if not told:
+    steps = [step for _, step in sorted(session.steps.items()) if not words or step.subsystem == words[0]]
+    if not steps:
         session.say("no step was told yet: nothing that drives hardware was exchanged while it was driven", Tone.DIM)
         return ()
-    session.show(text_table.lines(("variable", "step", "of", "share/%", "unit", "at/s", "became"), map(_row, told)))
+    session.show(text_table.lines(("variable", "step", "of", "share/%", "unit", "at/s", "became"), map(_row, steps)))
     return ()
 
 
-def _row(one: event.Stepped | VariableSteps) -> tuple[str, ...]:
-    share = f"{one.step / one.limit * 100:.0f}" if one.limit else "-"
-    limit = f"{one.limit:.4g}" if one.limit else "-"
-    name = f"{one.subsystem}/{one.variable}[{one.index}]"
-    return name, f"{one.step:.4g}", limit, share, one.unit, f"{one.at_s:.2f}", _became(one)
+def _row(step: event.Stepped | VariableSteps) -> tuple[str, ...]:
+    share = f"{step.step / step.limit * 100:.0f}" if step.limit else "-"
+    limit = f"{step.limit:.4g}" if step.limit else "-"
+    name = f"{step.subsystem}/{step.variable}[{step.index}]"
+    return name, f"{step.step:.4g}", limit, share, step.unit, f"{step.at_s:.2f}", _became(step)
 
 
-def _became(one: event.Stepped | VariableSteps) -> str:
-    if isinstance(one, event.Stepped):
-        if not one.is_too_far:
+def _became(step: event.Stepped | VariableSteps) -> str:
+    if isinstance(step, event.Stepped):
+        if not step.is_too_far:
             return "passed on"
-        return f"blended over {one.cycles} cycles" if one.cycles else "refused"
-    words = [f"blended {one.blended} of {one.count} times"] * bool(one.blended)
-    words += [f"refused {one.refused} of {one.count} times"] * bool(one.refused)
-    return ", ".join(words) or f"passed on, the largest of {one.count}"
+        return f"blended over {step.cycles} cycles" if step.cycles else "refused"
+    words = [f"blended {step.blended} of {step.count} times"] * bool(step.blended)
+    words += [f"refused {step.refused} of {step.count} times"] * bool(step.refused)
+    return ", ".join(words) or f"passed on, the largest of {step.count}"

@@ -73,24 +73,24 @@ def get(session: Session, words: Words) -> Faults:
 def put(session: Session, words: Words) -> Faults:
     """Tell a module a new value of something by name."""
     subsystem, name = session.address(words[0])
-    asked = live.Set(subsystem, name, words[1], words[2])
-    return missing(session, subsystem, (name,)) or _value(session, words[1], asked)
+    message = live.Set(subsystem, name, words[1], words[2])
+    return missing(session, subsystem, (name,)) or _value(session, words[1], message)
 
 
 def answer(session: Session, words: Words) -> Faults:
     """The argument line that a task asks for."""
     subsystem, name = session.address(words[0])
     if (subsystem, name) not in session.questions:
-        asking = ", ".join("/".join(one) for one in session.questions)
+        asking = ", ".join("/".join(key) for key in session.questions)
         return session.no("a task that asks" + (f" ({asking})" if asking else ""), repr(words[0]))
     text = words[1] if len(words) > 1 else defaults(session, subsystem, name)
     line, faults = Library(session.site, session.place).arguments(text)
     if faults:
         return faults
-    asked = session.questions.pop((subsystem, name))
+    question = session.questions.pop((subsystem, name))
     faults = session.order(request.Reply(subsystem, name, line))
     if faults:
-        session.questions.setdefault((subsystem, name), asked)
+        session.questions.setdefault((subsystem, name), question)
         return faults
     session.hear()
     return ()
@@ -104,8 +104,8 @@ def defaults(session: Session, subsystem: str, name: str) -> str:
     return join(str(value) for item in items for value in item.default or ())
 
 
-def _value(session: Session, name: str, asked: request.Request) -> Faults:
-    reply = session.ask(asked)
+def _value(session: Session, name: str, message: request.Request) -> Faults:
+    reply = session.ask(message)
     if isinstance(reply, request.Refused):
         return session.no("the module to do it", reply.reason)
     if isinstance(reply, live.Value) and reply.value is not None:

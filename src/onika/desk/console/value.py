@@ -19,13 +19,13 @@ def type_of(value: Any) -> str:
 def flat(value: Any) -> list[Any]:
     """The elements, row by row."""
     if isinstance(value, list):
-        return [element for one in value for element in flat(one)]
+        return [element for row in value for element in flat(row)]
     return [value]
 
 
 def words(value: Any) -> str:
     """All elements in one line, such that an argument line or a file takes them again."""
-    return join(_exact(one) for one in flat(value))
+    return join(_exact(element) for element in flat(value))
 
 
 def shown(name: str, value: Any) -> list[str]:
@@ -41,9 +41,9 @@ def shown(name: str, value: Any) -> list[str]:
 def _texts(value: Any) -> list[str]:
     """The elements, all of one form and width, so that they can be compared with the eye."""
     elements = flat(value)
-    largest = max((abs(one) for one in elements if isinstance(one, float)), default=0.0)
+    largest = max((abs(element) for element in elements if isinstance(element, float)), default=0.0)
     is_plain = largest == 0.0 or 1e-3 <= largest < 1e5
-    texts = [_short(one, is_plain) for one in elements]
+    texts = [_short(element, is_plain) for element in elements]
     width = max(map(len, texts), default=0)
     return [f"{text:>{width}}" for text in texts]
 

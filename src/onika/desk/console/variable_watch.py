@@ -55,12 +55,12 @@ class Watch:
         self._due_s = session.clock() + self._period_s
         for name in self._names:
             address = session.address(name)
-            found, faults = value(session, *address)
+            current, faults = value(session, *address)
             if faults:
                 self._names = ()
                 session.say(f"{name} is not watched any more: {faults[0].found}", Tone.NOTE)
                 return
-            if address not in self._shown or self._shown[address] != found:
-                self._shown[address] = found
-                for line in shown(name, found):
+            if address not in self._shown or self._shown[address] != current:
+                self._shown[address] = current
+                for line in shown(name, current):
                     session.say(line, Tone.DIM)
