@@ -20,7 +20,7 @@ def carry_out(given: argparse.Namespace) -> int:
     for one in offers():
         missing += not one.is_there
         mark = Text("ok  ", style="green") if one.is_there else Text("no  ", style="red")
-        console.print(mark, Text(f"{one.name:<12}"), Text(one.found), sep="")
+        console.print(mark, Text(f"{one.name:<12}"), Text(one.actual), sep="")
         if not one.is_there:
             console.print(Text(f"    {'':<12}cost: {one.cost}", style="yellow"))
     return 1 if missing else 0

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from onika.desk.run.recording_digest import told
+from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.record import columns
 from onika.record.difference import first_difference
@@ -68,7 +68,7 @@ def _reading(path: Path) -> Iterator[None]:
 
 def _show(path: Path) -> int:
     with _reading(path), Review(path) as review:
-        lines = list(told(review))
+        lines = list(digest_lines(review))
     print("\n".join(lines))
     return 0
 

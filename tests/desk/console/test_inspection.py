@@ -54,7 +54,10 @@ def test_a_task_file_with_faults_is_listed_as_such(sit, tmp_path):
 
 def test_units_and_subsystems_are_listed(sit):  # R-A06
     sitting = sit()
-    assert [line.split() for line in sitting.does("rtpus")[1:]] == [["rt0", "alive", "25.0%"], ["rt1", "alive", "25.0%"]]
+    assert [line.split() for line in sitting.does("rtpus")[1:]] == [
+        ["rt0", "alive", "25.0%"],
+        ["rt1", "alive", "25.0%"],
+    ]
     assert sitting.does("subsystems")[1].split()[:4] == ["*", "main", "0", "nobody"]
     sitting.does("spawn left/puma", "take left", "subsystem left")
     assert sitting.does("subsystems")[1].split()[:4] == ["*", "left", "1", "you"]

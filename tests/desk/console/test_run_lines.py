@@ -38,7 +38,10 @@ def test_home_is_the_application_go_home(sit):  # R-A16
 def test_a_second_application_has_to_wait(sit):
     sitting = sit()
     sitting.console.carry_out("run go_home")
-    assert (sitting.fails("run assemble").expected, sitting.fails("home").found) == ("no application that runs", "go_home")
+    assert (sitting.fails("run assemble").expected, sitting.fails("home").found) == (
+        "no application that runs",
+        "go_home",
+    )
 
 
 def test_what_is_wrong_with_an_application_is_told_before_anything_moves(sit):

@@ -77,8 +77,8 @@ def test_notes_are_said_and_faults_of_files_keep_their_places(sit):
     runtime.ask = lambda message: (
         request.Prepared((fault,), ("worth knowing",)) if isinstance(message, request.Prepare) else runtime_ask(message)
     )
-    (fault,) = sitting.session.order(request.Prepare(Plan("x", (), ()), ()))
-    assert str(fault) == "a.rmod:3: expected x, found y; instead: z"
+    (refusal,) = sitting.session.order(request.Prepare(Plan("x", (), ()), ()))
+    assert str(refusal) == "a.rmod:3: expected x, found y; instead: z"
     assert "note: worth knowing" in sitting.lines
 
 

@@ -16,7 +16,7 @@ def steered(sit):
 
 
 @pytest.mark.parametrize(
-    ("line", "asked"),
+    ("line", "message"),
     [
         ("pause", steer.Pause("flow0")),
         ("continue flow0", steer.Resume("flow0")),
@@ -29,9 +29,9 @@ def steered(sit):
         ("unbreak 3", steer.Mark("flow0", 2, False)),
     ],
 )
-def test_the_words_of_steering_are_those_of_scripts(steered, line, asked):  # R-E07, R-E13
+def test_the_words_of_steering_are_those_of_scripts(steered, line, message):  # R-E07, R-E13
     steered.does(line)
-    assert steered.runtime.asked[-1] == asked
+    assert steered.runtime.asked[-1] == message
 
 
 def test_where_no_application_runs_there_is_nothing_to_steer(sit):  # R-E07

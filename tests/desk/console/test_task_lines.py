@@ -32,7 +32,7 @@ def test_one_module_serves_two_tasks_with_one_code(sit):  # R-A01
 
 
 @pytest.mark.parametrize(
-    ("line", "expected", "found"),
+    ("line", "expected", "actual"),
     [
         ("spawn pumma", "a task on the search path (near it: puma", "'pumma'"),
         ("spawn puma on rt7", "one of the units rt0, rt1", "'rt7'"),
@@ -46,11 +46,11 @@ def test_one_module_serves_two_tasks_with_one_code(sit):  # R-A01
         ("spawn all of", "`spawn all of CONFIGURATION`", "`spawn all of`"),
     ],
 )
-def test_what_cannot_be_spawned_is_told_and_nothing_is_asked(sit, line, expected, found):
+def test_what_cannot_be_spawned_is_told_and_nothing_is_asked(sit, line, expected, actual):
     sitting = sit()
     fault = sitting.fails(line)
     assert expected in fault.expected
-    assert found in fault.found
+    assert actual in fault.found
     assert sitting.requests_of(live.Change) == []
 
 

@@ -65,7 +65,10 @@ def test_a_question_is_answered_with_words_or_with_a_target(asking):  # R-A10
     asking.does("answer jtraj 0.5 0.5 2")
     assert asking.states() == {"jtraj": "ON"}
     asking.does("off jtraj", "on jtraj", "answer jtraj @home")
-    assert [reply.line for reply in asking.requests_of(request.Reply)] == ["0.5 0.5 2", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"]
+    assert [reply.line for reply in asking.requests_of(request.Reply)] == [
+        "0.5 0.5 2",
+        "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0",
+    ]
 
 
 def test_an_answer_that_will_not_do_is_asked_for_again(asking):  # R-A10

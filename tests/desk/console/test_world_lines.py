@@ -26,7 +26,9 @@ def test_values_are_numbers_and_a_value_belongs_to_a_part(sit):
 def test_the_parts_of_a_world_are_listed(sit):
     sitting = sit()
     sitting.runtime.scenes["boxes"] = {"parts": {"panic_left": "1 pressed, 0 let go"}}
-    assert any(line.split() == ["panic_left", "1", "pressed,", "0", "let", "go"] for line in sitting.does("touch boxes"))
+    assert any(
+        line.split() == ["panic_left", "1", "pressed,", "0", "let", "go"] for line in sitting.does("touch boxes")
+    )
     sitting.runtime.scenes["moon"] = {}
     assert sitting.does("touch moon") == ["it has no parts to touch"]
     assert "sea" in sitting.fails("touch sea").expected

@@ -45,7 +45,7 @@ class Line:
         self._words.extend(words)
         os.write(self._writer, b"!")
 
-    def told(self, timeout_s=0.0):
+    def messages(self, timeout_s=0.0):
         with contextlib.suppress(BlockingIOError):
             os.read(self._reader, 4096)
         while self._words:

@@ -50,18 +50,18 @@ def test_a_whole_text_stands_alone(lab: Path, site: Site) -> None:
 
 def test_an_icon_that_is_nowhere_is_told(lab: Path, site: Site) -> None:
     (lab / "work.al").write_text("BEGIN\nNOP rest\nEND\n")
-    found = convert(lab / "work.al", None, site)
-    assert found.application is None
-    assert found.content == ""
-    assert [fault.found for fault in found.faults] == ["none"]
+    conversion = convert(lab / "work.al", None, site)
+    assert conversion.application is None
+    assert conversion.content == ""
+    assert [fault.found for fault in conversion.faults] == ["none"]
 
 
 def test_an_icon_at_fault_in_the_dictionary_is_defined_in_the_text_and_told(lab: Path, site: Site) -> None:
     (lab / "dict" / "rest.onk").write_text("junk\n")
-    found = convert(lab / "appl" / "work.appl", None, site)
-    assert "ICON        rest\n" in found.content
-    assert found.faults == ()
-    assert {note.place.file for note in found.notes} == {str(lab / "dict" / "rest.onk")}
+    conversion = convert(lab / "appl" / "work.appl", None, site)
+    assert "ICON        rest\n" in conversion.content
+    assert conversion.faults == ()
+    assert {note.place.file for note in conversion.notes} == {str(lab / "dict" / "rest.onk")}
 
 
 def test_files_that_cannot_be_read_are_told(lab: Path, site: Site) -> None:

@@ -14,14 +14,14 @@ SOURCE = "from onika.module import Module\nclass Wink(Module):\n    trigger = Tr
 
 @pytest.fixture
 def laboratory(tmp_path):
-    one = Laboratory(tmp_path)
-    one.module("wink", SOURCE)
-    one.plain_task("wink", reads="X", writes="Y", hz=50, local="GAIN 2 3\n")
-    one.module("blink", SOURCE)
-    one.plain_task("blink")
-    one.configuration("winkC", "wink 100 rt1", "blink 20")
-    one.configuration("blinkC", "blink 0 rt0", "wink 50 rt7")
-    return one
+    laboratory = Laboratory(tmp_path)
+    laboratory.module("wink", SOURCE)
+    laboratory.plain_task("wink", reads="X", writes="Y", hz=50, local="GAIN 2 3\n")
+    laboratory.module("blink", SOURCE)
+    laboratory.plain_task("blink")
+    laboratory.configuration("winkC", "wink 100 rt1", "blink 20")
+    laboratory.configuration("blinkC", "blink 0 rt0", "wink 50 rt7")
+    return laboratory
 
 
 def compiled(path):
@@ -94,8 +94,8 @@ def test_only_a_parallel_application_has_several_flows(laboratory):  # R-E04, R-
 def test_no_ops_have_no_tasks_and_what_is_missing_is_said_to_be(laboratory):  # R-D11
     flow = [job("noop", "Complete NOP"), job("nowhereC"), HOLE, job("winkC")]
     compiler, plan = compiled(laboratory.application("twice", flow))
-    said = [(one.name, one.is_noop, one.lacks_tasks, bool(one.tasks)) for one in plan.flows[0].actions]
-    assert said == [("noop", True, False, False), ("nowhereC", False, True, False), ("winkC", False, False, True)]
+    facts = [(action.name, action.is_noop, action.lacks_tasks, bool(action.tasks)) for action in plan.flows[0].actions]
+    assert facts == [("noop", True, False, False), ("nowhereC", False, True, False), ("winkC", False, False, True)]
     assert compiler.faults == []
 
 
@@ -126,7 +126,7 @@ def test_every_action_says_where_it_stands_from_the_outermost_application_inward
     laboratory.application("inner", [job("winkC"), job("blinkC")])
     _, plan = compiled(laboratory.application("outer", [job("winkC"), job("inner", "Complete application")]))
     actions = plan.flows[0].actions
-    assert [len(one.spot) for one in actions] == [1, 2, 2]
+    assert [len(action.spot) for action in actions] == [1, 2, 2]
     assert actions[0].spot == (actions[0].line,)
-    assert [one.spot[1] for one in actions[1:]] == [one.line for one in actions[1:]]
+    assert [action.spot[1] for action in actions[1:]] == [action.line for action in actions[1:]]
     assert actions[1].spot[0] == actions[2].spot[0] > actions[0].line

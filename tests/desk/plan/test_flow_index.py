@@ -30,7 +30,7 @@ def test_an_action_goes_by_its_number_from_one_or_by_its_name(word, index):  # R
 
 
 @pytest.mark.parametrize(
-    ("word", "said"),
+    ("word", "sentence"),
     [
         ("0", "from 1 to 3, found 0"),
         ("4", "from 1 to 3, found 4"),
@@ -38,8 +38,8 @@ def test_an_action_goes_by_its_number_from_one_or_by_its_name(word, index):  # R
         ("drop", r"number or name \(lift, turn\), found 'drop'"),
     ],
 )
-def test_an_action_that_is_none_is_refused_with_those_that_are(word, said):  # R-E13
-    with pytest.raises(ValueError, match=said):
+def test_an_action_that_is_none_is_refused_with_those_that_are(word, sentence):  # R-E13
+    with pytest.raises(ValueError, match=sentence):
         CAST.action("left", word)
 
 

@@ -7,7 +7,7 @@ THERE, BARE = onikon("there", "Joint object", "above triangle"), onikon("grip", 
 
 def test_an_icon_is_called_by_what_it_shows():
     assert (named(THERE), named(BARE), quoted(THERE)) == ("above triangle", "grip", "“above triangle”")
-    assert [step_named(one) for one in (Icon(THERE), Hole(), Branch(()))] == ["above triangle", "a hole", "a branch"]
+    assert [step_named(step) for step in (Icon(THERE), Hole(), Branch(()))] == ["above triangle", "a hole", "a branch"]
 
 
 def test_several_icons_are_counted_and_holes_are_none():

@@ -34,15 +34,15 @@ def site(tmp_path: Path) -> Site:
 
 
 def made(path: Path, site: Site, **given: object) -> Onikon:
-    found = iconify(path, site, **given)  # type: ignore[arg-type]
-    assert isinstance(found, Made), found
-    return found.onikon
+    outcome = iconify(path, site, **given)  # type: ignore[arg-type]
+    assert isinstance(outcome, Made), outcome
+    return outcome.onikon
 
 
 def reasons(path: Path, site: Site, **given: object) -> list[str]:
-    found = iconify(path, site, **given)  # type: ignore[arg-type]
-    assert not isinstance(found, Made)
-    return list(map(str, found))
+    outcome = iconify(path, site, **given)  # type: ignore[arg-type]
+    assert not isinstance(outcome, Made)
+    return list(map(str, outcome))
 
 
 def saved(base: BaseDirectory, name: str) -> Onikon | None:
@@ -71,8 +71,8 @@ def test_an_icon_that_is_there_keeps_its_picture_its_description_and_its_comment
 
 def test_another_icon_lends_its_picture(base: BaseDirectory, site: Site, tmp_path: Path) -> None:
     base.save_onikon(Onikon("model", "Complete job", "", (), drawn("X")))
-    found = made(base.configuration_file("move"), site, picture=base.onikon_file("model"))
-    assert found.picture == drawn("X")
+    outcome = made(base.configuration_file("move"), site, picture=base.onikon_file("model"))
+    assert outcome.picture == drawn("X")
     (tmp_path / "no.onk").write_text("EOF\n")
     for path in (tmp_path / "no.onk", tmp_path / "none.onk"):
         assert reasons(base.configuration_file("move"), site, picture=path)

@@ -35,7 +35,7 @@ def test_nothing_is_ever_written_over(tmp_path):  # R-B08
         path.write_text("mine")
         with pytest.raises(ValueError, match="is there already: nothing was written"):
             create_module("gain", tmp_path)
-        assert [one for one in tmp_path.rglob("*") if one.is_file()] == [path]
+        assert [path for path in tmp_path.rglob("*") if path.is_file()] == [path]
         path.unlink()
 
 

@@ -49,9 +49,9 @@ def test_everything_wrong_is_there_at_once_and_the_rest_is_compiled(laboratory, 
     laboratory.configuration("lonelyC", "nobody 100")
     flow = [job("lonelyC"), job("nowhereC"), HOLE, job("jmoveC", "Joint job"), joints("home", *[0.0] * 6)]
     prepared = prepare_run(str(laboratory.application("wrong", flow)), site)
-    said = [f"{fault.expected} | {fault.found}" for fault in prepared.faults]
+    sentences = [f"{fault.expected} | {fault.found}" for fault in prepared.faults]
     for words in ("the task nobody", "the configuration nowhereC", "without holes"):
-        assert any(words in one for one in said)
+        assert any(words in sentence for sentence in sentences)
     assert [action.job for action in prepared.plan.flows[0].actions] == ["lonelyC", "nowhereC", "jmoveC"]
     assert len(prepared.targets) == 1
 
@@ -124,5 +124,5 @@ def test_what_is_there_already_is_prepared_without_its_file(laboratory):  # R-E0
 
 
 def test_a_fault_that_a_runtime_tells_is_one_like_any_other():
-    told = FaultText("play.appl", 7, "a target within reach", "none", "nothing is run")
-    assert str(fault_of(told)) == "play.appl:7: expected a target within reach, found none; instead: nothing is run"
+    text = FaultText("play.appl", 7, "a target within reach", "none", "nothing is run")
+    assert str(fault_of(text)) == "play.appl:7: expected a target within reach, found none; instead: nothing is run"

@@ -37,7 +37,7 @@ def application(name, *flows, parallel=False):
 
 
 def lines(*flows, parallel=False, others=()):
-    sequencer = Sequencer(SYNTAX, {one.name: one for one in others}, lambda name: f"{name}.appl")
+    sequencer = Sequencer(SYNTAX, {flow.name: flow for flow in others}, lambda name: f"{name}.appl")
     return sequencer.sequence(application("top", *flows, parallel=parallel), "top.appl")
 
 
@@ -47,7 +47,7 @@ def program(*steps, others=()):
 
 
 def names(line):
-    return [one.icon.onikon.name for one in line.doings]
+    return [doing.icon.onikon.name for doing in line.doings]
 
 
 def test_actions_follow_each_other_with_their_breakpoints():
@@ -55,7 +55,7 @@ def test_actions_follow_each_other_with_their_breakpoints():
         Do(0), Do(1), Rest(1, "LAMP == 1"), Do(2), Halt()
     ]  # fmt: skip
     (line,) = lines([job("a"), nop()])
-    assert [one.is_noop for one in line.doings] == [False, True]
+    assert [doing.is_noop for doing in line.doings] == [False, True]
 
 
 def test_a_bottom_test_loop_goes_back_to_its_anchor():  # R-E05
@@ -96,8 +96,8 @@ def test_a_nested_application_stands_in_line_with_its_file_and_whence_it_comes()
     outer = application("outer", [nested("inner")])
     (line,) = lines([job("a"), nested("outer", marker=True), job("c")], others=[inner, outer])
     assert names(line) == ["a", "b", "c"]
-    assert [one.within for one in line.doings] == [(), ("outer", "inner"), ()]
-    assert [one.file for one in line.doings] == ["top.appl", "inner.appl", "top.appl"]
+    assert [doing.within for doing in line.doings] == [(), ("outer", "inner"), ()]
+    assert [doing.file for doing in line.doings] == ["top.appl", "inner.appl", "top.appl"]
     assert line.program == [Do(0), Do(1), Rest(-1), Do(2), Halt()]
 
 
@@ -136,19 +136,22 @@ def test_a_nested_parallel_application_forks_and_joins():  # R-D13
 def test_the_same_flow_serves_each_nested_parallel_application_in_turn():  # R-D13
     both = application("both", [job("l", synch_tag="m")], [job("r", synch_tag="m")], parallel=True)
     main, other = lines([nested("both"), nested("both")], others=[both])
-    assert [one for one in main.program if isinstance(one, Fork)] == [Fork(((1, 0),), "both"), Fork(((1, 3),), "both")]
+    assert [instruction for instruction in main.program if isinstance(instruction, Fork)] == [
+        Fork(((1, 0),), "both"),
+        Fork(((1, 3),), "both"),
+    ]
     assert other.program == [Meet("both m"), Do(0), Halt(), Meet("both#2 m"), Do(1), Halt()]
 
 
 def test_flows_within_flows_have_their_own_subsystems():  # R-D13
     inner = application("inner", [job("b")], [job("c")], parallel=True)
     outer = application("outer", [job("a")], [nested("inner")], parallel=True)
-    found = lines([nested("outer")], others=[inner, outer])
-    assert [(one.subsystem, one.parent) for one in found] == [("flow0", None), ("flow0.1", 0), ("flow0.1.1", 1)]
+    compiled = lines([nested("outer")], others=[inner, outer])
+    assert [(line.subsystem, line.parent) for line in compiled] == [("flow0", None), ("flow0.1", 0), ("flow0.1.1", 1)]
 
 
 def targets(line):
-    return [tuple(one.onikon.name for one in doing.targets) for doing in line.doings]
+    return [tuple(target.onikon.name for target in doing.targets) for doing in line.doings]
 
 
 def test_an_outer_target_fills_every_hole_of_its_type_also_in_nested_ones():  # R-D09, decision 32
@@ -171,7 +174,7 @@ def test_a_program_that_grows_without_measure_is_given_up():
     flows = [application("a0", [job("x"), job("y")])]
     for depth in range(1, 40):
         flows.append(application(f"a{depth}", [nested(f"a{depth - 1}"), nested(f"a{depth - 1}")]))
-    sequencer = Sequencer(SYNTAX, {one.name: one for one in flows}, str)
+    sequencer = Sequencer(SYNTAX, {flow.name: flow for flow in flows}, str)
     sequencer.sequence(application("top", [nested("a39")]), "top.appl")
     assert sum(len(line.doings) for line in sequencer.lines) == MOST
 

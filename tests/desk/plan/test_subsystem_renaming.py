@@ -6,7 +6,7 @@ def test_flows_and_those_nested_in_them_move_together():
     flows = (PlannedFlow("flow0", (), ()), PlannedFlow("flow1", (), ()), PlannedFlow("flow0.1", (), (), parent=0))
     plan = Plan("play", flows, ())
     moved = rehoused(plan, {"flow0": "left"})
-    assert [one.subsystem for one in moved.flows] == ["left", "flow1", "left.1"]
+    assert [flow.subsystem for flow in moved.flows] == ["left", "flow1", "left.1"]
     assert chiefs(plan) == ("flow0", "flow1")
 
 

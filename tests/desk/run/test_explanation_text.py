@@ -6,32 +6,32 @@ from hypothesis import given, strategies as st
 from onika.desk.run.explanation_text import lines
 from onika.wire import event
 
-AT = tuple(one * 0.05 for one in range(61))
+AT = tuple(number * 0.05 for number in range(61))
 EXPLAINED = event.Explained(
     subsystem="flow0", task="puma", action="jmoveC home", index=4, place="together.appl:117",
     text="cycle: NaN in TAU_REF", path="/home/u/puma.py", line=88, waiting=(("flow1", "lift"), ("flow2", "")),
-    courses=(event.Course("Q_MEZ", "rad", AT, tuple([0.0, one * 0.1] for one in range(61))),),
+    courses=(event.Course("Q_MEZ", "rad", AT, tuple([0.0, number * 0.1] for number in range(61))),),
     choices=(("clear flow0", "clears puma"), ("abort", "ends the run")), at_s=12.345, kind="error", suspect="poison",
 )  # fmt: skip
 
 
-def told(width=100, **changes):
+def lines_of(width=100, **changes):
     fields = {name: getattr(EXPLAINED, name) for name in EXPLAINED.__struct_fields__}
     return list(lines(event.Explained(**(fields | changes)), width))
 
 
 def course(*values, unit="rad", variable="X"):
-    at = tuple(one * 0.05 for one in range(len(values)))
+    at = tuple(number * 0.05 for number in range(len(values)))
     return {"courses": (event.Course(variable, unit, at, values),)}
 
 
 def row(*values, **given):
-    (found,) = [line.strip() for line in told(**course(*values, **given)) if " X" in line]
-    return found.partition("X")[2].split(maxsplit=1)
+    (line,) = [line.strip() for line in lines_of(**course(*values, **given)) if " X" in line]
+    return line.partition("X")[2].split(maxsplit=1)
 
 
 def test_a_stop_is_told_in_a_few_lines():  # R-X06, R-E11
-    assert told() == [
+    assert lines_of() == [
         "   12.35 s  STOP flow0/puma: cycle: NaN in TAU_REF",
         " suspect     poison",
         " chain       puma > action 5, jmoveC home > flow0 > flow1 waits at lift > flow2 waits",
@@ -43,8 +43,10 @@ def test_a_stop_is_told_in_a_few_lines():  # R-X06, R-E11
 
 
 def test_the_end_of_a_run_is_told_as_such():  # R-X06
-    one = told(choices=(), courses=(), task="", subsystem="", suspect="", waiting=(), action="", path="", place="")
-    assert one == ["   12.35 s  END: cycle: NaN in TAU_REF"]
+    shown = lines_of(
+        choices=(), courses=(), task="", subsystem="", suspect="", waiting=(), action="", path="", place=""
+    )
+    assert shown == ["   12.35 s  END: cycle: NaN in TAU_REF"]
 
 
 def test_a_value_that_is_no_number_is_marked():  # R-X06
@@ -70,7 +72,7 @@ def test_an_element_has_its_own_unit():  # R-X06
 
 
 def test_short_spans_are_told_more_exactly():  # R-X06
-    assert any(line.startswith(" last 0.10 s") for line in told(**course(1.0, 2.0, 3.0)))
+    assert any(line.startswith(" last 0.10 s") for line in lines_of(**course(1.0, 2.0, 3.0)))
 
 
 @pytest.mark.parametrize("width", [60, 80, 120])
@@ -78,20 +80,20 @@ def test_a_block_fits_its_width_and_loses_no_word(width):  # R-X06
     text = (
         "the servo of joint two hears nothing of the trajectory for longer than it may wait for it to come back again"
     )
-    block = told(width, text=text)
+    block = lines_of(width, text=text)
     assert max(map(len, block)) <= width
     assert text in " ".join(" ".join(line.split()) for line in block)
 
 
 @pytest.mark.parametrize("values", [(1.23456e-9, -9.87654e-8, 5.43219e-7, -1.23456e-8), (1.0, 2.0)])
 def test_a_row_fits_80_columns_however_long_its_numbers(values):  # R-X06
-    block = told(80, **course(*values, unit="N m s/rad", variable="Q^_REFERENCE"))
+    block = lines_of(80, **course(*values, unit="N m s/rad", variable="Q^_REFERENCE"))
     assert max(map(len, block)) <= 80
 
 
 def test_a_long_path_is_never_broken():  # R-X06
     path = "/home/user/" + "robots/" * 12 + "puma.py"
-    assert any(f"{path}:88" in line for line in told(60, path=path))
+    assert any(f"{path}:88" in line for line in lines_of(60, path=path))
 
 
 @given(
@@ -100,6 +102,6 @@ def test_a_long_path_is_never_broken():  # R-X06
     st.text(max_size=200),
 )
 def test_anything_can_be_told(samples, width, text):  # R-X06
-    block = told(width, text=text, **course(*samples))
+    block = lines_of(width, text=text, **course(*samples))
     assert block
     assert all("\n" not in line for line in block)

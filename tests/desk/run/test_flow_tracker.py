@@ -18,8 +18,8 @@ def moved(flow, state, action=0, text="", **what):
 
 
 def hear(where, *events):
-    for one in events:
-        where.hear(one)
+    for message in events:
+        where.hear(message)
 
 
 def test_every_flow_has_a_state_an_action_and_whom_it_waits_for(where):  # R-E11, R-X03
@@ -95,16 +95,16 @@ def test_nothing_goes_on_where_all_stand_still_or_are_done(where):  # R-X03
 
 
 @pytest.mark.parametrize(
-    ("state", "said"),
+    ("state", "sentence"),
     [
         (moved(0, "stopped", 1), "flow0 has stopped in action 2"),
         (moved(0, "joining", 1, waits_for=("flow0.1",)), "flow0 waits for flow0.1"),
         (moved(0, "joining", 1), "flow0 waits for nested flows"),
     ],
 )
-def test_who_stands_still_is_said_with_the_reason(where, state, said):  # R-X03
+def test_who_stands_still_is_said_with_the_reason(where, state, sentence):  # R-X03
     hear(where, state)
-    assert where.standing() == said
+    assert where.standing() == sentence
 
 
 def test_what_the_runtime_says_of_itself_counts_more(where):  # R-E11

@@ -48,14 +48,14 @@ def test_afterwards_everything_is_as_it_was():
 
 
 def test_in_a_thread_of_its_own_nothing_is_noted():
-    former, found = signal.getsignal(signal.SIGINT), []
+    former, interrupts = signal.getsignal(signal.SIGINT), []
 
     def run():
         with Interruption() as interruption:
-            found.append(interruption.is_new())
+            interrupts.append(interruption.is_new())
 
     thread = threading.Thread(target=run)
     thread.start()
     thread.join()
-    assert found == [False]
+    assert interrupts == [False]
     assert signal.getsignal(signal.SIGINT) is former

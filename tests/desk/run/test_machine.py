@@ -8,14 +8,14 @@ from onika.desk.run.machine import Offer, offers
 
 
 def test_every_offer_says_what_was_found_and_what_lacking_it_costs():  # law 31
-    found = list(offers())
-    names = [one.name for one in found]
+    features = list(offers())
+    names = [feature.name for feature in features]
     assert names[:5] == ["system", "python", "processors", "SCHED_FIFO", "memory lock"]
     assert {"numpy", "msgspec", "mujoco", "ruckig", "rich", "graphics"} <= set(names)
-    for one in found:
-        assert one.found
-        assert "\n" not in one.found
-        assert one.is_there or one.cost
+    for feature in features:
+        assert feature.actual
+        assert "\n" not in feature.actual
+        assert feature.is_there or feature.cost
 
 
 def test_a_library_that_is_missing_is_told_with_its_cost(monkeypatch):  # law 31
@@ -26,27 +26,27 @@ def test_a_library_that_is_missing_is_told_with_its_cost(monkeypatch):  # law 31
     assert machine._library("numpy", "nothing runs") == Offer("numpy", False, "not installed", "nothing runs")
 
 
-@pytest.mark.parametrize(("code", "there", "said"), [(0, True, "granted"), (1, False, "refused")])
-def test_real_time_is_what_the_operating_system_grants_a_child(monkeypatch, code, there, said):  # law 31
+@pytest.mark.parametrize(("code", "there", "actual"), [(0, True, "granted"), (1, False, "refused")])
+def test_real_time_is_what_the_operating_system_grants_a_child(monkeypatch, code, there, actual):  # law 31
     done = subprocess.CompletedProcess([], code, "", "")
     monkeypatch.setattr(machine.subprocess, "run", lambda *_, **__: done)
     offer = machine._fifo()
-    assert (offer.is_there, offer.found) == (there, said)
+    assert (offer.is_there, offer.actual) == (there, actual)
     assert "rtprio" in offer.cost
 
 
 @pytest.mark.parametrize(
-    ("done", "there", "found"),
+    ("done", "there", "actual"),
     [
         ((0, "egl\n", ""), True, "egl"),
         ((3, "", "one\nInstall libegl1\n"), False, "Install libegl1"),
         ((1, "", ""), False, "no answer"),
     ],
 )
-def test_graphics_is_what_the_drawing_program_says(monkeypatch, done, there, found):  # law 31
+def test_graphics_is_what_the_drawing_program_says(monkeypatch, done, there, actual):  # law 31
     monkeypatch.setattr(machine.subprocess, "run", lambda *_, **__: subprocess.CompletedProcess([], *done))
     offer = machine._graphics()
-    assert (offer.is_there, offer.found) == (there, found)
+    assert (offer.is_there, offer.actual) == (there, actual)
 
 
 def test_one_processor_is_too_few(monkeypatch):  # law 31

@@ -51,14 +51,14 @@ def test_a_moment_is_over_when_it_has_come_and_stays_so(run):  # R-E07
 
 
 @pytest.mark.parametrize(
-    ("change", "found"),
+    ("change", "actual"),
     [
         ({"now_s": 15.0}, "it not so within 5 s"),
         ({"is_over": True}, "the end of the run before"),
         ({"stuck": True}, "that nothing goes on: flow0 is paused after action 1"),
     ],
 )
-def test_a_moment_that_does_not_come_is_a_fault_at_its_line(run, change, found):  # R-E07, R-X03
+def test_a_moment_that_does_not_come_is_a_fault_at_its_line(run, change, actual):  # R-E07, R-X03
     run.whereabouts.hear(event.Moved("flow0", "paused", 0, 9.0))
     vigil = Vigil(run, Wait(Moment("began", "flow0", 1), 5.0))
     assert not vigil.is_over
@@ -66,4 +66,4 @@ def test_a_moment_that_does_not_come_is_a_fault_at_its_line(run, change, found):
         setattr(run, name, value)
     assert vigil.is_over
     (fault,) = vigil.faults(HERE)
-    assert (fault.place, fault.expected, fault.found) == (HERE, "action 2 of flow0 has begun", found)
+    assert (fault.place, fault.expected, fault.found) == (HERE, "action 2 of flow0 has begun", actual)

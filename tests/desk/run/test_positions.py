@@ -21,7 +21,7 @@ def test_where_names_are_not_known_numbers_stand_alone():  # R-E11
 
 
 @pytest.mark.parametrize(
-    ("position", "said"),
+    ("position", "sentence"),
     [
         (Position("flow0", "running", 0, loops=("outer", "inner")), "in loop inner in outer"),
         (Position("flow0", "stopped", 0, failed=("pd", "puma")), "failed: pd, puma"),
@@ -30,8 +30,8 @@ def test_where_names_are_not_known_numbers_stand_alone():  # R-E11
         (Position("flow0", "running", 0), ""),
     ],
 )
-def test_what_there_is_to_say_besides(position, said):  # R-E11
-    assert remark(position) == said
+def test_what_there_is_to_say_besides(position, sentence):  # R-E11
+    assert remark(position) == sentence
 
 
 def test_a_pause_that_is_still_to_come_is_said():  # R-E07

@@ -15,16 +15,18 @@ def path(tmp_path):
 
 def taped(path, **other):
     tape = Tape(path, run(**other))
-    for at_s, asked in ASKED:
-        tape.ask(at_s, asked)
+    for at_s, message in ASKED:
+        tape.ask(at_s, message)
     tape.tell(3.0, event.Done(0, 0, 3.0))
     return tape
 
 
 def test_inputs_are_in_the_order_in_which_they_were_asked(path):  # law 29
-    found = inputs_of(taped(path).end())
-    assert [decode_request(one.body) for one in found] == [asked for _, asked in sorted(ASKED, key=lambda one: one[0])]
-    assert [one.at_ns for one in inputs_of(taped(path).end(), 1_000_000_000)] == [500_000_000, 1_000_000_000]
+    inputs = inputs_of(taped(path).end())
+    assert [decode_request(item.body) for item in inputs] == [
+        message for _, message in sorted(ASKED, key=lambda pair: pair[0])
+    ]
+    assert [item.at_ns for item in inputs_of(taped(path).end(), 1_000_000_000)] == [500_000_000, 1_000_000_000]
 
 
 def test_events_are_told_with_their_times(path):
@@ -33,13 +35,13 @@ def test_events_are_told_with_their_times(path):
 
 def test_a_run_is_begun_as_it_was_with_what_is_wanted_beside(path):  # R-X05
     taped(path, seed=9).end(hash="abc")
-    found = recorded_run(Source(path, 1.5))
-    assert isinstance(found, RecordedRun)
-    begin = found.begin(request.Begin(watch=("X",), is_held=True, record="b.mcap", seed=1))
+    record = recorded_run(Source(path, 1.5))
+    assert isinstance(record, RecordedRun)
+    begin = record.begin(request.Begin(watch=("X",), is_held=True, record="b.mcap", seed=1))
     assert (begin.seed, begin.watch, begin.is_held, begin.record) == (9, ("X",), True, "b.mcap")
-    assert (len(begin.repeat), begin.repeat_until_ns, found.hash) == (2, 1_500_000_000, "abc")
-    assert (found.is_before(1.4), found.is_before(1.5)) == (True, False)
-    assert found.notes == ()
+    assert (len(begin.repeat), begin.repeat_until_ns, record.hash) == (2, 1_500_000_000, "abc")
+    assert (record.is_before(1.4), record.is_before(1.5)) == (True, False)
+    assert record.notes == ()
 
 
 def test_one_that_was_cut_short_is_repeated_as_far_as_it_goes(path):  # R-X05
@@ -49,15 +51,15 @@ def test_one_that_was_cut_short_is_repeated_as_far_as_it_goes(path):  # R-X05
     assert cut.notes[0].startswith("the recording was cut short: it is repeated up to 3 s, and from there")
     assert recorded_run(Source(path, 1.0)).notes == ()
     taped(path).end()
-    found = recorded_run(Source(path))
-    assert (found.until_ns, found.is_before(1e9), found.notes) == (-1, True, ())
+    record = recorded_run(Source(path))
+    assert (record.until_ns, record.is_before(1e9), record.notes) == (-1, True, ())
 
 
 def test_a_wall_run_is_approximate_and_says_so(path):  # law 29
     taped(path, is_virtual=False).end()
-    found = recorded_run(Source(path, 1.0))
-    assert not found.is_exact
-    assert found.notes[0].startswith("approximate:")
+    record = recorded_run(Source(path, 1.0))
+    assert not record.is_exact
+    assert record.notes[0].startswith("approximate:")
 
 
 @pytest.mark.parametrize(

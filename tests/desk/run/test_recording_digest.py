@@ -1,5 +1,5 @@
 from kit.tape import Tape
-from onika.desk.run.recording_digest import told
+from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.wire import event
 
@@ -16,19 +16,19 @@ def taped(tmp_path):
 
 def lines(tape):
     with Review(tape.path) as review:
-        return list(told(review))
+        return list(digest_lines(review))
 
 
 def test_it_tells_what_was_run_and_how_it_ended(tmp_path):  # R-X05
     tape = taped(tmp_path)
     tape.end(completed="no", cause="enough", hash="abc", missed="4")
-    found = lines(tape)
-    assert "virtual time, begun 2026-01-02T03:04:05+00:00, seed 3" in found[0]
-    assert "2 s recorded, 1 variables, 4 events" in found
-    assert "flow0: 1 of 2 actions done" in found
-    assert any("not ended" in line and "2/2" in line for line in found)
-    assert any("servo failed: cycle: broken" in line for line in found)
-    assert found[-2:] == ["aborted: enough, hash abc", "4 values were written over before they were seen"]
+    output = lines(tape)
+    assert "virtual time, begun 2026-01-02T03:04:05+00:00, seed 3" in output[0]
+    assert "2 s recorded, 1 variables, 4 events" in output
+    assert "flow0: 1 of 2 actions done" in output
+    assert any("not ended" in line and "2/2" in line for line in output)
+    assert any("servo failed: cycle: broken" in line for line in output)
+    assert output[-2:] == ["aborted: enough, hash abc", "4 values were written over before they were seen"]
 
 
 def test_it_says_that_a_file_was_cut_short(tmp_path):  # R-X05

@@ -20,8 +20,8 @@ ASKED = event.Asked("flow0", "gauge", "", (), 0.5)
 class After(NamedTuple):
     """Something that happens once this was asked."""
 
-    asked: request.Request
-    one: event.Event
+    message: request.Request
+    happening: event.Event
 
 
 class FakeRuntime:
@@ -50,9 +50,9 @@ class FakeRuntime:
     def __exit__(self, *_):
         self.asked.append("closed")
 
-    def ask(self, asked):
-        self.asked.append(asked)
-        match asked:
+    def ask(self, message):
+        self.asked.append(message)
+        match message:
             case request.Prepare():
                 return request.Refused(self.refuses) if self.refuses else request.Prepared(self.faults, ("a note",))
             case request.Begin():
@@ -61,20 +61,20 @@ class FakeRuntime:
                 return self.snapshots
             case steer.Who():
                 return steer.Positions(self.positions)
-        reason = self.refusals.get(type(asked).__name__)
+        reason = self.refusals.get(type(message).__name__)
         return request.Done() if reason is None else request.Refused(reason)
 
     def events(self, _timeout_s):
-        if isinstance(self.left[0], After) and self.left[0].asked not in self.asked:
+        if isinstance(self.left[0], After) and self.left[0].message not in self.asked:
             return
-        one = self.left.pop(0)
-        one = one.one if isinstance(one, After) else one
-        if isinstance(one, Exception):
-            raise one
-        if callable(one):
-            one()
+        item = self.left.pop(0)
+        item = item.happening if isinstance(item, After) else item
+        if isinstance(item, Exception):
+            raise item
+        if callable(item):
+            item()
         else:
-            yield one
+            yield item
 
     def printed(self):
         return "it printed this"
@@ -87,11 +87,11 @@ class Watcher:
     def begins(self, prepared, runtime_pid):
         self.seen.append((prepared.name, runtime_pid))
 
-    def happens(self, one):
-        self.seen.append(one)
+    def happens(self, message):
+        self.seen.append(message)
 
-    def answer(self, asked):
-        return f"an answer for {asked.task}"
+    def answer(self, message):
+        return f"an answer for {message.task}"
 
     can_steer = False
     looks_now = False
@@ -108,7 +108,7 @@ class Watcher:
         self.seen.append(positions)
 
     def steered(self, line, faults, positions):
-        self.seen.append((line, [one.found for one in faults], positions))
+        self.seen.append((line, [fault.found for fault in faults], positions))
 
 
 @pytest.fixture
@@ -150,7 +150,7 @@ def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X
 
 def test_an_expectation_of_a_variable_that_nobody_knows_refuses_the_run(runtime):  # R-E01
     outcome, watcher = go(expectations=(Condition.parse("NOBODY == 1"), Condition.parse("flow7/LAMP == 1")))
-    assert [one.found for one in outcome.faults] == ["NOBODY", "flow7/LAMP"]
+    assert [fault.found for fault in outcome.faults] == ["NOBODY", "flow7/LAMP"]
     assert (outcome.exit_code, watcher.seen) == (2, [])
 
 
@@ -176,11 +176,11 @@ def test_a_script_steers_the_run(runtime, tmp_path):  # R-E07
     )
     outcome, watcher = go(script=path, on_error="wait")
     assert outcome.exit_code == 0
-    assert [one for one in runtime.made.asked if isinstance(one, steer.Pause | steer.Resume)] == [
+    assert [message for message in runtime.made.asked if isinstance(message, steer.Pause | steer.Resume)] == [
         steer.Pause("flow0"),
         steer.Resume("flow0"),
     ]
-    lines = [one[0] for one in watcher.seen if isinstance(one, tuple) and len(one) == 3]
+    lines = [entry[0] for entry in watcher.seen if isinstance(entry, tuple) and len(entry) == 3]
     assert lines == ["wait began 1", "pause", "wait paused", "continue"]
     begin = runtime.made.asked[1]
     assert (begin.on_error, begin.is_held) == ("wait", False)
@@ -196,9 +196,9 @@ def test_in_virtual_time_the_clock_waits_for_the_script(runtime, tmp_path):  # R
         After(steer.Onward(None), GOOD),
     )
     go(script=path, is_virtual=True)
-    asked = runtime.made.asked[1:-1]
-    assert asked[0].is_held
-    assert asked[1:] == [
+    messages = runtime.made.asked[1:-1]
+    assert messages[0].is_held
+    assert messages[1:] == [
         steer.Onward(0.0), steer.Onward(0.5), steer.Pause("flow0"), steer.Onward(0.5), steer.Onward(None),
     ]  # fmt: skip
 
@@ -207,7 +207,7 @@ def test_all_faults_of_a_script_refuse_the_run(runtime, tmp_path):  # R-E07
     path = tmp_path / "s"
     path.write_text("dance\npause\nskip 9\n")
     outcome, watcher = go(script=path)
-    assert [str(one.place) for one in outcome.faults] == [f"{path}:1", f"{path}:3"]
+    assert [str(fault.place) for fault in outcome.faults] == [f"{path}:1", f"{path}:3"]
     assert (outcome.exit_code, watcher.seen) == (2, [])
 
 
@@ -217,9 +217,9 @@ def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     runtime.refusals = {"Pass": "expected flow 0 to be waiting, found it running"}
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     outcome, watcher = go(script=path)
-    assert [one.found for one in outcome.failed] == ["it running"]
+    assert [fault.found for fault in outcome.failed] == ["it running"]
     assert request.Abort(f"the script fails at {path}:1") in runtime.made.asked
-    assert not any(isinstance(one, steer.Skip) for one in runtime.made.asked)
+    assert not any(isinstance(message, steer.Skip) for message in runtime.made.asked)
     assert ("pass", ["it running"], ()) in watcher.seen
 
 
@@ -266,7 +266,7 @@ def test_a_run_is_begun_and_steered_from_a_program(runtime):  # R-E07
         assert seen == [event.Began(0, 0, 1, "jmoveC home", 0.1), PAUSED, GOOD]
         assert running.result() is GOOD
     assert running.outcome.exit_code == 0
-    assert not any(isinstance(one, request.Abort) for one in runtime.made.asked)
+    assert not any(isinstance(message, request.Abort) for message in runtime.made.asked)
 
 
 def test_a_run_that_its_program_leaves_is_aborted(runtime):  # R-E10

@@ -20,22 +20,25 @@ EVENTS = (
 
 @pytest.fixture
 def tape(tmp_path):
-    one = Tape(tmp_path / "run.mcap")
+    tape = Tape(tmp_path / "run.mcap")
     for each in EVENTS:
-        one.tell(getattr(each, "at_s", 0.1), each)
-    one.variable("X", "double[2]", *((k / 100, [np.sin(k / 10), k]) for k in range(200)), unit="m")
-    one.variable("NAME", "char", (0.0, 65))
+        tape.tell(getattr(each, "at_s", 0.1), each)
+    tape.variable("X", "double[2]", *((k / 100, [np.sin(k / 10), k]) for k in range(200)), unit="m")
+    tape.variable("NAME", "char", (0.0, 65))
     row = np.array([[0, 0, 1, 1, 0, 0, 0]], dtype=np.float32).tobytes()
-    one.show(0.5, topics.frames("yard"), foxglove.FRAMES, foxglove.FRAMES_SCHEMA, foxglove.frames("yard", 0, row))
-    one.show(0.5, topics.scene("yard"), foxglove.SCENE, foxglove.SCENE_SCHEMA, foxglove.scene("yard", 0, []))
-    return one
+    tape.show(0.5, topics.frames("yard"), foxglove.FRAMES, foxglove.FRAMES_SCHEMA, foxglove.frames("yard", 0, row))
+    tape.show(0.5, topics.scene("yard"), foxglove.SCENE, foxglove.SCENE_SCHEMA, foxglove.scene("yard", 0, []))
+    return tape
 
 
 def test_the_flows_tell_when_each_action_was_carried_out(tape):  # R-X05
     tape.end()
     with Review(tape.path) as review:
         (flow,) = review.flows
-        assert [(one.action, one.begin_s, one.end_s) for one in flow.intervals] == [(0, 0.0, 1.0), (1, 1.0, None)]
+        assert [(interval.action, interval.begin_s, interval.end_s) for interval in flow.intervals] == [
+            (0, 0.0, 1.0),
+            (1, 1.0, None),
+        ]
         assert flow.intervals[0] == Interval(0, "one", 0.0, 1.0)
         assert review.span_s == (0.0, 1.99)
         assert len(flow.actions) == 2

@@ -16,69 +16,69 @@ def test_a_run_begins_as_its_settings_say(running):  # R-E01, R-E08, R-E10
 
 
 def test_a_run_that_the_runtime_will_not_begin_is_over(running, monkeypatch):
-    one, _ = running()
-    monkeypatch.setattr(one._runtime, "refusals", {"Begin": "an application runs already"})
-    one.begin()
-    assert (one.is_over, one.is_aborted, one.outcome.result.cause) == (True, True, "an application runs already")
+    run, _ = running()
+    monkeypatch.setattr(run._runtime, "refusals", {"Begin": "an application runs already"})
+    run.begin()
+    assert (run.is_over, run.is_aborted, run.outcome.result.cause) == (True, True, "an application runs already")
 
 
 def test_the_clock_of_a_held_run_goes_on_only_while_somebody_listens(running):  # R-E07, law 15
-    one, runtime = running(BEGAN, PAUSED, GOOD)
-    list(one.hear())
-    assert (one.stands, one.now_s, runtime.now_s) == (True, 0.0, 0.0)
-    assert one.wait("1.5") == ()
-    assert one.now_s == runtime.now_s == 1.5
-    assert list(one.events()) == [BEGAN, PAUSED, GOOD]
+    run, runtime = running(BEGAN, PAUSED, GOOD)
+    list(run.hear())
+    assert (run.stands, run.now_s, runtime.now_s) == (True, 0.0, 0.0)
+    assert run.wait("1.5") == ()
+    assert run.now_s == runtime.now_s == 1.5
+    assert list(run.events()) == [BEGAN, PAUSED, GOOD]
 
 
 def test_what_is_steered_in_a_held_run_is_done_before_time_passes(running):  # R-E07
-    one, runtime = running(BEGAN, GOOD)
-    assert one.wait("began flow0 1") == ()
-    assert one.steer("pause flow0") == ()
+    run, runtime = running(BEGAN, GOOD)
+    assert run.wait("began flow0 1") == ()
+    assert run.steer("pause flow0") == ()
     assert runtime.asked[-2:] == [steer.Pause("flow0"), steer.Onward(1.0)]
-    assert (one.now_s, one.stands) == (1.0, True)
+    assert (run.now_s, run.stands) == (1.0, True)
 
 
 def test_a_wait_is_over_when_the_time_of_its_moment_is_known_too(running, monkeypatch):  # R-E07, law 14
-    one, runtime = running(BEGAN, PAUSED, GOOD)
+    run, runtime = running(BEGAN, PAUSED, GOOD)
 
     def one_by_one(*_args, **_named):
         if runtime.told:
             yield runtime.told.pop(0)
 
     monkeypatch.setattr(runtime, "events", one_by_one)
-    assert one.wait("paused flow0") == ()
-    assert (one.stands, one.now_s) == (True, 2.0)
+    assert run.wait("paused flow0") == ()
+    assert (run.stands, run.now_s) == (True, 2.0)
 
 
 def test_in_wall_time_nothing_is_held(running):  # R-E07
-    one, runtime = running(BEGAN, PAUSED, GOOD, is_held=False)
-    assert one.wait("began flow0 1") == ()
-    assert one.steer("pause flow0") == ()
-    assert one.wait("paused flow0") == ()
+    run, runtime = running(BEGAN, PAUSED, GOOD, is_held=False)
+    assert run.wait("began flow0 1") == ()
+    assert run.steer("pause flow0") == ()
+    assert run.wait("paused flow0") == ()
     assert runtime.of(steer.Onward) == []
-    assert one.result() is GOOD
+    assert run.result() is GOOD
 
 
 def test_a_wait_in_vain_is_a_fault_with_what_was_found(running):  # R-E07
-    one, _ = running(BEGAN)
-    (late,) = one.wait("began flow1 1", 0.5)
+    run, _ = running(BEGAN)
+    (late,) = run.wait("began flow1 1", 0.5)
     assert (late.expected, late.found) == ("action 1 of flow1 has begun", "it not so within 0.5 s")
-    assert one.now_s == 0.5
-    one, _ = running(BEGAN, GOOD)
-    (ended,) = one.wait("began flow1 1")
+    assert run.now_s == 0.5
+    run, _ = running(BEGAN, GOOD)
+    (ended,) = run.wait("began flow1 1")
     assert ended.found == "the end of the run before"
 
 
 def test_a_wait_while_a_task_asks_is_given_up(running):  # law 25
-    asked = event.Asked("flow0", "gauge", "", (), 0.5)
-    one, runtime = running(asked, BEGAN, GOOD, may_ask=True)
-    (fault,) = one.wait("began flow0 1")
+    question = event.Asked("flow0", "gauge", "", (), 0.5)
+    run, runtime = running(question, BEGAN, GOOD, may_ask=True)
+    (fault,) = run.wait("began flow0 1")
     assert fault.found == "a task that asks"
-    one.answer(asked, "0.5")
+    run.answer(question, "0.5")
     runtime.told.append(event.TaskState("flow0", "gauge", "ON", 0.5))
-    assert one.wait("began flow0 1") == ()
-    one.answer(asked, None)
+    assert run.wait("began flow0 1") == ()
+    run.answer(question, None)
     assert runtime.of(request.Reply, request.Abort) == [
         request.Reply("flow0", "gauge", "0.5"),
         request.Abort("task gauge asks for input and nobody answers"),
@@ -86,103 +86,103 @@ def test_a_wait_while_a_task_asks_is_given_up(running):  # law 25
 
 
 def test_a_variable_is_read_as_it_is_now(running):  # R-X07
-    one, runtime = running()
-    assert one.read("LAMP") == 1
+    run, runtime = running()
+    assert run.read("LAMP") == 1
     assert runtime.of(live.Read) == [live.Read("flow0", ("LAMP",))]
-    assert one.steer("expect LAMP == 1") == ()
-    (fault,) = one.steer("expect LAMP == 0")
+    assert run.steer("expect LAMP == 1") == ()
+    (fault,) = run.steer("expect LAMP == 0")
     assert (fault.expected, fault.found) == ("LAMP == 0", "1")
     with pytest.raises(ValueError, match="found NOBODY"):
-        one.read("NOBODY")
+        run.read("NOBODY")
     runtime.refusals["Read"] = "no"
     with pytest.raises(ValueError, match="expected a value of LAMP"):
-        one.read("LAMP")
+        run.read("LAMP")
 
 
 def test_what_is_written_wrongly_or_refused_changes_nothing(running):  # R-E07
-    one, runtime = running()
-    (fault,) = one.steer("dance")
+    run, runtime = running()
+    (fault,) = run.steer("dance")
     assert (fault.place, fault.found, fault.instead) == (Place("line"), "'dance'", "the run goes on as it was")
     runtime.refusals["Pass"] = "expected flow 0 to be waiting, found it running"
-    (fault,) = one.steer("pass flow0")
+    (fault,) = run.steer("pass flow0")
     assert (fault.expected, fault.found) == ("flow 0 to be waiting", "it running")
 
 
 def test_after_its_end_there_is_nothing_to_steer(running):  # R-E07
-    one, runtime = running(GOOD)
-    one.result()
+    run, runtime = running(GOOD)
+    run.result()
     count = len(runtime.asked)
-    (fault,) = one.do(Order(steer.Pause("")), Place("s", 4))
+    (fault,) = run.do(Order(steer.Pause("")), Place("s", 4))
     assert (fault.place, fault.found) == (Place("s", 4), "its end")
     assert len(runtime.asked) == count
 
 
 def test_a_key_does_not_wait_until_the_clock_stands(running):  # R-E07
-    one, runtime = running(BEGAN)
-    list(one.hear())
-    one.go_on(50.0)
+    run, runtime = running(BEGAN)
+    list(run.hear())
+    run.go_on(50.0)
     runtime.told.clear()
-    assert one.steer("pause", at_once=True) == ()
+    assert run.steer("pause", at_once=True) == ()
     assert runtime.asked[-1] == steer.Pause("")
 
 
 def test_where_every_flow_is_can_be_asked_at_any_time(running):  # R-X03
-    one, runtime = running()
+    run, runtime = running()
     runtime.positions = (steer.Position("flow0", "waiting", 0, "a", ("flow1",)),)
-    assert one.who() == runtime.positions
-    assert one.steer("who") == ()
-    assert one.whereabouts.spots["flow0"].tag == "a"
+    assert run.who() == runtime.positions
+    assert run.steer("who") == ()
+    assert run.whereabouts.spots["flow0"].tag == "a"
     runtime.refusals["Who"] = "no"
-    assert one.who() == ()
+    assert run.who() == ()
 
 
 def test_it_stands_still_only_if_the_runtime_says_so_too(running):  # R-X03
-    one, runtime = running(is_held=False)
+    run, runtime = running(is_held=False)
     for flow in ("flow0", "flow1"):
-        one.whereabouts.hear(event.Moved(flow, "paused", 0, 0.5))
+        run.whereabouts.hear(event.Moved(flow, "paused", 0, 0.5))
     runtime.positions = (steer.Position("flow0", "running", 1), steer.Position("flow1", "paused", 0))
-    assert not one.is_stuck()
-    one.whereabouts.hear(event.Moved("flow0", "paused", 1, 0.5))
+    assert not run.is_stuck()
+    run.whereabouts.hear(event.Moved("flow0", "paused", 1, 0.5))
     runtime.positions = (steer.Position("flow0", "paused", 1), steer.Position("flow1", "paused", 0))
-    assert one.is_stuck()
-    one.whereabouts.hear(event.Asked("flow0", "gauge", "", (), 0.5))
-    assert not one.is_stuck()
+    assert run.is_stuck()
+    run.whereabouts.hear(event.Asked("flow0", "gauge", "", (), 0.5))
+    assert not run.is_stuck()
 
 
 def test_a_run_that_is_left_is_aborted_and_judged(running):  # R-E07, R-E14
-    one, runtime = running(BEGAN, expectations=(Condition.parse("LAMP == 1"),))
-    one.close()
+    run, runtime = running(BEGAN, expectations=(Condition.parse("LAMP == 1"),))
+    run.close()
     assert runtime.of(request.Abort) == [request.Abort("the program that began it has left it")]
-    assert (one.is_aborted, one.outcome.printed) == (True, "it printed this")
-    assert [holds for _, _, holds in one.outcome.expectations] == [False]
+    assert (run.is_aborted, run.outcome.printed) == (True, "it printed this")
+    assert [holds for _, _, holds in run.outcome.expectations] == [False]
 
 
 def test_a_picture_is_taken_where_it_is_wanted(running):
-    one, _ = running(GOOD, wants_picture=True)
-    one.result()
-    one.close()
-    assert one.outcome.snapshots == {"boxes": b"drawn"}
-    assert one.outcome.exit_code == 0
+    run, _ = running(GOOD, wants_picture=True)
+    run.result()
+    run.close()
+    assert run.outcome.snapshots == {"boxes": b"drawn"}
+    assert run.outcome.exit_code == 0
 
 
 def test_a_runtime_that_is_lost_ends_the_run_with_the_cause(running):  # R-E10
-    one, runtime = running(BEGAN)
-    one.wait("began flow0 1")
+    run, runtime = running(BEGAN)
+    run.wait("began flow0 1")
     runtime.is_lost = True
-    one.close()
-    assert (one.is_aborted, "it is gone" in one.outcome.result.cause) == (True, True)
+    run.close()
+    assert (run.is_aborted, "it is gone" in run.outcome.result.cause) == (True, True)
 
 
 def test_to_stop_is_the_runtimes_business(running):  # law 27
-    one, runtime = running()
-    one.stop("enough")
+    run, runtime = running()
+    run.stop("enough")
     assert runtime.asked[-1] == request.Stop("enough")
-    assert one.pid == 4711
+    assert run.pid == 4711
 
 
 def test_what_modules_declare_is_told_by_the_runtime(running, monkeypatch):  # R-X07, law 24
-    one, runtime = running()
-    assert one.sheets() == {}
-    monkeypatch.setattr(one._runtime, "ask", lambda asked: live.Described({asked.code[0].digest: "sheet"}))
-    assert one.sheets() == {one.plan.code[0].digest: "sheet"}
-    assert runtime.of(live.Describe)[0].code == one.plan.code
+    run, runtime = running()
+    assert run.sheets() == {}
+    monkeypatch.setattr(run._runtime, "ask", lambda message: live.Described({message.code[0].digest: "sheet"}))
+    assert run.sheets() == {run.plan.code[0].digest: "sheet"}
+    assert runtime.of(live.Describe)[0].code == run.plan.code

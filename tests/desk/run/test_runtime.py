@@ -46,9 +46,9 @@ def bell():
 
 def events_of(runtime):
     while True:
-        for one in runtime.events(1.0):
-            yield one
-            if isinstance(one, event.Result):
+        for message in runtime.events(1.0):
+            yield message
+            if isinstance(message, event.Result):
                 return
 
 
@@ -68,10 +68,10 @@ def test_whoever_stops_listening_hears_the_rest_next_time():  # R-F01
     with Runtime(("rt0",), is_virtual=True) as runtime:
         runtime.ask(request.Prepare(bell(), ()))
         runtime.ask(request.Begin())
-        heard = []
-        while not (heard and isinstance(heard[-1], event.Result)):
-            heard += islice(runtime.events(1.0), 1)
-    kinds = [type(one) for one in heard]
+        messages = []
+        while not (messages and isinstance(messages[-1], event.Result)):
+            messages += islice(runtime.events(1.0), 1)
+    kinds = [type(message) for message in messages]
     assert kinds.count(event.Began) == kinds.count(event.Done) == kinds.count(event.Result) == 1
 
 
@@ -83,15 +83,15 @@ def test_names_and_kind_of_time_are_passed_on(puppet):
 
 
 @pytest.mark.parametrize(
-    ("code", "said"),
+    ("code", "sentence"),
     [
         ("raise SystemExit('nothing works here')", r"ended with code 1; it printed last: nothing works here"),
         ("import os; os.kill(os.getpid(), 9)", r"was killed by signal 9"),
     ],
 )
-def test_a_runtime_that_ends_tells_how_and_what_it_printed_last(puppet, code, said):  # R-E10
+def test_a_runtime_that_ends_tells_how_and_what_it_printed_last(puppet, code, sentence):  # R-E10
     puppet(code)
-    with pytest.raises(LinkLost, match=said), Runtime(("rt0",), is_virtual=True):
+    with pytest.raises(LinkLost, match=sentence), Runtime(("rt0",), is_virtual=True):
         pass
 
 
@@ -115,22 +115,22 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
 
 def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():  # house decision 3
     with Runtime(("rt0",), is_virtual=True) as runtime:
-        asked = [runtime.send(one) for one in (live.Survey(), live.Take("main"), live.Scene("moon"))]
-        told = []
-        while sum(isinstance(one, Reply) for one in told) < len(asked):
+        numbers = [runtime.send(message) for message in (live.Survey(), live.Take("main"), live.Scene("moon"))]
+        messages = []
+        while sum(isinstance(message, Reply) for message in messages) < len(numbers):
             assert runtime.readers() and runtime.due_s() is not None and runtime.writers() == []
-            told += runtime.told(1.0)
-        replies = {one.number: one.response for one in told if isinstance(one, Reply)}
-    assert isinstance(replies[asked[0]], live.Standing)
-    assert replies[asked[1]] == request.Done()
-    assert replies[asked[2]] == request.Refused("no world moon is open")
+            messages += runtime.messages(1.0)
+        replies = {message.number: message.response for message in messages if isinstance(message, Reply)}
+    assert isinstance(replies[numbers[0]], live.Standing)
+    assert replies[numbers[1]] == request.Done()
+    assert replies[numbers[2]] == request.Refused("no world moon is open")
 
 
 def test_what_is_sent_to_nobody_is_refused_and_the_end_is_told(puppet):  # R-E10
     with Runtime(("rt0",), is_virtual=True) as runtime:
         os.kill(runtime.pid, signal.SIGKILL)
-        number, told = runtime.send(live.Take("main")), []
+        number, messages = runtime.send(live.Take("main")), []
         with pytest.raises(LinkLost, match="killed by signal 9"):
             while True:
-                told += runtime.told(1.0)
-    assert [one.number for one in told] in ([], [number])
+                messages += runtime.messages(1.0)
+    assert [message.number for message in messages] in ([], [number])

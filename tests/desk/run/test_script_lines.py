@@ -6,7 +6,7 @@ from onika.words.fault import Place
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "content"),
     [
         ("spawn puma  # the arm", "spawn puma"),
         ("# all of it", ""),
@@ -16,8 +16,8 @@ from onika.words.fault import Place
         (r'echo "a \" # b"', r'echo "a \" # b"'),
     ],
 )
-def test_a_comment_begins_with_a_free_standing_sign(line, said):  # R-A16
-    assert script_lines.bare(line) == said
+def test_a_comment_begins_with_a_free_standing_sign(line, content):  # R-A16
+    assert script_lines.bare(line) == content
 
 
 @given(st.text(alphabet='ab #"\\', max_size=12))
@@ -26,8 +26,8 @@ def test_what_is_left_is_left_as_it_is(line):
 
 
 def test_lines_keep_their_places():
-    found = list(script_lines.lines("# head\nspawn puma\r\n\non puma # go\n", "a.txt"))
-    assert found == [(Place("a.txt", 2), "spawn puma"), (Place("a.txt", 4), "on puma")]
+    lines = list(script_lines.lines("# head\nspawn puma\r\n\non puma # go\n", "a.txt"))
+    assert lines == [(Place("a.txt", 2), "spawn puma"), (Place("a.txt", 4), "on puma")]
 
 
 def test_a_script_that_cannot_be_read_is_a_fault(tmp_path):

@@ -3,9 +3,9 @@ from onika.words.condition import Condition
 
 
 def test_a_run_is_as_usual_unless_said_otherwise():  # R-E01, R-E08, R-E10
-    found = RunSettings("go_home")
-    assert (found.on_loss, found.on_error, found.script) == ("stop", "abort", None)
-    assert (found.is_virtual, found.settle_s, found.seed) == (False, 0.5, 0)
+    settings = RunSettings("go_home")
+    assert (settings.on_loss, settings.on_error, settings.script) == ("stop", "abort", None)
+    assert (settings.is_virtual, settings.settle_s, settings.seed) == (False, 0.5, 0)
 
 
 def test_a_runtime_elsewhere_needs_no_more_than_its_address():  # R-F01
@@ -14,5 +14,5 @@ def test_a_runtime_elsewhere_needs_no_more_than_its_address():  # R-F01
 
 def test_the_runtime_is_asked_for_what_it_has_to_know():  # R-E01, R-X07
     twice = (Condition.parse("LAMP == 1"), Condition.parse("LAMP > 0"))
-    asked = RunSettings("go_home", expectations=twice, on_error="wait", seed=3).begin(is_held=True)
-    assert (asked.watch, asked.on_error, asked.seed, asked.is_held) == (("LAMP",), "wait", 3, True)
+    message = RunSettings("go_home", expectations=twice, on_error="wait", seed=3).begin(is_held=True)
+    assert (message.watch, message.on_error, message.seed, message.is_held) == (("LAMP",), "wait", 3, True)

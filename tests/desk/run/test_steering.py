@@ -10,7 +10,7 @@ TWO = Cast((*ONE.parts, Part("flow1", ("wait", "lift"), frozenset({"X"}))))
 
 
 @pytest.mark.parametrize(
-    ("line", "asked"),
+    ("line", "message"),
     [
         ("pause", steer.Pause("flow0")),
         ("continue", steer.Resume("flow0")),
@@ -31,14 +31,14 @@ TWO = Cast((*ONE.parts, Part("flow1", ("wait", "lift"), frozenset({"X"}))))
         ("touch boxes panic_left 1", live.Touch("boxes", "panic_left", 1.0)),
     ],
 )
-def test_a_line_becomes_a_request_for_the_only_flow(line, asked):  # R-E07, R-E08, R-E13
-    found = act(line, ONE)
-    assert isinstance(found, Order)
-    assert found.asked == asked
+def test_a_line_becomes_a_request_for_the_only_flow(line, message):  # R-E07, R-E08, R-E13
+    order = act(line, ONE)
+    assert isinstance(order, Order)
+    assert order.message == message
 
 
 @pytest.mark.parametrize(
-    ("line", "asked"),
+    ("line", "message"),
     [
         ("pause", steer.Pause("")),
         ("continue", steer.Resume("")),
@@ -49,8 +49,8 @@ def test_a_line_becomes_a_request_for_the_only_flow(line, asked):  # R-E07, R-E0
         ("break 1 lift if X > 2", steer.Mark("flow1", 1, True, "X > 2")),
     ],
 )
-def test_where_there_are_several_some_words_mean_all_and_others_one(line, asked):  # R-E07
-    assert act(line, TWO).asked == asked
+def test_where_there_are_several_some_words_mean_all_and_others_one(line, message):  # R-E07
+    assert act(line, TWO).message == message
 
 
 @pytest.mark.parametrize("line", ["next", "skip 2", "pass", "leave", "break 1", "unbreak 1", "wait began 2"])
@@ -89,9 +89,9 @@ def test_where_there_are_several_a_lone_number_is_a_flow(line, moment):  # R-E07
 
 
 def test_an_expectation_knows_where_its_variable_is():  # R-X07
-    found = act("expect X < 3", TWO)
-    assert isinstance(found, Expect)
-    assert (found.subsystem, found.name, found.condition.text) == ("flow1", "X", "X < 3")
+    order = act("expect X < 3", TWO)
+    assert isinstance(order, Expect)
+    assert (order.subsystem, order.name, order.condition.text) == ("flow1", "X", "X < 3")
 
 
 def test_who_asks_where_the_flows_are():  # R-X03
@@ -99,7 +99,7 @@ def test_who_asks_where_the_flows_are():  # R-X03
 
 
 @pytest.mark.parametrize(
-    ("line", "said"),
+    ("line", "sentence"),
     [
         ("", "expected one of pause, .* found ''"),
         ("dance", "expected one of pause, .* found 'dance'"),
@@ -122,8 +122,8 @@ def test_who_asks_where_the_flows_are():  # R-X03
         ("expect LAMP", "an address, a comparison and a number"),
     ],
 )
-def test_what_is_not_written_as_it_should_be_is_named(line, said):  # R-E07
-    with pytest.raises(ValueError, match=said):
+def test_what_is_not_written_as_it_should_be_is_named(line, sentence):  # R-E07
+    with pytest.raises(ValueError, match=sentence):
         act(line, ONE)
 
 

@@ -13,5 +13,5 @@ def test_what_was_found_may_go_without_saying():  # R-E07
 
 
 def test_any_other_reason_is_what_was_found():  # R-E07
-    said = objection(HERE, "the run is over", "no")
-    assert said == Fault(HERE, "a line that can be carried out", "the run is over", "no")
+    fault = objection(HERE, "the run is over", "no")
+    assert fault == Fault(HERE, "a line that can be carried out", "the run is over", "no")

@@ -14,10 +14,10 @@ MODULE = "from onika.module import InVar, Module\nclass Wink(Module):\n    Y = I
 class FakeRuntime:
     """Finds nothing; keeps what it was asked."""
 
-    asked = []  # noqa: RUF012 - the test looks at it
+    messages = []  # noqa: RUF012 - the test looks at it
 
     def __init__(self, rtpus, is_virtual):
-        self.asked.append((rtpus, is_virtual))
+        self.messages.append((rtpus, is_virtual))
 
     def __enter__(self):
         return self
@@ -25,8 +25,8 @@ class FakeRuntime:
     def __exit__(self, *_):
         pass
 
-    def ask(self, asked):
-        self.asked.append(asked)
+    def ask(self, message):
+        self.messages.append(message)
         return request.Prepared((request.FaultText("from.runtime", 1, "one", "two", "three"),))
 
 
@@ -71,9 +71,9 @@ def test_every_file_of_every_kind_is_read(laboratory, site, runtime):  # R-B07
         "OnikaStart.dta",
     }
     assert "notes.txt" not in {file.name for file in files}
-    found = {place.partition(":")[0] for place in places(faults)}
-    assert found >= {"bad.onk", "OnikaUpperSetUp.dta", "OnikaStart.dta", "from.runtime"}
-    assert found.isdisjoint({"wink.rmod", "winkC.conf"})
+    files = {place.partition(":")[0] for place in places(faults)}
+    assert files >= {"bad.onk", "OnikaUpperSetUp.dta", "OnikaStart.dta", "from.runtime"}
+    assert files.isdisjoint({"wink.rmod", "winkC.conf"})
     assert faults == sorted(set(faults))
 
 
@@ -137,7 +137,7 @@ def test_nothing_there_is_a_fault(tmp_path, site, runtime):  # R-B07
 def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory, site, runtime):  # decision 35
     path = laboratory.application("go", [job("jmoveC", "Joint job"), joints("far", 9.0, 0.0, 0.0, 0.0, 0.0, 0.0)])
     survey(path, site)
-    (prepare,) = [one for one in runtime.asked if isinstance(one, request.Prepare)]
+    (prepare,) = [message for message in runtime.asked if isinstance(message, request.Prepare)]
     assert prepare.targets[0].values[0] == 9.0
 
 
@@ -158,7 +158,7 @@ def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):
 def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, decision 11
     laboratory.configuration("winkC", "wink 100")
     _, faults = survey(laboratory.path, site)
-    assert [one.found for one in faults] == ["no wink"]
+    assert [fault.found for fault in faults] == ["no wink"]
 
 
 def test_a_file_of_none_of_our_formats_is_a_fault(tmp_path, site, runtime):  # R-B07

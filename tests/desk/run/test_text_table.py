@@ -2,8 +2,8 @@ from onika.desk.run.text_table import lines
 
 
 def test_columns_are_as_wide_as_needed_and_numbers_stand_right():
-    found = lines(("task", "Hz", "state"), [("puma", "500.0", "ON"), ("led_monitor", "5.5", "OFF")])
-    assert found == ["task            Hz  state", "puma         500.0  ON", "led_monitor    5.5  OFF"]
+    rows = lines(("task", "Hz", "state"), [("puma", "500.0", "ON"), ("led_monitor", "5.5", "OFF")])
+    assert rows == ["task            Hz  state", "puma         500.0  ON", "led_monitor    5.5  OFF"]
 
 
 def test_a_name_that_begins_with_a_digit_column_is_judged_by_all_its_cells():

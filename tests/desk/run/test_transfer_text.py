@@ -10,7 +10,7 @@ def stepped(step, limit=9.76, cycles=0):
 
 
 @pytest.mark.parametrize(
-    ("one", "said"),
+    ("stepped", "text"),
     [
         (stepped(3.4385), "3.438 N m at a switch, within 9.76 N m a cycle"),
         (stepped(40.0, cycles=6), "40 N m at a switch, more than 9.76 N m a cycle: blended over 6 cycles"),
@@ -22,8 +22,8 @@ def stepped(step, limit=9.76, cycles=0):
     ],
     ids=["within", "blended", "refused", "unlimited"],
 )
-def test_a_step_is_one_sentence(one, said):  # R-X04
-    assert sentence(one) == f"puma: TAU_REF[1] stepped by {said}"
+def test_a_step_is_one_sentence(stepped, text):  # R-X04
+    assert sentence(stepped) == f"puma: TAU_REF[1] stepped by {text}"
 
 
 def steps(**changes):

@@ -4,7 +4,7 @@ from onika.desk.run.wait_condition import Moment
 
 
 @pytest.mark.parametrize(
-    ("moment", "said"),
+    ("moment", "sentence"),
     [
         (Moment("seconds", seconds=2.5), "2.5 s"),
         (Moment("began", "flow0", 2), "action 3 of flow0 has begun"),
@@ -16,5 +16,5 @@ from onika.desk.run.wait_condition import Moment
         (Moment("stopped", "flow0"), "flow0 has stopped"),
     ],
 )
-def test_a_moment_says_what_it_is(moment, said):  # R-E07
-    assert str(moment) == said
+def test_a_moment_says_what_it_is(moment, sentence):  # R-E07
+    assert str(moment) == sentence

@@ -22,16 +22,16 @@ def test_a_snapshot_is_handed_to_the_drawing_program(drawer, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("code", "said"),
+    ("code", "complaint"),
     [
         ("import sys; print('first', file=sys.stderr); sys.exit('no OpenGL: install it')", "no OpenGL: install it"),
         ("print('only said aloud'); raise SystemExit(3)", "only said aloud"),
         ("raise SystemExit(7)", "no picture: the drawing program ended with code 7"),
     ],
 )
-def test_what_the_drawing_program_says_is_passed_on(drawer, tmp_path, code, said):
+def test_what_the_drawing_program_says_is_passed_on(drawer, tmp_path, code, complaint):
     drawer(code)
-    assert world_picture.draw(b"", tmp_path / "out.png") == said
+    assert world_picture.draw(b"", tmp_path / "out.png") == complaint
 
 
 def test_a_drawing_program_that_never_ends_is_ended(drawer, tmp_path, monkeypatch):
@@ -42,5 +42,5 @@ def test_a_drawing_program_that_never_ends_is_ended(drawer, tmp_path, monkeypatc
 
 def test_a_folder_that_is_not_there_is_told_before_anything_is_drawn(drawer, tmp_path):
     drawer("raise SystemExit(9)")
-    said = world_picture.draw(b"", tmp_path / "nowhere" / "out.png")
-    assert said == f"no picture: expected a folder that can be written to, found none at {tmp_path / 'nowhere'}"
+    complaint = world_picture.draw(b"", tmp_path / "nowhere" / "out.png")
+    assert complaint == f"no picture: expected a folder that can be written to, found none at {tmp_path / 'nowhere'}"

@@ -44,8 +44,8 @@ class Workshop:
             at += lasts
         end = {"Q_MEZ": (where + off,), "LAMP": (lamp,), "GRIP_MEZ[0]": (hand,)}
         part = Part("flow0", ((robot, "boxes:arm"),), passed, end)
-        found = {"digest": "d" if way == WAY else "other", "lasted_s": at, "hash": "h"}
-        return Account(parts=[part], meetings=[Meeting(tag, ("flow0", "flow1"))], **(found | more))
+        fields = {"digest": "d" if way == WAY else "other", "lasted_s": at, "hash": "h"}
+        return Account(parts=[part], meetings=[Meeting(tag, ("flow0", "flow1"))], **(fields | more))
 
     def kept(self, *others, settings=None, **more):
         """What is kept of its usual run."""

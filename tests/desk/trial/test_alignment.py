@@ -4,7 +4,7 @@ WAY = ["open", "move a", "line b", "close"]
 
 
 def both(*numbers):
-    return [Pair(*one) for one in numbers]
+    return [Pair(*number) for number in numbers]
 
 
 def test_equal_ways_are_paired_one_by_one():  # R-X07
@@ -18,7 +18,7 @@ def test_what_is_missing_and_what_is_new_stands_alone():  # R-X07
 
 def test_exchanged_actions_are_one_missing_and_one_new():  # R-X07
     pairs = align(WAY, ["open", "line b", "move a", "close"])
-    assert sum(one.done is None for one in pairs) == sum(one.kept is None for one in pairs) == 1
+    assert sum(pair.done is None for pair in pairs) == sum(pair.kept is None for pair in pairs) == 1
 
 
 def test_another_target_of_the_same_job_is_the_same_action_and_another_job_is_not():  # R-X07

@@ -19,34 +19,36 @@ SETTINGS = RunSettings("assemble", is_virtual=True)
 @pytest.fixture
 def repeated(workshop, monkeypatch):
     """Every run is the usual one of the workshop, a little off where it is shaken; what was asked for."""
-    asked = []
+    attempts = []
 
     def give_account(settings, site):
-        asked.append(settings)
+        attempts.append(settings)
         return workshop.run(off=1e-4 * (settings.shake or 0), force=60.0 + (settings.shake or 0))
 
     monkeypatch.setattr(keeping, "give_account", give_account)
-    return asked
+    return attempts
 
 
 def test_what_robots_reach_and_what_is_measured_is_kept_and_forces_are_not(workshop):  # R-X07
-    found = workshop.kept(workshop.run(force=17.0)).kept
-    above, shut = found.flows[0].actions[1], found.flows[0].actions[3]
+    keepsake = workshop.kept(workshop.run(force=17.0)).kept
+    above, shut = keepsake.flows[0].actions[1], keepsake.flows[0].actions[3]
     assert above.after == (Demand("Q_MEZ", (0.5,), "rad", 0.005), Demand("Q_REF", (0.5,), "rad", 0.005))
     assert shut.after == (Demand("GRIP_MEZ[0]", (0.08,), "m", 0.002), Demand("GRIP", (-1.0,), "", 0.01))
     assert (above.lasts_s, above.within_s) == (1.0, 0.05)
-    assert found.meetings == (Meeting("meet", ("flow0", "flow1")),)
+    assert keepsake.meetings == (Meeting("meet", ("flow0", "flow1")),)
 
 
 def test_a_lamp_is_told_when_it_changes_and_in_the_end(workshop):  # R-X07
     flow = workshop.kept().kept.flows[0]
-    told = [(at, one.values) for at, action in enumerate(flow.actions) for one in action.after if one.address == "LAMP"]
-    assert told == [(0, (0.0,)), (7, (1.0,))]
+    values = [
+        (at, each.values) for at, action in enumerate(flow.actions) for each in action.after if each.address == "LAMP"
+    ]
+    assert values == [(0, (0.0,)), (7, (1.0,))]
     assert Demand("LAMP", (1.0,)) in flow.at_end
 
 
 def on_the_way(keepsake):
-    return [at for at, one in enumerate(keepsake.kept.flows[0].actions) if one.is_on_way]
+    return [at for at, action in enumerate(keepsake.kept.flows[0].actions) if action.is_on_way]
 
 
 def test_a_lift_is_on_the_way_and_so_is_no_place_that_may_be_the_purpose(workshop):  # R-X07
@@ -61,13 +63,13 @@ def test_a_reference_that_the_next_trigger_has_overwritten_already_is_not_kept(w
     account.parts[0].passed[0].values["GRIP"] = (-1.0,)
     shut = replace(account.parts[0].passed[1].variables[2], writer="other")
     account.parts[0].passed[1].variables = (*account.parts[0].passed[1].variables[:2], shut)
-    found = keeping.kept_of(SETTINGS, account, []).kept
-    assert "GRIP" not in [one.address for one in found.flows[0].actions[0].after]
+    keepsake = keeping.kept_of(SETTINGS, account, []).kept
+    assert "GRIP" not in [each.address for each in keepsake.flows[0].actions[0].after]
 
 
 def test_what_varies_in_shaken_runs_is_asked_for_less_exactly(workshop):  # R-X07
-    found = workshop.kept(workshop.run(off=0.006), workshop.run(off=0.001)).kept
-    assert found.flows[0].actions[1].after[0].tolerance == 0.02
+    keepsake = workshop.kept(workshop.run(off=0.006), workshop.run(off=0.001)).kept
+    assert keepsake.flows[0].actions[1].after[0].tolerance == 0.02
 
 
 def test_runs_that_went_another_way_say_nothing_and_that_is_told(workshop):  # R-X07
@@ -92,21 +94,21 @@ def test_only_a_good_run_can_be_kept(workshop):  # R-X07
     ],
 )
 def test_what_no_test_could_do_again_is_refused_with_a_remedy(more, remedy):  # R-X07
-    found = keep(replace(SETTINGS, **more), SITE)
-    assert found.kept is None
-    assert remedy in found.refusal
+    keepsake = keep(replace(SETTINGS, **more), SITE)
+    assert keepsake.kept is None
+    assert remedy in keepsake.refusal
 
 
 def test_a_run_is_kept_with_others_of_other_seeds_in_shaken_worlds(repeated):  # R-X07
-    found = keep(replace(SETTINGS, seed=5, expectations=(Condition.parse("LAMP == 1"),)), SITE, workers=2, shakes=3)
-    assert [(one.seed, one.shake) for one in repeated] == [(5, None), (6, 6), (7, 7), (8, 8)]
-    assert (found.kept.seed, found.kept.expectations, found.hash) == (5, ("LAMP == 1",), "h")
+    keepsake = keep(replace(SETTINGS, seed=5, expectations=(Condition.parse("LAMP == 1"),)), SITE, workers=2, shakes=3)
+    assert [(attempt.seed, attempt.shake) for attempt in repeated] == [(5, None), (6, 6), (7, 7), (8, 8)]
+    assert (keepsake.kept.seed, keepsake.kept.expectations, keepsake.hash) == (5, ("LAMP == 1",), "h")
 
 
 def test_one_run_after_the_other_is_told_how_far_it_is(repeated):  # R-X07
-    told = []
-    keep(SETTINGS, SITE, shakes=2, progress=lambda *where: told.append((*where, len(repeated))))
-    assert told == [(1, 3, 0), (2, 3, 1), (3, 3, 2)]
+    progress = []
+    keep(SETTINGS, SITE, shakes=2, progress=lambda *where: progress.append((*where, len(repeated))))
+    assert progress == [(1, 3, 0), (2, 3, 1), (3, 3, 2)]
 
 
 def test_others_of_a_run_that_cannot_be_kept_are_not_done(workshop, monkeypatch):  # R-X07
@@ -118,8 +120,8 @@ def test_others_of_a_run_that_cannot_be_kept_are_not_done(workshop, monkeypatch)
 
 def test_a_test_file_is_written_and_its_comments_stay(repeated, tmp_path):  # R-X07, R-B01
     path = tmp_path / "a.test"
-    is_kept, told = keep_in(path, SETTINGS, SITE, seen="h")
-    assert (is_kept, told) == (True, (f"{path}: 9 actions, 23 values",))
+    is_kept, messages = keep_in(path, SETTINGS, SITE, seen="h")
+    assert (is_kept, messages) == (True, (f"{path}: 9 actions, 23 values",))
     path.write_text(path.read_text().replace("END\n", "# the lamp\nEND\n"))
     assert keep_in(path, SETTINGS, SITE)[0]
     assert "# the lamp\nEND\n" in path.read_text()

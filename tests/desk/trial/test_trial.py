@@ -19,18 +19,18 @@ SITE = open_site([], {}, None)
 def folder(workshop, tmp_path, monkeypatch):
     """A folder with three tests, the second of which fails, at a runtime that is played; it is asked for in `asked`."""
     good = workshop.kept().kept
-    for name, one in (("arm", good), ("hand", KeptRun("stack", "", (KeptFlow("flow9"),))), ("lamp", good)):
-        (tmp_path / f"{name}.test").write_text(kept.write(one))
+    for name, kept_run in (("arm", good), ("hand", KeptRun("stack", "", (KeptFlow("flow9"),))), ("lamp", good)):
+        (tmp_path / f"{name}.test").write_text(kept.write(kept_run))
     monkeypatch.setattr(trial, "give_account", lambda settings, site, limit_s: workshop.run())
     return tmp_path
 
 
 def test_a_test_asks_for_the_run_that_was_kept():  # R-X07
-    one = KeptRun("stack", "", (), (), 3, 0.25, (("a", "b", "1"),), ("LAMP == 1",), ("puma=scara",))
+    kept_run = KeptRun("stack", "", (), (), 3, 0.25, (("a", "b", "1"),), ("LAMP == 1",), ("puma=scara",))
     lit, other = Condition.parse("LAMP == 1"), Redirect.parse("puma=scara")
     expected = RunSettings("stack", True, (lit,), 0.25, 3, (("a", "b", "1"),), redirects=(other,))
-    assert settings_of(one) == expected
-    assert (settings_of(one, 2).seed, settings_of(one, 2).shake) == (5, 2)
+    assert settings_of(kept_run) == expected
+    assert (settings_of(kept_run, 2).seed, settings_of(kept_run, 2).shake) == (5, 2)
 
 
 def test_a_run_may_take_twice_as_long_as_the_kept_one_and_a_minute():  # R-X07
@@ -39,26 +39,26 @@ def test_a_run_may_take_twice_as_long_as_the_kept_one_and_a_minute():  # R-X07
 
 
 def test_tests_are_found_in_folders_and_by_a_word_of_their_names(folder):  # R-X07
-    assert [one.stem for one in find([folder])[0]] == ["arm", "hand", "lamp"]
-    assert [one.stem for one in find([folder, folder / "arm.test"], "A")[0]] == ["arm", "hand", "lamp"]
-    assert [one.stem for one in find([folder], "am")[0]] == ["lamp"]
-    found, (fault,) = find([folder / "nowhere"])
-    assert (found, fault.found) == ([], "none")
+    assert [path.stem for path in find([folder])[0]] == ["arm", "hand", "lamp"]
+    assert [path.stem for path in find([folder, folder / "arm.test"], "A")[0]] == ["arm", "hand", "lamp"]
+    assert [path.stem for path in find([folder], "am")[0]] == ["lamp"]
+    paths, (fault,) = find([folder / "nowhere"])
+    assert (paths, fault.found) == ([], "none")
 
 
 def test_all_are_tried_and_told_in_order_each_also_shaken(folder):  # R-X07
     done = list(try_all(find([folder])[0], SITE, workers=3, shakes=1))
-    assert [Path(one.file).stem for one in done] == ["arm", "arm", "hand", "hand", "lamp", "lamp"]
-    assert [one.shake for one in done] == [None, 1] * 3
-    assert [one.verdict.is_passed for one in done] == [True, True, False, False, True, True]
+    assert [Path(tried.file).stem for tried in done] == ["arm", "arm", "hand", "hand", "lamp", "lamp"]
+    assert [tried.shake for tried in done] == [None, 1] * 3
+    assert [tried.verdict.is_passed for tried in done] == [True, True, False, False, True, True]
     assert done[1].name.endswith("arm.test shaken 1")
 
 
 def test_a_file_that_is_no_test_fails_with_its_faults(folder):  # R-X07, R-B07
     (folder / "arm.test").write_text("VERSION 2.0\nEOF\n")
-    found = try_out(folder / "arm.test", SITE)
-    assert not found.verdict.is_passed
-    assert all("arm.test" in one for one in found.verdict.failures)
+    tried = try_out(folder / "arm.test", SITE)
+    assert not tried.verdict.is_passed
+    assert all("arm.test" in failure for failure in tried.verdict.failures)
     assert read(folder / "gone.test")[0] is None
 
 

@@ -34,7 +34,7 @@ TASKS = (
 
 def kept(*on):
     action = PlannedAction("a", "a", None, "a.appl", on, (), "")
-    return [one.name for one in kept_after(PlannedFlow("flow0", TASKS, (action,)), action, SHEETS)]
+    return [variable.name for variable in kept_after(PlannedFlow("flow0", TASKS, (action,)), action, SHEETS)]
 
 
 def test_what_devices_measure_and_what_they_are_to_follow_is_kept():  # R-X07
@@ -54,8 +54,8 @@ def test_tasks_that_are_off_say_nothing():  # R-X07
 
 
 def test_elements_of_several_units_have_their_own():
-    one = Variable("GRIP_MEZ", ("m", "m/s", "N"), True, True, "hand")
-    assert [one.unit_of(f"GRIP_MEZ[{at}]") for at in range(3)] == ["m", "m/s", "N"]
+    variable = Variable("GRIP_MEZ", ("m", "m/s", "N"), True, True, "hand")
+    assert [variable.unit_of(f"GRIP_MEZ[{at}]") for at in range(3)] == ["m", "m/s", "N"]
     assert Variable("Q", ("rad",), True, True, "arm").unit_of("Q") == "rad"
 
 

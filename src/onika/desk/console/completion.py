@@ -82,7 +82,9 @@ def _files(typed: str, before: str = "") -> list[str]:
         entries = sorted(Path(folder or ("/" if slash else ".")).expanduser().iterdir())
     except OSError:
         return []
-    names = [entry.name + ("/" if entry.is_dir() else "") for entry in entries if start or not entry.name.startswith(".")]
+    names = [
+        entry.name + ("/" if entry.is_dir() else "") for entry in entries if start or not entry.name.startswith(".")
+    ]
     return [f"{before}{folder}{slash}{name}" for name in names if name.startswith(start)]
 
 

@@ -77,7 +77,9 @@ def open_channel(session: Session, words: Words) -> Faults:
             session.say(f"others reach this runtime at {address}", Tone.GOOD)
         return ()
     wanted = words[0] if words else "127.0.0.1:7994"
-    reality = f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
+    reality = (
+        f"one that listens at {' '.join(session.addresses)}" if session.addresses else "one for this console alone"
+    )
     return session.no(
         "a runtime that was started to listen there",
         reality,

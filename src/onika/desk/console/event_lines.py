@@ -19,7 +19,10 @@ def lines(message: event.Event) -> Iterator[Line]:
         case event.Began():
             yield f"{_at(message.at_s)}  {message.index + 1}/{message.of}  {message.action}", Tone.PLAIN
         case event.TaskState():
-            yield f"{_at(message.at_s)}  {message.subsystem}/{message.task} {message.state}", _STATES.get(message.state, Tone.DIM)
+            yield (
+                f"{_at(message.at_s)}  {message.subsystem}/{message.task} {message.state}",
+                _STATES.get(message.state, Tone.DIM),
+            )
         case event.Warned() | event.Stepped():
             yield from _noted(message)
         case event.Failed():
@@ -31,7 +34,10 @@ def lines(message: event.Event) -> Iterator[Line]:
         case event.Signalled():
             number = f" {message.number}" if message.kind in ("FINISH", "USER") else ""
             text = f": {message.text}" if message.text else ""
-            yield f"{_at(message.at_s)}  {message.subsystem}/{message.task} signals {message.kind}{number}{text}", Tone.NOTE
+            yield (
+                f"{_at(message.at_s)}  {message.subsystem}/{message.task} signals {message.kind}{number}{text}",
+                Tone.NOTE,
+            )
         case event.Moved() | event.Met() | event.Explained():
             yield from _flows(message)
         case event.Lost():

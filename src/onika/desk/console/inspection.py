@@ -81,16 +81,18 @@ def rtpus(session: Session, words: Words) -> Faults:
 def subsystems(session: Session, words: Words) -> Faults:
     """The subsystems, who holds them and what they run."""
     del words
-    subsystems = session.look_again().subsystems
-    rows = [
-        ("*" if subsystem.name == session.subsystem else "", subsystem.name, str(len(subsystem.tasks)), subsystem.holder or "nobody",
-         subsystem.application or "by hand")
-        for subsystem in subsystems
-    ]  # fmt: skip
-    if session.subsystem not in {subsystem.name for subsystem in subsystems}:
+    present = session.look_again().subsystems
+    rows = [_subsystem_row(subsystem, session.subsystem) for subsystem in present]
+    if session.subsystem not in {subsystem.name for subsystem in present}:
         rows.append(("*", session.subsystem, "0", "nobody", "comes into being with its first task"))
     session.show(text_table.lines(("", "subsystem", "tasks", "holder", "moved"), rows))
     return ()
+
+
+def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[str, ...]:
+    mark = "*" if subsystem.name == chosen else ""
+    moved = subsystem.application or "by hand"
+    return mark, subsystem.name, str(len(subsystem.tasks)), subsystem.holder or "nobody", moved
 
 
 def choose(session: Session, words: Words) -> Faults:

@@ -190,7 +190,9 @@ class Session:
         """Wait until a change is done or refused, or a task asks, which is for the user to go on with."""
         questions_before = set(self.questions)
         key = (subsystem, number)
-        faults = self.until(lambda: key in self._edits or bool(set(self.questions) - questions_before), "the change to be done")
+        faults = self.until(
+            lambda: key in self._edits or bool(set(self.questions) - questions_before), "the change to be done"
+        )
         if faults or key not in self._edits:
             return faults
         cause = self._edits.pop(key).cause

@@ -18,7 +18,9 @@ def overview(figures: list[TaskFigure], columns: tuple[str, ...]) -> list[str]:
     several = len({figure.subsystem for figure in figures}) > 1
     names = ("subsystem",) * several + ("task", *columns)
     heads = [f"{name}/{UNITS[name]}" if name in UNITS else name for name in names]
-    rows = [[figure.subsystem] * several + [figure.task, *(cell(figure, name) for name in columns)] for figure in figures]
+    rows = [
+        [figure.subsystem] * several + [figure.task, *(cell(figure, name) for name in columns)] for figure in figures
+    ]
     return text_table.lines(heads, rows)
 
 

@@ -26,7 +26,7 @@ def verb(name: str) -> Callable[[Session, Words], Faults]:
             act = steering.act(" ".join((name, *words)), cast)
         except ValueError as wrong:
             return (objection(session.place, str(wrong), GOES_ON),)
-        return _order(session, act.asked) if isinstance(act, Order) else ()
+        return _order(session, act.message) if isinstance(act, Order) else ()
 
     return carry_out
 
@@ -66,7 +66,9 @@ def runs(session: Session, words: Words) -> Faults:
     for application, names in homes.items():
         session.say(f"{application} in {', '.join(names)}", Tone.HEAD)
         application_spots = [spots[name] for name in names if name in spots]
-        for line in positions.lines(application_spots, cast_of(session, application_spots)) if application_spots else ():
+        for line in (
+            positions.lines(application_spots, cast_of(session, application_spots)) if application_spots else ()
+        ):
             session.say(f"  {line}")
     if not homes:
         session.say("no application runs", Tone.DIM)

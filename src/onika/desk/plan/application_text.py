@@ -43,12 +43,12 @@ def convert(path: Path, out: Path | None, site: Site, *, is_whole: bool = False)
     shelf = _Shelf(site, syntax)
     if is_text(path):
         name = out.name.removesuffix(appl.ENDING) if out else path.stem
-        application, found = reader.read(content, name, str(path), syntax, shelf.find)
+        application, faults_of_file = reader.read(content, name, str(path), syntax, shelf.find)
         made = appl.write(application) if application else ""
     else:
-        application, found = appl.read(content, path.name.removesuffix(appl.ENDING), str(path), syntax)
+        application, faults_of_file = appl.read(content, path.name.removesuffix(appl.ENDING), str(path), syntax)
         made = writer.write(application, syntax, (lambda _: None) if is_whole else shelf.find) if application else ""
-    return _converted(application, made, (*faults, *found), shelf.faults)
+    return _converted(application, made, (*faults, *faults_of_file), shelf.faults)
 
 
 def unfit(path: Path, out: Path) -> Fault | None:
@@ -100,7 +100,7 @@ def _converted(
     application: Application | None, content: str, faults: tuple[Fault, ...], shelf: tuple[Fault, ...] = ()
 ) -> Converted:
     """A conversion whose faulty dictionary icons are told, but forbid nothing by themselves."""
-    found, notes = parted(faults)
+    mistakes, notes = parted(faults)
     if application is not None:
-        return Converted(application, content, (), (*found, *notes, *shelf))
-    return Converted(None, "", (*found, *shelf), notes)
+        return Converted(application, content, (), (*mistakes, *notes, *shelf))
+    return Converted(None, "", (*mistakes, *shelf), notes)

@@ -65,7 +65,7 @@ class Compiler:
         return Plan(self._program.application.name, flows, code)
 
     def _code(self) -> tuple[Code, ...]:
-        found = []
+        objections = []
         for module in sorted({task.module for task in self._program.tasks.values()}):
             path = self._program.code.get(module)
             if path is None:
@@ -78,15 +78,16 @@ class Compiler:
                 continue
             digest = sha256(source.encode()).hexdigest()
             self._digests[module] = digest
-            found.append(Code(digest, module, str(path), source))
-        return tuple(found)
+            objections.append(Code(digest, module, str(path), source))
+        return tuple(objections)
 
     def _flow(self, number: int, line: Line) -> PlannedFlow:
         tasks: dict[str, PlannedTask] = {}
         actions: list[PlannedAction] = []
         chosen = choice(self._redirects, line.subsystem)
         crews = {
-            name: redirected(one, chosen, self._program.tasks) for name, one in self._program.configurations.items()
+            name: redirected(configuration, chosen, self._program.tasks)
+            for name, configuration in self._program.configurations.items()
         }
         replaced: dict[str, PlannedTask] = {}
         for index, doing in enumerate(line.doings):
@@ -94,33 +95,33 @@ class Compiler:
             placed = () if configuration is None or doing.is_noop else configuration.placed
             if chosen:
                 replaced.update(self._replaced(doing.icon.onikon.name, chosen))
-            for one in placed:
-                self._wanted.add(one.task)
-                task = self._program.tasks.get(one.task)
-                if task is not None and one.task not in tasks and task.module in self._digests:
-                    tasks[one.task] = self._task(task, one.rtpu)
+            for member in placed:
+                self._wanted.add(member.task)
+                task = self._program.tasks.get(member.task)
+                if task is not None and member.task not in tasks and task.module in self._digests:
+                    tasks[member.task] = self._task(task, member.rtpu)
             actions.append(self._action(doing, placed, tasks))
             for target in doing.targets:
                 kind = plain_type(target.onikon.type)
                 values, name = _flat(target.onikon.values), target.onikon.name
                 self.targets.append(TargetValues(number, index, kind, values, name))
         living, program = tuple(tasks.values()), tuple(line.program)
-        found = tuple((name, old) for name, old in replaced.items() if name in tasks)
-        return PlannedFlow(line.subsystem, living, tuple(actions), program, line.parent, found)
+        replacements = tuple((name, old) for name, old in replaced.items() if name in tasks)
+        return PlannedFlow(line.subsystem, living, tuple(actions), program, line.parent, replacements)
 
     def _replaced(self, job: str, chosen: Choice) -> Iterator[tuple[str, PlannedTask]]:
         """The tasks of a job that others stand for, by the names of these; without a digest where they have no code."""
         configuration = self._program.configurations.get(job)
-        for one in configuration.placed if configuration is not None else ():
-            task = self._program.tasks.get(one.task)
+        for placed in configuration.placed if configuration is not None else ():
+            task = self._program.tasks.get(placed.task)
             if task is not None and chosen.get(task.name) in self._program.tasks:
                 place = self._places.get(task.name, task.name)
-                yield chosen[task.name], planned_task(task, one.rtpu, self._digests.get(task.module, ""), place)
+                yield chosen[task.name], planned_task(task, placed.rtpu, self._digests.get(task.module, ""), place)
 
     def _action(self, doing: Doing, placed: Sequence[Placed], tasks: Mapping[str, PlannedTask]) -> PlannedAction:
         job = doing.icon.onikon
         names = [target.onikon.name for target in doing.targets]
-        present = [one for one in placed if one.task in tasks]
+        present = [placed for placed in placed if placed.task in tasks]
         return PlannedAction(
             name=" ".join((job.name, *names)),
             job=job.name,
@@ -128,8 +129,12 @@ class Compiler:
             place=doing.file,
             line=doing.icon.line,
             lacks_tasks=not doing.is_noop and (len(present) < len(placed) or not placed),
-            tasks=tuple(one.task for one in present),
-            rates=tuple((one.task, one.frequency) for one in present if one.frequency and self._keeps_time(one.task)),
+            tasks=tuple(placed.task for placed in present),
+            rates=tuple(
+                (placed.task, placed.frequency)
+                for placed in present
+                if placed.frequency and self._keeps_time(placed.task)
+            ),
             arguments=" ".join(map(self._arguments, doing.targets)),
             marker=doing.icon.marker,
             synch_tag=doing.icon.synch_tag,
@@ -142,9 +147,9 @@ class Compiler:
         try:
             return target.onikon.argument_line(self._syntax)
         except ValueError as wrong:  # the definition of its type has changed since it was made
-            expected, _, found = str(wrong).removeprefix("expected ").partition(", found ")
+            expected, _, actual = str(wrong).removeprefix("expected ").partition(", found ")
             place = Place(self._place.file, target.line)
-            self.faults.append(Fault(place, expected, found, "the application is not run"))
+            self.faults.append(Fault(place, expected, actual, "the application is not run"))
             return ""
 
     def _keeps_time(self, name: str) -> bool:
@@ -186,4 +191,4 @@ def rtpus_of(plan: Plan) -> tuple[str, ...]:
 
 
 def _flat(values: tuple[tuple[Value, ...], ...]) -> tuple[Value, ...]:
-    return tuple(one for item in values for one in item)
+    return tuple(number for item in values for number in item)

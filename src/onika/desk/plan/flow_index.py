@@ -33,7 +33,12 @@ class Cast:
         """Those of a plan."""
         return cls(
             tuple(
-                Part(flow.subsystem, tuple(one.name for one in flow.actions), _variables(flow), flow.parent is not None)
+                Part(
+                    flow.subsystem,
+                    tuple(action.name for action in flow.actions),
+                    _variables(flow),
+                    flow.parent is not None,
+                )
                 for flow in plan.flows
             )
         )
@@ -41,18 +46,18 @@ class Cast:
     @classmethod
     def seen(cls, positions: Iterable[Position]) -> "Cast":
         """Those that a runtime told of: what their actions are called is not known."""
-        names = [one.subsystem for one in positions]
+        names = [position.subsystem for position in positions]
         return cls(tuple(Part(name, is_nested=name.rpartition(".")[0] in names) for name in names))
 
     @property
     def subsystems(self) -> tuple[str, ...]:
         """The flows by their subsystems."""
-        return tuple(one.subsystem for one in self.parts)
+        return tuple(part.subsystem for part in self.parts)
 
     @property
     def lone(self) -> str:
         """The only flow that is not nested; empty where there are several."""
-        chief = [one.subsystem for one in self.parts if not one.is_nested]
+        chief = [part.subsystem for part in self.parts if not part.is_nested]
         return chief[0] if len(chief) == 1 else ""
 
     def flow(self, word: str) -> str:
@@ -64,7 +69,7 @@ class Cast:
 
     def action(self, subsystem: str, word: str) -> int:
         """The index of an action by its number, counted from 1, or by its name; raises ValueError that says what is."""
-        names = next(one.actions for one in self.parts if one.subsystem == subsystem)
+        names = next(part.actions for part in self.parts if part.subsystem == subsystem)
         if names is None:
             if _NUMBER.match(word) and int(word) > 0:
                 return int(word) - 1
@@ -73,23 +78,23 @@ class Cast:
             if 0 < int(word) <= len(names):
                 return int(word) - 1
             raise ValueError(f"expected an action of {subsystem} from 1 to {len(names)}, found {word}")
-        found = [index for index, name in enumerate(names) if name == word]
-        if len(found) == 1:
-            return found[0]
-        if found:
-            numbers = ", ".join(str(index + 1) for index in found)
+        places = [index for index, name in enumerate(names) if name == word]
+        if len(places) == 1:
+            return places[0]
+        if places:
+            numbers = ", ".join(str(index + 1) for index in places)
             raise ValueError(f"expected one action, found {word!r} as {numbers} of {subsystem}")
-        known = ", ".join(dict.fromkeys(names[:_SHOWN])) + (" …" if len(names) > _SHOWN else "")
-        raise ValueError(f"expected an action of {subsystem} by its number or name ({known}), found {word!r}")
+        names_shown = ", ".join(dict.fromkeys(names[:_SHOWN])) + (" …" if len(names) > _SHOWN else "")
+        raise ValueError(f"expected an action of {subsystem} by its number or name ({names_shown}), found {word!r}")
 
     def name(self, subsystem: str, index: int) -> str:
         """What an action is called; empty where that is not known."""
-        names = next((one.actions for one in self.parts if one.subsystem == subsystem), None)
+        names = next((part.actions for part in self.parts if part.subsystem == subsystem), None)
         return names[index] if names is not None and 0 <= index < len(names) else ""
 
     def count(self, subsystem: str) -> int:
         """How many actions a flow has; 0 where that is not known."""
-        names = next((one.actions for one in self.parts if one.subsystem == subsystem), None)
+        names = next((part.actions for part in self.parts if part.subsystem == subsystem), None)
         return 0 if names is None else len(names)
 
     def home(self, address: str) -> tuple[str, str]:
@@ -98,13 +103,13 @@ class Cast:
         Raises ValueError where no task reads or writes it.
         """
         subsystem, slash, name = address.rpartition("/")
-        for one in self.parts:
-            is_meant = one.subsystem == subsystem or not slash
-            if is_meant and (one.variables is None or name in one.variables):
-                return one.subsystem, name
+        for part in self.parts:
+            is_meant = part.subsystem == subsystem or not slash
+            if is_meant and (part.variables is None or name in part.variables):
+                return part.subsystem, name
         raise ValueError(f"expected a variable that some task reads or writes, found {address}")
 
 
 def _variables(flow: PlannedFlow) -> frozenset[str]:
-    ports = [(one.inconst + one.outconst + one.invar + one.outvar, dict(one.aliases)) for one in flow.tasks]
+    ports = [(task.inconst + task.outconst + task.invar + task.outvar, dict(task.aliases)) for task in flow.tasks]
     return frozenset(name for names, aliases in ports for name in resolve(names, aliases))

@@ -28,7 +28,7 @@ def step_named(step: Step) -> str:
 
 def several(steps: Sequence[Step]) -> str:
     """Some steps: by name where it is one, else how many; holes beside icons do not count."""
-    solid = [one for one in steps if not isinstance(one, Hole)] or steps
+    solid = [step for step in steps if not isinstance(step, Hole)] or steps
     return step_named(solid[0]) if len(solid) == 1 else f"{len(solid)} icons"
 
 

@@ -57,25 +57,25 @@ def iconify(
     An icon that is there keeps its description and picture, unless others are given; `picture` is the file of an icon
     that lends its own. One of another thing of that name is kept (decision 34), unless the user `replaces` it.
     """
-    found = _source(path, site)
-    if not isinstance(found, _Source):
-        return found
-    former, faults = _former(found)
+    source = _source(path, site)
+    if not isinstance(source, _Source):
+        return source
+    former, faults = _former(source)
     if isinstance(former, Refusal) or (former is None and faults):
         if not replaces:
             return (former,) if isinstance(former, Refusal) else faults
         former, faults = None, ()
-    kind = _type(found)
+    kind = _type(source)
     if not isinstance(kind, ActionType):
         return kind
-    lent = _lent(picture, found.syntax)
+    lent = _lent(picture, source.syntax)
     if not isinstance(lent, Picture | None):
         return lent
-    said = description if description is not None else former.value.description if former else ""
-    shown = lent or (former.value.picture if former else drawn(found.name))
-    words = former.value.words if former and former.value.description == said else ()
-    onikon = Onikon(found.name, kind.type, " ".join(said.split()), (), shown, kind.more_targets, words)
-    saved = found.home.save_onikon(onikon, former, overwrites=replaces)
+    wording = description if description is not None else former.value.description if former else ""
+    shown = lent or (former.value.picture if former else drawn(source.name))
+    words = former.value.words if former and former.value.description == wording else ()
+    onikon = Onikon(source.name, kind.type, " ".join(wording.split()), (), shown, kind.more_targets, words)
+    saved = source.home.save_onikon(onikon, former, overwrites=replaces)
     return (saved,) if isinstance(saved, Refusal) else Made(saved.path, onikon, faults)
 
 
@@ -104,7 +104,7 @@ def _former(source: _Source) -> tuple[Opened[Onikon] | Refusal | None, tuple[Fau
     kind = source.syntax.acting(former.value.type)
     is_ours = kind is not None and (kind.is_application if source.is_application else kind.is_job)
     if is_ours:
-        return former, tuple(one for one in faults if not one.is_note)
+        return former, tuple(fault for fault in faults if not fault.is_note)
     reason = f"{file} is the icon of something else, a {former.value.type}"
     return Refusal(reason, (f"rename {source.path.name}", "replace it")), ()
 
@@ -137,10 +137,10 @@ def _lent(path: Path | None, syntax: Syntax) -> Picture | Reasons | None:
         return None
     content, faults = text.load(path, str(path))
     if content is None:
-        return tuple(replace(one, instead="no icon is made") for one in faults)
+        return tuple(replace(fault, instead="no icon is made") for fault in faults)
     onikon, faults = onk.read(content, path.stem, str(path), syntax)
     return onikon.picture if onikon else faults
 
 
-def _not_made(place: Place, expected: str, found: str) -> Fault:
-    return Fault(place, expected, found, "no icon is made")
+def _not_made(place: Place, expected: str, actual: str) -> Fault:
+    return Fault(place, expected, actual, "no icon is made")

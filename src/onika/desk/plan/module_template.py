@@ -85,7 +85,7 @@ def create_module(name: str, base: Path) -> tuple[Path, ...]:
             raise ValueError(f"{path} is there already: nothing was written")
     for path, text in files.items():
         path.parent.mkdir(parents=True, exist_ok=True)
-        found = whole.write(path, text.format(name=name, title=title, identifier=identifier), whole.ABSENT)
-        if isinstance(found, Refusal):
-            raise ValueError(found.reason)
+        written = whole.write(path, text.format(name=name, title=title, identifier=identifier), whole.ABSENT)
+        if isinstance(written, Refusal):
+            raise ValueError(written.reason)
     return tuple(files)

@@ -42,8 +42,8 @@ def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = (
     """
     path = site.application_file(name_or_path)
     if path is None:
-        known = sorted({name for base in site.directories for name in base.applications})
-        expected = f"an application file or the name of one ({', '.join(known) or 'none on the search path'})"
+        names = sorted({name for base in site.directories for name in base.applications})
+        expected = f"an application file or the name of one ({', '.join(names) or 'none on the search path'})"
         fault = Fault(Place(name_or_path), expected, "neither", "nothing is run")
         return _nothing(name_or_path, (fault, *site.absent()))
     syntax, faults = site.syntax()
@@ -70,21 +70,21 @@ def prepare(
     """
     program = gather(application, home, syntax)
     if passes_breakpoints:
-        nested = {name: without_breakpoints(one) for name, one in program.applications.items()}
+        nested = {name: without_breakpoints(application) for name, application in program.applications.items()}
         program = replace(program, application=without_breakpoints(application), applications=nested)
     return _judged(program, syntax, place, home, (), redirects)
 
 
-def fault_of(told: FaultText) -> Fault:
+def fault_of(text: FaultText) -> Fault:
     """A fault that a runtime has found."""
-    place = Place(told.file, told.line)
-    return Fault(place, told.expected, told.found, told.instead, where=told.where, remedies=told.remedies)
+    place = Place(text.file, text.line)
+    return Fault(place, text.expected, text.found, text.instead, where=text.where, remedies=text.remedies)
 
 
 def _judged(
     program: Program, syntax: Syntax, place: Place, home: Site, faults: Faults, redirects: Sequence[Redirect]
 ) -> PreparedRun:
-    program = joined(program, sorted({one.new for one in redirects}), home)
+    program = joined(program, sorted({redirect.new for redirect in redirects}), home)
     sound = redirection.sound(redirects, program)
     judged = readiness.faults(
         program.application,
@@ -106,10 +106,10 @@ def _judged(
     plan = compiler.plan()
     found_later = (*compiler.faults, *redirection.faults(redirects, plan, program))
     met = meetings.findings(plan)
-    told = _notes(program, home, places)
-    found, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *told, *home.absent()))
+    remarks = _notes(program, home, places)
+    mistakes, notes = parted((*faults, *program.faults, *judged, *found_later, *met, *remarks, *home.absent()))
     name = program.application.name
-    return PreparedRun(name, program.application, plan, tuple(compiler.targets), found, notes, program)
+    return PreparedRun(name, program.application, plan, tuple(compiler.targets), mistakes, notes, program)
 
 
 def _notes(program: Program, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:
@@ -121,15 +121,15 @@ def _notes(program: Program, site: Site, places: dict[str, str]) -> tuple[Fault,
         if len(tasks) == len(configuration.placed):
             notes += warning.hanging(tasks, Place(configuration.name))
     names = {program.application.name, *program.configurations, *program.tasks}
-    notes += (one for one in site.duplicates() if Path(one.place.file).name in names)
+    notes += (duplicate for duplicate in site.duplicates() if Path(duplicate.place.file).name in names)
     return tuple(notes)
 
 
 def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
-    found, notes = parted(faults)
-    return PreparedRun(name, None, None, (), found, notes)
+    mistakes, notes = parted(faults)
+    return PreparedRun(name, None, None, (), mistakes, notes)
 
 
 def _places(program: Program, home: Site) -> dict[str, str]:
-    found = {name: home.home_of_task(name) for name in program.tasks}
-    return {name: str(base.task_file(name)) for name, base in found.items() if base is not None}
+    homes = {name: home.home_of_task(name) for name in program.tasks}
+    return {name: str(base.task_file(name)) for name, base in homes.items() if base is not None}

@@ -29,56 +29,62 @@ class Seat:
 
 def sound(redirects: Sequence[Redirect], program: Program) -> tuple[Redirect, ...]:
     """Those that can be carried out at all; any other would only make everything else look wrong."""
-    known = program.tasks
+    known_tasks = program.tasks
     return tuple(
-        one for one in redirects if one.old in known and one.new in known and is_alike(known[one.old], known[one.new])
+        redirect
+        for redirect in redirects
+        if redirect.old in known_tasks
+        and redirect.new in known_tasks
+        and is_alike(known_tasks[redirect.old], known_tasks[redirect.new])
     )
 
 
 def faults(redirects: Sequence[Redirect], plan: Plan, program: Program) -> Iterator[Fault]:
     """Everything that is wrong with what is wished; conflicts among those who live together are told by readiness."""
     yield from _twice(redirects)
-    for one in redirects:
-        place = Place(f"redirect {one}")
-        subsystems = [flow.subsystem for flow in plan.flows if one.holds_in(flow.subsystem)]
+    for redirect in redirects:
+        place = Place(f"redirect {redirect}")
+        subsystems = [flow.subsystem for flow in plan.flows if redirect.holds_in(flow.subsystem)]
         if not subsystems:
-            known = ", ".join(flow.subsystem for flow in plan.flows)
-            yield Fault(place, f"a flow by its number or its subsystem ({known})", one.flow, NOT_RUN)
+            every = ", ".join(flow.subsystem for flow in plan.flows)
+            yield Fault(place, f"a flow by its number or its subsystem ({every})", redirect.flow, NOT_RUN)
             continue
         used = _used(plan, program, subsystems)
-        if one.new not in program.tasks:
-            yield Fault(place, "a task on the search path", f"no {one.new}", NOT_RUN)
-        if one.old not in used:
-            where = f"flow {one.flow}" if one.flow else plan.application
-            yield Fault(place, f"a task of {where} ({', '.join(sorted(used))})", one.old, NOT_RUN)
-        elif one.new in program.tasks and one.new != one.old:
-            crews = {key: crew for name in subsystems for key, crew in _crews(plan, program, redirects, name, one.old)}
-            for reason in shortcomings(used[one.old], program.tasks[one.new], crews):
-                expected = f"a task with the outputs of {one.old}, that works in its place"
+        if redirect.new not in program.tasks:
+            yield Fault(place, "a task on the search path", f"no {redirect.new}", NOT_RUN)
+        if redirect.old not in used:
+            where = f"flow {redirect.flow}" if redirect.flow else plan.application
+            yield Fault(place, f"a task of {where} ({', '.join(sorted(used))})", redirect.old, NOT_RUN)
+        elif redirect.new in program.tasks and redirect.new != redirect.old:
+            crews = {
+                key: crew for name in subsystems for key, crew in _crews(plan, program, redirects, name, redirect.old)
+            }
+            for reason in shortcomings(used[redirect.old], program.tasks[redirect.new], crews):
+                expected = f"a task with the outputs of {redirect.old}, that works in its place"
                 yield Fault(place, expected, reason.reason, NOT_RUN, remedies=reason.remedies)
 
 
 def seats(
-    program: Program, plan: Plan, redirects: Sequence[Redirect], known: Iterable[Task]
+    program: Program, plan: Plan, redirects: Sequence[Redirect], known_tasks: Iterable[Task]
 ) -> dict[str, tuple[Seat, ...]]:
     """For every flow that is not nested, by its subsystem: the tasks that it uses, each with who could stand for it.
 
     known   the tasks of all libraries
     """
-    library = list(known)
-    found: dict[str, tuple[Seat, ...]] = {}
+    library = list(known_tasks)
+    seats_of: dict[str, tuple[Seat, ...]] = {}
     homes = chiefs(plan)
     for home in homes:
         own = _within(plan, home)
-        elsewhere = [one.subsystem for one in plan.flows if one.subsystem not in own]
+        elsewhere = [flow.subsystem for flow in plan.flows if flow.subsystem not in own]
         others = list(_living(plan, program, redirects, elsewhere).values())
         seats = []
         for task in _used(plan, program, own).values():
             crews = {key: crew for name in own for key, crew in _crews(plan, program, redirects, name, task.name)}
             taken_by = choice(redirects, home).get(task.name, task.name)
             seats.append(Seat(task, taken_by, tuple(candidates(task, library, crews, others))))
-        found[home] = tuple(seats)
-    return found
+        seats_of[home] = tuple(seats)
+    return seats_of
 
 
 def homes_of(task: str, plan: Plan, program: Program) -> tuple[str, ...]:
@@ -88,22 +94,22 @@ def homes_of(task: str, plan: Plan, program: Program) -> tuple[str, ...]:
 
 def _within(plan: Plan, home: str) -> list[str]:
     """A flow and all that is nested in it."""
-    return [one.subsystem for one in plan.flows if f"{one.subsystem}.".startswith(f"{home}.")]
+    return [flow.subsystem for flow in plan.flows if f"{flow.subsystem}.".startswith(f"{home}.")]
 
 
 def _twice(redirects: Sequence[Redirect]) -> Iterator[Fault]:
     first: dict[tuple[str, str], Redirect] = {}
-    for one in redirects:
-        other = first.setdefault((one.home, one.old), one)
-        if other.new != one.new:
-            yield Fault(Place(f"redirect {one}"), f"one task in place of {one.old}", f"{other} too", NOT_RUN)
+    for redirect in redirects:
+        other = first.setdefault((redirect.home, redirect.old), redirect)
+        if other.new != redirect.new:
+            yield Fault(Place(f"redirect {redirect}"), f"one task in place of {redirect.old}", f"{other} too", NOT_RUN)
 
 
 def _jobs(plan: Plan, subsystem: str) -> Iterator[str]:
     """The jobs of a flow, each once."""
     for flow in plan.flows:
         if flow.subsystem == subsystem:
-            yield from dict.fromkeys(one.job for one in flow.actions if not one.is_noop)
+            yield from dict.fromkeys(action.job for action in flow.actions if not action.is_noop)
 
 
 def _used(plan: Plan, program: Program, subsystems: Iterable[str]) -> dict[str, Task]:
@@ -122,13 +128,13 @@ def _living(
     plan: Plan, program: Program, redirects: Sequence[Redirect], subsystems: Iterable[str]
 ) -> Mapping[str, Task]:
     """The tasks of flows as they will live."""
-    found: dict[str, Task] = {}
+    replaced: dict[str, Task] = {}
     for subsystem in subsystems:
         chosen = choice(redirects, subsystem)
         for name in _used(plan, program, [subsystem]):
             task = _in_place(name, chosen, program)
-            found[task.name] = task
-    return found
+            replaced[task.name] = task
+    return replaced
 
 
 def _crews(
@@ -138,7 +144,9 @@ def _crews(
     chosen = {name: new for name, new in choice(redirects, subsystem).items() if name != old}
     for job in _jobs(plan, subsystem):
         configuration = program.configurations.get(job)
-        names = [one.task for one in configuration.placed if one.task in program.tasks] if configuration else []
+        names = (
+            [placed.task for placed in configuration.placed if placed.task in program.tasks] if configuration else []
+        )
         if old in names:
             yield job, [_in_place(name, chosen, program) for name in names]
 

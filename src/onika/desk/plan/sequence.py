@@ -89,8 +89,10 @@ class Sequencer:
         line = self.lines[number]
         every = actions(flow, self._syntax)
         doing = {action.position: action for action in every}
-        found = [one for one in loops(flow, every) if doing.keys() >= {one.start, one.end}]  # not at a stray target
-        rounds = _Rounds(line, [(self._unique(_join(context, loop.tag)), loop) for loop in found])
+        own_loops = [
+            loop for loop in loops(flow, every) if doing.keys() >= {loop.start, loop.end}
+        ]  # not at a stray target
+        rounds = _Rounds(line, [(self._unique(_join(context, loop.tag)), loop) for loop in own_loops])
         for position, step in enumerate(flow.steps):
             if isinstance(step, Branch):
                 self._branch(number, step.flows, step.conditions, context, f"branch at line {step.line}")
@@ -121,7 +123,7 @@ class Sequencer:
         application = self._applications.get(name)
         if application is None or name in context.path or len(context.path) > DEEPEST:
             return  # readiness tells
-        fills = {plain_type(one.onikon.type): one for one in targets}
+        fills = {plain_type(target.onikon.type): target for target in targets}
         is_parallel = application.is_parallel and len(application.flows) > 1
         scope = self._unique(_join(context, name)) if is_parallel else None
         spot = (*context.spot, icon.line)
@@ -214,11 +216,11 @@ class _Rounds:
 def _targets(action: Action, context: _Context, syntax: Syntax) -> tuple[Icon, ...]:
     """The targets of an action; what fills a hole comes from outside, by its type (decision 32)."""
     wanted = wanted_targets(action.icon.onikon, syntax)
-    found = (
-        one if isinstance(one, Icon) else context.fills.get(plain_type(kind))
-        for one, kind in zip(action.targets, wanted, strict=False)
+    targets = (
+        target if isinstance(target, Icon) else context.fills.get(plain_type(kind))
+        for target, kind in zip(action.targets, wanted, strict=False)
     )
-    return tuple(one for one in found if one is not None)
+    return tuple(icon for icon in targets if icon is not None)
 
 
 def plain_type(name: str) -> str:

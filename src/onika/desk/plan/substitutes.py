@@ -25,8 +25,8 @@ def with_substitutes(
     places = {task.place: task.name for flow in prepared.plan.flows for task in flow.tasks}
     if not any(fault.place.file in places for fault in faults):
         return list(faults)  # as nearly always: no library need be read
-    known = [record.task for library in open_libraries(site.directories) for record in library.tasks.values()]
-    every = seats(prepared.program, prepared.plan, redirects, known)
+    tasks = [record.task for library in open_libraries(site.directories) for record in library.tasks.values()]
+    every = seats(prepared.program, prepared.plan, redirects, tasks)
     taken = {seat.taken_by: seat for some in every.values() for seat in some}
     return [_helped(fault, taken.get(places.get(fault.place.file, ""))) for fault in faults]
 
@@ -34,5 +34,9 @@ def with_substitutes(
 def _helped(fault: Fault, seat: Seat | None) -> Fault:
     if seat is None or fault.remedies:
         return fault
-    names = [one.task.name for one in seat.candidates if not one.refusals and one.task.name != seat.taken_by]
+    names = [
+        candidate.task.name
+        for candidate in seat.candidates
+        if not candidate.refusals and candidate.task.name != seat.taken_by
+    ]
     return replace(fault, remedies=tuple(f"redirect {seat.task.name} to {name}" for name in names[:_MOST]))

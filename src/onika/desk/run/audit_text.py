@@ -16,7 +16,7 @@ def sentence(record: Record) -> str:
     who = " ".join(_text(record, key) for key in ("who", "role") if record.get(key)) or "-"
     place = f" from {_text(record, 'address')}" if record.get("address") else ""
     code = record.get("code")
-    digests = f" code {' '.join(str(one)[:12] for one in code)}" if isinstance(code, list) else ""
+    digests = f" code {' '.join(str(digest)[:12] for digest in code)}" if isinstance(code, list) else ""
     about = f" {_text(record, 'about')}" if record.get("about") else ""
     on = f" {_text(record, 'on')}" if record.get("on") else ""
     result = f": {_text(record, 'result')}" if record.get("result") else ""

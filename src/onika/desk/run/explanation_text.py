@@ -16,32 +16,32 @@ _NUMBERS = 34
 """Columns of first, last, lowest and highest value."""
 
 
-def lines(one: event.Explained, width: int = 80) -> Iterator[str]:
+def lines(explained: event.Explained, width: int = 80) -> Iterator[str]:
     """The block: what, suspect, chain, places, who waits, the last seconds, the choices."""
-    who = "/".join(part for part in (one.subsystem, one.task) if part)
-    head = f"{'STOP' if one.choices else 'END'} {who}: " if who else f"{'STOP' if one.choices else 'END'}: "
-    yield from _filled(f"{one.at_s:8.2f} s  ", f"{head}{one.text}", width)
-    if one.suspect:
-        yield from _labelled("suspect", one.suspect, width)
-    yield from _labelled("chain", _chain(one), width)
-    yield from _labelled("where", _where(one), width)
-    if one.courses:
-        span = _span(one.courses)
-        yield from _rows(f"last {span:.{1 if span >= 1 else 2}f} s", _table(one.courses, width))
-    yield from _choices(one.choices, width)
+    who = "/".join(part for part in (explained.subsystem, explained.task) if part)
+    head = f"{'STOP' if explained.choices else 'END'} {who}: " if who else f"{'STOP' if explained.choices else 'END'}: "
+    yield from _filled(f"{explained.at_s:8.2f} s  ", f"{head}{explained.text}", width)
+    if explained.suspect:
+        yield from _labelled("suspect", explained.suspect, width)
+    yield from _labelled("chain", _chain(explained), width)
+    yield from _labelled("where", _where(explained), width)
+    if explained.courses:
+        span = _span(explained.courses)
+        yield from _rows(f"last {span:.{1 if span >= 1 else 2}f} s", _table(explained.courses, width))
+    yield from _choices(explained.choices, width)
 
 
-def _chain(one: event.Explained) -> str:
+def _chain(explained: event.Explained) -> str:
     """Task, job, flow, who waits; nothing where there is but one link."""
-    action = f"action {one.index + 1}, {one.action}" if one.action else ""
-    waits = [f"{flow} waits" + (f" at {tag}" if tag else "") for flow, tag in one.waiting]
-    links = [link for link in (one.task, action, one.subsystem, *waits) if link]
+    action = f"action {explained.index + 1}, {explained.action}" if explained.action else ""
+    waits = [f"{flow} waits" + (f" at {tag}" if tag else "") for flow, tag in explained.waiting]
+    links = [link for link in (explained.task, action, explained.subsystem, *waits) if link]
     return " > ".join(links) if len(links) > 1 else ""
 
 
-def _where(one: event.Explained) -> str:
-    code = f"{one.path}:{one.line}" if one.path and one.line else one.path
-    return ", ".join(part for part in (code, one.place) if part)
+def _where(explained: event.Explained) -> str:
+    code = f"{explained.path}:{explained.line}" if explained.path and explained.line else explained.path
+    return ", ".join(part for part in (code, explained.place) if part)
 
 
 def _choices(choices: Sequence[tuple[str, str]], width: int) -> Iterator[str]:
@@ -82,60 +82,60 @@ def _filled(before: str, text: str, width: int) -> Iterator[str]:
 
 
 def _span(courses: Sequence[event.Course]) -> float:
-    times = [at for one in courses for at in one.at_s]
+    times = [at for series in courses for at in series.at_s]
     return max(times) - min(times) if times else 0.0
 
 
 def _table(courses: Sequence[event.Course], width: int) -> list[str]:
     """Of each variable the element that says most, as a curve and in numbers."""
-    found = [(one, *_element(one.values)) for one in courses]
-    names = max(len(_name(one, index)) for one, index, _ in found)
+    elements = [(series, *_element(series.values)) for series in courses]
+    names = max(len(_name(series, index)) for series, index, _ in elements)
     columns = min(max(width - _LABEL - names - _NUMBERS - 2, 8), 40)
     room = width - _LABEL - names - columns - 2
     rows = []
-    for one, index, values in found:
-        numbers = _numbers(values, _unit(one.unit, index), room)
-        rows.append(f"{_name(one, index):<{names}} {_curve(values, columns)} {numbers}")
+    for series, index, values in elements:
+        numbers = _numbers(values, _unit(series.unit, index), room)
+        rows.append(f"{_name(series, index):<{names}} {_curve(values, columns)} {numbers}")
     return rows
 
 
-def _name(one: event.Course, index: Sequence[int]) -> str:
-    return one.variable + (f"[{','.join(map(str, index))}]" if index else "")
+def _name(series: event.Course, index: Sequence[int]) -> str:
+    return series.variable + (f"[{','.join(map(str, index))}]" if index else "")
 
 
 def _unit(unit: str, index: Sequence[int]) -> str:
     """The unit of an element, where each has its own; empty for a bare number."""
     units = unit.split(",")
-    found = units[index[0]] if index and index[0] < len(units) > 1 else unit
-    return "" if found == "-" else found
+    own = units[index[0]] if index and index[0] < len(units) > 1 else unit
+    return "" if own == "-" else own
 
 
 def _element(samples: Sequence[Any]) -> tuple[tuple[int, ...], list[float]]:
     """Of a vector the element that has become no number, else the one that has moved most; with its index."""
-    elements = [_leaves(one) for one in samples]
-    of_each = {index: [float(one[index]) for one in elements if index in one] for index in elements[-1]}
-    index = max(of_each, key=lambda one: _interest(of_each[one]))
+    elements = [_leaves(sample) for sample in samples]
+    of_each = {index: [float(element[index]) for element in elements if index in element] for index in elements[-1]}
+    index = max(of_each, key=lambda key: _interest(of_each[key]))
     return index, of_each[index]
 
 
 def _interest(values: Sequence[float]) -> float:
-    finite = [one for one in values if math.isfinite(one)]
+    finite = [value for value in values if math.isfinite(value)]
     return math.inf if len(finite) < len(values) else max(finite) - min(finite)
 
 
 def _leaves(value: Any, index: tuple[int, ...] = ()) -> dict[tuple[int, ...], Any]:
     if not isinstance(value, list):
         return {index: value}
-    return {k: v for number, one in enumerate(value) for k, v in _leaves(one, (*index, number)).items()}
+    return {k: v for number, element in enumerate(value) for k, v in _leaves(element, (*index, number)).items()}
 
 
 def _curve(values: Sequence[float], columns: int) -> str:
     """The values as bars, at most one for each, newest at the right; × is no number."""
     bars, last = min(len(values), columns), len(values) - 1
-    shown = [values[round(last * one / max(bars - 1, 1))] for one in range(bars)]
-    finite = [one for one in shown if math.isfinite(one)]
+    shown = [values[round(last * bar / max(bars - 1, 1))] for bar in range(bars)]
+    finite = [number for number in shown if math.isfinite(number)]
     low, high = (min(finite), max(finite)) if finite else (0.0, 0.0)
-    return "".join(_bar(one, low, high) for one in shown).ljust(columns)
+    return "".join(_bar(number, low, high) for number in shown).ljust(columns)
 
 
 def _bar(value: float, low: float, high: float) -> str:
@@ -151,7 +151,7 @@ def _numbers(values: Sequence[float], unit: str, room: int) -> str:
     """First and last, and between which values it went if it was beyond them and there is room for that."""
     first, last = f"{values[0]:.4g}", f"{values[-1]:.4g}"
     ends = first if first == last else f"{first} to {last}"
-    finite = [one for one in values if math.isfinite(one)]
+    finite = [value for value in values if math.isfinite(value)]
     low, high = (f"{min(finite):.4g}", f"{max(finite):.4g}") if finite else (first, last)
     whole = ends if {low, high} <= {first, last} else f"{ends} ({low}..{high})"
     return f"{whole if len(whole) + len(unit) < room else ends} {unit}".rstrip()

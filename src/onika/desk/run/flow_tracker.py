@@ -39,47 +39,47 @@ class Whereabouts:
         self.is_asking = False
         self.done = 0
 
-    def hear(self, one: event.Event) -> None:
+    def hear(self, message: event.Event) -> None:
         """Take in what has happened."""
-        match one:
+        match message:
             case event.Began():
-                self._began(self.spots[self._names[one.flow]], one)
+                self._began(self.spots[self._names[message.flow]], message)
             case event.Done():
                 self.done += 1
-                self.spots[self._names[one.flow]].past.append(("done", one.index))
+                self.spots[self._names[message.flow]].past.append(("done", message.index))
             case event.Moved():
-                self._moved(one)
+                self._moved(message)
             case event.Asked():
                 self.is_asking = True
-            case event.TaskState() if one.state != "ASKING":
+            case event.TaskState() if message.state != "ASKING":
                 self.is_asking = False
 
-    def _began(self, spot: Spot, one: event.Began) -> None:
-        spot.action, spot.name = one.index, one.action
-        spot.past.append(("began", one.index))
+    def _began(self, spot: Spot, began: event.Began) -> None:
+        spot.action, spot.name = began.index, began.action
+        spot.past.append(("began", began.index))
 
-    def _moved(self, one: event.Moved) -> None:
-        spot = self.spots.get(one.subsystem)
+    def _moved(self, moved: event.Moved) -> None:
+        spot = self.spots.get(moved.subsystem)
         if spot is None:
             return
-        is_new = (one.state, one.action, one.tag) != (spot.state, spot.action, spot.tag) or not one.text
-        spot.state, spot.action, spot.tag, spot.waits_for = one.state, one.action, one.tag, one.waits_for
+        is_new = (moved.state, moved.action, moved.tag) != (spot.state, spot.action, spot.tag) or not moved.text
+        spot.state, spot.action, spot.tag, spot.waits_for = moved.state, moved.action, moved.tag, moved.waits_for
         if is_new:  # else only something about it is told
-            spot.past.append((one.state, None))
+            spot.past.append((moved.state, None))
 
     def place(self, positions: Iterable[steer.Position]) -> None:
         """What the runtime says of itself now counts more than what was heard."""
-        for one in positions:
-            spot = self.spots.get(one.subsystem)
+        for position in positions:
+            spot = self.spots.get(position.subsystem)
             if spot is not None:
-                spot.state, spot.tag, spot.waits_for = one.state, one.tag, one.waits_for
-                spot.action = one.action
+                spot.state, spot.tag, spot.waits_for = position.state, position.tag, position.waits_for
+                spot.action = position.action
 
     def steered(self, subsystem: str, *, is_skip: bool = False) -> None:
         """A flow, or all, is being steered: what it was in is past; after a skip so is what it did."""
         for name, spot in self.spots.items():
             if subsystem in ("", name):
-                spot.past = [] if is_skip else [one for one in spot.past if one[1] is not None]
+                spot.past = [] if is_skip else [step for step in spot.past if step[1] is not None]
 
     def has_come(self, moment: Moment) -> bool:
         """Whether a moment other than a time has come; if so it is past now."""
@@ -99,8 +99,8 @@ class Whereabouts:
     @property
     def is_stuck(self) -> bool:
         """Whether no flow goes on by itself, and not all are done."""
-        states = [one.state for one in self.spots.values()]
-        return all(one in (*STILL, *OVER) for one in states) and any(one in STILL for one in states)
+        states = [spot.state for spot in self.spots.values()]
+        return all(state in (*STILL, *OVER) for state in states) and any(state in STILL for state in states)
 
     def standing(self) -> str:
         """Who stands still and why, in words."""

@@ -33,8 +33,8 @@ class Interruption:
 
     def is_new(self) -> bool:
         """Whether there was a Ctrl-C since the last call."""
-        told, self._told = self._told, self._count
-        return self._count > told
+        earlier, self._told = self._told, self._count
+        return self._count > earlier
 
     @contextmanager
     def at_once(self) -> Iterator[None]:

@@ -18,7 +18,7 @@ class Offer:
 
     name: str
     is_there: bool
-    found: str
+    actual: str
     cost: str = ""
 
 
@@ -43,9 +43,9 @@ _LIBRARIES = (
 
 
 def _system() -> Offer:
-    found = f"{platform.system()} {platform.release()} on {platform.machine()}"
+    system = f"{platform.system()} {platform.release()} on {platform.machine()}"
     good = sys.platform == "linux" and platform.machine() in ("x86_64", "AMD64")
-    return Offer("system", good, found, "the tables need memfd and the order of stores of x86-64: not a runtime")
+    return Offer("system", good, system, "the tables need memfd and the order of stores of x86-64: not a runtime")
 
 
 def _python() -> Offer:
@@ -70,8 +70,8 @@ def _fifo() -> Offer:
 def _memory_lock() -> Offer:
     soft, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
     free = soft == resource.RLIM_INFINITY or os.geteuid() == 0
-    found = "unlimited" if free else f"{soft // 1024} KiB"
-    return Offer("memory lock", free or soft >= 1 << 28, found, "a swapped page costs milliseconds in a cycle")
+    limit = "unlimited" if free else f"{soft // 1024} KiB"
+    return Offer("memory lock", free or soft >= 1 << 28, limit, "a swapped page costs milliseconds in a cycle")
 
 
 def _library(name: str, cost: str) -> Offer:
@@ -83,6 +83,6 @@ def _library(name: str, cost: str) -> Offer:
 
 def _graphics() -> Offer:
     tried = subprocess.run([*DRAWER, "--probe"], capture_output=True, text=True, check=False)  # noqa: S603 - our own
-    said = (tried.stdout or tried.stderr).strip().splitlines()
-    found = said[-1] if said else "no answer"
-    return Offer("graphics", tried.returncode == 0, found, "no pictures of the workcell (--picture); nothing else")
+    lines = (tried.stdout or tried.stderr).strip().splitlines()
+    answer = lines[-1] if lines else "no answer"
+    return Offer("graphics", tried.returncode == 0, answer, "no pictures of the workcell (--picture); nothing else")

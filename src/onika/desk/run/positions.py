@@ -9,21 +9,21 @@ from onika.wire.steer import Position
 
 def lines(positions: Sequence[Position], cast: Cast) -> list[str]:
     """A table: flow, state, action as people count them, and what there is to say besides."""
-    rows = [[one.subsystem, state(one), _action(one, cast), remark(one)] for one in positions]
+    rows = [[position.subsystem, state(position), _action(position, cast), remark(position)] for position in positions]
     return text_table.lines(["flow", "state", "action", ""], rows)
 
 
-def state(one: Position) -> str:
+def state(position: Position) -> str:
     """Its state in a word or two."""
-    return f"{one.state}, will pause" if one.is_pausing and one.state != "paused" else one.state
+    return f"{position.state}, will pause" if position.is_pausing and position.state != "paused" else position.state
 
 
-def remark(one: Position) -> str:
+def remark(position: Position) -> str:
     """Whom it waits for, which loops it is in, what has failed, where it would pause."""
-    parts = [waits(one.tag, one.waits_for)] if one.state in ("waiting", "joining") else []
-    parts += [f"in loop {' in '.join(reversed(one.loops))}"] if one.loops else []
-    parts += [f"failed: {', '.join(one.failed)}"] if one.failed else []
-    parts += [f"pauses after {', '.join(str(at + 1) for at in one.breakpoints)}"] if one.breakpoints else []
+    parts = [waits(position.tag, position.waits_for)] if position.state in ("waiting", "joining") else []
+    parts += [f"in loop {' in '.join(reversed(position.loops))}"] if position.loops else []
+    parts += [f"failed: {', '.join(position.failed)}"] if position.failed else []
+    parts += [f"pauses after {', '.join(str(at + 1) for at in position.breakpoints)}"] if position.breakpoints else []
     return "; ".join(parts)
 
 
@@ -33,8 +33,8 @@ def waits(tag: str, waits_for: Sequence[str]) -> str:
     return f"waits{at}" + (f" for {' and '.join(waits_for)}" if waits_for else "")
 
 
-def _action(one: Position, cast: Cast) -> str:
-    if one.action < 0:
+def _action(position: Position, cast: Cast) -> str:
+    if position.action < 0:
         return "-"
-    count, name = cast.count(one.subsystem), cast.name(one.subsystem, one.action)
-    return f"{one.action + 1}" + (f"/{count}" if count else "") + (f" {name}" if name else "")
+    count, name = cast.count(position.subsystem), cast.name(position.subsystem, position.action)
+    return f"{position.action + 1}" + (f"/{count}" if count else "") + (f" {name}" if name else "")

@@ -40,15 +40,15 @@ class RecordedRun:
     cut_s: float | None = None
     """Where the recording ends that was cut short, if it is repeated to its end: what came then, nobody knows."""
 
-    def begin(self, asked: request.Begin) -> request.Begin:
+    def begin(self, message: request.Begin) -> request.Begin:
         """What a runtime is asked, where this is wanted beside: as it was asked then, and what was asked later."""
         return structs.replace(
             self.run.begin,
-            watch=asked.watch,
-            is_held=asked.is_held,
-            may_ask=asked.may_ask or self.run.begin.may_ask,
-            on_loss=asked.on_loss,
-            record=asked.record,
+            watch=message.watch,
+            is_held=message.is_held,
+            may_ask=message.may_ask or self.run.begin.may_ask,
+            on_loss=message.on_loss,
+            record=message.record,
             repeat=self.inputs,
             repeat_until_ns=self.until_ns,
         )
@@ -82,17 +82,17 @@ def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
         run = Run.read(reader)
     except UNREADABLE as wrong:
         words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
-        found = words.partition(", found ")[2] or words
-        return (Fault(place, "a recording of a run", found, _NOT_RUN),)
+        actual = words.partition(", found ")[2] or words
+        return (Fault(place, "a recording of a run", actual, _NOT_RUN),)
     end = reader.notes.get(END, {})
     last_s = reader.span[1] * 1e-9
     faults = []
     if not run.is_fresh:
-        found = "one in which other things had happened on its runtime before, which nobody recorded"
-        faults.append(Fault(place, "a run that was the first on its runtime", found, _NOT_RUN))
+        actual = "one in which other things had happened on its runtime before, which nobody recorded"
+        faults.append(Fault(place, "a run that was the first on its runtime", actual, _NOT_RUN))
     if end.get("outside"):
-        found = f"tasks that had to do with the outside: {end['outside']}"
-        faults.append(Fault(place, "a run that repeats (law 15)", found, _NOT_RUN))
+        actual = f"tasks that had to do with the outside: {end['outside']}"
+        faults.append(Fault(place, "a run that repeats (law 15)", actual, _NOT_RUN))
     if source.at_s is not None and not 0 <= source.at_s <= last_s:
         faults.append(Fault(place, f"an instant from 0 to {last_s:.9g} s", f"{source.at_s:g}", _NOT_RUN))
     if faults:
@@ -110,18 +110,18 @@ def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
 def inputs_of(reader: Reader, until_ns: int = -1) -> list[Recorded]:
     """What was asked of a run, in the order in which it was, up to an instant; -1: all of it."""
     last = (1 << 62) if until_ns < 0 else until_ns
-    found = []
+    inputs = []
     for topic in (topics.COMMANDS, topics.ANSWERS):
         for at, body in reader.messages(topic, 0, last + 1):
             wanted = topics.decode_wanted(body)
-            found.append(Recorded(at, wanted.turn, encode(wanted.request)))
-    return sorted(found, key=lambda one: (one.at_ns, one.turn))
+            inputs.append(Recorded(at, wanted.turn, encode(wanted.request)))
+    return sorted(inputs, key=lambda item: (item.at_ns, item.turn))
 
 
 def events_of(reader: Reader, begin_ns: int = 0, end_ns: int = 1 << 63) -> list[tuple[int, str, event.Event]]:
     """What happened: when, about whom, and what."""
-    found = []
+    faults = []
     for at, body in reader.messages(topics.EVENTS, begin_ns, end_ns):
-        one = topics.decode_happened(body)
-        found.append((at, one.subsystem, one.event))
-    return found
+        happened = topics.decode_happened(body)
+        faults.append((at, happened.subsystem, happened.event))
+    return faults

@@ -6,7 +6,7 @@ from onika.desk.run.run_review import Review
 from onika.wire import event
 
 
-def told(review: Review) -> Iterator[str]:
+def digest_lines(review: Review) -> Iterator[str]:
     """Line by line."""
     run, ending = review.run, review.ending
     began = run.began or "at a time not told"
@@ -16,11 +16,11 @@ def told(review: Review) -> Iterator[str]:
     first, last = review.span_s
     yield f"{last - first:.9g} s recorded, {len(review.series)} variables, {len(review.events)} events"
     for flow in review.flows:
-        ended = sum(one.end_s is not None for one in flow.intervals)
+        ended = sum(interval.end_s is not None for interval in flow.intervals)
         yield f"{flow.subsystem}: {ended} of {len(flow.actions)} actions done"
-        for one in flow.intervals:
-            end = "not ended" if one.end_s is None else f"{one.end_s:9.3f} s"
-            yield f"  {one.begin_s:9.3f} s to {end}  {one.action + 1}/{len(flow.actions)}  {one.name}"
+        for interval in flow.intervals:
+            end = "not ended" if interval.end_s is None else f"{interval.end_s:9.3f} s"
+            yield f"  {interval.begin_s:9.3f} s to {end}  {interval.action + 1}/{len(flow.actions)}  {interval.name}"
     yield from _troubles(review)
     if not review.is_whole:
         yield "the file was cut short: what is in it ends where the last whole part of it does"
@@ -33,8 +33,8 @@ def told(review: Review) -> Iterator[str]:
 
 
 def _troubles(review: Review) -> Iterator[str]:
-    for at, subsystem, one in review.events:
-        if isinstance(one, event.Failed):
-            yield f"{at * 1e-9:9.3f} s  {subsystem}/{one.task} failed: {one.text}"
-        elif isinstance(one, event.Lost):
-            yield f"{at * 1e-9:9.3f} s  {one.name} was lost: {one.cause}"
+    for at, subsystem, message in review.events:
+        if isinstance(message, event.Failed):
+            yield f"{at * 1e-9:9.3f} s  {subsystem}/{message.task} failed: {message.text}"
+        elif isinstance(message, event.Lost):
+            yield f"{at * 1e-9:9.3f} s  {message.name} was lost: {message.cause}"

@@ -45,11 +45,11 @@ class Watcher(Protocol):
         """Everything is ready and the run begins now."""
         ...
 
-    def happens(self, one: event.Event) -> None:
+    def happens(self, message: event.Event) -> None:
         """Something has happened."""
         ...
 
-    def answer(self, asked: event.Asked) -> str | None:
+    def answer(self, question: event.Asked) -> str | None:
         """The argument line for a task that asks; None where nobody answers."""
         ...
 
@@ -141,7 +141,7 @@ def _open(
     cues, faults = ((), []) if settings.script is None else steering_script.load(settings.script, Cast.of(plan))
     outcome.faults += faults
     outcome.faults += _unrecorded(settings)
-    if any(settings.elsewhere is not None and one.place == _RECORD for one in outcome.faults):
+    if any(settings.elsewhere is not None and fault.place == _RECORD for fault in outcome.faults):
         yield None
         return
     with _runtime(settings, plan, recorded) as runtime:
@@ -186,11 +186,11 @@ def _turn(running: Running, prompter: Prompter, watcher: Watcher, interruption: 
 
 
 def _hear(running: Running, watcher: Watcher, interruption: Interruption, timeout_s: float) -> None:
-    for one in running.hear(timeout_s):
-        watcher.happens(one)
-        if isinstance(one, event.Asked):
+    for message in running.hear(timeout_s):
+        watcher.happens(message)
+        if isinstance(message, event.Asked):
             with interruption.at_once():
-                running.answer(one, watcher.answer(one))
+                running.answer(message, watcher.answer(message))
 
 
 def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
@@ -208,15 +208,15 @@ def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
 def _by_number(settings: RunSettings) -> tuple[Redirect, ...]:
     """Redirections whose flows are called by the names that they are given here."""
     numbers = {name: str(number) for number, name in enumerate(settings.subsystems)}
-    return tuple(replace(one, flow=numbers.get(one.flow, one.flow)) for one in settings.redirects)
+    return tuple(replace(redirect, flow=numbers.get(redirect.flow, redirect.flow)) for redirect in settings.redirects)
 
 
 def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
     """Why no recording can be made there."""
     if settings.record is None or settings.elsewhere is None:
         return ()
-    found = f"one that runs already, at {settings.elsewhere.url}: values at write rate do not go over the link"
-    return (Fault(_RECORD, "a runtime that is launched here", found, "nothing is run"),)
+    actual = f"one that runs already, at {settings.elsewhere.url}: values at write rate do not go over the link"
+    return (Fault(_RECORD, "a runtime that is launched here", actual, "nothing is run"),)
 
 
 def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> Runtime | Reached:
@@ -246,10 +246,10 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: 
 def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
     """Expectations of variables that no task of the plan reads or writes."""
     cast, faults = Cast.of(plan), []
-    for one in expectations:
+    for expectation in expectations:
         try:
-            cast.home(one.address)
+            cast.home(expectation.address)
         except ValueError:
             expected = "a variable that some task reads or writes"
-            faults.append(Fault(Place("--expect"), expected, one.address, "nothing is run"))
+            faults.append(Fault(Place("--expect"), expected, expectation.address, "nothing is run"))
     return faults

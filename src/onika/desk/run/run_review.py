@@ -85,12 +85,12 @@ class Review:
         self.events = events_of(self._reader)
         """When in ns, about which subsystem, and what."""
         self.flows = [
-            Flow(flow.subsystem, tuple(one.name for one in flow.actions)) for flow in self.run.prepare.plan.flows
+            Flow(flow.subsystem, tuple(action.name for action in flow.actions)) for flow in self.run.prepare.plan.flows
         ]
         self._tasks = _Track()
         self._drives = _Track()
-        for at, subsystem, one in self.events:
-            self._learn(at, subsystem, one)
+        for at, subsystem, message in self.events:
+            self._learn(at, subsystem, message)
 
     def __enter__(self) -> "Review":
         return self
@@ -114,25 +114,29 @@ class Review:
     def worlds(self) -> tuple[str, ...]:
         """The worlds whose poses were recorded."""
         prefix, suffix = said.frames("").split("//")
-        topics = [one for one in self._reader.channels if one.startswith(prefix + "/") and one.endswith("/" + suffix)]
-        return tuple(one[len(prefix) + 1 : -len(suffix) - 1] for one in topics)
+        topics = [
+            channel
+            for channel in self._reader.channels
+            if channel.startswith(prefix + "/") and channel.endswith("/" + suffix)
+        ]
+        return tuple(channel[len(prefix) + 1 : -len(suffix) - 1] for channel in topics)
 
     @property
     def commands(self) -> list[tuple[int, request.Request]]:
         """What was asked of the run, and when in ns."""
-        found = []
+        states = []
         for topic in (said.COMMANDS, said.ANSWERS):
             for at, body in self._reader.messages(topic):
-                found.append((at, said.decode_wanted(body).request))
-        return found
+                states.append((at, said.decode_wanted(body).request))
+        return states
 
     def at(self, at_s: float, *, with_pictures: bool = True) -> Instant:
         """Everything at one time; variables that are pictures only if they are wanted."""
         at = round(at_s * 1e9)
-        values = {name: one.at(at) for name, one in self.series.items() if with_pictures or not one.is_picture}
+        values = {name: series.at(at) for name, series in self.series.items() if with_pictures or not series.is_picture}
         return Instant(
             at_s,
-            {one.subsystem: _state(one, at_s) for one in self.flows},
+            {flow.subsystem: _state(flow, at_s) for flow in self.flows},
             self._tasks.at(at),
             self._drives.at(at),
             {name: value for name, value in values.items() if value is not None},
@@ -141,26 +145,26 @@ class Review:
 
     def poses(self, world: str, at_s: float) -> list[list[float]]:
         """Where the bodies of a world were; empty before they were first seen."""
-        found = self._reader.newest(said.frames(world), round(at_s * 1e9))
-        return [] if found is None else foxglove.rows(found[1])
+        frame = self._reader.newest(said.frames(world), round(at_s * 1e9))
+        return [] if frame is None else foxglove.rows(frame[1])
 
     def first_poses(self, world: str) -> list[list[float]]:
         """Where the bodies of a world were when they were first seen; empty where they never were."""
-        found = next(self._reader.messages(said.frames(world)), None)
-        return [] if found is None else foxglove.rows(found[1])
+        frame = next(self._reader.messages(said.frames(world)), None)
+        return [] if frame is None else foxglove.rows(frame[1])
 
     def scene(self, world: str, at_s: float) -> dict[str, Any] | None:
         """What a world consisted of, as a scene update of Foxglove."""
-        found = self._reader.newest(said.scene(world), round(at_s * 1e9))
-        scene: dict[str, Any] | None = None if found is None else msgspec.json.decode(found[1])
+        update = self._reader.newest(said.scene(world), round(at_s * 1e9))
+        scene: dict[str, Any] | None = None if update is None else msgspec.json.decode(update[1])
         return scene
 
     def shapes(self, world: str, at_s: float = 0.0) -> list[dict[str, Any]] | None:
         """What a world consisted of, as whoever draws it live is told; None: it is not in the recording."""
         kept = self._reader.attachment(said.shapes(world))
         if kept is not None:
-            found: list[dict[str, Any]] = msgspec.json.decode(kept)
-            return found
+            elements: list[dict[str, Any]] = msgspec.json.decode(kept)
+            return elements
         drawn = self._reader.newest(said.scene(world), round(at_s * 1e9)) or next(
             self._reader.messages(said.scene(world)), None
         )
@@ -168,45 +172,45 @@ class Review:
 
     def lit(self, world: str, at_s: float) -> list[str]:
         """The shapes of a world that shone."""
-        found = self._reader.newest(said.scene(world), round(at_s * 1e9))
-        return [] if found is None else foxglove.lit(found[1])
+        scene = self._reader.newest(said.scene(world), round(at_s * 1e9))
+        return [] if scene is None else foxglove.lit(scene[1])
 
     def course(self, address: str, begin_s: float, end_s: float, points: int = 800) -> list[Course]:
         """Each element of a variable `subsystem/NAME` in at most so many points; raises KeyError for an unknown one.
 
         A point tells the least and the greatest value of its part of the time, so that no peak is lost.
         """
-        one = self.series[address]
-        if not downsampled.is_drawn(one):
+        series = self.series[address]
+        if not downsampled.is_drawn(series):
             return []
         begin, end = round(begin_s * 1e9), round(end_s * 1e9)
-        return drawn(one, downsampled.parts(downsampled.samples(one, begin, end), begin, end, points))
+        return drawn(series, downsampled.parts(downsampled.samples(series, begin, end), begin, end, points))
 
     # Inner
 
-    def _learn(self, at: int, subsystem: str, one: event.Event) -> None:
-        match one:
+    def _learn(self, at: int, subsystem: str, message: event.Event) -> None:
+        match message:
             case event.Began():
-                _leave(self._flow(subsystem), one.at_s)
-                self._flow(subsystem).intervals.append(Interval(one.index, one.action, one.at_s, None))
+                _leave(self._flow(subsystem), message.at_s)
+                self._flow(subsystem).intervals.append(Interval(message.index, message.action, message.at_s, None))
             case event.Done():
-                _leave(self._flow(subsystem), one.at_s, one.index)
+                _leave(self._flow(subsystem), message.at_s, message.index)
             case event.Result():
                 for flow in self.flows:
-                    _leave(flow, one.runtime_s)
+                    _leave(flow, message.runtime_s)
             case event.Moved():
-                flow = self._flow(one.subsystem)
-                flow.states.append((one.at_s, one.state, one.action))
+                flow = self._flow(message.subsystem)
+                flow.states.append((message.at_s, message.state, message.action))
             case event.TaskState():
-                self._tasks.add(f"{one.subsystem}/{one.task}", at, one.state)
+                self._tasks.add(f"{message.subsystem}/{message.task}", at, message.state)
             case event.Drive():
-                self._drives.add(one.device, at, one.state)
+                self._drives.add(message.device, at, message.state)
 
     def _flow(self, subsystem: str) -> Flow:
-        found = next((one for one in self.flows if one.subsystem == subsystem), None)
-        if found is None:
+        flow = next((flow for flow in self.flows if flow.subsystem == subsystem), None)
+        if flow is None:
             raise ValueError(f"{self.path}: expected news of the flows of its plan, found {subsystem or 'none'}")
-        return found
+        return flow
 
 
 class _Track:
@@ -221,12 +225,12 @@ class _Track:
         states.append(state)
 
     def at(self, at: int) -> dict[str, str]:
-        found = {}
+        grouped = {}
         for name, (times, states) in self._since.items():
             place = bisect_right(times, at)
             if place:
-                found[name] = states[place - 1]
-        return found
+                grouped[name] = states[place - 1]
+        return grouped
 
 
 def _leave(flow: Flow, at_s: float, action: int | None = None) -> None:
@@ -236,14 +240,14 @@ def _leave(flow: Flow, at_s: float, action: int | None = None) -> None:
         flow.intervals[-1] = Interval(last.action, last.name, last.begin_s, at_s)
 
 
-def drawn(one: Series, parts: downsampled.Parts) -> list[Course]:
+def drawn(series: Series, parts: downsampled.Parts) -> list[Course]:
     """Each element of a variable, as it is drawn."""
     at_s, least, most = parts.at_s.tolist(), parts.least.T.tolist(), parts.most.T.tolist()
-    return [Course(label, one.unit, at_s, least[k], most[k]) for k, label in enumerate(one.labels)]
+    return [Course(label, series.unit, at_s, least[k], most[k]) for k, label in enumerate(series.labels)]
 
 
 def _state(flow: Flow, at_s: float) -> tuple[str, int]:
-    places = bisect_right(flow.states, at_s, key=lambda one: one[0])
-    begun = bisect_right(flow.intervals, at_s, key=lambda one: one.begin_s)
+    places = bisect_right(flow.states, at_s, key=lambda place: place[0])
+    begun = bisect_right(flow.intervals, at_s, key=lambda interval: interval.begin_s)
     action = flow.intervals[begun - 1].action if begun else -1
     return (flow.states[places - 1][1] if places else "", action)

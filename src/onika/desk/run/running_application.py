@@ -100,10 +100,10 @@ class Running:
         """Whether no flow goes on by itself: only somebody who steers can help."""
         if not self.whereabouts.is_stuck or self.whereabouts.is_asking or self._is_repeating():
             return False
-        heard = [(one.state, one.action) for one in self.whereabouts.spots.values()]
-        told = {one.subsystem: (one.state, one.action) for one in self.who()}
+        heard_places = [(spot.state, spot.action) for spot in self.whereabouts.spots.values()]
+        told_places = {position.subsystem: (position.state, position.action) for position in self.who()}
         # what was heard may be overtaken already by what the last order did
-        return not told or heard == [told.get(name) for name in self.whereabouts.spots]
+        return not told_places or heard_places == [told_places.get(name) for name in self.whereabouts.spots]
 
     def _is_repeating(self) -> bool:
         """Whether a recorded run has not come yet to the instant from which it goes on by itself."""
@@ -138,8 +138,8 @@ class Running:
     def begin(self) -> None:
         """Begin it; where the runtime will not, it is over, with the cause."""
         self._began = self._clock()
-        asked = self._settings.begin(is_held=self.is_held)
-        answer = self._runtime.ask(asked if self._recorded is None else self._recorded.begin(asked))
+        message = self._settings.begin(is_held=self.is_held)
+        answer = self._runtime.ask(message if self._recorded is None else self._recorded.begin(message))
         if isinstance(answer, request.Refused):
             self.lose(answer.reason)
         elif self.is_held:
@@ -173,15 +173,15 @@ class Running:
             self._onward(until_s)
 
     def _listen(self, timeout_s: float) -> None:
-        for one in self._runtime.events(timeout_s):
-            if isinstance(one, event.Stood):
+        for message in self._runtime.events(timeout_s):
+            if isinstance(message, event.Stood):
                 self.stands = True
-                self._stood_s = one.at_s
+                self._stood_s = message.at_s
                 continue
-            self.whereabouts.hear(one)
-            self._news.append(one)
-            if isinstance(one, event.Result):
-                self.outcome.result = one
+            self.whereabouts.hear(message)
+            self._news.append(message)
+            if isinstance(message, event.Result):
+                self.outcome.result = message
                 return
 
     def _onward(self, until_s: float | None) -> None:
@@ -230,13 +230,15 @@ class Running:
         """Wait for `began 3`, `done flow0 3`, `paused`, `waiting`, `stopped`, `done` or seconds; a fault if in vain."""
         return self.steer(f"wait {words} within {within_s:g}")
 
-    def answer(self, asked: event.Asked, line: str | None) -> None:
+    def answer(self, question: event.Asked, line: str | None) -> None:
         """Answer a task that asks; None ends the run."""
-        if self._recorded is not None and self._recorded.is_before(asked.at_s):
+        if self._recorded is not None and self._recorded.is_before(question.at_s):
             return
         self.whereabouts.is_asking = False
-        cause = f"task {asked.task} asks for input and nobody answers"
-        self._runtime.ask(request.Abort(cause) if line is None else request.Reply(asked.subsystem, asked.task, line))
+        cause = f"task {question.task} asks for input and nobody answers"
+        self._runtime.ask(
+            request.Abort(cause) if line is None else request.Reply(question.subsystem, question.task, line)
+        )
 
     def stop(self, cause: str) -> None:
         """Every drive holds, and the run ends (law 27)."""
@@ -265,7 +267,7 @@ class Running:
         if self.is_over:
             return (Fault(place, "a run that goes on", "its end", "nothing is done"),)
         self.whereabouts.steered(order.subsystem, is_skip=order.is_skip)
-        answer = self._runtime.ask(order.asked)
+        answer = self._runtime.ask(order.message)
         if self.is_held and self.stands:
             self._onward(self.now_s)
             self._settle()
@@ -321,7 +323,8 @@ class Running:
             return
         self.outcome.printed = "" if result.completed else self._runtime.printed()
         self.outcome.expectations = [
-            (one, one.found(result.values), one.holds(result.values)) for one in self._settings.expectations
+            (expectation, expectation.found(result.values), expectation.holds(result.values))
+            for expectation in self._settings.expectations
         ]
         if self._settings.wants_picture:
             answer = self._runtime.ask(request.Snapshot())

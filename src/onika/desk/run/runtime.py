@@ -69,22 +69,22 @@ class Conversation:
         """Whether the runtime is heard at present."""
         return self._connection.state in (LinkState.LINKED, LinkState.SUSPECT)
 
-    def ask(self, asked: request.Request) -> request.Response:
+    def ask(self, message: request.Request) -> request.Response:
         """Ask and wait for the response; raises LinkLost with what the runtime printed last, or TimeoutError."""
-        once = not isinstance(asked, _AGAIN)
-        urgent = isinstance(asked, request.Stop | request.Abort)
+        once = not isinstance(message, _AGAIN)
+        urgent = isinstance(message, request.Stop | request.Abort)
         try:
-            body = self._connection.request(request.encode(asked), _PATIENCE_S, once=once, urgent=urgent or once)
+            body = self._connection.request(request.encode(message), _PATIENCE_S, once=once, urgent=urgent or once)
         except LinkLost as lost:
             raise self._explained(lost) from None
         response: request.Response = request.decode_response(body)
         return response
 
-    def send(self, asked: request.Request) -> int:
+    def send(self, message: request.Request) -> int:
         """Ask without waiting, what ends motion before all that waits; `told` has the reply under this number."""
-        once = not isinstance(asked, _AGAIN)
-        urgent = isinstance(asked, request.Stop | request.Abort)
-        return self._connection.ask(request.encode(asked), _PATIENCE_S, once=once, urgent=urgent or once)
+        once = not isinstance(message, _AGAIN)
+        urgent = isinstance(message, request.Stop | request.Abort)
+        return self._connection.ask(request.encode(message), _PATIENCE_S, once=once, urgent=urgent or once)
 
     def readers(self) -> list[int]:
         """The descriptors to wait for before `told`, in a loop of one's own."""
@@ -100,11 +100,11 @@ class Conversation:
 
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """The events since the last call, at least one within the time-out or none; raises LinkLost at the end."""
-        for one in self.told(timeout_s):
-            if not isinstance(one, Reply):
-                yield one
+        for message in self.messages(timeout_s):
+            if not isinstance(message, Reply):
+                yield message
 
-    def told(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
         """Events and replies to what was sent, as they came; raises LinkLost at the end."""
         if not self._news:
             self._news += self._connection.poll(timeout_s)
@@ -148,8 +148,8 @@ class Conversation:
             raise self._explained(why)
 
     def _new_epoch(self, epoch: str) -> None:
-        known, self._epoch = self._epoch, epoch
-        if known:
+        former, self._epoch = self._epoch, epoch
+        if former:
             raise LinkLost(Cause.CLOSED, "the runtime was started anew, or has forgotten this session: all is void")
 
 
@@ -195,8 +195,8 @@ class Runtime(Conversation):
         code = self._child.wait(0.5)
         how = "" if code is None else f"; it {_ended(code)}"
         printed = self._child.tail().strip()
-        said = f"{_PRINTED}{printed[-2000:]}" if printed else ""
-        return LinkLost(cause, f"the runtime is gone: {lost}{how}{said}")
+        output = f"{_PRINTED}{printed[-2000:]}" if printed else ""
+        return LinkLost(cause, f"the runtime is gone: {lost}{how}{output}")
 
 
 class Reached(Conversation):

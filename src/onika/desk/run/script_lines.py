@@ -16,9 +16,9 @@ def load(path: Path) -> tuple[list[tuple[Place, str]] | None, tuple[Fault, ...]]
 def lines(content: str, name: str) -> Iterator[tuple[Place, str]]:
     """The lines that say something, with their places."""
     for number, line in enumerate(content.splitlines(), 1):
-        said = bare(line)
-        if said:
-            yield Place(name, number), said
+        command = bare(line)
+        if command:
+            yield Place(name, number), command
 
 
 def bare(line: str) -> str:

@@ -20,10 +20,10 @@ class Prompter:
     The first line that fails ends the script, and the run with it.
     """
 
-    def __init__(self, running: Running, cues: tuple[Cue, ...], told: Told) -> None:
+    def __init__(self, running: Running, cues: tuple[Cue, ...], output: Told) -> None:
         self._running = running
         self._cues = deque(cues)
-        self._told = told
+        self._told = output
         self._vigil: Vigil | None = None
 
     @property

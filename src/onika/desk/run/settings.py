@@ -61,7 +61,7 @@ class RunSettings:
         is_held    in virtual time: whether the clock waits for whoever steers
         """
         return request.Begin(
-            watch=tuple(dict.fromkeys(one.address for one in self.expectations)),
+            watch=tuple(dict.fromkeys(expectation.address for expectation in self.expectations)),
             settle_s=self.settle_s,
             seed=self.seed,
             answers=self.answers,

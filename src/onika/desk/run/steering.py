@@ -16,7 +16,7 @@ USUAL_S = 60.0
 class Order:
     """Something to ask of the runtime that changes the course."""
 
-    asked: request.Request
+    message: request.Request
     subsystem: str = ""
     """The flow that it is for; empty: all."""
     is_skip: bool = False
@@ -138,14 +138,14 @@ def _skip(words: list[str], cast: Cast) -> Act:
 
 
 def _break(words: list[str], cast: Cast) -> Act:
-    condition = ""
+    text = ""
     place = next((place for place, word in enumerate(words) if word.lower() == "if"), None)
     if place is not None:
-        found = Condition.parse(" ".join(words[place + 1 :]))
-        cast.home(found.address)
-        words, condition = words[:place], found.text
+        condition = Condition.parse(" ".join(words[place + 1 :]))
+        cast.home(condition.address)
+        words, text = words[:place], condition.text
     flow, action = _with_action(words, cast)
-    return Order(steer.Mark(flow, action, True, condition), flow)
+    return Order(steer.Mark(flow, action, True, text), flow)
 
 
 def _unbreak(words: list[str], cast: Cast) -> Act:

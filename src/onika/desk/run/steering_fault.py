@@ -9,5 +9,5 @@ def objection(place: Place, text: str, instead: str) -> Fault:
     """The fault of a text `expected …, found …`; of any other, that it was not done for this reason."""
     if not text.startswith("expected "):
         return Fault(place, "a line that can be carried out", text, instead)
-    expected, _, found = text.removeprefix("expected ").partition(", found ")
-    return Fault(place, expected, found or "it is not so", instead)
+    expected, _, actual = text.removeprefix("expected ").partition(", found ")
+    return Fault(place, expected, actual or "it is not so", instead)

@@ -28,21 +28,21 @@ def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: N
     if not path.exists():
         return [], [Fault(Place(str(path)), "a base directory or a file", "nothing there", "nothing is checked")]
     whole = path.absolute()
-    types, faults = site.syntax()
-    found = list(faults)
+    types, syntax_faults = site.syntax()
+    faults = list(syntax_faults)
     try:
         files = _files(whole) if whole.is_dir() else [whole]
     except OSError as error:
         return [], [Fault(Place(str(path)), "a directory that can be read", error.strerror or "", "it is left out")]
     if types is not None:
         for file in files:
-            found += _read(file, types)
+            faults += _read(file, types)
     notes: list[str] = []
-    found += _judge(files, site.at(whole) if whole.is_dir() else site, notes.append)
-    wrong, known = parted(found)
-    for told in dict.fromkeys([*map(str, known), *notes]):
-        note(_as_given(told, path))
-    return [Path(_as_given(str(file), path)) for file in files], sorted(_named(one, path) for one in wrong)
+    faults += _judge(files, site.at(whole) if whole.is_dir() else site, notes.append)
+    wrong, notes_of_faults = parted(faults)
+    for sentence in dict.fromkeys([*map(str, notes_of_faults), *notes]):
+        note(_as_given(sentence, path))
+    return [Path(_as_given(str(file), path)) for file in files], sorted(_named(fault, path) for fault in wrong)
 
 
 def _named(fault: Fault, path: Path) -> Fault:
@@ -64,9 +64,9 @@ def _files(path: Path) -> list[Path]:
 
 
 def _is_ours(file: Path) -> bool:
-    known = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py")
+    endings = (rmod.ENDING, conf.ENDING, onk.ENDING, appl.ENDING, ".dta", ".py")
     own = (preferences.NAME, buttons.NAME, f".{syntax.NAME}")
-    return (file.name.endswith(known) and not file.name.startswith(".")) or file.name in own
+    return (file.name.endswith(endings) and not file.name.startswith(".")) or file.name in own
 
 
 def _read(file: Path, types: Syntax) -> list[Fault]:
@@ -107,30 +107,34 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
     tasks = [file for file in files if file.suffix == rmod.ENDING]
     applications = [file for file in files if file.suffix == appl.ENDING and not _is_part(file, site)]
     modules = {file.stem: file for file in files if file.suffix == ".py"}
-    found: list[Fault] = []
-    found += [fault for file in files if file.suffix == conf.ENDING for fault in _missing(file, site)]
-    planned, code = _tasks(tasks, modules, site, found)
+    faults: list[Fault] = []
+    faults += [fault for file in files if file.suffix == conf.ENDING for fault in _missing(file, site)]
+    planned, code = _tasks(tasks, modules, site, faults)
     if not (planned or code or applications):
-        return found
+        return faults
     prepared = [prepare_run(str(file), site) for file in applications]
-    rtpus = {name for one in prepared if one.plan for name in rtpus_of(one.plan)}
+    rtpus = {name for run in prepared if run.plan for name in rtpus_of(run.plan)}
     with Runtime(tuple(sorted(rtpus)) or ("rt0",), is_virtual=True) as runtime:
-        found += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
-        for one in prepared:
-            found += one.faults
-            for known in one.notes:
-                note(str(known))
-            if one.plan is not None:
-                found += _asked(runtime, request.Prepare(one.plan, one.targets), note)
-    return found
+        faults += _asked(runtime, request.Inspect(tuple(planned), tuple(code)), note)
+        for run in prepared:
+            faults += run.faults
+            for sentence in run.notes:
+                note(str(sentence))
+            if run.plan is not None:
+                faults += _asked(runtime, request.Prepare(run.plan, run.targets), note)
+    return faults
 
 
 def _missing(file: Path, site: Site) -> list[Fault]:
     """Tasks of a configuration that are nowhere on the search path (decision 11)."""
     content, _ = text.load(file, str(file))
-    found = None if content is None else conf.read(content, file.stem, str(file))[0]
+    configuration = None if content is None else conf.read(content, file.stem, str(file))[0]
     here = site.at(file.absolute().parent.parent)
-    lost = [one.task for one in found.placed if here.home_of_task(one.task) is None] if found else []
+    lost = (
+        [placed.task for placed in configuration.placed if here.home_of_task(placed.task) is None]
+        if configuration
+        else []
+    )
     return [Fault(Place(str(file)), "its tasks on the search path", f"no {name}", "it is left out") for name in lost]
 
 
@@ -146,14 +150,17 @@ def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], No
     answer = runtime.ask(question)
     if not isinstance(answer, request.Prepared):
         return []
-    for known in answer.notes:
-        note(known)
+    for sentence in answer.notes:
+        note(sentence)
     texts = answer.faults
-    return [Fault(Place(one.file, one.line), one.expected, one.found, one.instead) for one in texts]
+    return [
+        Fault(Place(fault_text.file, fault_text.line), fault_text.expected, fault_text.found, fault_text.instead)
+        for fault_text in texts
+    ]
 
 
 def _tasks(
-    files: list[Path], modules: dict[str, Path], site: Site, found: list[Fault]
+    files: list[Path], modules: dict[str, Path], site: Site, faults: list[Fault]
 ) -> tuple[list[PlannedTask], list[Code]]:
     """Tasks and code, read anew from their own directories; modules that no task uses are looked at too."""
     planned: list[PlannedTask] = []
@@ -167,17 +174,17 @@ def _tasks(
         own = BaseDirectory(file.absolute().parent.parent)
         path = _code_path(own, record.task.module, site, record.task)
         if path is None:
-            found.append(no_code(record.task.module, str(file)))
+            faults.append(no_code(record.task.module, str(file)))
             continue
-        one = _code(path, record.task.module, found)
-        if one is not None:
-            code[one.digest] = one
-            planned.append(planned_task(record.task, UNKNOWN, one.digest, str(file)))
+        entry = _code(path, record.task.module, faults)
+        if entry is not None:
+            code[entry.digest] = entry
+            planned.append(planned_task(record.task, UNKNOWN, entry.digest, str(file)))
             homes.add(record.task.module)
     for module in sorted(modules.keys() - homes):
-        one = _code(modules[module], module, found)
-        if one is not None:
-            code.setdefault(one.digest, one)
+        entry = _code(modules[module], module, faults)
+        if entry is not None:
+            code.setdefault(entry.digest, entry)
     return planned, list(code.values())
 
 
@@ -188,9 +195,9 @@ def _code_path(own: BaseDirectory, module: str, site: Site, task: object) -> Pat
     return next((path for base in site.directories if (path := base.code_file(module)).is_file()), None)
 
 
-def _code(path: Path, module: str, found: list[Fault]) -> Code | None:
-    source, faults = text.load(path, str(path))
-    found += faults
+def _code(path: Path, module: str, faults: list[Fault]) -> Code | None:
+    source, faults_of_file = text.load(path, str(path))
+    faults += faults_of_file
     if source is None:
         return None
     return Code(sha256(source.encode()).hexdigest(), module, str(path), source)

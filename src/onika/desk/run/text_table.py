@@ -13,7 +13,7 @@ def lines(head: Sequence[str], rows: Iterable[Sequence[str]]) -> list[str]:
     widths = [max(len(row[column]) for row in table) for column in range(len(head))]
     rights = [_is_numeric(row[column] for row in table[1:]) for column in range(len(head))]
     return [
-        _GAP.join(_cell(*one) for one in zip(row, widths, rights, strict=True)).rstrip() for row in table
+        _GAP.join(_cell(*cell) for cell in zip(row, widths, rights, strict=True)).rstrip() for row in table
     ]  # fmt: skip
 
 
@@ -23,5 +23,5 @@ def _cell(text: str, width: int, right: bool) -> str:
 
 def _is_numeric(cells: Iterable[str]) -> bool:
     """Whether every cell that says something is one word that begins as a number does."""
-    said = [cell for cell in cells if cell not in ("", "-")]
-    return bool(said) and all(_NUMBER.match(cell) for cell in said)
+    filled = [cell for cell in cells if cell not in ("", "-")]
+    return bool(filled) and all(_NUMBER.match(cell) for cell in filled)

@@ -6,28 +6,29 @@ from onika.wire import event
 from onika.wire.figures import VariableSteps
 
 
-def sentence(one: event.Stepped) -> str:
+def sentence(stepped: event.Stepped) -> str:
     """What became of a step, as one sentence."""
-    said = f"{one.task}: {one.variable}[{one.index}] stepped by {_number(one.step, one.unit)} at a switch"
-    if not one.limit:
-        return f"{said}; nobody says how far it may"
-    allowed = f"{_number(one.limit, one.unit)} a cycle"
-    if not one.is_too_far:
-        return f"{said}, within {allowed}"
-    if one.cycles:
-        return f"{said}, more than {allowed}: blended over {one.cycles} cycles"
-    return f"{said}, more than {allowed} and too far to blend: refused, the drive holds"
+    variable = f"{stepped.task}: {stepped.variable}[{stepped.index}]"
+    sentence = f"{variable} stepped by {_number(stepped.step, stepped.unit)} at a switch"
+    if not stepped.limit:
+        return f"{sentence}; nobody says how far it may"
+    allowed = f"{_number(stepped.limit, stepped.unit)} a cycle"
+    if not stepped.is_too_far:
+        return f"{sentence}, within {allowed}"
+    if stepped.cycles:
+        return f"{sentence}, more than {allowed}: blended over {stepped.cycles} cycles"
+    return f"{sentence}, more than {allowed} and too far to blend: refused, the drive holds"
 
 
 def summary(steps: Sequence[VariableSteps]) -> Iterator[str]:
     """The lines at the end of a run; none for variables that have never stepped too far."""
-    for one in steps:
-        if not (one.blended or one.refused):
+    for step in steps:
+        if not (step.blended or step.refused):
             continue
-        outcome = [f"blended {_times(one.blended)}, over {one.cycles} cycles at most"] * bool(one.blended)
-        outcome += [f"refused {_times(one.refused)}"] * bool(one.refused)
-        largest = f"{_number(one.step, one.unit)} at {one.at_s:.2f} s, of {_number(one.limit, one.unit)} a cycle"
-        yield f"steps of {one.subsystem}/{one.variable}: up to {largest}; {', '.join(outcome)}"
+        outcome = [f"blended {_times(step.blended)}, over {step.cycles} cycles at most"] * bool(step.blended)
+        outcome += [f"refused {_times(step.refused)}"] * bool(step.refused)
+        largest = f"{_number(step.step, step.unit)} at {step.at_s:.2f} s, of {_number(step.limit, step.unit)} a cycle"
+        yield f"steps of {step.subsystem}/{step.variable}: up to {largest}; {', '.join(outcome)}"
 
 
 def _number(value: float, unit: str) -> str:

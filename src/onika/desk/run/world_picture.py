@@ -21,5 +21,5 @@ def draw(snapshot: bytes, path: Path) -> str:
         return f"no picture: drawing took longer than {_PATIENCE_S} s"
     if drawn.returncode == 0:
         return ""
-    said = (drawn.stderr or drawn.stdout).decode("utf-8", "replace").strip()
-    return said.splitlines()[-1] if said else f"no picture: the drawing program ended with code {drawn.returncode}"
+    output = (drawn.stderr or drawn.stdout).decode("utf-8", "replace").strip()
+    return output.splitlines()[-1] if output else f"no picture: the drawing program ended with code {drawn.returncode}"

@@ -72,7 +72,7 @@ def give_account(settings: RunSettings, site: Site, limit_s: float = LONGEST_S) 
         with start(settings, site) as running:
             _watch(running, account, limit_s)
             running.close()
-            account.expectations = [(one.text, *rest) for one, *rest in running.outcome.expectations]
+            account.expectations = [(condition.text, *rest) for condition, *rest in running.outcome.expectations]
     except NotRun as refused:
         account.refusals, account.cause = refused.faults, "it is refused"
     except (LinkLost, TimeoutError) as lost:
@@ -86,29 +86,29 @@ def digest_of(plan: Plan) -> str:
         replace(
             flow,
             tasks=tuple(replace(task, place="") for task in flow.tasks),
-            actions=tuple(replace(one, place="", line=0, spot=()) for one in flow.actions),
+            actions=tuple(replace(action, place="", line=0, spot=()) for action in flow.actions),
         )
         for flow in plan.flows
     ]
-    content = msgspec.msgpack.encode((flows, sorted(one.digest for one in plan.code)))
+    content = msgspec.msgpack.encode((flows, sorted(code.digest for code in plan.code)))
     return hashlib.sha256(content).hexdigest()[:16]
 
 
-def told(running: Running, limit_s: float) -> Iterator[event.Event]:
+def timed_events(running: Running, limit_s: float) -> Iterator[event.Event]:
     """What happens, each time with the clock standing; ended where nothing goes on by itself, or not soon enough."""
-    heard: list[event.Event] = []
+    pending: list[event.Event] = []
     while not running.is_over:
-        heard += running.hear(_LOOK_S)
+        pending += running.hear(_LOOK_S)
         if not running.stands and not running.is_over:
             continue
-        yield from heard
-        heard = []
+        yield from pending
+        pending = []
         if running.now_s >= limit_s:
             running.abort(f"it has not come to its end after {limit_s:g} s")
         elif running.is_stuck():
             running.abort(f"nobody is there to go on: {running.whereabouts.standing()}")
         running.go_on(limit_s)
-    yield from (*heard, *running.hear())
+    yield from (*pending, *running.hear())
 
 
 def _watch(running: Running, account: Account, limit_s: float) -> None:
@@ -116,25 +116,27 @@ def _watch(running: Running, account: Account, limit_s: float) -> None:
     account.digest = digest_of(plan)
     account.parts = [Part(flow.subsystem, robots(flow, sheets)) for flow in plan.flows]
     kept: dict[tuple[int, int], tuple[Variable, ...]] = {}
-    for one in told(running, limit_s):
-        match one:
-            case event.Began() if not plan.flows[one.flow].actions[one.index].is_noop:
-                action = plan.flows[one.flow].actions[one.index]
-                if (one.flow, one.index) not in kept:
-                    kept[one.flow, one.index] = kept_after(plan.flows[one.flow], action, sheets)
-                began = Passed(action.name, one.at_s, one.at_s, kept[one.flow, one.index])
-                account.parts[one.flow].current = began
+    for message in timed_events(running, limit_s):
+        match message:
+            case event.Began() if not plan.flows[message.flow].actions[message.index].is_noop:
+                action = plan.flows[message.flow].actions[message.index]
+                if (message.flow, message.index) not in kept:
+                    kept[message.flow, message.index] = kept_after(plan.flows[message.flow], action, sheets)
+                began = Passed(action.name, message.at_s, message.at_s, kept[message.flow, message.index])
+                account.parts[message.flow].current = began
             case event.Done():
-                _done(running, account.parts[one.flow], one.at_s)
+                _done(running, account.parts[message.flow], message.at_s)
             case event.Met():
-                account.meetings.append(Meeting(one.tag.rpartition(" ")[2], one.subsystems))
-            case event.Failed() | event.Warned() if one.task:
-                account.warnings.append(f"{one.subsystem}, {one.task}: {one.text}")
+                account.meetings.append(Meeting(message.tag.rpartition(" ")[2], message.subsystems))
+            case event.Failed() | event.Warned() if message.task:
+                account.warnings.append(f"{message.subsystem}, {message.task}: {message.text}")
             case event.Result():
-                account.cause = "" if one.completed else one.cause or "it did not come to its end"
-                account.lasted_s, account.hash = one.runtime_s, one.hash
+                account.cause = "" if message.completed else message.cause or "it did not come to its end"
+                account.lasted_s, account.hash = message.runtime_s, message.hash
     for part in account.parts:
-        seen = {one.name: one for passed in part.passed for one in passed.variables if one.is_measured}
+        seen = {
+            variable.name: variable for passed in part.passed for variable in passed.variables if variable.is_measured
+        }
         part.at_end = _read(running, part, tuple(seen.values()))
 
 
@@ -147,12 +149,12 @@ def _done(running: Running, part: Part, at_s: float) -> None:
 
 
 def _read(running: Running, part: Part, variables: tuple[Variable, ...]) -> Elements:
-    found: Elements = {}
-    for one in variables:
-        value = running.read(f"{part.subsystem}/{one.name}")
+    elements: Elements = {}
+    for variable in variables:
+        value = running.read(f"{part.subsystem}/{variable.name}")
         numbers = tuple(map(float, value if isinstance(value, list) else [value]))
-        if len(one.units) == 1:
-            found[one.name] = numbers
+        if len(variable.units) == 1:
+            elements[variable.name] = numbers
         else:
-            found |= {f"{one.name}[{at}]": (number,) for at, number in enumerate(numbers)}
-    return found
+            elements |= {f"{variable.name}[{at}]": (number,) for at, number in enumerate(numbers)}
+    return elements

@@ -26,40 +26,40 @@ class Verdict:
         return not self.failures
 
 
-def judge(kept: KeptRun, found: Account) -> Verdict:
+def judge(kept: KeptRun, account: Account) -> Verdict:
     """Compare a run with what was kept of an earlier one."""
-    if found.refusals:
-        more = len(found.refusals) - _SHOWN
-        told = [f"it is refused: {fault}" for fault in found.refusals[:_SHOWN]]
-        return Verdict((*told, *([f"and for {more} more reasons: see onika check"] if more > 0 else [])))
+    if account.refusals:
+        more = len(account.refusals) - _SHOWN
+        sentences = [f"it is refused: {fault}" for fault in account.refusals[:_SHOWN]]
+        return Verdict((*sentences, *([f"and for {more} more reasons: see onika check"] if more > 0 else [])))
     failures, notes = [], []
-    if found.cause:
-        failures.append(f"it does not come to its end: {found.cause}")
-        failures += [f"before that: {text}" for text in dict.fromkeys(found.warnings)]
-    parts = {one.subsystem: one for one in found.parts}
+    if account.cause:
+        failures.append(f"it does not come to its end: {account.cause}")
+        failures += [f"before that: {text}" for text in dict.fromkeys(account.warnings)]
+    parts = {part.subsystem: part for part in account.parts}
     for flow in kept.flows:
         part = parts.pop(flow.subsystem, None)
         if part is None:
             failures.append(f"{flow.subsystem}: expected a flow of {len(flow.actions)} actions, found none")
         else:
-            judging = _Judging(flow, part, is_whole=not found.cause)
+            judging = _Judging(flow, part, is_whole=not account.cause)
             judging.judge()
             failures += judging.failures
             notes += judging.notes
     failures += [
-        f"{one.subsystem}: expected no such flow, found {len(one.passed)} actions"
-        for one in parts.values()
-        if one.passed
+        f"{part.subsystem}: expected no such flow, found {len(part.passed)} actions"
+        for part in parts.values()
+        if part.passed
     ]
-    failures += _meetings(kept, found) if not found.cause else ()
+    failures += _meetings(kept, account) if not account.cause else ()
     failures += [
-        f"at the end: expected {text}, found {value}" for text, value, holds in found.expectations if not holds
+        f"at the end: expected {text}, found {value}" for text, value, holds in account.expectations if not holds
     ]
-    if kept.digest and kept.digest != found.digest:
+    if kept.digest and kept.digest != account.digest:
         notes.insert(
-            0, f"the application is no more what it was when the run was kept ({kept.digest}, now {found.digest})"
+            0, f"the application is no more what it was when the run was kept ({kept.digest}, now {account.digest})"
         )
-    return Verdict(tuple(failures), tuple(notes), found.lasted_s)
+    return Verdict(tuple(failures), tuple(notes), account.lasted_s)
 
 
 class _Judging:
@@ -77,10 +77,10 @@ class _Judging:
     def judge(self) -> None:
         """Fill failures and notes."""
         self._robots()
-        pairs = align([one.name for one in self._flow.actions], [one.name for one in self._part.passed])
+        pairs = align([action.name for action in self._flow.actions], [passed.name for passed in self._part.passed])
         is_after_gap = False
         for at, pair in enumerate(pairs):
-            if not self._is_whole and pair.done is None and all(one.done is None for one in pairs[at:]):
+            if not self._is_whole and pair.done is None and all(pair.done is None for pair in pairs[at:]):
                 self._unfinished(len(pairs) - at, pair)
                 break
             is_after_gap = self._pair(pair, is_after_gap)
@@ -90,11 +90,11 @@ class _Judging:
 
     def _robots(self) -> None:
         if self._flow.robots and set(self._flow.robots) != set(self._part.robots):
-            expected, found = (
-                ", ".join(" on ".join(one) for one in sorted(some)) or "none"
+            expected, actual = (
+                ", ".join(" on ".join(robot) for robot in sorted(some)) or "none"
                 for some in (self._flow.robots, self._part.robots)
             )
-            self.failures.append(f"{self._where}: expected the robots {expected}; found {found}")
+            self.failures.append(f"{self._where}: expected the robots {expected}; found {actual}")
 
     def _unfinished(self, count: int, pair: Pair) -> None:
         first = self._flow.actions[pair.kept or 0].name
@@ -135,27 +135,29 @@ class _Judging:
         self._demands(kept.after, done.values, _units([done]), where)
 
     def _demands(self, demands: Sequence[Demand], values: Elements, units: Mapping[str, str], where: str) -> None:
-        for one in demands:
-            for which, text in _objections(one, values.get(one.address), units.get(one.address, "")):
-                self._wrong.setdefault(one.address, []).append((which, where, text))
+        for demand in demands:
+            for which, text in _objections(demand, values.get(demand.address), units.get(demand.address, "")):
+                self._wrong.setdefault(demand.address, []).append((which, where, text))
 
 
-def _objections(one: Demand, found: tuple[float, ...] | None, unit: str) -> Iterator[tuple[str, str]]:
+def _objections(demand: Demand, values: tuple[float, ...] | None, unit: str) -> Iterator[tuple[str, str]]:
     """Why a value is not what it must be, and which element of it where that is to be said."""
-    if found is None:
+    if values is None:
         yield "", "expected a value, found none: no task that is on writes it"
-    elif one.unit and one.unit != unit:
-        yield "", f"expected it in {one.unit}, found it in {unit or 'no unit'}"
-    elif len(found) != len(one.values):
-        yield "", f"expected {len(one.values)} numbers, found {len(found)}"
+    elif demand.unit and demand.unit != unit:
+        yield "", f"expected it in {demand.unit}, found it in {unit or 'no unit'}"
+    elif len(values) != len(demand.values):
+        yield "", f"expected {len(demand.values)} numbers, found {len(values)}"
     else:
-        within = one.tolerance + _ROUND
-        wrong = [at for at, (a, b) in enumerate(zip(one.values, found, strict=True)) if not abs(a - b) <= within]
+        within = demand.tolerance + _ROUND
+        wrong = [at for at, (a, b) in enumerate(zip(demand.values, values, strict=True)) if not abs(a - b) <= within]
         for at in wrong[:1]:
             others = len(wrong) - 1
             more = f", and {others} more element{'s' * (others > 1)}" if others else ""
-            text = f"expected {_show(one.values[at], one.tolerance)}, found {found[at]:.4g} {one.unit}".rstrip()
-            yield f"[{at}]" if len(found) > 1 else "", text + more
+            text = (
+                f"expected {_show(demand.values[at], demand.tolerance)}, found {values[at]:.4g} {demand.unit}".rstrip()
+            )
+            yield f"[{at}]" if len(values) > 1 else "", text + more
 
 
 def _since(name: str, wrong: Sequence[tuple[str, str, str]]) -> str:
@@ -167,17 +169,21 @@ def _since(name: str, wrong: Sequence[tuple[str, str, str]]) -> str:
 
 
 def _units(some: Sequence[Passed]) -> dict[str, str]:
-    found: dict[str, str] = {}
+    units: dict[str, str] = {}
     for passed in some:
-        for one in passed.variables:
-            names = [one.name] if len(one.units) == 1 else [f"{one.name}[{at}]" for at in range(len(one.units))]
-            found |= {name: one.unit_of(name) for name in names}
-    return found
+        for variable in passed.variables:
+            names = (
+                [variable.name]
+                if len(variable.units) == 1
+                else [f"{variable.name}[{at}]" for at in range(len(variable.units))]
+            )
+            units |= {name: variable.unit_of(name) for name in names}
+    return units
 
 
-def _meetings(kept: KeptRun, found: Account) -> Iterator[str]:
-    expected = [f"{one.tag} of {' and '.join(sorted(one.subsystems))}" for one in kept.meetings]
-    met = [f"{one.tag} of {' and '.join(sorted(one.subsystems))}" for one in found.meetings]
+def _meetings(kept: KeptRun, account: Account) -> Iterator[str]:
+    expected = [f"{meeting.tag} of {' and '.join(sorted(meeting.subsystems))}" for meeting in kept.meetings]
+    met = [f"{meeting.tag} of {' and '.join(sorted(meeting.subsystems))}" for meeting in account.meetings]
     if expected != met:
         yield f"meetings: expected {', '.join(expected) or 'none'}; found {', '.join(met) or 'none'}"
 

@@ -11,19 +11,19 @@ _UNPRINTABLE = re.compile(r"[\x00-\x08\x0b\x0c\x0e-\x1f\ufffe\uffff\ud800-\udfff
 
 def document(trials: Sequence[Trial]) -> bytes:
     """One suite with a case for each test: its failures, its notes as output."""
-    failed = sum(not one.verdict.is_passed for one in trials)
-    seconds = sum(one.wall_s for one in trials)
+    failed = sum(not trial.verdict.is_passed for trial in trials)
+    seconds = sum(trial.wall_s for trial in trials)
     count = {"tests": str(len(trials)), "failures": str(failed), "errors": "0", "time": f"{seconds:.3f}"}
     root = ElementTree.Element("testsuites", count)
     suite = ElementTree.SubElement(root, "testsuite", {"name": "onika", **count})
-    for one in trials:
-        name = {"name": _clean(one.name), "classname": "onika", "time": f"{one.wall_s:.3f}"}
+    for trial in trials:
+        name = {"name": _clean(trial.name), "classname": "onika", "time": f"{trial.wall_s:.3f}"}
         case = ElementTree.SubElement(suite, "testcase", name)
-        if not one.verdict.is_passed:
-            failure = ElementTree.SubElement(case, "failure", {"message": _clean(one.verdict.failures[0])})
-            failure.text = _clean("\n".join(one.verdict.failures))
-        if one.verdict.notes:
-            ElementTree.SubElement(case, "system-out").text = _clean("\n".join(one.verdict.notes))
+        if not trial.verdict.is_passed:
+            failure = ElementTree.SubElement(case, "failure", {"message": _clean(trial.verdict.failures[0])})
+            failure.text = _clean("\n".join(trial.verdict.failures))
+        if trial.verdict.notes:
+            ElementTree.SubElement(case, "system-out").text = _clean("\n".join(trial.verdict.notes))
     ElementTree.indent(root)
     text: bytes = ElementTree.tostring(root, "utf-8", xml_declaration=True)
     return text + b"\n"

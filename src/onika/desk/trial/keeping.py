@@ -56,17 +56,17 @@ def keep(
     shaken = [replace(plain, seed=settings.seed + n, shake=settings.seed + n) for n in range(1, shakes + 1)]
     if workers > 1:
         with ThreadPoolExecutor(workers) as pool:
-            first, *others = pool.map(lambda one: give_account(one, site), [plain, *shaken])
+            first, *others = pool.map(lambda settings: give_account(settings, site), [plain, *shaken])
     else:  # no pool: it would keep a program that is about to end from ending
         first, *others = _one_by_one([plain, *shaken], site, progress or (lambda *_: None))
     return kept_of(settings, first, others)
 
 
-def _one_by_one(asked: Sequence[RunSettings], site: Site, progress: Progress) -> Iterable[Account]:
+def _one_by_one(attempts: Sequence[RunSettings], site: Site, progress: Progress) -> Iterable[Account]:
     """Of a run that cannot be kept the others say nothing: they are not done."""
-    for number, one in enumerate(asked, start=1):
-        progress(number, len(asked))
-        account = give_account(one, site)
+    for number, attempt in enumerate(attempts, start=1):
+        progress(number, len(attempts))
+        account = give_account(attempt, site)
         yield account
         if number == 1 and not _is_good(account):
             return
@@ -100,8 +100,8 @@ def keep_in(
         notes.append("this run does not repeat itself bit for bit: something outside takes part in it")
     file = site.application_file(settings.name)
     named = replace(keepsake.kept, application=file.stem if file is not None else settings.name)
-    found = home_of(path, site).application_file(named.application)
-    if file is not None and (found is None or not found.samefile(file)):
+    source = home_of(path, site).application_file(named.application)
+    if file is not None and (source is None or not source.samefile(file)):
         notes.append(
             f"in that folder {named.application} is another application, or none: run the test with "
             f"--local {file.absolute().parent.parent}"
@@ -113,9 +113,11 @@ def keep_in(
     return True, (f"{path}: {actions} actions, {demands} values", *notes)
 
 
-def _count(one: KeptRun) -> tuple[int, int]:
-    actions = [action for flow in one.flows for action in flow.actions]
-    return len(actions), sum(len(some) for some in [a.after for a in actions] + [flow.at_end for flow in one.flows])
+def _count(keepsake: KeptRun) -> tuple[int, int]:
+    actions = [action for flow in keepsake.flows for action in flow.actions]
+    return len(actions), sum(
+        len(some) for some in [a.after for a in actions] + [flow.at_end for flow in keepsake.flows]
+    )
 
 
 def store(keepsake: KeptRun, path: Path) -> Refusal | None:
@@ -137,7 +139,7 @@ def kept_of(settings: RunSettings, first: Account, others: Sequence[Account]) ->
     failed = [text for text, _, holds in first.expectations if not holds]
     if failed:
         return Keepsake(None, refusal=f"only a good run can be kept; in this one {failed[0]} does not hold")
-    alike = [one for one in others if not one.cause and _way(one) == _way(first)]
+    alike = [account for account in others if not account.cause and _way(account) == _way(first)]
     notes = [f"{len(others) - len(alike)} of {len(others)} shaken runs went another way, so that they say nothing"]
     notes = notes if len(alike) < len(others) else []
     flows = [_flow(number, first, alike) for number, part in enumerate(first.parts) if part.passed]
@@ -150,7 +152,7 @@ def kept_of(settings: RunSettings, first: Account, others: Sequence[Account]) ->
             seed=settings.seed,
             settle_s=settings.settle_s,
             answers=settings.answers,
-            expectations=tuple(one.text for one in settings.expectations),
+            expectations=tuple(expectation.text for expectation in settings.expectations),
             redirects=tuple(map(str, settings.redirects)),
         ),
         tuple(notes),
@@ -189,22 +191,22 @@ def _way(account: Account) -> list[list[str]]:
 
 
 def _flow(number: int, first: Account, alike: Sequence[Account]) -> KeptFlow:
-    part, others = first.parts[number], [one.parts[number] for one in alike]
+    part, others = first.parts[number], [account.parts[number] for account in alike]
     actions = []
     for at, passed in enumerate(part.passed):
         following = part.passed[at + 1] if at + 1 < len(part.passed) else None
-        actions.append(_action(passed, following, [one.passed[at] for one in others]))
-    measured = {one.name for passed in part.passed for one in passed.variables if one.is_measured}
-    told = tuple(only_news(tuple(on_the_way(actions, measured))))
-    return KeptFlow(part.subsystem, part.robots, told, tuple(_at_end(part, others)))
+        actions.append(_action(passed, following, [account.passed[at] for account in others]))
+    measured = {variable.name for passed in part.passed for variable in passed.variables if variable.is_measured}
+    notices = tuple(only_news(tuple(on_the_way(actions, measured))))
+    return KeptFlow(part.subsystem, part.robots, notices, tuple(_at_end(part, others)))
 
 
 def _action(passed: Passed, following: Passed | None, others: Sequence[Passed]) -> KeptAction:
-    lasted = [one.ended_s - one.began_s for one in (passed, *others)]
-    within = tolerance(LASTS_S, max(abs(one - lasted[0]) for one in lasted))
+    lasted = [account.ended_s - account.began_s for account in (passed, *others)]
+    within = tolerance(LASTS_S, max(abs(duration - lasted[0]) for duration in lasted))
     within = within if within is not None else round(max(lasted), 1)
-    lasting = [one for one in passed.variables if one.is_measured or _lasts(one, passed, following)]
-    after = _demands(lasting, passed.values, [one.values for one in others])
+    lasting = [variable for variable in passed.variables if variable.is_measured or _lasts(variable, passed, following)]
+    after = _demands(lasting, passed.values, [account.values for account in others])
     return KeptAction(passed.name, readable(lasted[0], within), within, tuple(after))
 
 
@@ -213,30 +215,34 @@ def _lasts(reference: Variable, passed: Passed, following: Passed | None) -> boo
 
     It is where nobody else writes it, and where the robot stands just there.
     """
-    theirs = {one.name: one.writer for one in (following.variables if following else ())}
+    theirs = {variable.name: variable.writer for variable in (following.variables if following else ())}
     if theirs.get(reference.name, reference.writer) == reference.writer:
         return True
     wanted, reach = passed.values[reference.name], 2 * FLOORS.get(reference.units[0], 0.0)
-    measured = [passed.values[one.name] for one in passed.variables if one.is_measured and one.units == reference.units]
+    measured = [
+        passed.values[variable.name]
+        for variable in passed.variables
+        if variable.is_measured and variable.units == reference.units
+    ]
     return any(
-        len(one) == len(wanted) and all(abs(a - b) <= reach for a, b in zip(one, wanted, strict=True))
-        for one in measured
+        len(values) == len(wanted) and all(abs(a - b) <= reach for a, b in zip(values, wanted, strict=True))
+        for values in measured
     )
 
 
 def _at_end(part: Part, others: Sequence[Part]) -> Iterable[Demand]:
-    seen = {one.name: one for passed in part.passed for one in passed.variables if one.is_measured}
-    return _demands(seen.values(), part.at_end, [one.at_end for one in others])
+    seen = {variable.name: variable for passed in part.passed for variable in passed.variables if variable.is_measured}
+    return _demands(seen.values(), part.at_end, [account.at_end for account in others])
 
 
 def _demands(variables: Iterable[Variable], values: Elements, others: Sequence[Elements]) -> Iterable[Demand]:
-    for one in variables:
+    for variable in variables:
         for address in values:
-            if address == one.name or address.startswith(f"{one.name}["):
+            if address == variable.name or address.startswith(f"{variable.name}["):
                 runs = [values[address], *(other[address] for other in others if address in other)]
-                found = demand(address, one.unit_of(address), one.is_real, runs)
-                if found is not None:
-                    yield found
+                requirement = demand(address, variable.unit_of(address), variable.is_real, runs)
+                if requirement is not None:
+                    yield requirement
 
 
 def on_the_way(actions: Sequence[KeptAction], measured: Collection[str]) -> Iterable[KeptAction]:
@@ -245,14 +251,16 @@ def on_the_way(actions: Sequence[KeptAction], measured: Collection[str]) -> Iter
     The action before it changed something else while this robot stood, and all that it is measured to change is changed
     again by the very next. Places that are visited one after the other are not marked: each may be the purpose.
     """
-    known: dict[str, Demand] = {}
+    latest: dict[str, Demand] = {}
     former: set[str] = set()
     for at, action in enumerate(actions):
-        seen = {one.address: one for one in action.after if one.address.partition("[")[0] in measured}
-        changed = {address for address, one in seen.items() if _differs(known.get(address), one)}
-        known |= seen
-        following = {one.address: one for one in actions[at + 1].after} if at + 1 < len(actions) else {}
-        is_passed_over = all(one in following and _differs(known[one], following[one]) for one in changed)
+        seen = {each.address: each for each in action.after if each.address.partition("[")[0] in measured}
+        changed = {address for address, each in seen.items() if _differs(latest.get(address), each)}
+        latest |= seen
+        following = {each.address: each for each in actions[at + 1].after} if at + 1 < len(actions) else {}
+        is_passed_over = all(
+            address in following and _differs(latest[address], following[address]) for address in changed
+        )
         leads_away = bool(changed) and bool(former) and not changed & former
         yield replace(action, is_on_way=leads_away and is_passed_over)
         former = changed
@@ -260,10 +268,10 @@ def on_the_way(actions: Sequence[KeptAction], measured: Collection[str]) -> Iter
 
 def only_news(actions: Sequence[KeptAction]) -> Iterable[KeptAction]:
     """The actions, without whole numbers that are what they were: a lamp is told when it changes."""
-    known: dict[str, Demand] = {}
+    latest: dict[str, Demand] = {}
     for action in actions:
-        after = tuple(one for one in action.after if one.tolerance or known.get(one.address) != one)
-        known |= {one.address: one for one in action.after}
+        after = tuple(each for each in action.after if each.tolerance or latest.get(each.address) != each)
+        latest |= {each.address: each for each in action.after}
         yield replace(action, after=after)
 
 

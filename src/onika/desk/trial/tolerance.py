@@ -25,14 +25,16 @@ def tolerance(floor: float, spread: float) -> float | None:
 def demand(address: str, unit: str, is_real: bool, runs: Sequence[tuple[float, ...]]) -> Demand | None:
     """What to ask of a variable that was this in several runs, the first of which is kept; None: nothing."""
     kept, *others = runs
-    spread = max((abs(a - b) for one in others for a, b in zip(one, kept, strict=False)), default=0.0)
+    spread = max((abs(a - b) for other in others for a, b in zip(other, kept, strict=False)), default=0.0)
     if not all(map(math.isfinite, (*kept, spread))):
         return None
     if not is_real:
         return Demand(address, kept) if not spread else None
     within = tolerance(FLOORS[unit], spread) if unit in FLOORS else None
     shown = "" if unit == "-" else unit
-    return None if within is None else Demand(address, tuple(readable(one, within) for one in kept), shown, within)
+    return (
+        None if within is None else Demand(address, tuple(readable(number, within) for number in kept), shown, within)
+    )
 
 
 def readable(value: float, within: float) -> float:
@@ -43,5 +45,5 @@ def readable(value: float, within: float) -> float:
 def upwards(value: float) -> float:
     """The next number above that begins with 1, 2 or 5 and nothing behind: 0.013 becomes 0.02."""
     power = 10.0 ** math.floor(math.log10(value))
-    step = next(one for one in (1, 2, 5, 10) if one * power >= value * (1 - 1e-9))
+    step = next(digit for digit in (1, 2, 5, 10) if digit * power >= value * (1 - 1e-9))
     return float(f"{step * power:.1g}")

@@ -35,7 +35,7 @@ class Trial:
 
 def find(paths: Sequence[Path], word: str = "") -> tuple[list[Path], list[Fault]]:
     """The test files at and below paths whose names hold a word; a fault for each path with none."""
-    found: list[Path] = []
+    matches: list[Path] = []
     faults = []
     for path in paths:
         below = sorted(path.rglob(f"*{kept.ENDING}")) if path.is_dir() else [path] if path.is_file() else []
@@ -43,8 +43,8 @@ def find(paths: Sequence[Path], word: str = "") -> tuple[list[Path], list[Fault]
             faults.append(
                 Fault(Place(str(path)), f"a test file or a folder with some (*{kept.ENDING})", "none", "it is left out")
             )
-        found += [one for one in below if one not in found and word.lower() in one.stem.lower()]
-    return found, faults
+        matches += [path for path in below if path not in matches and word.lower() in path.stem.lower()]
+    return matches, faults
 
 
 def read(path: Path) -> tuple[KeptRun | None, tuple[Fault, ...]]:
@@ -53,33 +53,33 @@ def read(path: Path) -> tuple[KeptRun | None, tuple[Fault, ...]]:
     return kept.read(source, path.stem, str(path)) if source is not None else (None, faults)
 
 
-def settings_of(one: KeptRun, shake: int | None = None) -> RunSettings:
+def settings_of(kept_run: KeptRun, shake: int | None = None) -> RunSettings:
     """The run that a test asks for; shaken: with another seed, and the things of its worlds a little elsewhere."""
     return RunSettings(
-        name=one.application,
+        name=kept_run.application,
         is_virtual=True,
-        expectations=tuple(map(Condition.parse, one.expectations)),
-        settle_s=one.settle_s,
-        seed=one.seed + (shake or 0),
-        answers=one.answers,
-        redirects=tuple(map(Redirect.parse, one.redirects)),
+        expectations=tuple(map(Condition.parse, kept_run.expectations)),
+        settle_s=kept_run.settle_s,
+        seed=kept_run.seed + (shake or 0),
+        answers=kept_run.answers,
+        redirects=tuple(map(Redirect.parse, kept_run.redirects)),
         shake=shake,
     )
 
 
-def limit_of(one: KeptRun) -> float:
+def limit_of(kept_run: KeptRun) -> float:
     """How much time a run may take at most: twice as much as all that was kept of it, and a minute."""
-    return 60.0 + 2.0 * sum(action.lasts_s for flow in one.flows for action in flow.actions)
+    return 60.0 + 2.0 * sum(action.lasts_s for flow in kept_run.flows for action in flow.actions)
 
 
 def try_out(path: Path, site: Site, shake: int | None = None) -> Trial:
     """Do one test."""
     began = monotonic()
-    one, faults = read(path)
-    if one is None:
+    kept_run, faults = read(path)
+    if kept_run is None:
         verdict = Verdict(tuple(map(str, faults)))
     else:
-        verdict = judge(one, give_account(settings_of(one, shake), home_of(path, site), limit_of(one)))
+        verdict = judge(kept_run, give_account(settings_of(kept_run, shake), home_of(path, site), limit_of(kept_run)))
     return Trial(str(path), verdict, monotonic() - began, shake)
 
 

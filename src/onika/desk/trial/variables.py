@@ -49,8 +49,8 @@ def kept_after(flow: PlannedFlow, action: PlannedAction, sheets: Sheets) -> tupl
     """The variables to be kept after an action: of the tasks that are on in it, measured ones first."""
     on = [task for task in flow.tasks if task.name in action.tasks]
     forms = {(port.shape, port.unit) for task in flow.tasks if _device(task) for port in _outputs(task, sheets)}
-    found = [one for task in on for one in _variables(task, sheets, forms)]
-    return tuple(sorted(found, key=lambda one: (not one.is_measured, one.name)))
+    variables = [variable for task in on for variable in _variables(task, sheets, forms)]
+    return tuple(sorted(variables, key=lambda variable: (not variable.is_measured, variable.name)))
 
 
 def _variables(task: PlannedTask, sheets: Sheets, forms: set[tuple[str, str]]) -> Iterator[Variable]:

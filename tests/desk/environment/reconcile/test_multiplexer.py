@@ -20,7 +20,7 @@ class Wire:
         self.sent.append(asked)
         return len(self.sent)
 
-    def told(self, timeout_s=0.0):
+    def messages(self, timeout_s=0.0):
         words, self.words = self.words, []
         for one in words:
             if isinstance(one, LinkLost):

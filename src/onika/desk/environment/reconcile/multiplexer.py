@@ -18,7 +18,7 @@ class Runtime(Protocol):
         """Ask without waiting; the number of the reply."""
         ...
 
-    def told(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
         """Events and replies as they came; raises LinkLost at the end."""
         ...
 
@@ -60,7 +60,7 @@ class Talk:
         """What has come since the last call, in order; raises LinkLost at the end, `orphans` are left then."""
         self.figures = None
         found: list[event.Event | Answered] = []
-        for one in self._runtime.told():
+        for one in self._runtime.messages():
             if not isinstance(one, Reply):
                 found.append(one)
             elif one.number == self._figures_asked:

@@ -32,13 +32,13 @@ def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done |
         return _look(model)
     if not isinstance(wish, steering.Order):
         return No(f"`{asked.line}` is for scripts: it waits, and a page goes on")
-    if isinstance(wish.asked, request.Abort) and run.view.state == "beginning":
+    if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
         return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
-    if isinstance(wish.asked, steer.Resume):
+    if isinstance(wish.message, steer.Resume):
         named = len(asked.line.split()) > 1
         whom = wish.subsystem if named or not any(one.is_nested for one in run.cast.parts) else ""  # whoever rests
         return _resumed(model, whom)
-    return _steered(model, wish.asked)
+    return _steered(model, wish.message)
 
 
 def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> No | Procedure:
