@@ -11,9 +11,9 @@ from onika.wire import event, live, request, steer
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 
 
-def _at(one):
+def _at(message):
     """When it happens; the end of a run says no time, and is ten seconds after its beginning."""
-    return getattr(one, "at_s", 10.0)
+    return getattr(message, "at_s", 10.0)
 
 
 class HeldRuntime:
@@ -26,8 +26,8 @@ class HeldRuntime:
 
     def __init__(self, *events):
         self.coming = sorted(events, key=_at)
-        self.asked = []
-        self.told = []
+        self.requests = []
+        self.pending = []
         self.refusals = {}
         self.positions = ()
         self.values = {"LAMP": 1}
@@ -38,22 +38,22 @@ class HeldRuntime:
     def wall(self):
         return self.now_s
 
-    def ask(self, asked):
-        self.asked.append(asked)
-        reason = self.refusals.get(type(asked).__name__)
+    def ask(self, message):
+        self.requests.append(message)
+        reason = self.refusals.get(type(message).__name__)
         if reason is not None:
             return request.Refused(reason)
-        match asked:
+        match message:
             case request.Begin():
-                self.is_held = asked.is_held
+                self.is_held = message.is_held
             case steer.Onward():
-                self._onward(asked.until_s)
+                self._onward(message.until_s)
             case steer.Who():
                 return steer.Positions(self.positions)
             case live.Read():
-                return live.Values({name: self.values[name] for name in asked.names}, self.now_s)
+                return live.Values({name: self.values[name] for name in message.names}, self.now_s)
             case request.Abort():
-                self.told.append(event.Result(False, asked.cause, 0, 4, self.now_s, 0.1, {}, (), ""))
+                self.pending.append(event.Result(False, message.cause, 0, 4, self.now_s, 0.1, {}, (), ""))
             case request.Snapshot():
                 return request.Worlds({"boxes": b"drawn"})
         return request.Done()
@@ -64,30 +64,30 @@ class HeldRuntime:
         if not self.is_held:
             self.now_s += 0.1
             self._pass(self.now_s)
-        told, self.told = self.told, []
-        yield from told
+        due, self.pending = self.pending, []
+        yield from due
 
     def printed(self):
         return "it printed this"
 
     def of(self, *kinds):
-        return [one for one in self.asked if isinstance(one, kinds)]
+        return [message for message in self.requests if isinstance(message, kinds)]
 
     def _onward(self, until_s):
         limit = 50.0 if until_s is None else until_s
         if self.coming and _at(self.coming[0]) <= limit:
-            one = self.coming.pop(0)
-            self.now_s = max(self.now_s, _at(one))
-            self.told.append(one)
-            if isinstance(one, event.Result):
+            message = self.coming.pop(0)
+            self.now_s = max(self.now_s, _at(message))
+            self.pending.append(message)
+            if isinstance(message, event.Result):
                 return
         else:
             self.now_s = max(self.now_s, limit)
-        self.told.append(event.Stood(self.now_s))
+        self.pending.append(event.Stood(self.now_s))
 
     def _pass(self, until_s):
         while self.coming and _at(self.coming[0]) <= until_s:
-            self.told.append(self.coming.pop(0))
+            self.pending.append(self.coming.pop(0))
 
 
 @pytest.fixture
@@ -98,8 +98,8 @@ def running():
         runtime = HeldRuntime(*events)
         given = RunSettings("two_arms", **settings)
         outcome = Outcome("two_arms")
-        one = Running(given, PREPARED, PREPARED.plan, runtime, outcome, is_held=is_held, clock=runtime.wall)
-        one.begin()
-        return one, runtime
+        run = Running(given, PREPARED, PREPARED.plan, runtime, outcome, is_held=is_held, clock=runtime.wall)
+        run.begin()
+        return run, runtime
 
     return begin

@@ -39,7 +39,7 @@ class FakeRuntime:
     def __init__(self, rtpus, is_virtual, with_fifo, options=()):
         self.given = (rtpus, is_virtual, with_fifo)
         self.options = options
-        self.asked = []
+        self.requests = []
         self.pid = 4711
         self.left = list(self.script)
         type(self).made = self
@@ -48,10 +48,10 @@ class FakeRuntime:
         return self
 
     def __exit__(self, *_):
-        self.asked.append("closed")
+        self.requests.append("closed")
 
     def ask(self, message):
-        self.asked.append(message)
+        self.requests.append(message)
         match message:
             case request.Prepare():
                 return request.Refused(self.refuses) if self.refuses else request.Prepared(self.faults, ("a note",))
@@ -65,7 +65,7 @@ class FakeRuntime:
         return request.Done() if reason is None else request.Refused(reason)
 
     def events(self, _timeout_s):
-        if isinstance(self.left[0], After) and self.left[0].message not in self.asked:
+        if isinstance(self.left[0], After) and self.left[0].message not in self.requests:
             return
         item = self.left.pop(0)
         item = item.happening if isinstance(item, After) else item
@@ -132,7 +132,7 @@ def test_a_run_is_prepared_begun_and_followed_to_its_end(runtime):  # R-E03, R-E
     outcome, watcher = go(is_virtual=True, with_fifo=False, settle_s=0.25, seed=3, answers=(("gauge", "level", "1"),))
     assert (outcome.state, outcome.exit_code, outcome.result, outcome.notes) == ("completed", 0, GOOD, ["a note"])
     assert watcher.seen == [("go_home", 4711), event.Done(0, 0, 1.0), GOOD]
-    prepare, begin, closing = runtime.made.asked
+    prepare, begin, closing = runtime.made.requests
     assert isinstance(prepare, request.Prepare)
     assert begin == request.Begin((), 0.25, 3, (("gauge", "level", "1"),), False)
     assert closing == "closed"
@@ -143,7 +143,7 @@ def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X
     runtime.script = (GOOD,)
     expectations = tuple(Condition.parse(text) for text in ("LAMP == 1", "LAMP > 5", "Q_MEZ[9] == 1"))
     outcome, _ = go(expectations=expectations)
-    assert runtime.made.asked[1].watch == ("LAMP", "Q_MEZ")
+    assert runtime.made.requests[1].watch == ("LAMP", "Q_MEZ")
     assert [(value, holds) for _, value, holds in outcome.expectations] == [(1, True), (1, False), (None, False)]
     assert (outcome.state, outcome.exit_code) == ("completed", 1)
 
@@ -159,7 +159,7 @@ def test_faults_of_the_runtime_refuse_the_run_and_nothing_begins(runtime):  # R-
     outcome, watcher = go()
     assert outcome.faults == [Fault(Place("a.rmod", 3), "one", "two", "left out")]
     assert (outcome.state, outcome.exit_code, watcher.seen) == ("refused", 2, [])
-    assert len(runtime.made.asked) == 2
+    assert len(runtime.made.requests) == 2
 
 
 PAUSED = event.Moved("flow0", "paused", 0, 0.5)
@@ -176,13 +176,13 @@ def test_a_script_steers_the_run(runtime, tmp_path):  # R-E07
     )
     outcome, watcher = go(script=path, on_error="wait")
     assert outcome.exit_code == 0
-    assert [message for message in runtime.made.asked if isinstance(message, steer.Pause | steer.Resume)] == [
+    assert [message for message in runtime.made.requests if isinstance(message, steer.Pause | steer.Resume)] == [
         steer.Pause("flow0"),
         steer.Resume("flow0"),
     ]
     lines = [entry[0] for entry in watcher.seen if isinstance(entry, tuple) and len(entry) == 3]
     assert lines == ["wait began 1", "pause", "wait paused", "continue"]
-    begin = runtime.made.asked[1]
+    begin = runtime.made.requests[1]
     assert (begin.on_error, begin.is_held) == ("wait", False)
 
 
@@ -196,7 +196,7 @@ def test_in_virtual_time_the_clock_waits_for_the_script(runtime, tmp_path):  # R
         After(steer.Onward(None), GOOD),
     )
     go(script=path, is_virtual=True)
-    messages = runtime.made.asked[1:-1]
+    messages = runtime.made.requests[1:-1]
     assert messages[0].is_held
     assert messages[1:] == [
         steer.Onward(0.0), steer.Onward(0.5), steer.Pause("flow0"), steer.Onward(0.5), steer.Onward(None),
@@ -218,8 +218,8 @@ def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     outcome, watcher = go(script=path)
     assert [fault.found for fault in outcome.failed] == ["it running"]
-    assert request.Abort(f"the script fails at {path}:1") in runtime.made.asked
-    assert not any(isinstance(message, steer.Skip) for message in runtime.made.asked)
+    assert request.Abort(f"the script fails at {path}:1") in runtime.made.requests
+    assert not any(isinstance(message, steer.Skip) for message in runtime.made.requests)
     assert ("pass", ["it running"], ()) in watcher.seen
 
 
@@ -238,7 +238,7 @@ def test_what_keys_want_is_done_at_once_and_told(runtime):  # R-E07
     runtime.positions = (steer.Position("flow0", "running", 0),)
     runtime.script = (event.Done(0, 0, 0.1), GOOD)
     go(watcher)
-    assert steer.Pause("flow0") in runtime.made.asked
+    assert steer.Pause("flow0") in runtime.made.requests
     assert ("pause", [], ()) in watcher.seen
     assert ("who", [], runtime.positions) in watcher.seen
     assert runtime.positions in watcher.seen
@@ -253,7 +253,7 @@ def test_where_nobody_could_go_on_a_run_that_stands_still_is_aborted(runtime, ca
     runtime.script = (PAUSED, event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     go(watcher)
     cause = request.Abort("nobody is there to go on: flow0 is paused after action 1")
-    assert runtime.made.asked.count(cause) == aborts
+    assert runtime.made.requests.count(cause) == aborts
 
 
 def test_a_run_is_begun_and_steered_from_a_program(runtime):  # R-E07
@@ -266,14 +266,14 @@ def test_a_run_is_begun_and_steered_from_a_program(runtime):  # R-E07
         assert seen == [event.Began(0, 0, 1, "jmoveC home", 0.1), PAUSED, GOOD]
         assert running.result() is GOOD
     assert running.outcome.exit_code == 0
-    assert not any(isinstance(message, request.Abort) for message in runtime.made.asked)
+    assert not any(isinstance(message, request.Abort) for message in runtime.made.requests)
 
 
 def test_a_run_that_its_program_leaves_is_aborted(runtime):  # R-E10
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     with pytest.raises(RuntimeError), start(RunSettings("go_home"), SITE):
         raise RuntimeError("something else")
-    assert request.Abort("the program that began it has left it") in runtime.made.asked
+    assert request.Abort("the program that began it has left it") in runtime.made.requests
 
 
 def test_a_program_is_told_every_fault_of_an_application_that_it_cannot_begin(runtime):  # R-E01
@@ -290,7 +290,7 @@ def test_an_application_that_cannot_be_read_starts_no_runtime(runtime):  # R-E01
 def test_a_question_is_answered_by_the_watcher(runtime):  # law 25
     runtime.script = (ASKED, GOOD)
     outcome, _ = go(may_ask=True)
-    assert request.Reply("flow0", "gauge", "an answer for gauge") in runtime.made.asked
+    assert request.Reply("flow0", "gauge", "an answer for gauge") in runtime.made.requests
     assert outcome.exit_code == 0
 
 
@@ -298,7 +298,7 @@ def test_where_nobody_answers_the_run_is_aborted(runtime, monkeypatch):  # law 2
     runtime.script = (ASKED, GOOD)
     monkeypatch.setattr(Watcher, "answer", lambda *_: None)
     go(may_ask=True)
-    assert runtime.made.asked[2] == request.Abort("task gauge asks for input and nobody answers")
+    assert runtime.made.requests[2] == request.Abort("task gauge asks for input and nobody answers")
 
 
 def control_c():
@@ -309,7 +309,7 @@ def test_control_c_stops_the_run_and_its_end_is_still_heard(runtime):  # R-E07
     aborted = event.Result(False, "stopped", 0, 1, 0.5, 0.5, {}, (), "")
     runtime.script = (event.Done(0, 0, 0.1), control_c, event.Done(0, 0, 0.2), aborted)
     outcome, watcher = go()
-    assert runtime.made.asked[2] == request.Stop("stopped by the user (Ctrl-C)")
+    assert runtime.made.requests[2] == request.Stop("stopped by the user (Ctrl-C)")
     assert len(watcher.seen) == 4
     assert (outcome.state, outcome.exit_code, outcome.printed) == ("aborted", 1, "it printed this")
 
@@ -318,7 +318,7 @@ def test_a_second_control_c_ends_everything(runtime):  # R-E07
     runtime.script = (control_c, control_c)
     with pytest.raises(KeyboardInterrupt):
         go()
-    assert runtime.made.asked[-1] == "closed"
+    assert runtime.made.requests[-1] == "closed"
 
 
 def test_a_lost_runtime_is_an_aborted_run_that_tells_what_was_done(runtime):  # R-E10
@@ -349,7 +349,7 @@ def test_a_run_that_the_runtime_will_not_begin_is_aborted(runtime):
 def test_a_picture_is_asked_for_only_where_it_is_wanted(runtime):
     runtime.script = (GOOD,)
     assert go()[0].snapshots == {}
-    assert request.Snapshot() not in runtime.made.asked
+    assert request.Snapshot() not in runtime.made.requests
     runtime.script = (GOOD,)
     assert go(wants_picture=True)[0].snapshots == {"boxes": b"drawn"}
 
@@ -359,7 +359,7 @@ def test_scaled_time_and_other_subsystems_are_the_runtimes_business(runtime):  #
     outcome, _ = go(is_virtual=True, scale=10.0, subsystems=("left",))
     assert outcome.exit_code == 0
     assert runtime.made.options == ("--scale", "10")
-    assert runtime.made.asked[0].plan.flows[0].subsystem == "left"
+    assert runtime.made.requests[0].plan.flows[0].subsystem == "left"
 
 
 def test_too_many_names_of_subsystems_are_refused_before_anything_runs(runtime):

@@ -12,7 +12,7 @@ GOOD = event.Result(True, "", 4, 4, 9.0, 0.1, {"LAMP": 1}, (), "abc")
 
 def test_a_run_begins_as_its_settings_say(running):  # R-E01, R-E08, R-E10
     _, runtime = running(settle_s=0.25, seed=3, on_error="wait", on_loss="finish", may_ask=True)
-    assert runtime.asked[0] == request.Begin((), 0.25, 3, (), True, on_loss="finish", on_error="wait", is_held=True)
+    assert runtime.requests[0] == request.Begin((), 0.25, 3, (), True, on_loss="finish", on_error="wait", is_held=True)
 
 
 def test_a_run_that_the_runtime_will_not_begin_is_over(running, monkeypatch):
@@ -35,7 +35,7 @@ def test_what_is_steered_in_a_held_run_is_done_before_time_passes(running):  # R
     run, runtime = running(BEGAN, GOOD)
     assert run.wait("began flow0 1") == ()
     assert run.steer("pause flow0") == ()
-    assert runtime.asked[-2:] == [steer.Pause("flow0"), steer.Onward(1.0)]
+    assert runtime.requests[-2:] == [steer.Pause("flow0"), steer.Onward(1.0)]
     assert (run.now_s, run.stands) == (1.0, True)
 
 
@@ -43,8 +43,8 @@ def test_a_wait_is_over_when_the_time_of_its_moment_is_known_too(running, monkey
     run, runtime = running(BEGAN, PAUSED, GOOD)
 
     def one_by_one(*_args, **_named):
-        if runtime.told:
-            yield runtime.told.pop(0)
+        if runtime.pending:
+            yield runtime.pending.pop(0)
 
     monkeypatch.setattr(runtime, "events", one_by_one)
     assert run.wait("paused flow0") == ()
@@ -76,7 +76,7 @@ def test_a_wait_while_a_task_asks_is_given_up(running):  # law 25
     (fault,) = run.wait("began flow0 1")
     assert fault.found == "a task that asks"
     run.answer(question, "0.5")
-    runtime.told.append(event.TaskState("flow0", "gauge", "ON", 0.5))
+    runtime.pending.append(event.TaskState("flow0", "gauge", "ON", 0.5))
     assert run.wait("began flow0 1") == ()
     run.answer(question, None)
     assert runtime.of(request.Reply, request.Abort) == [
@@ -111,19 +111,19 @@ def test_what_is_written_wrongly_or_refused_changes_nothing(running):  # R-E07
 def test_after_its_end_there_is_nothing_to_steer(running):  # R-E07
     run, runtime = running(GOOD)
     run.result()
-    count = len(runtime.asked)
+    count = len(runtime.requests)
     (fault,) = run.do(Order(steer.Pause("")), Place("s", 4))
     assert (fault.place, fault.found) == (Place("s", 4), "its end")
-    assert len(runtime.asked) == count
+    assert len(runtime.requests) == count
 
 
 def test_a_key_does_not_wait_until_the_clock_stands(running):  # R-E07
     run, runtime = running(BEGAN)
     list(run.hear())
     run.go_on(50.0)
-    runtime.told.clear()
+    runtime.pending.clear()
     assert run.steer("pause", at_once=True) == ()
-    assert runtime.asked[-1] == steer.Pause("")
+    assert runtime.requests[-1] == steer.Pause("")
 
 
 def test_where_every_flow_is_can_be_asked_at_any_time(running):  # R-X03
@@ -176,7 +176,7 @@ def test_a_runtime_that_is_lost_ends_the_run_with_the_cause(running):  # R-E10
 def test_to_stop_is_the_runtimes_business(running):  # law 27
     run, runtime = running()
     run.stop("enough")
-    assert runtime.asked[-1] == request.Stop("enough")
+    assert runtime.requests[-1] == request.Stop("enough")
     assert run.pid == 4711
 
 

@@ -33,7 +33,7 @@ def test_lines_are_carried_out_one_after_another_at_their_moments(running):  # R
     assert [line for line, _, _ in output] == ["pause", "wait began 0 1", "wait 0.5", "continue"]
     assert prompter.is_over
     assert runtime.of(steer.Pause, steer.Resume) == [steer.Pause(""), steer.Resume("")]
-    assert steer.Onward(1.5) in runtime.asked
+    assert steer.Onward(1.5) in runtime.requests
 
 
 def test_nothing_is_done_while_the_clock_of_a_held_run_goes_on(running):  # R-E07

@@ -42,7 +42,7 @@ def site(tmp_path):
 
 @pytest.fixture
 def runtime(monkeypatch):
-    FakeRuntime.asked = []
+    FakeRuntime.messages = []
     monkeypatch.setattr(room, "Runtime", FakeRuntime)
     return FakeRuntime
 
@@ -83,7 +83,7 @@ def test_tasks_and_applications_are_judged_by_their_modules(laboratory, site, ru
     laboratory.configuration("winkC", "wink 100 rt3")
     laboratory.application("go", [job("winkC")])
     survey(laboratory.path, site)
-    started, inspect, prepare = runtime.asked
+    started, inspect, prepare = runtime.messages
     assert started == (("rt3",), True)
     assert [task.name for task in inspect.tasks] == ["wink"]
     assert [code.module for code in inspect.code] == ["wink"]
@@ -93,7 +93,7 @@ def test_tasks_and_applications_are_judged_by_their_modules(laboratory, site, ru
 def test_a_module_that_no_task_uses_is_looked_at_too(laboratory, site, runtime):  # R-B07
     laboratory.module("idle", MODULE)
     survey(laboratory.path, site)
-    assert [code.module for code in runtime.asked[1].code] == ["idle"]
+    assert [code.module for code in runtime.messages[1].code] == ["idle"]
 
 
 def test_a_task_without_code_is_a_fault(laboratory, site, runtime):  # R-B01
@@ -101,7 +101,7 @@ def test_a_task_without_code_is_a_fault(laboratory, site, runtime):  # R-B01
     _, faults = survey(laboratory.path, site)
     assert places(faults) == ["ghost.rmod"]
     assert "ghost.py" in faults[0].expected
-    assert runtime.asked == []
+    assert runtime.messages == []
 
 
 def test_code_that_is_no_text_is_a_fault(laboratory, site, runtime):  # R-B07
@@ -118,7 +118,7 @@ def test_a_task_may_use_code_of_the_search_path(laboratory, site, runtime):  # d
         "INVAR GRIP_MEZ\nOUTVAR GRIP\nTASKTYPE periodic\nFREQ 20",
     )
     survey(laboratory.path, site)
-    assert runtime.asked[1].code[0].path.endswith("puma/module/opengrip.py")
+    assert runtime.messages[1].code[0].path.endswith("puma/module/opengrip.py")
 
 
 def test_one_file_is_surveyed_alone(laboratory, site, runtime):  # R-B07
@@ -137,7 +137,7 @@ def test_nothing_there_is_a_fault(tmp_path, site, runtime):  # R-B07
 def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory, site, runtime):  # decision 35
     path = laboratory.application("go", [job("jmoveC", "Joint job"), joints("far", 9.0, 0.0, 0.0, 0.0, 0.0, 0.0)])
     survey(path, site)
-    (prepare,) = [message for message in runtime.asked if isinstance(message, request.Prepare)]
+    (prepare,) = [message for message in runtime.messages if isinstance(message, request.Prepare)]
     assert prepare.targets[0].values[0] == 9.0
 
 
