@@ -17,13 +17,13 @@ def test_new_memory_is_zeroed_and_as_large_as_asked_for():
 
 
 def test_whoever_attaches_sees_the_same_bytes():  # R-A02
-    one = Segment.create("test", 64)
-    other = Segment.attach(os.dup(one.fd))
-    one.view[3] = 7
+    segment = Segment.create("test", 64)
+    other = Segment.attach(os.dup(segment.fd))
+    segment.view[3] = 7
     assert (other.size, other.view[3]) == (64, 7)
     other.close()
-    assert one.view[3] == 7
-    one.close()
+    assert segment.view[3] == 7
+    segment.close()
 
 
 def test_the_memory_is_not_handed_to_programs_that_are_started():

@@ -33,17 +33,17 @@ def ring(size=8):
 
 
 def test_an_entry_is_zero_before_the_first_write():
-    one = ring(16)
-    assert one.read() == bytes(16)
-    assert one.count == 0
+    entry = ring(16)
+    assert entry.read() == bytes(16)
+    assert entry.count == 0
 
 
 @given(st.lists(st.binary(min_size=12, max_size=12), min_size=1, max_size=30))
 def test_the_newest_value_is_read_and_every_write_is_counted(values):  # law 4
-    one = ring(12)
+    entry = ring(12)
     for number, value in enumerate(values, 1):
-        one.write(value)
-        assert (one.read(), one.count) == (value, number)
+        entry.write(value)
+        assert (entry.read(), entry.count) == (value, number)
 
 
 def test_several_entries_lie_side_by_side_in_one_view():
@@ -53,53 +53,53 @@ def test_several_entries_lie_side_by_side_in_one_view():
     view = memoryview(bytearray(offsets[-1]))
     rings = [Ring(view, offset, size) for offset, size in zip(offsets, sizes, strict=False)]
     for _ in range(5):
-        for number, one in enumerate(rings, 1):
-            one.write(bytes([number]) * one.size)
-    assert [one.read() for one in rings] == [bytes([number]) * one.size for number, one in enumerate(rings, 1)]
-    assert [one.count for one in rings] == [5] * 4
+        for number, entry in enumerate(rings, 1):
+            entry.write(bytes([number]) * entry.size)
+    assert [entry.read() for entry in rings] == [bytes([number]) * entry.size for number, entry in enumerate(rings, 1)]
+    assert [entry.count for entry in rings] == [5] * 4
 
 
 def test_a_writer_publishes_what_its_source_holds_at_the_time_of_the_call():
-    one, source = ring(2), bytearray(b"ab")
-    publish = one.writer(memoryview(source))
+    entry, source = ring(2), bytearray(b"ab")
+    publish = entry.writer(memoryview(source))
     publish()
     source[:] = b"cd"
-    assert one.read() == b"ab"
+    assert entry.read() == b"ab"
     publish()
-    assert one.read() == b"cd"
+    assert entry.read() == b"cd"
 
 
 def test_a_reader_tells_the_count_of_the_value_it_copied():
-    one, target = ring(1), bytearray(1)
-    fetch = one.reader(memoryview(target))
+    entry, target = ring(1), bytearray(1)
+    fetch = entry.reader(memoryview(target))
     assert fetch() == 0
-    one.write(b"x")
+    entry.write(b"x")
     assert (fetch(), bytes(target)) == (1, b"x")
 
 
 def test_a_refresher_copies_when_something_new_was_written_and_only_then():
-    one, target = ring(1), bytearray(1)
-    refresh = one.refresher(memoryview(target))
-    one.write(b"x")
+    entry, target = ring(1), bytearray(1)
+    refresh = entry.refresher(memoryview(target))
+    entry.write(b"x")
     refresh()
     assert bytes(target) == b"x"
     target[:] = b"?"
     refresh()
     assert bytes(target) == b"?"
-    one.write(b"x")
+    entry.write(b"x")
     refresh()
     assert bytes(target) == b"x"
 
 
 def test_what_is_forgotten_is_still_read_but_stands_below_the_mark():  # law 3
-    one = ring(1)
-    one.write(b"x")
-    assert one.count > one.mark
-    one.forget()
-    assert one.count == one.mark
-    assert one.read() == b"x"
-    one.write(b"y")
-    assert one.count > one.mark
+    entry = ring(1)
+    entry.write(b"x")
+    assert entry.count > entry.mark
+    entry.forget()
+    assert entry.count == entry.mark
+    assert entry.read() == b"x"
+    entry.write(b"y")
+    assert entry.count > entry.mark
 
 
 class Meddled:
@@ -120,10 +120,10 @@ class Meddled:
 @pytest.mark.parametrize("kind", ["reader", "refresher"])
 def test_a_copy_is_taken_again_when_the_writer_came_round(kind, writes):  # R-A02
     view, target = memoryview(bytearray(Ring.footprint(1))), bytearray(1)
-    one, writer = Ring(view, 0, 1), Ring(view, 0, 1)
-    one.write(b"\1")
-    one.words = Meddled(writer, writes)
-    getattr(one, kind)(memoryview(target))()
+    entry, writer = Ring(view, 0, 1), Ring(view, 0, 1)
+    entry.write(b"\1")
+    entry.words = Meddled(writer, writes)
+    getattr(entry, kind)(memoryview(target))()
     assert writer.count == 1 + writes
     assert target[0] == (1 if writes < 15 else 10 + writes - 1)
 
@@ -136,42 +136,42 @@ def test_a_buffer_of_another_size_or_format_is_refused(buffer):
 
 
 def test_a_value_of_another_size_is_never_written():  # R-A02
-    one = ring(8)
+    entry = ring(8)
     with pytest.raises(ValueError, match="8 bytes"):
-        one.write(b"short")
-    assert one.count == 0
+        entry.write(b"short")
+    assert entry.count == 0
 
 
 @settings(deadline=None, max_examples=20)
 @given(st.integers(1, 300), st.integers(0, 9))
 def test_entries_in_shared_memory_are_seen_by_whoever_attaches(size, writes):
     segment = Segment.create("test", Ring.footprint(size))
-    one, other = Ring(segment.view, 0, size), Ring(memoryview(segment.view), 0, size)
+    entry, other = Ring(segment.view, 0, size), Ring(memoryview(segment.view), 0, size)
     for number in range(writes):
-        one.write(bytes([number]) * size)
+        entry.write(bytes([number]) * size)
     assert other.read() == bytes([max(writes - 1, 0)]) * size
-    del one, other
+    del entry, other
     segment.close()
 
 
 def test_a_writer_that_dies_half_way_tears_nothing_and_blocks_nobody():  # R-A02, law 31
     segment = Segment.create("test", Ring.footprint(SIZE))
-    one, target = Ring(segment.view, 0, SIZE), bytearray(SIZE)
-    fetch = one.reader(memoryview(target))
+    entry, target = Ring(segment.view, 0, SIZE), bytearray(SIZE)
+    fetch = entry.reader(memoryview(target))
     for _ in range(6):
-        before = one.count
+        before = entry.count
         words = [sys.executable, "-c", WRITE_FOR_EVER, str(segment.fd), str(SIZE)]
         with subprocess.Popen(words, pass_fds=[segment.fd], stdout=subprocess.PIPE) as writer:
             writer.stdout.readline()
-            while one.count < before + 200:
+            while entry.count < before + 200:
                 fetch()
                 assert target.count(target[0]) == SIZE, "torn while it was being written"
             writer.send_signal(signal.SIGKILL)
         fetch()
         assert target.count(target[0]) == SIZE, "torn by a dead writer"
-    one.write(b"\xfd" * SIZE)
-    assert one.read() == b"\xfd" * SIZE
-    del fetch, one
+    entry.write(b"\xfd" * SIZE)
+    assert entry.read() == b"\xfd" * SIZE
+    del fetch, entry
     segment.close()
 
 
@@ -180,46 +180,46 @@ def test_a_writer_that_dies_half_way_tears_nothing_and_blocks_nobody():  # R-A02
 
 def armed(size=8):
     memory = memoryview(bytearray(2 * Ring.footprint(size)))
-    one = Ring(memory, Ring.footprint(size), size)
-    one.arm()
-    return one, memory
+    entry = Ring(memory, Ring.footprint(size), size)
+    entry.arm()
+    return entry, memory
 
 
 def test_an_entry_that_its_writer_writes_is_sound_however_often():  # R-A12
-    one, _ = armed()
+    entry, _ = armed()
     source = bytearray(8)
-    writer = one.signed_writer(memoryview(source))
+    writer = entry.signed_writer(memoryview(source))
     for n in range(10):
-        assert one.faults() == []
+        assert entry.faults() == []
         source[0] = n
         writer.publish()
-    one.seal()
-    assert one.faults() == []
+    entry.seal()
+    assert entry.faults() == []
 
 
 def test_a_strange_publication_is_counted_when_the_writer_next_publishes():  # R-A12
-    one, _ = armed()
-    writer = one.signed_writer(memoryview(bytearray(8)))
+    entry, _ = armed()
+    writer = entry.signed_writer(memoryview(bytearray(8)))
     writer.publish()
-    one.signed_writer(memoryview(bytearray(b"strange!"))).publish()
-    assert one.faults() == []
+    entry.signed_writer(memoryview(bytearray(b"strange!"))).publish()
+    assert entry.faults() == []
     writer.publish()
-    assert one.faults() == ["it was published 1 times by somebody who is not its writer"]
+    assert entry.faults() == ["it was published 1 times by somebody who is not its writer"]
 
 
 def test_a_writer_that_takes_an_entry_over_finds_nothing_strange():  # R-A12
-    one, _ = armed()
-    first, second = (one.signed_writer(memoryview(bytearray(8))) for _ in range(2))
+    entry, _ = armed()
+    first, second = (entry.signed_writer(memoryview(bytearray(8))) for _ in range(2))
     first.publish()
     second.look()
     second.publish()
     first.look()
     first.publish()
-    assert one.faults() == []
+    assert entry.faults() == []
 
 
 @pytest.mark.parametrize(
-    ("place", "told"),
+    ("place", "finding"),
     [
         (0, "guard"),
         (7, "guard"),
@@ -227,35 +227,35 @@ def test_a_writer_that_takes_an_entry_over_finds_nothing_strange():  # R-A12
         (64 + 9, "between"),
     ],
 )
-def test_each_part_of_an_entry_is_watched(place, told):  # R-A12
-    one, memory = armed()
-    writer = one.signed_writer(memoryview(bytearray(8)))
+def test_each_part_of_an_entry_is_watched(place, finding):  # R-A12
+    entry, memory = armed()
+    writer = entry.signed_writer(memoryview(bytearray(8)))
     for _ in range(8):
         writer.publish()
     memory[Ring.footprint(8) + place] ^= 0x40
-    assert [told in text for text in one.faults()] == [True]
+    assert [finding in text for text in entry.faults()] == [True]
 
 
 def test_a_counter_that_jumps_is_found_when_its_writer_next_publishes():  # R-A12
-    one, _ = armed()
-    writer = one.signed_writer(memoryview(bytearray(8)))
+    entry, _ = armed()
+    writer = entry.signed_writer(memoryview(bytearray(8)))
     for _ in range(4):
         writer.publish()
-    one.words[0] += 4
+    entry.words[0] += 4
     writer.publish()
-    assert one.faults() == ["it was published 1 times by somebody who is not its writer"]
+    assert entry.faults() == ["it was published 1 times by somebody who is not its writer"]
 
 
 def test_what_rests_is_sealed_whatever_its_length():  # R-A12
     for size, stride in ((8, 64), (5000, 5056)):
-        one, memory = armed(size)
-        writer = one.signed_writer(memoryview(bytearray(size)))
+        entry, memory = armed(size)
+        writer = entry.signed_writer(memoryview(bytearray(size)))
         for _ in range(3):
             writer.publish()
-        one.seal()
-        assert one.faults() == []
+        entry.seal()
+        assert entry.faults() == []
         memory[Ring.footprint(size) + 64 + 3 * stride] ^= 1
-        assert one.faults() == ["its value is not what its writer published"]
+        assert entry.faults() == ["its value is not what its writer published"]
 
 
 def test_an_entry_needs_room():
@@ -265,21 +265,21 @@ def test_an_entry_needs_room():
 
 @pytest.mark.parametrize("back", [2, 5, 8])
 def test_a_counter_that_was_put_back_is_found_where_something_was_sealed_since(back):  # R-A12
-    one, _ = armed()
-    writer = one.signed_writer(memoryview(bytearray(8)))
+    entry, _ = armed()
+    writer = entry.signed_writer(memoryview(bytearray(8)))
     for _ in range(8):
         writer.publish()
-    one.seal()
-    one.words[0] -= back
-    assert "its counter was put back" in one.faults()
+    entry.seal()
+    entry.words[0] -= back
+    assert "its counter was put back" in entry.faults()
 
 
 def test_the_values_since_a_count_are_there_as_far_as_they_were_not_written_over():  # law 29
     for size, kept in ((8, 15), (600, 3)):
-        one = ring(size)
-        assert one.since(0) == (0, [])
+        entry = ring(size)
+        assert entry.since(0) == (0, [])
         for number in range(1, 21):
-            one.write(number.to_bytes(size, "little"))
-        assert one.since(20) == (20, [])
-        assert [int.from_bytes(each, "little") for each in one.since(18)[1]] == [19, 20]
-        assert [int.from_bytes(each, "little") for each in one.since(0)[1]] == list(range(21 - kept, 21))
+            entry.write(number.to_bytes(size, "little"))
+        assert entry.since(20) == (20, [])
+        assert [int.from_bytes(each, "little") for each in entry.since(18)[1]] == [19, 20]
+        assert [int.from_bytes(each, "little") for each in entry.since(0)[1]] == list(range(21 - kept, 21))

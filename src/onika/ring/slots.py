@@ -84,22 +84,22 @@ class Ring:
 
     def faults(self) -> list[str]:
         """What is wrong with the entry's memory; while it is written too. Only of an armed entry."""
-        found = []
+        faults_ = []
         if self._guard[0] != _GUARD ^ self.offset:
-            found.append("its guard is overwritten")
+            faults_.append("its guard is overwritten")
         strange = self.words[_STRANGE] & _COUNTED
         if strange:
-            found.append(f"it was published {strange} times by somebody who is not its writer")
+            faults_.append(f"it was published {strange} times by somebody who is not its writer")
         stride = len(self._memory) // len(self._slots)
         if any(any(self._memory[at + self.size : at + stride]) for at in range(0, len(self._memory), stride)):
-            found.append("the memory between its slots is overwritten")
+            faults_.append("the memory between its slots is overwritten")
         if self._is_broken():
-            found.append("its value is not what its writer published")
+            faults_.append("its value is not what its writer published")
         if self._is_behind():
-            found.append("its counter was put back")
+            faults_.append("its counter was put back")
         elif self._is_moved():
-            found.append("its counter was moved while its writer rests")
-        return found
+            faults_.append("its counter was moved while its writer rests")
+        return faults_
 
     def _is_moved(self) -> bool:
         """Whether an entry at rest counts something else than when it was put to rest."""
@@ -115,7 +115,7 @@ class Ring:
             count = self.words[0]
             ahead = [((self.words[_SEALS + i] >> 32) - count) & _COUNTED for i in range(_SEAL + 1)]
             if self.words[0] == count:
-                return any(1 < one < _COUNTED >> 1 for one in ahead)
+                return any(1 < distance < _COUNTED >> 1 for distance in ahead)
         return False
 
     def _is_broken(self) -> bool:
@@ -165,9 +165,9 @@ class Ring:
         while True:
             count: int = words[0]
             first = max(seen + 1, count - last + 1)
-            found = [bytes(slots[n & last]) for n in range(first, count + 1)]
+            values = [bytes(slots[n & last]) for n in range(first, count + 1)]
             if words[0] - first < last:
-                return count, found
+                return count, values
 
     def writer(self, source: memoryview) -> Callable[[], None]:
         """A fast function that publishes what lies in `source` (bytes, `size` of them) at the time of the call."""
