@@ -20,11 +20,11 @@ def test_above_the_triangle_is_above_the_triangle():
 
 
 def test_every_link_is_a_possible_rigid_body():
-    for mass, _, _, _, one, two, three, armature, viscous in puma560.DYN:
-        assert min(mass, one, two, three, armature, viscous) > 0.0
-        assert one + two > three
-        assert two + three > one
-        assert three + one > two
+    for mass, _, _, _, x, two, three, armature, viscous in puma560.DYN:
+        assert min(mass, x, two, three, armature, viscous) > 0.0
+        assert x + two > three
+        assert two + three > x
+        assert three + x > two
 
 
 def test_every_constant_has_a_row_for_each_joint():

@@ -21,9 +21,9 @@ def pose_of(constants, q):
 @pytest.mark.parametrize("constants", [SCARA, PLAIN], ids=["arrays", "lists"])
 def test_targets_beyond_reach_are_named_each_with_its_reason(constants):  # law 26, R-E09, R-K03
     far, low = (*BOX[:6], 0.7, 0.45, -0.3346), (*BOX[:8], -0.40)
-    asked = [("cartesian object", (*one, 1.4)) for one in (BOX, far, low)]
-    asked += [("joint object", q) for q in ([0.1, 0.2, 0.3, 0.0, 1.0], [0.1, 3.0, 0.2, 0.0], [0.1])]
-    reachable, out, deep, pulled, bent, short = why_not(constants, asked)
+    targets = [("cartesian object", (*point, 1.4)) for point in (BOX, far, low)]
+    targets += [("joint object", q) for q in ([0.1, 0.2, 0.3, 0.0, 1.0], [0.1, 3.0, 0.2, 0.0], [0.1])]
+    reachable, out, deep, pulled, bent, short = why_not(constants, targets)
     assert reachable is None
     assert out.startswith("out of reach: the quill would be 0.832 m")
     assert deep == "joint 3 would stand at 0.330 m, beyond 0.000..0.295"
@@ -34,8 +34,8 @@ def test_targets_beyond_reach_are_named_each_with_its_reason(constants):  # law 
 
 def test_a_joint_beyond_its_limit_by_a_hair_is_told_with_numbers_that_differ():  # R-X02
     beyond, at = SCARA["QMAX"][1] + 1e-5, SCARA["QMAX"][1]
-    said = why_not(SCARA, [("joint object", [0.1, q, 0.2, 0.0]) for q in (beyond, at)])
-    assert said == [f"joint 2 at {beyond:.5f} rad is beyond {at:.5f}", None]
+    reasons = why_not(SCARA, [("joint object", [0.1, q, 0.2, 0.0]) for q in (beyond, at)])
+    assert reasons == [f"joint 2 at {beyond:.5f} rad is beyond {at:.5f}", None]
 
 
 def test_the_same_cartesian_target_is_within_reach_of_both():  # R-E09

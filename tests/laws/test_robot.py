@@ -7,13 +7,13 @@ from onika.laws.robot import published, unlike
 
 @pytest.mark.parametrize("robot", [puma560, adept_one])
 def test_everything_that_is_known_is_published_in_shapes_that_agree(robot):  # law 20
-    known = published(robot, 0.0, 0.0, 0.0, 0.0)
-    n = known["NDOF"]
+    constants = published(robot, 0.0, 0.0, 0.0, 0.0)
+    n = constants["NDOF"]
     shapes = {"DH": (n, 4), "DYN": (n, 9), "LOAD": (4,), "BASE": (4, 4), "TOOL": (4, 4)}
     for name in ("QMIN", "QMAX", "Q^_MAX", "TAUMAX", "KP", "KD"):
         shapes[name] = (n,)
-    assert {name: np.shape(known[name]) for name in shapes} == shapes
-    assert set(known) == {*shapes, "NDOF", "ROBOT"}
+    assert {name: np.shape(constants[name]) for name in shapes} == shapes
+    assert set(constants) == {*shapes, "NDOF", "ROBOT"}
 
 
 def test_a_base_is_turned_about_z_and_moved():

@@ -30,9 +30,9 @@ def table(*, down=math.pi, offsets=(0.0, 0.0, 0.0, 0.0)):
 
 
 def inverse(dh=adept_one.DH, base=None, tool=adept_one.TOOL):
-    found = inverse_for(dh, base, tool, adept_one.QMIN, adept_one.QMAX)
-    assert isinstance(found, ScaraInverse)
-    return found
+    solver = inverse_for(dh, base, tool, adept_one.QMIN, adept_one.QMAX)
+    assert isinstance(solver, ScaraInverse)
+    return solver
 
 
 def down(x, y, z):

@@ -11,8 +11,8 @@ times = st.floats(0.1, 5.0)
 
 def sampled(path, count=400):
     looks = np.linspace(0.0, path.duration, count)
-    found = [path.at(t) for t in looks]
-    return looks, np.array([q for q, _ in found]), np.array([speed for _, speed in found])
+    points = [path.at(t) for t in looks]
+    return looks, np.array([q for q, _ in points]), np.array([speed for _, speed in points])
 
 
 @settings(max_examples=60, deadline=None)
@@ -56,6 +56,6 @@ def test_where_a_joint_would_be_too_fast_both_segments_take_longer_alike():
 
 def test_who_is_there_already_stays():
     path = Via([1.0], [1.0], [1.0], (0.1, 0.1), [1.0])
-    _, found, speeds = sampled(path, 20)
-    assert (found == 1.0).all()
+    _, positions, speeds = sampled(path, 20)
+    assert (positions == 1.0).all()
     assert (speeds == 0.0).all()

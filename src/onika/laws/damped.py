@@ -35,11 +35,11 @@ class DampedInverse:
         q, error = self._descend(pose, near)
         if _size(error) <= _TOLERANCE:
             return q
-        found = [(q, error), *(self._descend(pose, start) for start in self._starts)]
-        solved = [q for q, error in found if _size(error) <= _TOLERANCE]
+        solutions = [(q, error), *(self._descend(pose, start) for start in self._starts)]
+        solved = [q for q, error in solutions if _size(error) <= _TOLERANCE]
         if solved:
             return min(solved, key=lambda q: float((q - near) @ (q - near)))
-        _, error = min(found, key=lambda pair: _size(pair[1]))
+        _, error = min(solutions, key=lambda pair: _size(pair[1]))
         metres, radians = float(np.linalg.norm(error[:3])), float(np.linalg.norm(error[3:]))
         return f"out of reach: the nearest posture found within limits is {metres:.3f} m and {radians:.3f} rad away"
 

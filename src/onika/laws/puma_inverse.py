@@ -194,11 +194,11 @@ def _product(a: _Flat, b: _Flat) -> _Flat:
 
 def _turned_distance(arm: list[float], near: list[float]) -> float:
     """Squared distance of three joints to `near`, by whole turns as near as can be."""
-    one, two, three = arm[0] - near[0], arm[1] - near[1], arm[2] - near[2]
-    one -= _TURN * round(one / _TURN)
+    first, two, three = arm[0] - near[0], arm[1] - near[1], arm[2] - near[2]
+    first -= _TURN * round(first / _TURN)
     two -= _TURN * round(two / _TURN)
     three -= _TURN * round(three / _TURN)
-    return one * one + two * two + three * three
+    return first * first + two * two + three * three
 
 
 def _distance(joints: list[float], near: list[float], first: int) -> float:

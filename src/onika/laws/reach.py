@@ -21,8 +21,8 @@ _DIGITS = 17
 def why_not(constants: Constants, targets: Sequence[tuple[str, Sequence[Any]]]) -> list[str | None]:
     """For each target (its type in lower case and its values) why it is out of reach; None: it is not, or unknown."""
     inverse = _inverse(constants)
-    asked = {"joint object": _why_no_posture, "cartesian object": _why_no_pose}
-    return [asked[kind](constants, inverse, values) if kind in asked else None for kind, values in targets]
+    checks = {"joint object": _why_no_posture, "cartesian object": _why_no_pose}
+    return [checks[kind](constants, inverse, values) if kind in checks else None for kind, values in targets]
 
 
 def poses(constants: Constants, targets: Sequence[Numbers]) -> list[Array]:
@@ -39,15 +39,15 @@ def postures(constants: Constants, nines: Sequence[Numbers], near: Numbers | Non
     """
     inverse = _inverse(constants)
     here = 0.5 * (np.asarray(constants["QMIN"]) + np.asarray(constants["QMAX"])) if near is None else np.asarray(near)
-    found: list[Array | str] = []
+    results: list[Array | str] = []
     for nine in nines:
         try:
             posture = inverse.nearest(pose_of_nine(nine[:9]), here)
         except ValueError as wrong:
             posture = str(wrong)
         here = here if isinstance(posture, str) else posture
-        found.append(posture)
-    return found
+        results.append(posture)
+    return results
 
 
 def transfer(
@@ -87,7 +87,7 @@ def _why_no_posture(constants: Constants, _: Inverse, values: Sequence[Any]) -> 
 
 def _why_no_pose(constants: Constants, inverse: Inverse, values: Sequence[Any]) -> str | None:
     try:
-        found = inverse.nearest(pose_of_nine(values[:9]), [0.0] * constants["NDOF"])
+        posture = inverse.nearest(pose_of_nine(values[:9]), [0.0] * constants["NDOF"])
     except ValueError as wrong:
         return str(wrong)
-    return found if isinstance(found, str) else None
+    return posture if isinstance(posture, str) else None

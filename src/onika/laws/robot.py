@@ -38,13 +38,13 @@ def published(robot: Robot, x: float, y: float, z: float, degrees: float) -> dic
     return {"BASE": base, "Q^_MAX": robot.QDMAX} | {name: getattr(robot, name) for name in _PUBLISHED}
 
 
-def unlike(name: str, constants: Mapping[str, Any], said: Mapping[str, Any]) -> str | None:
+def unlike(name: str, constants: Mapping[str, Any], local_values: Mapping[str, Any]) -> str | None:
     """Why what a device says of itself is not the robot `name` with these constants: another one, or elsewhere."""
-    if said.get("ROBOT") != name:
-        return f"expected the robot {name} behind the device, found {said.get('ROBOT', 'another device')}"
-    if np.allclose(np.ravel(said["BASE"]), np.ravel(constants["BASE"]), atol=1e-6):
+    if local_values.get("ROBOT") != name:
+        return f"expected the robot {name} behind the device, found {local_values.get('ROBOT', 'another device')}"
+    if np.allclose(np.ravel(local_values["BASE"]), np.ravel(constants["BASE"]), atol=1e-6):
         return None
-    return f"expected frame 0 of the robot at {_place(constants['BASE'])}, found it at {_place(said['BASE'])}"
+    return f"expected frame 0 of the robot at {_place(constants['BASE'])}, found it at {_place(local_values['BASE'])}"
 
 
 def _place(base: Any) -> str:

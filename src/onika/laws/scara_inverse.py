@@ -49,11 +49,11 @@ class ScaraInverse:
             return solved
         near = [float(x) for x in q_near]
         placed = [self._placed(branch, near) for branch in solved]
-        found = [one for one in placed if not isinstance(one, str)]
-        if found:
-            return np.array(min(found, key=lambda q: math.dist(q, near)))
+        branches = [branch for branch in placed if not isinstance(branch, str)]
+        if branches:
+            return np.array(min(branches, key=lambda q: math.dist(q, near)))
         # of both elbows the one that is stopped later in the chain tells more
-        return max((one for one in placed if isinstance(one, str)), key=lambda why: why.split()[1])
+        return max((branch for branch in placed if isinstance(branch, str)), key=lambda why: why.split()[1])
 
     def _solved(self, pose: Array) -> list[list[float]] | str:
         """The two elbows' (q1, q2, q3, q4), limits or not, or why there are none."""
@@ -76,7 +76,7 @@ class ScaraInverse:
             )
         q3 = self._down * (z - self._level) - self._quill
         elbow = math.acos(max(-1.0, min(1.0, bend)))
-        return [self._branch(x, y, one, q3, yaw) for one in (elbow, -elbow)]
+        return [self._branch(x, y, sign, q3, yaw) for sign in (elbow, -elbow)]
 
     def _branch(self, x: float, y: float, elbow: float, q3: float, yaw: float) -> list[float]:
         o1, o2, o3, o4 = self._offset

@@ -17,7 +17,7 @@ class Via:
     """
 
     def __init__(self, start: Numbers, via: Numbers, end: Numbers, times: tuple[float, float], speed: Numbers) -> None:
-        here, between, there = (np.array(one, dtype=np.float64) for one in (start, via, end))
+        here, between, there = (np.array(point, dtype=np.float64) for point in (start, via, end))
         first, second = times
         before, after = (between - here) / first, (there - between) / second
         same = before * after > 0.0
