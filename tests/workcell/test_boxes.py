@@ -137,8 +137,8 @@ def test_the_state_of_a_device_is_one_array_for_ever():
 
 def test_an_arm_comes_between_two_steps_and_nothing_else_notices():  # law 18
     world, alone = BoxesWorld(), BoxesWorld()
-    one, other = Assembler(world), Assembler(alone)
-    for assembler in (one, other):
+    first, other = Assembler(world), Assembler(alone)
+    for assembler in (first, other):
         assembler.signal = 1.0
         assembler.reference[:] += 0.05
         for _ in range(100):
@@ -150,7 +150,7 @@ def test_an_arm_comes_between_two_steps_and_nothing_else_notices():  # law 18
     assert np.array_equal(world.state("arm_left"), alone.state("arm_left"))
     assert world.state("arm_left")[1] == Drive.DRIVEN
     for _ in range(100):
-        one.tick()
+        first.tick()
         other.tick()
     assert np.allclose(world.state("arm_left"), alone.state("arm_left"), atol=1e-9)
     assert np.allclose(world.state("gripper_left"), alone.state("gripper_left"), atol=1e-9)

@@ -61,7 +61,7 @@ def test_the_arm_that_the_hand_brought_makes_room_for_the_one_that_is_claimed():
 
 
 @pytest.mark.parametrize(
-    ("inside", "asked", "sentence"),
+    ("inside", "wanted", "sentence"),
     [
         ("arm_left", "scara_left", "expected a free place for 'scara_left', found 'arm_left' in use"),
         ("arm_left", "arm_left_kin", "expected a free place for 'arm_left_kin', found 'arm_left' in use"),
@@ -69,14 +69,14 @@ def test_the_arm_that_the_hand_brought_makes_room_for_the_one_that_is_claimed():
         ("scara_left_kin", "arm_right", "'arm_right' is physical, found 'scara_left_kin' in use, which is kinematic"),
     ],
 )
-def test_two_arms_at_one_place_and_mixed_modes_are_refused(inside, asked, sentence):  # law 18
+def test_two_arms_at_one_place_and_mixed_modes_are_refused(inside, wanted, sentence):  # law 18
     world = claimed(inside)
     mark = world.fingerprint()
     with pytest.raises(ValueError, match=sentence):
-        world.claim(asked, 2)
+        world.claim(wanted, 2)
     assert world.fingerprint() == mark
     world.release(inside, 1)
-    assert world.claim(asked, 2).name == asked
+    assert world.claim(wanted, 2).name == wanted
 
 
 def test_the_world_goes_on_where_it_was_when_its_forces_are_taken_and_given_back():  # law 18

@@ -116,8 +116,8 @@ def test_a_pressed_panic_button_holds_its_arm_where_it_is_and_no_other():  # R-K
     target = left.reference + 0.3
     for k in range(150):
         value, rate = quintic(k * DT, 0.6)
-        for one in (left, right):
-            one.reference[:], one.speed[:] = puma560.HOME + value * 0.3, rate * np.full(6, 0.3)
+        for arm in (left, right):
+            arm.reference[:], arm.speed[:] = puma560.HOME + value * 0.3, rate * np.full(6, 0.3)
         left.command()
         right.tick()
     world.touch("panic_left", 1)

@@ -39,10 +39,10 @@ def test_both_fingers_open_and_close_together_within_four_tenths_of_a_second():
 def test_the_pads_stand_sixty_millimetres_apart_when_closed_and_130_beyond_the_flange():
     model, data = _hand()
     mujoco.mj_kinematics(model, data)
-    one, two = (data.geom_xpos[model.geom(f"hand.pad{k}").id] for k in (1, 2))
+    left, two = (data.geom_xpos[model.geom(f"hand.pad{k}").id] for k in (1, 2))
     thick = 2 * model.geom("hand.pad1").size[1]
-    assert one[1] - two[1] - thick == pytest.approx(CLOSED_M)
-    assert one[2] == two[2] == pytest.approx(0.130)
+    assert left[1] - two[1] - thick == pytest.approx(CLOSED_M)
+    assert left[2] == two[2] == pytest.approx(0.130)
 
 
 def test_a_finger_pushes_with_the_cylinders_force():

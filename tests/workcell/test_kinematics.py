@@ -90,5 +90,5 @@ def test_poses_are_those_of_the_joints_after_the_step():
     kinematics.step(plant.model, plant.data)
     tip = Arm(puma560.DH, tool=puma560.TOOL).forward(arm._q)[:3, 3]
     hand = plant.body("gripper_left.hand")
-    found = plant.data.xpos[hand] + plant.data.xmat[hand].reshape(3, 3) @ puma560.TOOL[:3, 3]
-    assert np.allclose(found, tip, atol=1e-12)
+    reached = plant.data.xpos[hand] + plant.data.xmat[hand].reshape(3, 3) @ puma560.TOOL[:3, 3]
+    assert np.allclose(reached, tip, atol=1e-12)

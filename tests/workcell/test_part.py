@@ -6,8 +6,8 @@ from onika.laws.frames import rotation_of_rpy
 from onika.workcell.part import ARMS, STEP_S, THINGS, Part, document, placed
 
 
-def _meet(one, two):
-    return bool(one.kinds & two.meets or two.kinds & one.meets)
+def _meet(first, two):
+    return bool(first.kinds & two.meets or two.kinds & first.meets)
 
 
 def test_arms_touch_things_and_each_other_and_not_themselves():

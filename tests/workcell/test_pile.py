@@ -78,7 +78,7 @@ def test_boxes_that_are_let_go_together_fall_on_each_other(pile):
         pile.held.add(number)
         pile.put(number, at(0.5, 0.3, 0.1 + HIGH * level))
     pile.drop([CROSS, SQUARE])
-    assert [pile.pose(one)[2, 3] for one in (SQUARE, CROSS)] == pytest.approx([TOP_M + HIGH / 2, TOP_M + 1.5 * HIGH])
+    assert [pile.pose(box)[2, 3] for box in (SQUARE, CROSS)] == pytest.approx([TOP_M + HIGH / 2, TOP_M + 1.5 * HIGH])
     assert pile.held == set()
 
 

@@ -35,8 +35,8 @@ class Arms:
 
     def moving(self, sides: tuple[str, ...]) -> tuple[KinematicUnit, ...]:
         """The acting arms of these sides that are moved without forces."""
-        found = (self.acting[side] for side in sides)
-        return tuple(unit for unit in found if isinstance(unit, KinematicUnit))
+        acting = (self.acting[side] for side in sides)
+        return tuple(unit for unit in acting if isinstance(unit, KinematicUnit))
 
     def kinds(self) -> Mapping[str, str]:
         """The kind of arm at each side."""
@@ -45,11 +45,11 @@ class Arms:
     def objections(self, devices: Sequence[str]) -> Iterator[str]:
         """Why arms of these devices cannot be used together: two at one side, or two modes (law 18)."""
         wanted = [unit for unit in self.units if unit.sheet.name in devices]
-        for one, other in combinations(wanted, 2):
-            if one.side == other.side:
-                yield f"{one.sheet.name!r} and {other.sheet.name!r} stand at one place"
-            elif one.mode != other.mode:
-                modes = f"{one.sheet.name!r} is {_MODES[one.mode]}, {other.sheet.name!r} is {_MODES[other.mode]}"
+        for first, other in combinations(wanted, 2):
+            if first.side == other.side:
+                yield f"{first.sheet.name!r} and {other.sheet.name!r} stand at one place"
+            elif first.mode != other.mode:
+                modes = f"{first.sheet.name!r} is {_MODES[first.mode]}, {other.sheet.name!r} is {_MODES[other.mode]}"
                 yield f"{modes}; all arms of a world are of one mode"
 
     def remarks(self, devices: Sequence[str], hands: Sequence[Unit]) -> Iterator[str]:
@@ -68,20 +68,20 @@ class Arms:
             if other.side == unit.side:
                 raise ValueError(f"expected a free place for {unit.sheet.name!r}, found {other.sheet.name!r} in use")
             if other.mode != unit.mode:
-                modes = [_MODES[one.mode] for one in (unit, other)]
-                found = f"found {other.sheet.name!r} in use, which is {modes[1]}"
-                raise ValueError(f"expected arms of one mode: {unit.sheet.name!r} is {modes[0]}, {found}")
+                modes = [_MODES[arm.mode] for arm in (unit, other)]
+                conflict = f"found {other.sheet.name!r} in use, which is {modes[1]}"
+                raise ValueError(f"expected arms of one mode: {unit.sheet.name!r} is {modes[0]}, {conflict}")
         if self.acting[unit.side] is unit:
             return False
         self.acting[unit.side] = unit
         for side, other in self.acting.items():
             self.acting[side] = self._find(side, other.kind, unit.mode)
-        for one in self:
-            one.state[1] = one.drive.shown
+        for arm in self:
+            arm.state[1] = arm.drive.shown
         return True
 
     def _find(self, side: str, kind: str, mode: str) -> ArmUnit:
-        return next(one for one in self.units if (one.side, one.kind, one.mode) == (side, kind, mode))
+        return next(unit for unit in self.units if (unit.side, unit.kind, unit.mode) == (side, kind, mode))
 
 
 _MODES = {ArmUnit.mode: "physical", KinematicUnit.mode: "kinematic"}

@@ -151,6 +151,6 @@ def _on_face(
         for u, v in stroke
     ]
     return "".join(
-        f'<geom type="capsule" size="{_STROKE_M}" fromto="{one} {two}" material="white"/>'
-        for one, two in pairwise(points)
+        f'<geom type="capsule" size="{_STROKE_M}" fromto="{start} {two}" material="white"/>'
+        for start, two in pairwise(points)
     )

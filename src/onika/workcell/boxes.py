@@ -47,7 +47,7 @@ class BoxesWorld:
         self._hands = {side: GripperUnit(side) for side in SIDES}
         everything: list[Unit] = [*self._arms.units, *self._hands.values(), self._lamp]
         self._units: dict[str, Unit] = {unit.sheet.name: unit for unit in everything}
-        self._buttons = {one.name: one for one in map(PanicButton, self._arms)}
+        self._buttons = {arm.name: arm for arm in map(PanicButton, self._arms)}
         self._sides: tuple[str, ...] = ()
         self._fenced: set[int] = set()
         self._events: list[DriveEvent] = []
@@ -169,8 +169,8 @@ class BoxesWorld:
         """Touch a part between two steps; raises ValueError for an unknown part or a value that it does not take."""
         button = self._buttons.get(part)
         if button is None:
-            known = "; ".join(f"{name}: {takes}" for name, takes in self.parts().items())
-            raise ValueError(f"expected a part of the world ({known}), found {part!r}")
+            parts = "; ".join(f"{name}: {takes}" for name, takes in self.parts().items())
+            raise ValueError(f"expected a part of the world ({parts}), found {part!r}")
         self._feed(button.unit, button.put(value))
 
     def take_events(self) -> list[DriveEvent]:
@@ -249,7 +249,9 @@ class BoxesWorld:
             event = DriveEvent(unit.sheet.name, int(after), self.now_ns, last, unit.drive.last_ns, happening.value)
             self._events.append(event)
         unit.follows = unit.epoch if unit.drive.mode is Mode.DRIVEN else None
-        self._holding = [one for one in self._present if one.holds and one.drive.mode is not Mode.DRIVEN]
+        self._holding = [
+            present for present in self._present if present.holds and present.drive.mode is not Mode.DRIVEN
+        ]
 
     def _admit(self, unit: Unit) -> None:
         """Make room for a device: its arm may be new in the world, of another kind or in the other mode."""
@@ -257,17 +259,17 @@ class BoxesWorld:
         changed = isinstance(unit, ArmUnit) and self._arms.admit(unit)
         if unit.side in ("", *self._sides) and not changed:
             return
-        self._sides = tuple(one for one in SIDES if one in (unit.side, *self._sides))
+        self._sides = tuple(side for side in SIDES if side in (unit.side, *self._sides))
         # between two steps: compile anew, then everything takes its state back by name
         before = self._plant
         self._plant = Plant(self._text(drawn=False))
         self._bind()
-        newcomers = [one for one in self._present if one not in acting]
-        for one in newcomers:
-            one.restart()
+        newcomers = [unit for unit in self._present if unit not in acting]
+        for newcomer in newcomers:
+            newcomer.restart()
         self._plant.take(before)
-        for one in newcomers:
-            one.capture()
+        for newcomer in newcomers:
+            newcomer.capture()
         self._begin()
 
     def _text(self, drawn: bool) -> str:
@@ -275,13 +277,15 @@ class BoxesWorld:
 
     def _bind(self) -> None:
         arms = self._arms.acting
-        self._acting: list[Unit] = [one for side in SIDES for one in (arms[side], self._hands[side])] + [self._lamp]
+        self._acting: list[Unit] = [unit for side in SIDES for unit in (arms[side], self._hands[side])] + [self._lamp]
         self._present: list[Unit] = [unit for unit in self._acting if unit.side in ("", *self._sides)]
         for button in self._buttons.values():
             button.unit = arms[button.unit.side]
         for unit in self._present:
             unit.bind(self._plant)
-        self._holding = [one for one in self._present if one.holds and one.drive.mode is not Mode.DRIVEN]
+        self._holding = [
+            present for present in self._present if present.holds and present.drive.mode is not Mode.DRIVEN
+        ]
         self._due_ns = min(unit.drive.due_ns for unit in self._acting)
 
     def _begin(self) -> None:

@@ -78,12 +78,12 @@ class Grasp:
         between = [number for number, pose in seen.items() if _is_between(pose)]
         if not between:
             return False
-        number = min(between, key=lambda one: float(np.linalg.norm(seen[one][:3, 3])))
+        number = min(between, key=lambda body: float(np.linalg.norm(seen[body][:3, 3])))
         square = seen[number].copy()
         square[:3, :3] = np.rint(square[:3, :3])
         square[1, 3] = 0.0
         moved = square @ inverse_pose(seen[number])
-        self.carried = {one: moved @ seen[one] for one in (number, *self._pile.standing_on(number))}
+        self.carried = {box: moved @ seen[box] for box in (number, *self._pile.standing_on(number))}
         self._pile.held |= set(self.carried)
         return True
 

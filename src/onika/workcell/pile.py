@@ -45,7 +45,7 @@ class Pile:
             and abs(self._bottom(other) - self._top(number)) <= _TOUCHING
             and self._overlap(number, other)
         ]
-        return above + [one for other in above for one in self.standing_on(other)]
+        return above + [box for other in above for box in self.standing_on(other)]
 
     def drop(self, numbers: Iterable[int]) -> None:
         """Out of the hand and straight down, upright, onto whatever is below; the lowest first."""
@@ -71,10 +71,10 @@ class Pile:
     def _bottom(self, number: int) -> float:
         return float(self._rows[number][2]) - _HIGH
 
-    def _overlap(self, one: int, other: int) -> bool:
+    def _overlap(self, first: int, other: int) -> bool:
         """Whether two boxes, seen from above, cover each other: no side of either parts them."""
-        turns = [rotation_of_quaternion(self._rows[k][3:])[:2, :2] for k in (one, other)]
-        apart = self._rows[other][:2] - self._rows[one][:2]
+        turns = [rotation_of_quaternion(self._rows[k][3:])[:2, :2] for k in (first, other)]
+        apart = self._rows[other][:2] - self._rows[first][:2]
         for turn in turns:
             for axis in turn.T:
                 reach = sum(_WIDE * abs(float(axis @ t[:, 0])) + _DEEP * abs(float(axis @ t[:, 1])) for t in turns)
