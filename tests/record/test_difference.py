@@ -12,27 +12,27 @@ COURSE = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.0]), (2.0, [3.0, 4.0]))
 
 
 def tape(tmp_path, name, course=COURSE, began_s=0.5, action="go", of=2):
-    one = Tape(tmp_path / f"{name}.mcap")
-    one.variable("X", "double[2]", *course)
-    one.tell(began_s, event.Began(0, 0, of, action, began_s))
-    return one.end()
+    recording = Tape(tmp_path / f"{name}.mcap")
+    recording.variable("X", "double[2]", *course)
+    recording.tell(began_s, event.Began(0, 0, of, action, began_s))
+    return recording.end()
 
 
-def found(tmp_path, tolerance=None, **other):
+def difference(tmp_path, tolerance=None, **other):
     return first_difference(tape(tmp_path, "a"), tape(tmp_path, "b", **other), tolerance or Tolerance())
 
 
 def test_equal_runs_do_not_differ(tmp_path):  # R-X05
-    assert found(tmp_path) is None
+    assert difference(tmp_path) is None
 
 
 def test_how_many_actions_are_to_come_is_no_difference_of_the_one_that_begins(tmp_path):  # R-X05
-    assert found(tmp_path, of=3) is None
+    assert difference(tmp_path, of=3) is None
 
 
 def test_the_first_value_that_is_another_is_told_with_its_element(tmp_path):  # R-X05
-    one = found(tmp_path, course=((0.0, [0.0, 0.0]), (1.0, [1.0, 2.5]), (2.0, [9.0, 9.0])))
-    assert str(one) == "at 1 s: flow0/X[1]: 2.0, in the other 2.5"
+    difference_ = difference(tmp_path, course=((0.0, [0.0, 0.0]), (1.0, [1.0, 2.5]), (2.0, [9.0, 9.0])))
+    assert str(difference_) == "at 1 s: flow0/X[1]: 2.0, in the other 2.5"
 
 
 @pytest.mark.parametrize(
@@ -40,26 +40,26 @@ def test_the_first_value_that_is_another_is_told_with_its_element(tmp_path):  # 
 )
 def test_values_within_the_tolerance_are_the_same(tmp_path, tolerance, differs):  # R-X05
     other = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.5]), (2.0, [3.0, 4.0]))
-    assert (found(tmp_path, tolerance, course=other) is not None) == differs
+    assert (difference(tmp_path, tolerance, course=other) is not None) == differs
 
 
 def test_the_same_course_a_little_later_is_within_a_tolerance_of_time(tmp_path):  # R-X05
     later = tuple((at + 0.01 if at else at, values) for at, values in COURSE)
-    assert found(tmp_path, course=later).at_ns == 1_000_000_000
-    assert found(tmp_path, Tolerance(seconds=0.011), course=later) is None
+    assert difference(tmp_path, course=later).at_ns == 1_000_000_000
+    assert difference(tmp_path, Tolerance(seconds=0.011), course=later) is None
 
 
 def test_an_event_that_is_another_or_later_is_told(tmp_path):  # R-X05
-    assert "action go" in found(tmp_path, action="stay").first
-    assert found(tmp_path, began_s=0.75).what == "flow0"
-    assert found(tmp_path, Tolerance(seconds=0.25), began_s=0.75) is None
+    assert "action go" in difference(tmp_path, action="stay").first
+    assert difference(tmp_path, began_s=0.75).what == "flow0"
+    assert difference(tmp_path, Tolerance(seconds=0.25), began_s=0.75) is None
 
 
 def test_what_only_one_of_them_has_is_told(tmp_path):  # R-X05
     other = Tape(tmp_path / "b.mcap")
     other.variable("X", "double[2]", *COURSE)
-    one = first_difference(tape(tmp_path, "a"), other.end(), Tolerance())
-    assert (one.at_ns, one.second) == (500_000_000, "nothing more")
+    difference = first_difference(tape(tmp_path, "a"), other.end(), Tolerance())
+    assert (difference.at_ns, difference.second) == (500_000_000, "nothing more")
     less = Tape(tmp_path / "c.mcap").end()
     assert first_difference(tape(tmp_path, "a"), less, Tolerance()).first == "it is there"
 
@@ -69,17 +69,17 @@ def test_what_only_one_of_them_has_is_told(tmp_path):  # R-X05
 def test_whatever_value_is_changed_is_the_first_difference(tmp_path, k, by, place):  # R-X05
     other = [(at, list(values)) for at, values in COURSE]
     other[k][1][place] += by
-    one = found(tmp_path, Tolerance(0.05), course=other)
-    assert (one.at_ns, one.what) == (k * 1_000_000_000, f"flow0/X[{place}]")
+    difference_ = difference(tmp_path, Tolerance(0.05), course=other)
+    assert (difference_.at_ns, difference_.what) == (k * 1_000_000_000, f"flow0/X[{place}]")
 
 
 def test_a_difference_late_in_long_runs_is_found_and_one_that_nobody_wants_is_not_looked_for(tmp_path):  # R-X05
     slow = [(float(k), [float(k), 0.0]) for k in range(95)]
-    other = [(at, [one, 1.0 if at == 63.0 else two]) for at, (one, two) in slow]
-    one, two = tape(tmp_path, "a", course=slow), tape(tmp_path, "b", course=other)
-    found = first_difference(one, two, Tolerance())
-    assert (found.at_ns, found.what, found.variable) == (63_000_000_000, "flow0/X[1]", "flow0/X")
-    assert first_difference(one, two, Tolerance(), lambda: False) is None
+    other = [(at, [first, 1.0 if at == 63.0 else two]) for at, (first, two) in slow]
+    first, two = tape(tmp_path, "a", course=slow), tape(tmp_path, "b", course=other)
+    difference_ = first_difference(first, two, Tolerance())
+    assert (difference_.at_ns, difference_.what, difference_.variable) == (63_000_000_000, "flow0/X[1]", "flow0/X")
+    assert first_difference(first, two, Tolerance(), lambda: False) is None
 
 
 def test_a_run_cut_short_is_compared_as_far_as_it_goes(tmp_path):  # R-X05
@@ -96,24 +96,24 @@ def test_a_run_cut_short_is_compared_as_far_as_it_goes(tmp_path):  # R-X05
 
 def test_runs_in_wall_time_are_compared_by_places(tmp_path):  # R-X05
     def hand(name, place, speed, force):
-        one = Tape(tmp_path / f"{name}.mcap")
+        recording = Tape(tmp_path / f"{name}.mcap")
         for at_s in (0.0, 1.0):
-            one.tell(at_s, event.Began(0, 0, 1, "go", at_s))
-        one.variable("GRIP", "double[3]", (0.0, [0.1, 0.0, 0.0]), (1.0, [place, speed, force]), unit="m,m/s,N")
-        one.variable("TAU", "double[2]", (0.0, [0.0, 0.0]), (1.0, [force, force]), unit="N m")
-        return one.end()
+            recording.tell(at_s, event.Began(0, 0, 1, "go", at_s))
+        recording.variable("GRIP", "double[3]", (0.0, [0.1, 0.0, 0.0]), (1.0, [place, speed, force]), unit="m,m/s,N")
+        recording.variable("TAU", "double[2]", (0.0, [0.0, 0.0]), (1.0, [force, force]), unit="N m")
+        return recording.end()
 
-    one = hand("a", 0.2, 1.0, 60.0)
-    assert first_difference(one, hand("b", 0.201, -3.0, -60.0), WALL) is None
-    assert first_difference(one, hand("c", 0.21, 1.0, 60.0), WALL).what == "flow0/GRIP[0]"
-    assert first_difference(one, hand("d", 0.2, 1.0, -60.0), Tolerance(0.1)).what == "flow0/GRIP[2]"
+    first = hand("a", 0.2, 1.0, 60.0)
+    assert first_difference(first, hand("b", 0.201, -3.0, -60.0), WALL) is None
+    assert first_difference(first, hand("c", 0.21, 1.0, 60.0), WALL).what == "flow0/GRIP[0]"
+    assert first_difference(first, hand("d", 0.2, 1.0, -60.0), Tolerance(0.1)).what == "flow0/GRIP[2]"
 
 
 def test_the_steps_that_a_run_measured_at_its_end_are_no_difference_by_themselves(tmp_path):  # R-X05: told by values
     def ended(name, step):
-        one = Tape(tmp_path / f"{name}.mcap")
+        recording = Tape(tmp_path / f"{name}.mcap")
         steps = (VariableSteps("flow0", "puma", "TAU", "N m", 1, 0, step, step, 18.0, 0.5),)
-        one.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), "", steps=steps), "")
-        return one.end()
+        recording.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), "", steps=steps), "")
+        return recording.end()
 
     assert first_difference(ended("a", 1.0), ended("b", 1.1), Tolerance()) is None

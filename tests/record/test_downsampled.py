@@ -22,9 +22,9 @@ def series(tmp_path):
 
 
 def test_all_values_are_read_at_once(series):  # R-X05
-    found = samples(series["flow0/X"])
-    assert found.at_ns.tolist() == [one for one, _ in series["flow0/X"].values()]
-    assert found.values.tolist() == [one for _, one in series["flow0/X"].values()]
+    column = samples(series["flow0/X"])
+    assert column.at_ns.tolist() == [at for at, _ in series["flow0/X"].values()]
+    assert column.values.tolist() == [at for _, at in series["flow0/X"].values()]
     assert samples(series["flow0/N"]).values.tolist() == [[3.0], [5.0]]
 
 
@@ -39,11 +39,11 @@ def test_what_no_double_is_is_read_as_it_was(series):
 
 
 def test_parts_tell_the_least_and_the_greatest(series):  # R-X05: no peak is lost
-    found = parts(samples(series["flow0/X"]), 0, 10 * NS, 5)
-    assert found.at_s.tolist() == [0, 2, 4, 6, 8]
-    assert found.least[:, 0].tolist() == [0, 20, 40, 60, 80]
-    assert found.most[:, 0].tolist() == [19, 39, 59, 79, 99]
-    assert found.most[:, 1].tolist() == [0, -20, -40, -60, -80]
+    blocks = parts(samples(series["flow0/X"]), 0, 10 * NS, 5)
+    assert blocks.at_s.tolist() == [0, 2, 4, 6, 8]
+    assert blocks.least[:, 0].tolist() == [0, 20, 40, 60, 80]
+    assert blocks.most[:, 0].tolist() == [19, 39, 59, 79, 99]
+    assert blocks.most[:, 1].tolist() == [0, -20, -40, -60, -80]
 
 
 def test_a_part_in_which_nothing_came_is_left_out(series):
@@ -57,4 +57,4 @@ def test_no_number_hides_no_other():
 
 
 def test_words_and_pictures_are_not_drawn(series):
-    assert [name for name, one in series.items() if not is_drawn(one)] == ["flow0/PICTURE"]
+    assert [name for name, variable in series.items() if not is_drawn(variable)] == ["flow0/PICTURE"]

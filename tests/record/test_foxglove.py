@@ -18,21 +18,21 @@ def fits(schema, value):
     assert isinstance(value, kinds[schema["type"]]), (schema, value)
     if schema["type"] == "object":
         assert set(value) == set(schema["properties"]), (schema, value)  # every field is required of it
-        for key, one in value.items():
-            fits(schema["properties"][key], one)
-    for one in value if schema["type"] == "array" else ():
-        fits(schema["items"], one)
+        for key, inner in value.items():
+            fits(schema["properties"][key], inner)
+    for inner in value if schema["type"] == "array" else ():
+        fits(schema["items"], inner)
     return True
 
 
 def test_bodies_are_frames_and_come_back():  # R-X05, K03: opens in Foxglove
     rows = np.array([[0, 0, 0, 1, 0, 0, 0], [0.5, 1, 1.5, 0, 1, 0, 0]], dtype=np.float32)
     body = foxglove.frames("boxes", 1_500_000_000, rows.tobytes())
-    found = json.loads(body)
-    assert fits(json.loads(foxglove.FRAMES_SCHEMA), found)
-    assert found["transforms"][1]["timestamp"] == {"sec": 1, "nsec": 500_000_000}
-    assert (found["transforms"][1]["parent_frame_id"], found["transforms"][1]["child_frame_id"]) == ("boxes", "boxes/1")
-    assert found["transforms"][1]["rotation"] == {"x": 1.0, "y": 0.0, "z": 0.0, "w": 0.0}
+    scene = json.loads(body)
+    assert fits(json.loads(foxglove.FRAMES_SCHEMA), scene)
+    assert scene["transforms"][1]["timestamp"] == {"sec": 1, "nsec": 500_000_000}
+    assert (scene["transforms"][1]["parent_frame_id"], scene["transforms"][1]["child_frame_id"]) == ("boxes", "boxes/1")
+    assert scene["transforms"][1]["rotation"] == {"x": 1.0, "y": 0.0, "z": 0.0, "w": 0.0}
     assert foxglove.rows(body) == rows.tolist()
 
 
@@ -49,9 +49,9 @@ def test_bodies_are_frames_and_come_back():  # R-X05, K03: opens in Foxglove
     ],
 )
 def test_every_shape_is_drawn_in_the_frame_of_its_body(kind, key, size):  # K03
-    found = json.loads(foxglove.scene("boxes", 0, [{**SHAPE, "kind": kind}]))
-    assert fits(json.loads(foxglove.SCENE_SCHEMA), found)
-    (entity,) = found["entities"]
+    scene = json.loads(foxglove.scene("boxes", 0, [{**SHAPE, "kind": kind}]))
+    assert fits(json.loads(foxglove.SCENE_SCHEMA), scene)
+    (entity,) = scene["entities"]
     assert (entity["frame_id"], entity["frame_locked"]) == ("boxes/2", True)
     assert list(entity[key][0]["size"].values()) == pytest.approx(size)
 
@@ -81,9 +81,9 @@ def test_shapes_come_back_as_far_as_they_are_drawn(kind, back, size):  # R-X05: 
 def test_a_world_may_be_called_what_it_likes_and_have_no_body():  # R-X05
     row = np.array([[1, 2, 3, 0.5, -0.5, 0.25, 1e-9]] * 2, dtype=np.float32).tobytes()
     for name in ("a%b", '"quoted"', "größe"):
-        found = msgspec.json.decode(foxglove.frames(name, 2_000_000_003, row))["transforms"]
-        assert [one["parent_frame_id"] for one in found] == [name, name]
-        assert [one["child_frame_id"] for one in found] == [f"{name}/0", f"{name}/1"]
-        assert found[0]["timestamp"] == {"sec": 2, "nsec": 3}
-        assert found[1]["rotation"] == {"x": -0.5, "y": 0.25, "z": pytest.approx(1e-9), "w": 0.5}
+        transforms = msgspec.json.decode(foxglove.frames(name, 2_000_000_003, row))["transforms"]
+        assert [transform["parent_frame_id"] for transform in transforms] == [name, name]
+        assert [transform["child_frame_id"] for transform in transforms] == [f"{name}/0", f"{name}/1"]
+        assert transforms[0]["timestamp"] == {"sec": 2, "nsec": 3}
+        assert transforms[1]["rotation"] == {"x": -0.5, "y": 0.25, "z": pytest.approx(1e-9), "w": 0.5}
     assert foxglove.rows(foxglove.frames("none", 0, b"")) == []

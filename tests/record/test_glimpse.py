@@ -7,16 +7,16 @@ from onika.record.reader import UNREADABLE
 
 @pytest.fixture
 def tape(tmp_path):
-    one = Tape(tmp_path / "run.mcap")
-    one.variable("X", "double", (0.0, 1.0), (4.25, 2.0))
-    return one
+    recording = Tape(tmp_path / "run.mcap")
+    recording.variable("X", "double", (0.0, 1.0), (4.25, 2.0))
+    return recording
 
 
 def test_a_whole_recording_tells_what_it_is_at_its_ends(tape):  # R-X05
     tape.end()
-    found = glimpse(tape.path)
-    assert (found.took_s, found.is_whole, found.began) == (4.25, True, "2026-01-02T03:04:05+00:00")
-    assert found.application == tape.plan.application
+    summary = glimpse(tape.path)
+    assert (summary.took_s, summary.is_whole, summary.began) == (4.25, True, "2026-01-02T03:04:05+00:00")
+    assert summary.application == tape.plan.application
 
 
 def test_one_that_was_cut_short_tells_how_far_it_goes(tape):  # R-X05: kill -9

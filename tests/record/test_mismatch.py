@@ -22,10 +22,10 @@ def series(path, type_, course):
     return Series.all_of(tape.end())["flow0/X"]
 
 
-def plainly(one, other, tolerance, begin, end):
+def plainly(ours, other, tolerance, begin, end):
     """The same, value for value."""
     slack = round(tolerance.seconds * 1e9)
-    for at, value in one:
+    for at, value in ours:
         if begin <= at < end:
             before = [v for t, v in other if t <= at - slack][-1:]
             near = before + [v for t, v in other if at - slack < t <= at + slack]
@@ -37,26 +37,26 @@ def plainly(one, other, tolerance, begin, end):
     return None
 
 
-@given(one=COURSES, other=COURSES, room=ROOMS, seconds=st.integers(0, 6), at=st.integers(0, 9))
+@given(ours=COURSES, other=COURSES, room=ROOMS, seconds=st.integers(0, 6), at=st.integers(0, 9))
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture], max_examples=40, deadline=None)
-def test_the_first_value_that_is_far_is_found_as_it_is_by_hand(tmp_path, one, other, room, seconds, at):  # R-X05
-    courses = [sorted((float(k), value) for k, value in each.items()) for each in (one, other)]
+def test_the_first_value_that_is_far_is_found_as_it_is_by_hand(tmp_path, ours, other, room, seconds, at):  # R-X05
+    courses = [sorted((float(k), value) for k, value in each.items()) for each in (ours, other)]
     both = [series(tmp_path / f"{n}.mcap", "double", each) for n, each in enumerate(courses)]
     tolerance, begin, end = Tolerance(room, 0.0, float(seconds)), at * NS, (at + 15) * NS
-    found = strays(*both, tolerance, begin, end)
+    mismatches = strays(*both, tolerance, begin, end)
     plain = [[(round(k * NS), value) for k, value in each] for each in courses]
-    assert [None if each is None else each.at_ns for each in found] == [
+    assert [None if each is None else each.at_ns for each in mismatches] == [
         plainly(plain[0], plain[1], tolerance, begin, end),
         plainly(plain[1], plain[0], tolerance, begin, end),
     ]
 
 
 @pytest.mark.parametrize(
-    ("type_", "one", "other", "value", "near"),
+    ("type_", "ours", "other", "value", "near"),
     [("int", 1, 2, 1, 2), ("double", 1, 2, 1.0, 2.0), ("char", 65, 66, "A", "B")],
 )
-def test_values_are_told_as_what_they_are(tmp_path, type_, one, other, value, near):
-    both = [series(tmp_path / f"{n}.mcap", type_, [(1.0, each)]) for n, each in enumerate((one, other))]
+def test_values_are_told_as_what_they_are(tmp_path, type_, ours, other, value, near):
+    both = [series(tmp_path / f"{n}.mcap", type_, [(1.0, each)]) for n, each in enumerate((ours, other))]
     mine, its = strays(*both, Tolerance(), 0, 2 * NS)
     assert (mine.at_ns, mine.place, mine.value, mine.near) == (NS, 0, value, near)
     assert (type(mine.value), its.value) == (type(value), near)
@@ -78,9 +78,9 @@ def test_words_are_compared_too(tmp_path):
 
 def test_of_several_values_in_one_instant_each_is_like_itself(tmp_path):  # R-X05
     both = [(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)]
-    one, other = series(tmp_path / "a", "double", both), series(tmp_path / "b", "double", [*both, (2.0, 4.0)])
-    found = strays(one, other, Tolerance(), 0, 3 * NS)
-    assert [each and (each.at_ns, each.value) for each in found] == [None, (2 * NS, 4.0)]
+    ours, other = series(tmp_path / "a", "double", both), series(tmp_path / "b", "double", [*both, (2.0, 4.0)])
+    mismatches = strays(ours, other, Tolerance(), 0, 3 * NS)
+    assert [each and (each.at_ns, each.value) for each in mismatches] == [None, (2 * NS, 4.0)]
     words = [(0.0, b"left"), (0.0, b"right"), (1.0, b"up")]
-    one, other = series(tmp_path / "a", "string", words), series(tmp_path / "b", "string", [*words, (2.0, b"down")])
-    assert [each and each.at_ns for each in strays(one, other, Tolerance(), 0, 3 * NS)] == [None, 2 * NS]
+    ours, other = series(tmp_path / "a", "string", words), series(tmp_path / "b", "string", [*words, (2.0, b"down")])
+    assert [each and each.at_ns for each in strays(ours, other, Tolerance(), 0, 3 * NS)] == [None, 2 * NS]

@@ -63,8 +63,8 @@ def test_a_whole_file_says_everything(path):  # R-X05
 @settings(suppress_health_check=[HealthCheck.function_scoped_fixture])
 def test_the_newest_word_before_a_time_is_found(path, at):  # R-X05: scrubbing
     reader = read(path, WHOLE)
-    said = [(k * STEP, b'{"b":%d}' % k) for k in range(0, 60, 3) if k * STEP <= at]
-    assert reader.newest("b", at) == (said[-1] if said else None)
+    messages = [(k * STEP, b'{"b":%d}' % k) for k in range(0, 60, 3) if k * STEP <= at]
+    assert reader.newest("b", at) == (messages[-1] if messages else None)
     assert reader.newest("c", at) is None
 
 
@@ -79,9 +79,9 @@ def test_a_file_cut_anywhere_is_read_up_to_its_last_whole_chunk(path, cut):  # R
     reader = Reader(path)
     assert not reader.is_whole
     last = max((k for end, k in ENDS if end <= cut), default=-1)
-    found = [at // STEP for at, _ in reader.messages("a")]
-    assert found == list(range(len(found)))
-    assert len(found) >= last + 1
+    steps = [at // STEP for at, _ in reader.messages("a")]
+    assert steps == list(range(len(steps)))
+    assert len(steps) >= last + 1
     assert all(body == b'{"a":%d}' % (at // STEP) for at, body in reader.messages("a"))
 
 
@@ -90,9 +90,9 @@ def test_a_file_cut_anywhere_is_read_up_to_its_last_whole_chunk(path, cut):  # R
 def test_garbage_behind_a_cut_does_no_harm(path, cut, garbage):  # R-X05
     path.write_bytes(WHOLE[:cut] + garbage)
     reader = Reader(path)
-    found = [at // STEP for at, _ in reader.messages("a")]
+    steps = [at // STEP for at, _ in reader.messages("a")]
     last = max((k for end, k in ENDS if end <= cut), default=-1)
-    assert found[: last + 1] == list(range(last + 1))
+    assert steps[: last + 1] == list(range(last + 1))
 
 
 def test_a_file_that_was_never_finished_is_read(path):
@@ -115,12 +115,12 @@ def test_a_bit_that_has_fallen_over_is_never_taken_for_what_was_said(path, at, b
     path.write_bytes(spoilt)
     try:
         reader = Reader(path)
-        plan, said = reader.attachment("plan"), dict(reader.messages("a"))
+        plan, messages = reader.attachment("plan"), dict(reader.messages("a"))
     except UNREADABLE as wrong:
         assert complaint(path, wrong).startswith(f"{path}: ")
         return
     assert plan in (None, b"the plan")
-    assert {*said.values()} <= {b'{"a":%d}' % k for k in range(60)}
+    assert {*messages.values()} <= {b'{"a":%d}' % k for k in range(60)}
 
 
 def test_why_it_cannot_be_read_is_said_in_words_with_its_name(path, tmp_path):  # R-E01

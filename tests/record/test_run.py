@@ -13,15 +13,15 @@ from onika.wire.request import Recorded, encode
 def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
     begin = structs.replace(run().begin, answers=(("a", "b", "1 2"),), repeat=(Recorded(5, 1, encode(steer.Who())),))
     given = structs.replace(run(), begin=begin, options=("--shake", "3"))
-    found = Run.read(Tape(tmp_path / "run.mcap", given).end())
-    assert found == given
-    assert found.prepare.plan.code[0].source
+    copy = Run.read(Tape(tmp_path / "run.mcap", given).end())
+    assert copy == given
+    assert copy.prepare.plan.code[0].source
 
 
 def test_its_modules_lie_in_the_file_as_files_of_their_own(tmp_path):
     reader = Tape(tmp_path / "run.mcap").end()
-    sources = [reader.attachment(one) for one in reader.attachments if one.startswith("code/")]
-    assert any(b"class Servo(Module)" in one for one in sources)
+    sources = [reader.attachment(attachment) for attachment in reader.attachments if attachment.startswith("code/")]
+    assert any(b"class Servo(Module)" in source for source in sources)
 
 
 def test_the_same_plan_has_the_same_hash_and_another_one_another():  # law 29

@@ -18,7 +18,7 @@ def test_a_scalar_has_one_label_and_only_variables_are_series(tmp_path):
     tape = Tape(tmp_path / "run.mcap")
     tape.variable("LAMP", "int", (0.0, 1))
     tape.show(0.0, "/worlds/boxes/frames", "foxglove.FrameTransforms", b"{}", b'{"transforms":[]}')
-    found = Series.all_of(tape.end())
-    assert list(found) == ["flow0/LAMP"]
-    assert found["flow0/LAMP"].labels == ["LAMP"]
-    assert list(found["flow0/LAMP"].flat()) == [(0, [1])]
+    series = Series.all_of(tape.end())
+    assert list(series) == ["flow0/LAMP"]
+    assert series["flow0/LAMP"].labels == ["LAMP"]
+    assert list(series["flow0/LAMP"].flat()) == [(0, [1])]

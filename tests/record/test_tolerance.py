@@ -6,8 +6,8 @@ from onika.record.tolerance import EXACT, WALL, Tolerance, usual
 
 
 @given(st.floats(-1e6, 1e6), st.floats(0, 100), st.floats(-1e6, 1e6))
-def test_a_tolerance_is_symmetric(one, room, other):
-    assert Tolerance(room).covers(one, other, other) == Tolerance(room).covers(other, one, one)
+def test_a_tolerance_is_symmetric(value, room, other):
+    assert Tolerance(room).covers(value, other, other) == Tolerance(room).covers(other, value, value)
 
 
 def test_no_number_is_only_like_itself():

@@ -5,14 +5,14 @@ from onika.wire import event, live, request
 
 
 def test_an_event_comes_back_as_it_was():  # R-X05
-    one = topics.Happened("flow0", event.Began(0, 1, 3, "go", 1.25))
-    assert topics.decode_happened(topics.encode(one)) == one
+    message = topics.Happened("flow0", event.Began(0, 1, 3, "go", 1.25))
+    assert topics.decode_happened(topics.encode(message)) == message
 
 
 def test_a_request_comes_back_as_it_was():  # law 29
-    for asked in (request.Reply("flow0", "gauge", '0.5 "two"'), live.Touch("boxes", "panic", 1.0), request.Abort("x")):
-        one = topics.Wanted(2, "me", asked)
-        assert topics.decode_wanted(topics.encode(one)) == one
+    for order in (request.Reply("flow0", "gauge", '0.5 "two"'), live.Touch("boxes", "panic", 1.0), request.Abort("x")):
+        message = topics.Wanted(2, "me", order)
+        assert topics.decode_wanted(topics.encode(message)) == message
 
 
 def test_what_json_does_not_know_is_written_all_the_same():

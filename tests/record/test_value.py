@@ -12,8 +12,8 @@ from onika.words.shape import Shape
 REALS = st.floats(allow_nan=True, allow_infinity=True, width=64)
 
 
-def same(one, other):
-    return (math.isnan(one) and math.isnan(other)) or one == other
+def same(first, other):
+    return (math.isnan(first) and math.isnan(other)) or first == other
 
 
 @given(st.lists(REALS, min_size=1, max_size=12))
@@ -46,7 +46,7 @@ def test_every_text_comes_back_as_it_was(text):  # R-X05
 def test_many_at_once_stand_there_as_each_alone(rows):  # R-X05
     encoded = value.encoder(Shape.parse("double[2]"))
     values = [np.array(row).tobytes() for row in rows]
-    assert encoded(values) == [encoded([one])[0] for one in values]
+    assert encoded(values) == [encoded([number])[0] for number in values]
 
 
 def test_a_matrix_is_flat_in_the_file_and_deep_when_read():  # viewers know no lists of lists
@@ -69,10 +69,10 @@ def test_a_picture_is_base64():
     [("double", "number"), ("int", "integer"), ("line", "string"), ("double[6]", "array"), ("byte[9,9]", "string")],
 )
 def test_the_schema_is_an_object_with_a_value_and_its_unit(shape, kind):  # as Foxglove asks
-    found = json.loads(value.schema(Shape.parse(shape), "rad"))
-    assert found["type"] == "object"
-    assert found["properties"]["value"]["type"] == kind
-    assert found["properties"]["value"]["description"].endswith("[rad]")
+    schema = json.loads(value.schema(Shape.parse(shape), "rad"))
+    assert schema["type"] == "object"
+    assert schema["properties"]["value"]["type"] == kind
+    assert schema["properties"]["value"]["description"].endswith("[rad]")
     assert value.title(Shape.parse(shape), "rad") == f"onika.{shape} rad"
 
 

@@ -30,14 +30,14 @@ def written(messages):
 def test_other_readers_of_mcap_find_everything(messages):  # R-X05: opens in Foxglove
     expected = sorted((topic, at, body) for topic, at, body, _ in messages)
     stream = written(messages)
-    found = [
-        (channel.topic, one.log_time, one.data)
-        for _, channel, one in make_reader(stream, validate_crcs=True).iter_messages()
+    messages = [
+        (channel.topic, message.log_time, message.data)
+        for _, channel, message in make_reader(stream, validate_crcs=True).iter_messages()
     ]
-    assert sorted(found) == expected
+    assert sorted(messages) == expected
     stream.seek(0)
     straight = NonSeekingReader(stream, validate_crcs=True).iter_messages()
-    assert sorted((channel.topic, one.log_time, one.data) for _, channel, one in straight) == expected
+    assert sorted((channel.topic, message.log_time, message.data) for _, channel, message in straight) == expected
 
 
 def test_the_summary_tells_what_is_there():
@@ -46,8 +46,11 @@ def test_the_summary_tells_what_is_there():
     summary = reader.get_summary()
     assert (summary.statistics.message_count, summary.statistics.chunk_count) == (3, 2)
     assert (summary.statistics.message_start_time, summary.statistics.message_end_time) == (3, 9)
-    assert {one.topic: one.metadata for one in summary.channels.values()} == {"a": {"unit": "m"}, "b": {"unit": "m"}}
-    assert [one.data for one in reader.iter_attachments()] == [b"the plan"]
+    assert {channel.topic: channel.metadata for channel in summary.channels.values()} == {
+        "a": {"unit": "m"},
+        "b": {"unit": "m"},
+    }
+    assert [attachment.data for attachment in reader.iter_attachments()] == [b"the plan"]
     assert next(iter(reader.iter_metadata())).metadata == {"seed": "3"}
 
 
@@ -75,12 +78,12 @@ def test_a_stream_that_cannot_take_it_is_an_error():
 
 def test_many_messages_at_once_are_the_same_as_one_after_the_other():
     def stream(say):
-        found = io.BytesIO()
-        writer = Writer(found)
+        buffer = io.BytesIO()
+        writer = Writer(buffer)
         writer.message(writer.channel("b", "any", SCHEMA), 1, b"{}")
         say(writer, writer.channel("a", "any", SCHEMA))
         writer.finish()
-        return found.getvalue()
+        return buffer.getvalue()
 
     def one_by_one(writer, channel):
         for at in range(5):

@@ -14,16 +14,16 @@ def write(stream: TextIO, series: Sequence[Series]) -> int:
     A cell is empty before the first value of its variable.
     """
     table = csv.writer(stream)
-    labels = [f"{one.subsystem}/{label}" for one in series for label in one.labels]
+    labels = [f"{variable.subsystem}/{label}" for variable in series for label in variable.labels]
     table.writerow(["time_s", *labels])
     begins, width = [], 0
-    for one in series:
+    for variable in series:
         begins.append(width)
-        width += len(one.labels)
+        width += len(variable.labels)
     row: list[Any] = [""] * width
     rows, last = 0, None
-    courses = [_course(k, one) for k, one in enumerate(series)]
-    for at, k, values in merge(*courses, key=lambda one: one[:2]):
+    courses = [_course(k, variable) for k, variable in enumerate(series)]
+    for at, k, values in merge(*courses, key=lambda sample: sample[:2]):
         if last is not None and at != last:
             table.writerow([_seconds(last), *row])
             rows += 1
@@ -35,8 +35,8 @@ def write(stream: TextIO, series: Sequence[Series]) -> int:
     return rows
 
 
-def _course(number: int, one: Series) -> Iterator[tuple[int, int, list[Any]]]:
-    for at, values in one.flat():
+def _course(number: int, series: Series) -> Iterator[tuple[int, int, list[Any]]]:
+    for at, values in series.flat():
         yield at, number, values
 
 

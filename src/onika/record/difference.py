@@ -38,27 +38,27 @@ class Difference:
 
 
 def first_difference(
-    one: Reader, other: Reader, tolerance: Tolerance, is_wanted: Callable[[], bool] = lambda: True
+    reader: Reader, other: Reader, tolerance: Tolerance, is_wanted: Callable[[], bool] = lambda: True
 ) -> Difference | None:
     """The earliest; None: none that goes beyond the tolerance, or it is not wanted any more.
 
     Where one of them was cut short, what the other one says beyond its end is no difference.
     """
-    last = min((each.span[1] for each in (one, other) if not each.is_whole), default=1 << 62)
-    ours, theirs = Series.all_of(one), Series.all_of(other)
-    found = [each for each in (*_events(one, other, tolerance), *_unlike(ours, theirs)) if each.at_ns <= last]
+    last = min((each.span[1] for each in (reader, other) if not each.is_whole), default=1 << 62)
+    ours, theirs = Series.all_of(reader), Series.all_of(other)
+    differences = [each for each in (*_events(reader, other, tolerance), *_unlike(ours, theirs)) if each.at_ns <= last]
     both = [name for name in ours if name in theirs and str(ours[name].shape) == str(theirs[name].shape)]
     # Of the last instant of one that was cut short not all may be there.
-    until = min([last, 1 + max(one.span[1], other.span[1]), *(each.at_ns for each in found)])
+    until = min([last, 1 + max(reader.span[1], other.span[1]), *(each.at_ns for each in differences)])
     for begin in range(0, until, _BLOCK_NS):
         if not is_wanted():
             return None
         end = min(begin + _BLOCK_NS, until)
         some = [each for name in both for each in _strays(name, ours[name], theirs[name], tolerance, begin, end)]
         if some:
-            found += some
+            differences += some
             break
-    return min(found, key=lambda each: (each.at_ns, each.what), default=None)
+    return min(differences, key=lambda each: (each.at_ns, each.what), default=None)
 
 
 def _unlike(ours: dict[str, Series], theirs: dict[str, Series]) -> Iterator[Difference]:
@@ -79,9 +79,9 @@ def _presence(is_ours: bool) -> tuple[str, str]:
 # -- events
 
 
-def _events(one: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Difference]:
+def _events(reader: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Difference]:
     """The first event of each subsystem that is another; what is told of different ones has no common order."""
-    ours, theirs = _told(one), _told(other)
+    ours, theirs = _timed_events(reader), _timed_events(other)
     for home in sorted({*ours, *theirs}):
         for left, right in zip_longest(ours.get(home, []), theirs.get(home, [])):
             apart = 0.0 if left is None or right is None else abs(left[0] - right[0]) * 1e-9
@@ -91,21 +91,21 @@ def _events(one: Reader, other: Reader, tolerance: Tolerance) -> Iterator[Differ
                 break
 
 
-def _told(reader: Reader) -> dict[str, list[tuple[int, dict[str, Any]]]]:
-    found: dict[str, list[tuple[int, dict[str, Any]]]] = {}
+def _timed_events(reader: Reader) -> dict[str, list[tuple[int, dict[str, Any]]]]:
+    events: dict[str, list[tuple[int, dict[str, Any]]]] = {}
     for at, body in reader.messages(topics.EVENTS):
         message = msgspec.json.decode(body)
-        told = message["event"]
-        bare = {key: value for key, value in told.items() if key not in _TIMES and key not in _UNLIKE}
-        home = message["subsystem"] or (told.get("device", "") if told["type"] == "Drive" else "")
-        found.setdefault(f"{home} {told.get('task', '')}".strip(), []).append((at, bare))
-    return found
+        event = message["event"]
+        bare = {key: value for key, value in event.items() if key not in _TIMES and key not in _UNLIKE}
+        home = message["subsystem"] or (event.get("device", "") if event["type"] == "Drive" else "")
+        events.setdefault(f"{home} {event.get('task', '')}".strip(), []).append((at, bare))
+    return events
 
 
-def _words(told: tuple[int, dict[str, Any]] | None) -> str:
-    if told is None:
+def _words(timed_event: tuple[int, dict[str, Any]] | None) -> str:
+    if timed_event is None:
         return "nothing more"
-    at, event = told
+    at, event = timed_event
     return f"{_bare_words(event)} at {at * 1e-9:.9g} s"
 
 
@@ -130,12 +130,12 @@ def _strays(
     name: str, ours: Series, theirs: Series, tolerance: Tolerance, begin_ns: int, end_ns: int
 ) -> Iterator[Difference]:
     """The first value that the other one does not take on near that time, of each of the two."""
-    for is_swapped, found in enumerate(strays(ours, theirs, tolerance, begin_ns, end_ns)):
-        if found is not None:
-            label = name.rpartition("/")[0] + "/" + ours.labels[found.place]
-            one, other = _show(found.value), _show(found.near)
-            first, second = (other, one) if is_swapped else (one, other)
-            yield Difference(found.at_ns, label, first, second, name)
+    for is_swapped, mismatch in enumerate(strays(ours, theirs, tolerance, begin_ns, end_ns)):
+        if mismatch is not None:
+            label = name.rpartition("/")[0] + "/" + ours.labels[mismatch.place]
+            value, other = _show(mismatch.value), _show(mismatch.near)
+            first, second = (other, value) if is_swapped else (value, other)
+            yield Difference(mismatch.at_ns, label, first, second, name)
 
 
 def _show(value: Any) -> str:

@@ -62,30 +62,30 @@ def is_drawn(series: Series) -> bool:
 
 def samples(series: Series, begin_ns: int = 0, end_ns: int = 1 << 62) -> Samples:
     """The values of a variable of numbers from a time to another, and the one before."""
-    return joined(series, told(series, begin_ns, end_ns))
+    return joined(series, published(series, begin_ns, end_ns))
 
 
 Told = list[tuple[list[int], list[bytes]]]
 """Chunk by chunk, when something came, and what."""
 
 
-def told(series: Series, begin_ns: int = 0, end_ns: int = 1 << 62) -> Told:
+def published(series: Series, begin_ns: int = 0, end_ns: int = 1 << 62) -> Told:
     """The same as it stands in the file."""
     before = series.reader.newest(series.topic, begin_ns)
     return list(series.reader.bodies(series.topic, begin_ns if before is None else before[0], end_ns + 1))
 
 
-def joined(series: Series, told: Told) -> Samples:
+def joined(series: Series, samples: Told) -> Samples:
     """What was told, as numbers."""
     width = series.shape.count if series.shape.dims else 1
-    times = [np.array(at, np.int64) for at, _ in told]
-    rows = [_numbers(bodies, series).reshape(len(bodies), width) for _, bodies in told]
+    times = [np.array(at, np.int64) for at, _ in samples]
+    rows = [_numbers(bodies, series).reshape(len(bodies), width) for _, bodies in samples]
     return Samples(np.concatenate([np.empty(0, np.int64), *times]), np.concatenate([np.empty((0, width)), *rows]))
 
 
-def parts(found: Samples, begin_ns: int, end_ns: int, points: int) -> Parts:
+def parts(samples: Samples, begin_ns: int, end_ns: int, points: int) -> Parts:
     """So many equal parts of a time at most; those in which nothing came are left out, so that no peak is lost."""
-    some = found.between(begin_ns, end_ns)
+    some = samples.between(begin_ns, end_ns)
     width = max((end_ns - begin_ns) // max(points, 1), 1)
     cells = np.maximum(some.at_ns - begin_ns, 0) // width
     if not len(cells):
@@ -98,6 +98,6 @@ def parts(found: Samples, begin_ns: int, end_ns: int, points: int) -> Parts:
 def _numbers(bodies: list[bytes], series: Series) -> NDArray[np.float64]:
     decode: Any = _vectors if series.shape.dims else _scalars
     try:
-        return np.array([one.value for one in decode(b"[" + b",".join(bodies) + b"]")], dtype=np.float64)
+        return np.array([row.value for row in decode(b"[" + b",".join(bodies) + b"]")], dtype=np.float64)
     except msgspec.DecodeError:  # a number beyond every double
         return np.array([value.flat(body, series.shape) for body in bodies], dtype=np.float64)

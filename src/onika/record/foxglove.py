@@ -97,11 +97,11 @@ def _form(world: str, count: int) -> bytes:
 
 def rows(body: bytes) -> list[list[float]]:
     """The other way round: position and quaternion (w first) of each body."""
-    found = []
-    for one in msgspec.json.decode(body)["transforms"]:
-        place, turn = one["translation"], one["rotation"]
-        found.append([place["x"], place["y"], place["z"], turn["w"], turn["x"], turn["y"], turn["z"]])
-    return found
+    rows = []
+    for transform in msgspec.json.decode(body)["transforms"]:
+        place, turn = transform["translation"], transform["rotation"]
+        rows.append([place["x"], place["y"], place["z"], turn["w"], turn["x"], turn["y"], turn["z"]])
+    return rows
 
 
 def scene(world: str, at_ns: int, shapes: Sequence[Mapping[str, Any]], lit: Collection[str] = ()) -> bytes:
@@ -129,28 +129,28 @@ def scene(world: str, at_ns: int, shapes: Sequence[Mapping[str, Any]], lit: Coll
 def lit(body: bytes) -> list[str]:
     """The other way round: the names of the shapes that shine."""
     entities = msgspec.json.decode(body)["entities"]
-    return [word["value"] for one in entities for word in one["metadata"] if word["key"] == _LIT]
+    return [word["value"] for entity in entities for word in entity["metadata"] if word["key"] == _LIT]
 
 
 def shapes(body: bytes) -> list[dict[str, Any]]:
     """The other way round, as far as it goes: what has no name here is called by its body."""
-    found = []
-    for one in msgspec.json.decode(body)["entities"]:
-        number = int(one["id"].rpartition("/")[2])
+    rows = []
+    for entity in msgspec.json.decode(body)["entities"]:
+        number = int(entity["id"].rpartition("/")[2])
         for kind, key in (("box", "cubes"), ("ellipsoid", "spheres"), ("cylinder", "cylinders")):
-            found += [_shape(f"{one['id']} {key} {k}", number, kind, each) for k, each in enumerate(one[key])]
-    return found
+            rows += [_shape(f"{entity['id']} {key} {k}", number, kind, each) for k, each in enumerate(entity[key])]
+    return rows
 
 
-def _shape(name: str, body: int, kind: str, one: Mapping[str, Any]) -> dict[str, Any]:
-    x, y, z = (one["size"][axis] / 2 for axis in "xyz")
-    turn, color = one["pose"]["orientation"], one["color"]
+def _shape(name: str, body: int, kind: str, geometry: Mapping[str, Any]) -> dict[str, Any]:
+    x, y, z = (geometry["size"][axis] / 2 for axis in "xyz")
+    turn, color = geometry["pose"]["orientation"], geometry["color"]
     return {
         "name": name,
         "body": body,
         "kind": kind,
         "size": [x, z] if kind == "cylinder" else [x, y, z],
-        "position": [one["pose"]["position"][axis] for axis in "xyz"],
+        "position": [geometry["pose"]["position"][axis] for axis in "xyz"],
         "quaternion": [turn[part] for part in "wxyz"],
         "rgba": [color[part] for part in "rgba"],
         "paint": "",
@@ -161,19 +161,21 @@ def _add(entity: dict[str, Any], shape: Mapping[str, Any], is_lit: bool) -> None
     if is_lit:
         entity["metadata"].append({"key": _LIT, "value": shape["name"]})
     sizes = [*shape["size"], 0.0, 0.0, 0.0]
-    one = {"pose": _pose(shape), "color": _color(shape["rgba"], is_lit)}
+    primitive = {"pose": _pose(shape), "color": _color(shape["rgba"], is_lit)}
     match shape["kind"]:
         case "sphere":
-            entity["spheres"].append({**one, "size": _vector([2 * sizes[0]] * 3)})
+            entity["spheres"].append({**primitive, "size": _vector([2 * sizes[0]] * 3)})
         case "ellipsoid":
-            entity["spheres"].append({**one, "size": _vector([2 * part for part in sizes[:3]])})
+            entity["spheres"].append({**primitive, "size": _vector([2 * part for part in sizes[:3]])})
         case "cylinder" | "capsule":
             size = _vector([2 * sizes[0], 2 * sizes[0], 2 * sizes[1]])
-            entity["cylinders"].append({**one, "size": size, "bottom_scale": 1.0, "top_scale": 1.0})
+            entity["cylinders"].append({**primitive, "size": size, "bottom_scale": 1.0, "top_scale": 1.0})
         case "plane":
-            entity["cubes"].append({**one, "size": _vector([2 * (sizes[0] or _WIDE), 2 * (sizes[1] or _WIDE), _THIN])})
+            entity["cubes"].append(
+                {**primitive, "size": _vector([2 * (sizes[0] or _WIDE), 2 * (sizes[1] or _WIDE), _THIN])}
+            )
         case _:
-            entity["cubes"].append({**one, "size": _vector([2 * part for part in sizes[:3]])})
+            entity["cubes"].append({**primitive, "size": _vector([2 * part for part in sizes[:3]])})
 
 
 def _pose(shape: Mapping[str, Any]) -> dict[str, Any]:

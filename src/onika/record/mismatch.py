@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from onika.record.downsampled import Samples, Told, is_drawn, joined, told
+from onika.record.downsampled import Samples, Told, is_drawn, joined, published
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
 from onika.record.value import flat
@@ -30,38 +30,38 @@ class Stray:
 
 
 def strays(
-    one: Series, other: Series, tolerance: Tolerance, begin_ns: int, end_ns: int
+    series: Series, other: Series, tolerance: Tolerance, begin_ns: int, end_ns: int
 ) -> tuple[Stray | None, Stray | None]:
     """Of each of two, the first value from a time to before another that is far from all of the other about that time.
 
     What is the same in both files is not looked into.
     """
-    left_out = tolerance.leaves_out(one.unit, one.shape.count)
+    left_out = tolerance.leaves_out(series.unit, series.shape.count)
     if all(left_out):
         return None, None
     slack = round(tolerance.seconds * 1e9)
     first, last = begin_ns - slack, end_ns + slack
-    ours, theirs = told(one, first, last), told(other, first, last)
+    ours, theirs = published(series, first, last), published(other, first, last)
     if _is_same(ours, theirs):
         return None, None
-    if is_drawn(one) and (one.shape.type.is_real or one.shape.type.size <= _EXACT):
-        left, right = joined(one, ours), joined(other, theirs)
-        found = (
+    if is_drawn(series) and (series.shape.type.is_real or series.shape.type.size <= _EXACT):
+        left, right = joined(series, ours), joined(other, theirs)
+        mismatches = (
             _first(_between(each, begin_ns, end_ns), near, tolerance, slack, np.array(left_out))
             for each, near in ((left, right), (right, left))
         )
-        mine, its = (each if one.shape.type.is_real or each is None else each.whole() for each in found)
+        mine, its = (each if series.shape.type.is_real or each is None else each.whole() for each in mismatches)
         return mine, its
-    words, others = (_words(each, series) for each, series in ((ours, one), (theirs, other)))
+    words, others = (_words(each, series) for each, series in ((ours, series), (theirs, other)))
     return _first_word(words, others, slack, begin_ns, end_ns), _first_word(others, words, slack, begin_ns, end_ns)
 
 
 def _is_same(ours: Told, theirs: Told) -> bool:
-    one, other = (
+    flat_ours, flat_theirs = (
         ([at for times, _ in each for at in times], [body for _, bodies in each for body in bodies])
         for each in (ours, theirs)
     )
-    return one == other
+    return flat_ours == flat_theirs
 
 
 # -- numbers
@@ -103,8 +103,8 @@ def _first_in_force(times: NDArray[np.int64], at_ns: NDArray[np.int64]) -> NDArr
     """Of each time the first value that is written then, or else the last one before: several may be in one instant."""
     before = np.searchsorted(times, at_ns, side="left")
     is_written = np.searchsorted(times, at_ns, side="right") > before
-    found: NDArray[np.intp] = np.maximum(np.where(is_written, before, before - 1), 0)
-    return found
+    places: NDArray[np.intp] = np.maximum(np.where(is_written, before, before - 1), 0)
+    return places
 
 
 def _bounds(
@@ -134,8 +134,8 @@ def _fits(
     with np.errstate(invalid="ignore"):  # of two infinities
         room = tolerance.value + tolerance.part * np.maximum(np.abs(low), np.abs(high))
         near = np.maximum(low - values, values - high) <= room
-    found: NDArray[np.bool_] = near | ((low <= values) & (values <= high))
-    return found
+    fits: NDArray[np.bool_] = near | ((low <= values) & (values <= high))
+    return fits
 
 
 # -- words, and whole numbers that no double holds
@@ -159,7 +159,7 @@ def _first_word(ours: _Words, theirs: _Words, slack: int, begin_ns: int, end_ns:
             continue
         if first >= last:
             return Stray(at, 0, values[0], None)
-        for place, one in enumerate(values):
-            if one not in [each[place] for _, each in theirs[first:last]]:
-                return Stray(at, place, one, theirs[last - 1][1][place])
+        for place, value in enumerate(values):
+            if value not in [each[place] for _, each in theirs[first:last]]:
+                return Stray(at, place, value, theirs[last - 1][1][place])
     return None

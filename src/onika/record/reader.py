@@ -92,7 +92,7 @@ class Reader:
         """The times of the first and the last message; 0 and 0 where there is none."""
         if not self._chunks:
             return 0, 0
-        return min(one.first for one in self._chunks), max(one.last for one in self._chunks)
+        return min(chunk.first for chunk in self._chunks), max(chunk.last for chunk in self._chunks)
 
     def attachment(self, name: str) -> bytes | None:
         """A file within the file."""
@@ -126,9 +126,9 @@ class Reader:
         for number in [] if channel is None else self._of.get(channel.id, []):
             chunk = self._chunks[number]
             if channel is not None and chunk.last >= begin_ns and chunk.first < end_ns:
-                said = [one for one in self._index(number, channel.id) if begin_ns <= one[0] < end_ns]
-                data = self._unpack(number) if said else b""
-                yield [at for at, _ in said], [self._message(data, offset, at) for at, offset in said]
+                entries = [entry for entry in self._index(number, channel.id) if begin_ns <= entry[0] < end_ns]
+                data = self._unpack(number) if entries else b""
+                yield [at for at, _ in entries], [self._message(data, offset, at) for at, offset in entries]
 
     def newest(self, topic: str, at_ns: int) -> Said | None:
         """What was said last on a topic, at this time or before."""
@@ -136,7 +136,7 @@ class Reader:
         for number in reversed([] if channel is None else self._of.get(channel.id, [])):
             if channel is not None and self._chunks[number].first <= at_ns:
                 times = self._index(number, channel.id)
-                place = bisect_right(times, at_ns, key=lambda one: one[0])
+                place = bisect_right(times, at_ns, key=lambda entry: entry[0])
                 if place:
                     at, offset = times[place - 1]
                     return at, self._body(number, offset, at)
@@ -206,17 +206,17 @@ class Reader:
             return self._entries(number).get(channel, [])
         _, size = _INDEX.unpack(self._stored.read(at, _INDEX.size))
         words = memoryview(self._stored.read(at + _INDEX.size, size)).cast("Q")
-        return sorted(zip(words[::2], words[1::2], strict=True), key=lambda one: one[0])
+        return sorted(zip(words[::2], words[1::2], strict=True), key=lambda entry: entry[0])
 
     def _entries(self, number: int) -> dict[int, list[tuple[int, int]]]:
         """The same of all channels, from the chunk itself."""
         data, at = self._unpacked(number), 0
-        found: dict[int, list[tuple[int, int]]] = {}
+        index: dict[int, list[tuple[int, int]]] = {}
         while at + _MESSAGE.size <= len(data):
             _, length, channel, _, time, _ = _MESSAGE.unpack_from(data, at)
-            found.setdefault(channel, []).append((time, at))
+            index.setdefault(channel, []).append((time, at))
             at += _RECORD.size + length
-        return {channel: sorted(entries, key=lambda one: one[0]) for channel, entries in found.items()}
+        return {channel: sorted(entries, key=lambda entry: entry[0]) for channel, entries in index.items()}
 
     def _body(self, number: int, offset: int, at: int) -> bytes:
         return self._message(self._unpack(number), offset, at)

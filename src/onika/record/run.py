@@ -57,32 +57,35 @@ class Run(Struct, frozen=True):
         )
         writer.attach(_PLAN, "application/json", _bare(self.prepare))
         writer.attach(_BEGIN, "application/json", msgspec.json.encode(self.begin))
-        known = [(one.digest, one.module, one.path) for one in self.prepare.plan.code]
-        writer.attach(_CODE, "application/json", msgspec.json.encode(known))
-        for one in self.prepare.plan.code:
-            writer.attach(_file(one.digest), "text/x-python", one.source.encode())
+        code = [(file.digest, file.module, file.path) for file in self.prepare.plan.code]
+        writer.attach(_CODE, "application/json", msgspec.json.encode(code))
+        for file in self.prepare.plan.code:
+            writer.attach(_file(file.digest), "text/x-python", file.source.encode())
 
     @classmethod
     def read(cls, reader: Reader) -> "Run":
         """Raises ValueError where the file says nothing of a run, or nothing that can be understood."""
         note = reader.notes.get(NOTE)
-        plan, begin, known = (reader.attachment(name) for name in (_PLAN, _BEGIN, _CODE))
-        if note is None or plan is None or begin is None or known is None:
+        plan, begin, code_list = (reader.attachment(name) for name in (_PLAN, _BEGIN, _CODE))
+        if note is None or plan is None or begin is None or code_list is None:
             if not reader.is_whole:
                 raise ValueError(f"{reader.path}: {_TOO_SHORT}")
             raise ValueError(f"{reader.path}: expected a recording of a run, found none in this file")
         if note.get("version") != "1":
             raise ValueError(f"{reader.path}: expected a recording of version 1, found {note.get('version')}")
         try:
-            code = [_code(reader, *one) for one in msgspec.json.decode(known, type=list[tuple[str, str, str]])]
+            code = [
+                _code(reader, *code_file)
+                for code_file in msgspec.json.decode(code_list, type=list[tuple[str, str, str]])
+            ]
             prepare = msgspec.json.decode(plan, type=Prepare)
-            asked = msgspec.json.decode(begin, type=Begin)
+            begin_request = msgspec.json.decode(begin, type=Begin)
         except msgspec.MsgspecError as wrong:
             raise ValueError(f"{reader.path}: expected the plan of a run, found something else: {wrong}") from None
         prepare = structs.replace(prepare, plan=structs.replace(prepare.plan, code=tuple(code)))
         return cls(
             prepare,
-            asked,
+            begin_request,
             tuple(note.get("units", "").split()),
             note.get("time") == "virtual",
             note.get("fresh") == "yes",

@@ -23,19 +23,19 @@ class Series:
     @classmethod
     def all_of(cls, reader: Reader) -> "dict[str, Series]":
         """Every variable, by `subsystem/NAME`."""
-        found = {}
+        series = {}
         for topic, channel in reader.channels.items():
             about = channel.metadata
             if "type" in about and "name" in about:
                 home, name = about.get("subsystem", ""), about["name"]
                 shape = Shape.parse(about["type"])
-                found[f"{home}/{name}"] = cls(reader, topic, home, name, about.get("unit", ""), shape)
-        return dict(sorted(found.items()))
+                series[f"{home}/{name}"] = cls(reader, topic, home, name, about.get("unit", ""), shape)
+        return dict(sorted(series.items()))
 
     def at(self, at_ns: int) -> Any:
         """Its value at a time; None before the first one."""
-        said = self.reader.newest(self.topic, at_ns)
-        return None if said is None else value.decode(said[1], self.shape)
+        newest = self.reader.newest(self.topic, at_ns)
+        return None if newest is None else value.decode(newest[1], self.shape)
 
     def values(self, begin_ns: int = 0, end_ns: int = 1 << 63) -> Iterator[tuple[int, Any]]:
         """Its values from a time to before another, as they came."""
@@ -60,5 +60,5 @@ class Series:
             return [self.name]
         places = [""]
         for size in dims:
-            places = [f"{one},{i}" if one else str(i) for one in places for i in range(size)]
-        return [f"{self.name}[{one}]" for one in places]
+            places = [f"{place},{i}" if place else str(i) for place in places for i in range(size)]
+        return [f"{self.name}[{place}]" for place in places]

@@ -27,10 +27,10 @@ class Stored:
         """So many bytes from there; raises ValueError where they are not there any more."""
         if not self._close.alive:
             raise ValueError(f"{self._path}: it is closed")
-        found = os.pread(self._file, size, at)
-        if len(found) != size:
-            raise ValueError(f"{self._path}: expected {size} bytes at {at}, found {len(found)}: it was written over")
-        return found
+        data = os.pread(self._file, size, at)
+        if len(data) != size:
+            raise ValueError(f"{self._path}: expected {size} bytes at {at}, found {len(data)}: it was written over")
+        return data
 
     def close(self) -> None:
         """Give it back."""

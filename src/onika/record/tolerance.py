@@ -24,20 +24,20 @@ class Tolerance:
 
     def leaves_out(self, unit: str, count: int) -> list[bool]:
         """For each element of a variable of this unit, or of these, whether it is not compared."""
-        units = [one.strip() for one in unit.split(",")]
+        units = [part.strip() for part in unit.split(",")]
         if not self.is_of_places or len(units) not in (1, count):
             return [False] * count
-        found = [one.endswith(_RATES) or one in _FORCES for one in units]
-        return found if len(units) == count else found * count
+        are_rates = [unit_name.endswith(_RATES) or unit_name in _FORCES for unit_name in units]
+        return are_rates if len(units) == count else are_rates * count
 
-    def covers(self, one: float, low: float, high: float) -> bool:
+    def covers(self, value: float, low: float, high: float) -> bool:
         """Whether a number lies near enough to what another took on from `low` to `high`."""
-        if math.isnan(one) or math.isnan(low):
-            return math.isnan(one) and math.isnan(low)
-        if low <= one <= high:
+        if math.isnan(value) or math.isnan(low):
+            return math.isnan(value) and math.isnan(low)
+        if low <= value <= high:
             return True
         room = self.value + self.part * max(abs(low), abs(high))
-        return max(low - one, one - high) <= room
+        return max(low - value, value - high) <= room
 
 
 EXACT = Tolerance()
@@ -51,10 +51,10 @@ def usual(is_virtual: bool, value: float | None, part: float | None, seconds: fl
 
     Whoever says by how much values may differ has all of them compared.
     """
-    one = EXACT if is_virtual else WALL
+    default = EXACT if is_virtual else WALL
     return Tolerance(
-        one.value if value is None else value,
-        one.part if part is None else part,
-        one.seconds if seconds is None else seconds,
-        one.is_of_places and value is None and part is None,
+        default.value if value is None else value,
+        default.part if part is None else part,
+        default.seconds if seconds is None else seconds,
+        default.is_of_places and value is None and part is None,
     )

@@ -28,16 +28,16 @@ def is_picture(shape: Shape) -> bool:
 
 def schema(shape: Shape, unit: str = "") -> bytes:
     """The JSON schema of a variable."""
-    one: dict[str, Any]
+    field: dict[str, Any]
     if is_picture(shape):
-        one = {"type": "string", "contentEncoding": "base64"}
+        field = {"type": "string", "contentEncoding": "base64"}
     else:
         kind = "number" if shape.type.is_real else "integer" if shape.type.is_whole else "string"
-        one = {"type": "array", "items": {"type": kind}} if shape.dims else {"type": kind}
-    one["description"] = f"{shape}, row by row" if len(shape.dims) > 1 else str(shape)
+        field = {"type": "array", "items": {"type": kind}} if shape.dims else {"type": kind}
+    field["description"] = f"{shape}, row by row" if len(shape.dims) > 1 else str(shape)
     if unit:
-        one["description"] += f" [{unit}]"
-    return _encode({"type": "object", "properties": {"value": one}, "required": ["value"]})
+        field["description"] += f" [{unit}]"
+    return _encode({"type": "object", "properties": {"value": field}, "required": ["value"]})
 
 
 def title(shape: Shape, unit: str = "") -> str:
@@ -61,8 +61,8 @@ def encoder(shape: Shape) -> Callable[[Sequence[bytes]], list[bytes]]:
         text = _encode(rows)[2:-2]
         texts = text.split(b"],[")
         if is_real and b"null" in text:  # what is no number, or without end
-            texts = [_with_infinities(row) if b"null" in one else one for row, one in zip(rows, texts, strict=True)]
-        return [first + one + last for one in texts]
+            texts = [_with_infinities(row) if b"null" in text else text for row, text in zip(rows, texts, strict=True)]
+        return [first + text + last for text in texts]
 
     return encode
 
@@ -76,7 +76,7 @@ def decode(body: bytes, shape: Shape) -> Any:
     if is_picture(shape):
         value = list(base64.b64decode(value))
     if shape.type.is_real:
-        value = [_real(one) for one in value] if shape.dims else _real(value)
+        value = [_real(number) for number in value] if shape.dims else _real(value)
     for size in reversed(shape.dims[1:]):
         value = [value[i : i + int(size)] for i in range(0, len(value), int(size))]
     return value
@@ -84,8 +84,8 @@ def decode(body: bytes, shape: Shape) -> Any:
 
 def flat(body: bytes, shape: Shape) -> list[Any]:
     """The same as the list of its elements, row by row."""
-    found = decode(body, Shape(shape.type, (shape.count,)) if shape.dims else shape)
-    return found if isinstance(found, list) else [found]
+    array = decode(body, Shape(shape.type, (shape.count,)) if shape.dims else shape)
+    return array if isinstance(array, list) else [array]
 
 
 def _real(value: float | None) -> float:
@@ -94,7 +94,7 @@ def _real(value: float | None) -> float:
 
 def _with_infinities(numbers: list[float]) -> bytes:
     texts = (
-        repr(one) if math.isfinite(one) else "null" if math.isnan(one) else "1e999" if one > 0 else "-1e999"
-        for one in numbers
+        repr(number) if math.isfinite(number) else "null" if math.isnan(number) else "1e999" if number > 0 else "-1e999"
+        for number in numbers
     )
     return ",".join(texts).encode()

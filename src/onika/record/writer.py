@@ -116,16 +116,17 @@ class Writer:
             return
         body, index = bytes(self._body), self._index
         self._body, self._index = bytearray(), {}
-        first = min(min(one[::2]) for one in index.values())
-        last = max(max(one[::2]) for one in index.values())
+        first = min(min(entries[::2]) for entries in index.values())
+        last = max(max(entries[::2]) for entries in index.values())
         packed, at = self._compress(body), self._at
         self._write(Chunk("zstd", packed, last, first, crc32(body), len(body)))
         length, offsets, parts, end = self._at - at, {}, [], self._at
-        for channel, one in index.items():
-            entries = one.tobytes()
-            parts += [_INDEX.pack(Opcode.MESSAGE_INDEX, 6 + len(entries), channel, len(entries)), entries]
+        for channel, entries in index.items():
+            packed_entries = entries.tobytes()
+            size = len(packed_entries)
+            parts += [_INDEX.pack(Opcode.MESSAGE_INDEX, 6 + size, channel, size), packed_entries]
             offsets[channel] = end
-            end += _INDEX.size + len(entries)
+            end += _INDEX.size + size
         self._put(b"".join(parts))
         self._chunks.append(
             ChunkIndex(length, at, "zstd", len(packed), last, end - at - length, offsets, first, len(body))
@@ -147,8 +148,8 @@ class Writer:
         ]
         for opcode, records in groups:
             at = summary.count
-            for one in records:
-                one.write(summary)
+            for record in records:
+                record.write(summary)
             if records:
                 SummaryOffset(int(opcode), start + at, summary.count - at).write(offsets)
         body = _taken(summary)
