@@ -28,11 +28,11 @@ def linked(terms=TERMS):
     return greet(ClientEnd("me", terms))
 
 
-def said(end, now_ns=0):
+def packets(end, now_ns=0):
     return end.take_packets(now_ns, ROOM)
 
 
-def told(end):
+def events(end):
     return [news for news in end.take_happenings() if not isinstance(news, Turned)]
 
 
@@ -40,61 +40,61 @@ def test_the_first_word_on_a_connection_says_who_and_how_far_and_is_all_until_th
     end = ClientEnd("me", TERMS)
     end.open(0)
     end.request(b"what", 0)
-    assert said(end) == [Hello(VERSION, "me", "", 0)]
+    assert packets(end) == [Hello(VERSION, "me", "", 0)]
     end.feed(welcome(seq=7), 0)
-    assert said(end) == [Request(1, 1, 0, 0, b"what")]
-    assert told(end) == [EpochChanged("e1")]
+    assert packets(end) == [Request(1, 1, 0, 0, b"what")]
+    assert events(end) == [EpochChanged("e1")]
     end.feed(Signal(8, b"x"), 0)
     end.cut(lost.closed())
     end.open(0)
-    assert said(end) == [Hello(VERSION, "me", "e1", 8)]
+    assert packets(end) == [Hello(VERSION, "me", "e1", 8)]
 
 
 def test_only_the_very_next_signal_is_accepted_and_all_are_acknowledged_at_once():  # R-F01
     end = linked()
     for seq in (1, 3, 1, 2, 2):
         end.feed(Signal(seq, b"%d" % seq), 0)
-    assert told(end) == [Signalled(1, b"1"), Signalled(2, b"2")]
-    assert said(end) == [Ack(2)]
-    assert said(end) == []
+    assert events(end) == [Signalled(1, b"1"), Signalled(2, b"2")]
+    assert packets(end) == [Ack(2)]
+    assert packets(end) == []
 
 
 def test_a_resumed_link_asks_again_what_was_not_answered():  # R-F01
     end = linked()
     end.request(b"a", 0)
-    said(end)
+    packets(end)
     end.cut(lost.closed())
     end.open(0)
-    said(end)
+    packets(end)
     end.feed(welcome(resumed=True), 0)
-    assert said(end) == [Request(1, 1, 0, 0, b"a")]
-    assert told(end) == [Resumed("e1")]
+    assert packets(end) == [Request(1, 1, 0, 0, b"a")]
+    assert events(end) == [Resumed("e1")]
 
 
 def test_a_new_epoch_voids_what_was_asked_of_the_old_one():  # R-F01
     end = linked()
     end.request(b"a", 0)
-    said(end)
+    packets(end)
     end.cut(lost.closed())
     end.open(0)
     end.feed(welcome("e2", seq=3, resumed=True), 0)
-    assert told(end) == [Failed(1, Fate.LOST), EpochChanged("e2")]
-    assert said(end) == [Hello(VERSION, "me", "e1", 0)]
+    assert events(end) == [Failed(1, Fate.LOST), EpochChanged("e2")]
+    assert packets(end) == [Hello(VERSION, "me", "e1", 0)]
     end.feed(Signal(4, b"new"), 0)
-    assert told(end) == [Signalled(4, b"new")]
+    assert events(end) == [Signalled(4, b"new")]
 
 
 def test_what_moves_a_robot_is_never_said_on_another_connection():  # R-X12
     end = linked()
     end.request(b"go", 0, once=True)
     end.cut(lost.closed())
-    assert told(end) == [Failed(1, Fate.LOST)]
+    assert events(end) == [Failed(1, Fate.LOST)]
     end.request(b"go", 0, once=True)
-    assert told(end) == [Failed(2, Fate.UNSENT)]
+    assert events(end) == [Failed(2, Fate.UNSENT)]
     greet(end, welcome(resumed=True))
     end.request(b"go", 0, once=True)
     end.open(0)
-    assert told(end) == [Failed(3, Fate.LOST)]
+    assert events(end) == [Failed(3, Fate.LOST)]
 
 
 def test_an_answer_is_told_once_and_one_that_is_not_wanted_never():  # R-F07
@@ -109,7 +109,7 @@ def test_an_answer_is_told_once_and_one_that_is_not_wanted_never():  # R-F07
         Reply(9, False, 0, b""),
     ):
         end.feed(packet, 0)
-    assert told(end) == [Replied(1, b"A")]
+    assert events(end) == [Replied(1, b"A")]
 
 
 def test_a_request_names_the_first_number_that_is_not_settled():  # R-F07
@@ -118,7 +118,7 @@ def test_a_request_names_the_first_number_that_is_not_settled():  # R-F07
         end.request(b"", 0)
     end.feed(Reply(1, False, 0, b""), 0)
     end.request(b"", 0)
-    assert [packet.done_below for packet in said(end)] == [1, 1, 1, 2]
+    assert [packet.done_below for packet in packets(end)] == [1, 1, 1, 2]
 
 
 def test_a_deadline_is_told_on_the_clock_of_the_runtime():
@@ -126,7 +126,7 @@ def test_a_deadline_is_told_on_the_clock_of_the_runtime():
     end.request(b"", 100, begin_within_ns=50)
     end.feed(Beat(1, 9000), 200)
     end.request(b"", 200, begin_within_ns=50)
-    assert [packet.deadline_ns for packet in said(end)] == [5150, 9050]
+    assert [packet.deadline_ns for packet in packets(end)] == [5150, 9050]
 
 
 def test_a_request_that_could_not_be_sent_in_time_is_not_sent():
@@ -134,32 +134,32 @@ def test_a_request_that_could_not_be_sent_in_time_is_not_sent():
     end.request(b"", 0, begin_within_ns=50)
     end.open(0)
     end.feed(welcome(), 51)
-    assert told(end) == [EpochChanged("e1"), Failed(1, Fate.UNSENT)]
-    assert not any(isinstance(packet, Request) for packet in said(end))
+    assert events(end) == [EpochChanged("e1"), Failed(1, Fate.UNSENT)]
+    assert not any(isinstance(packet, Request) for packet in packets(end))
 
 
 def test_a_request_refused_as_late_has_failed():
     end = linked()
     end.request(b"", 0, begin_within_ns=50)
     end.feed(Reply(1, True, 0, b""), 0)
-    assert told(end) == [Failed(1, Fate.LATE)]
+    assert events(end) == [Failed(1, Fate.LATE)]
 
 
 def test_long_bodies_go_and_come_in_parts():  # R-F01
     end = linked()
     end.request(b"abcdefghij", 0)
-    assert said(end) == [Part(1, 0, b"abcd"), Part(1, 1, b"efgh"), Request(1, 1, 0, 2, b"ij")]
+    assert packets(end) == [Part(1, 0, b"abcd"), Part(1, 1, b"efgh"), Request(1, 1, 0, 2, b"ij")]
     end.feed(Part(1, 0, b"1234"), 0)
     end.feed(Part(1, 1, b"5678"), 0)
     end.feed(Reply(1, False, 2, b"90"), 0)
-    assert told(end) == [Replied(1, b"1234567890")]
+    assert events(end) == [Replied(1, b"1234567890")]
 
 
 def test_an_overtaken_reading_is_not_shown():
     end = linked()
     for count, body in ((1, b"old"), (3, b"new"), (2, b"overtaken")):
         end.feed(Reading(count, "key", body), 0)
-    assert told(end) == [Read("key", b"old"), Read("key", b"new")]
+    assert events(end) == [Read("key", b"old"), Read("key", b"new")]
 
 
 @pytest.mark.parametrize("packet", [Hello(VERSION, "x", "", 0), Request(1, 1, 0, 0, b""), Ack(1)])
@@ -168,7 +168,7 @@ def test_what_only_an_environment_says_ends_the_connection(packet):
     end.feed(packet, 0)
     (turned,) = end.take_happenings()
     assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.GARBAGE)
-    (bye,) = said(end)
+    (bye,) = packets(end)
     assert (bye.cause, type(packet).__name__ in bye.reason) == ("garbage", True)
 
 
@@ -208,34 +208,34 @@ def test_silence_ends_the_connection_and_keeps_what_may_be_asked_again():
     end.request(b"a", 0)
     end.tick(1000)
     assert end.state is LinkState.APART
-    assert told(end) == []
+    assert events(end) == []
 
 
 def test_a_closed_link_says_good_bye_and_fails_what_was_asked():
     end = linked()
     end.request(b"a", 0)
     end.close("enough")
-    assert told(end) == [Failed(1, Fate.LOST)]
-    assert said(end) == [Bye("closed", "enough")]
+    assert events(end) == [Failed(1, Fate.LOST)]
+    assert packets(end) == [Bye("closed", "enough")]
     end.close()
-    assert (end.take_happenings(), said(end)) == ([], [])
+    assert (end.take_happenings(), packets(end)) == ([], [])
     end.request(b"b", 0)
-    assert told(end) == [Failed(2, Fate.UNSENT)]
+    assert events(end) == [Failed(2, Fate.UNSENT)]
 
 
 def test_on_a_carrier_that_loses_packets_everything_is_said_again():
     end = ClientEnd("me", Terms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10))
     end.open(0)
-    said(end)
+    packets(end)
     end.tick(9)
-    assert said(end) == []
+    assert packets(end) == []
     end.tick(10)
-    assert said(end, 10) == [Hello(VERSION, "me", "", 0)]
+    assert packets(end, 10) == [Hello(VERSION, "me", "", 0)]
     end.feed(welcome(), 10)
     end.request(b"a", 10)
-    assert said(end) == [Request(1, 1, 0, 0, b"a")]
+    assert packets(end) == [Request(1, 1, 0, 0, b"a")]
     end.tick(20)
-    assert said(end) == [Request(1, 1, 0, 0, b"a")]
+    assert packets(end) == [Request(1, 1, 0, 0, b"a")]
     assert end.due_ns(20) == 10
 
 

@@ -21,9 +21,9 @@ def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
     while len(came) < 2:
         wait_for([dialler], 5.0)
         came += dialler.finished()
-    found = dict(came)
-    assert found[Channel.SESSION] is here
-    assert found[Channel.SIGNAL].cause is Cause.TOKEN
+    results = dict(came)
+    assert results[Channel.SESSION] is here
+    assert results[Channel.SIGNAL].cause is Cause.TOKEN
     assert dialler.finished() == []
     dialler.close()
     dialler.close()

@@ -7,7 +7,7 @@ from onika.link.heartbeat import EVERY_NS, LENGTH, PATIENCE_NS, Beater, Drum, Pa
 
 def test_what_is_told_of_beats_is_understood_and_keys_are_not_shown():
     pact = Pact.drawn(7994)
-    assert Pact.told(pact.header()) == pact
+    assert Pact.parse(pact.header()) == pact
     assert pact.key.hex() not in repr(pact)
     assert Pact.drawn(7994) != Pact.drawn(7994)
 
@@ -16,7 +16,7 @@ def test_what_is_told_of_beats_is_understood_and_keys_are_not_shown():
     "header", ["", "x", "7994", "7994 00", "7994 zz zz", "0 " + "00" * 8 + " " + "00" * 32, "1 00 00 00"]
 )
 def test_what_cannot_be_used_is_no_pact(header):
-    assert Pact.told(header) is None
+    assert Pact.parse(header) is None
 
 
 def test_a_beat_is_known_by_its_seal():  # R-X12

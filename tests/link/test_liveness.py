@@ -34,7 +34,7 @@ def test_silence_makes_a_link_suspect_first_and_lost_later():  # R-F01
 def test_a_word_clears_the_suspicion():
     pulse, happenings = linked()
     pulse.listen(50)
-    pulse.heard(51)
+    pulse.note_arrival(51)
     assert happenings == [Turned(LinkState.SUSPECT), Turned(LinkState.LINKED)]
     assert pulse.listen(80) is None
     assert pulse.state is LinkState.LINKED

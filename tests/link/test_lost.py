@@ -3,7 +3,7 @@ from onika.link.lost import Cause, LinkLost
 
 
 def test_each_cause_says_distinctly_what_happened():  # R-F01
-    told = [
+    sentences = [
         lost.closed("connection reset"),
         lost.silent(3.04),
         lost.version(1, 2),
@@ -12,8 +12,8 @@ def test_each_cause_says_distinctly_what_happened():  # R-F01
         lost.here(),
     ]
     opening = {Cause.REFUSED, Cause.UNREACHABLE, Cause.TIMEOUT, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN}
-    assert {why.cause for why in told} == set(Cause) - opening
-    assert len({str(why) for why in told}) == len(told)
+    assert {why.cause for why in sentences} == set(Cause) - opening
+    assert len({str(why) for why in sentences}) == len(sentences)
 
 
 def test_what_trying_again_does_not_mend_is_final():
@@ -22,8 +22,11 @@ def test_what_trying_again_does_not_mend_is_final():
 
 
 def test_a_good_bye_says_its_cause():
-    assert (lost.said("closed", "enough").cause, lost.said("refused", "full").cause) == (Cause.CLOSED, Cause.REFUSED)
-    assert "full" in str(lost.said("refused", "full"))
+    assert (lost.link_lost("closed", "enough").cause, lost.link_lost("refused", "full").cause) == (
+        Cause.CLOSED,
+        Cause.REFUSED,
+    )
+    assert "full" in str(lost.link_lost("refused", "full"))
 
 
 def test_the_words_hold_the_numbers_that_matter():

@@ -61,12 +61,12 @@ def test_a_port_waits_for_writing_only_while_something_waits():
 def test_an_answer_goes_out_at_once():
     port, connection = linked()
     number = connection.ask(b"a")
-    (asked,) = port.service(0)
-    port.reply(asked.ticket, b"A", 0)
+    (request,) = port.service(0)
+    port.reply(request.ticket, b"A", 0)
     (replied,) = connection.poll()
     assert (replied.number, replied.body) == (number, b"A")
     with pytest.raises(KeyError):
-        port.reply(asked.ticket, b"again", 0)
+        port.reply(request.ticket, b"again", 0)
 
 
 def test_two_ports_of_a_runtime_serve_two_environments():  # R-X12

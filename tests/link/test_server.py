@@ -34,11 +34,11 @@ def greet(end, packet=None):
     return end
 
 
-def said(end, now_ns=0):
+def packets(end, now_ns=0):
     return end.take_packets(now_ns, ROOM)
 
 
-def told(end):
+def requests(end):
     return [news for news in end.take_happenings() if not isinstance(news, Turned)]
 
 
@@ -49,7 +49,7 @@ def test_nothing_is_said_on_a_new_connection_before_the_greeting():  # R-F01
     end.signal(b"y", 0)
     end.reading("key", b"", 0)
     end.tick(5)
-    assert said(end) == []
+    assert packets(end) == []
 
 
 def test_a_newcomer_is_welcomed_with_the_number_after_which_signals_come():  # R-F01
@@ -57,9 +57,9 @@ def test_a_newcomer_is_welcomed_with_the_number_after_which_signals_come():  # R
     end.signal(b"past", 0)
     end.open(0)
     end.feed(hello(epoch=""), 77)
-    assert told(end) == [Greeted("me", False)]
+    assert requests(end) == [Greeted("me", False)]
     end.signal(b"now", 77)
-    assert said(end) == [Welcome(VERSION, "e1", 1, False, 77), Signal(2, b"now")]
+    assert packets(end) == [Welcome(VERSION, "e1", 1, False, 77), Signal(2, b"now")]
 
 
 def test_signals_are_said_again_from_the_last_that_was_accepted():  # R-F01
@@ -70,41 +70,41 @@ def test_signals_are_said_again_from_the_last_that_was_accepted():  # R-F01
     end.signal(b"3", 0)
     end.open(0)
     end.feed(hello(seq=1), 0)
-    assert told(end) == [Greeted("me", True)]
-    assert said(end) == [Welcome(VERSION, "e1", 1, True, 0), Signal(2, b"2"), Signal(3, b"3")]
+    assert requests(end) == [Greeted("me", True)]
+    assert packets(end) == [Welcome(VERSION, "e1", 1, True, 0), Signal(2, b"2"), Signal(3, b"3")]
 
 
 def test_no_more_signals_are_under_way_than_the_window_allows():
     end = greet(made())
     for _ in range(5):
         end.signal(b"", 0)
-    assert [packet.seq for packet in said(end)] == [1, 2, 3]
+    assert [packet.seq for packet in packets(end)] == [1, 2, 3]
     end.feed(Ack(2), 0)
-    assert [packet.seq for packet in said(end)] == [4, 5]
+    assert [packet.seq for packet in packets(end)] == [4, 5]
 
 
 @pytest.mark.parametrize("packet", [hello(epoch="e0"), hello(seq=9), hello(client="stranger")])
 def test_who_comes_from_another_life_or_future_begins_anew(packet):  # R-F01
     end = greet(made())
     end.cut(lost.closed())
-    told(end)
+    requests(end)
     end.open(0)
     end.feed(packet, 0)
-    assert told(end) == [Greeted(packet.client, False)]
+    assert requests(end) == [Greeted(packet.client, False)]
 
 
 def test_a_request_said_twice_is_handed_over_once_and_its_answer_repeated():  # R-F07
     end = greet(made())
     end.feed(request(1, b"a"), 0)
     end.feed(request(1, b"a"), 0)
-    assert told(end) == [Asked(1, "me", b"a")]
+    assert requests(end) == [Asked(1, "me", b"a")]
     end.reply(1, b"A")
-    assert said(end) == [Reply(1, False, 0, b"A")]
+    assert packets(end) == [Reply(1, False, 0, b"A")]
     end.cut(lost.closed())
     greet(end)
     end.feed(request(1, b"a"), 0)
-    assert told(end) == []
-    assert said(end) == [Reply(1, False, 0, b"A")]
+    assert requests(end) == []
+    assert packets(end) == [Reply(1, False, 0, b"A")]
 
 
 def test_an_answer_given_while_nobody_is_there_is_kept_for_the_repetition():  # R-F07
@@ -113,20 +113,20 @@ def test_an_answer_given_while_nobody_is_there_is_kept_for_the_repetition():  # 
     end.cut(lost.closed())
     end.reply(1, b"A")
     greet(end)
-    assert said(end) == []
+    assert packets(end) == []
     end.feed(request(1), 0)
-    assert said(end) == [Reply(1, False, 0, b"A")]
+    assert packets(end) == [Reply(1, False, 0, b"A")]
 
 
 def test_settled_answers_are_forgotten_and_their_requests_ignored():
     end = greet(made())
     end.feed(request(1), 0)
     end.reply(1, b"A")
-    said(end)
+    packets(end)
     end.feed(request(2, done_below=2), 0)
     end.feed(request(1), 0)
-    assert [asked.ticket for asked in told(end)] == [1, 2]
-    assert said(end) == []
+    assert [request.ticket for request in requests(end)] == [1, 2]
+    assert packets(end) == []
 
 
 def test_a_late_request_is_refused_and_stays_refused():  # R-X12
@@ -134,8 +134,8 @@ def test_a_late_request_is_refused_and_stays_refused():  # R-X12
     end.feed(request(1, deadline_ns=50), 51)
     end.feed(request(1, deadline_ns=50), 51)
     end.feed(request(2, deadline_ns=51), 51)
-    assert [asked.ticket for asked in told(end)] == [1]
-    assert said(end) == [Reply(1, True, 0, b"")]
+    assert [request.ticket for request in requests(end)] == [1]
+    assert packets(end) == [Reply(1, True, 0, b"")]
 
 
 def test_an_answer_never_reaches_another_environment():
@@ -145,9 +145,9 @@ def test_an_answer_never_reaches_another_environment():
     greet(end, hello("other"))
     end.feed(request(1), 0)
     end.reply(1, b"his")
-    assert said(end) == []
+    assert packets(end) == []
     end.reply(2, b"mine")
-    assert said(end) == [Reply(1, False, 0, b"mine")]
+    assert packets(end) == [Reply(1, False, 0, b"mine")]
 
 
 def test_a_ticket_is_good_for_one_answer():
@@ -163,7 +163,7 @@ def test_two_ends_that_share_a_journal_say_the_same_signals():
     ends = [greet(made(journal=journal, replies=replies), hello(client)) for client in ("one", "two")]
     ends[0].signal(b"x", 0)
     ends[1].tick(1)
-    assert [said(end) for end in ends] == [[Signal(1, b"x")], [Signal(1, b"x")]]
+    assert [packets(end) for end in ends] == [[Signal(1, b"x")], [Signal(1, b"x")]]
 
 
 def test_who_falls_behind_the_journal_is_cut_and_begins_anew():
@@ -175,31 +175,31 @@ def test_who_falls_behind_the_journal_is_cut_and_begins_anew():
         end.signal(b"", 0)
     turned = end.take_happenings()[-1]
     assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.BEHIND)
-    assert said(end) == [Bye("behind", "signal 4 is forgotten")]
+    assert packets(end) == [Bye("behind", "signal 4 is forgotten")]
     end.open(0)
     end.feed(hello(seq=3), 0)
-    assert told(end) == [Greeted("me", False)]
+    assert requests(end) == [Greeted("me", False)]
 
 
 def test_a_lost_welcome_is_said_again_unchanged():
     end = greet(made())
     end.signal(b"x", 0)
-    said(end)
+    packets(end)
     end.feed(hello(), 5)
-    assert said(end) == [Welcome(VERSION, "e1", 0, False, 0)]
+    assert packets(end) == [Welcome(VERSION, "e1", 0, False, 0)]
 
 
 def test_on_a_carrier_that_loses_packets_signals_are_said_again():
     end = greet(made(Terms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10)))
     end.signal(b"x", 0)
-    assert said(end) == [Signal(1, b"x")]
+    assert packets(end) == [Signal(1, b"x")]
     end.tick(9)
-    assert said(end) == []
+    assert packets(end) == []
     end.tick(10)
-    assert said(end) == [Signal(1, b"x")]
+    assert packets(end) == [Signal(1, b"x")]
     end.feed(Ack(1), 11)
     end.tick(30)
-    assert said(end) == []
+    assert packets(end) == []
 
 
 @pytest.mark.parametrize(
@@ -218,7 +218,7 @@ def test_what_has_no_place_here_ends_the_connection(packet):
     end.feed(packet, 0)
     (turned,) = end.take_happenings()
     assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.GARBAGE)
-    assert [bye.cause for bye in said(end)] == ["garbage"]
+    assert [bye.cause for bye in packets(end)] == ["garbage"]
 
 
 def test_who_does_not_greet_first_is_cut():
@@ -240,7 +240,7 @@ def test_another_version_is_told_so_and_nothing_else():
     end.signal(b"x", 0)
     end.open(0)
     end.feed(Hello(VERSION + 1, "me", "", 0), 0)
-    (bye,) = said(end)
+    (bye,) = packets(end)
     assert (bye.cause, f"not {VERSION + 1}" in bye.reason) == ("version", True)
     assert end.state is LinkState.APART
 
@@ -256,16 +256,16 @@ def test_beats_are_answered_by_nothing_but_count_as_life():
     end = greet(made())
     end.feed(Beat(1, 0), 900)
     end.tick(1800)
-    assert (said(end), end.state) == ([], LinkState.LINKED)
+    assert (packets(end), end.state) == ([], LinkState.LINKED)
 
 
 def test_long_bodies_come_and_go_in_parts():  # R-F01
     end = greet(made())
     end.feed(Part(1, 0, b"abcd"), 0)
     end.feed(Request(1, 1, 0, 1, b"ef"), 0)
-    assert told(end) == [Asked(1, "me", b"abcdef")]
+    assert requests(end) == [Asked(1, "me", b"abcdef")]
     end.reply(1, b"123456")
-    assert said(end) == [Part(1, 0, b"1234"), Reply(1, False, 1, b"56")]
+    assert packets(end) == [Part(1, 0, b"1234"), Reply(1, False, 1, b"56")]
 
 
 def test_a_closed_link_still_says_what_was_answered_and_signalled():
@@ -274,7 +274,7 @@ def test_a_closed_link_still_says_what_was_answered_and_signalled():
     end.reply(1, b"A")
     end.signal(b"x", 0)
     end.close("quitting")
-    assert said(end) == [Signal(1, b"x"), Reply(1, False, 0, b"A"), Bye("closed", "quitting")]
+    assert packets(end) == [Signal(1, b"x"), Reply(1, False, 0, b"A"), Bye("closed", "quitting")]
     assert end.state is LinkState.ENDED
 
 
@@ -284,16 +284,16 @@ def test_a_client_that_said_good_bye_is_forgotten():
     assert end.state is LinkState.APART
     end.open(0)
     end.feed(hello(), 0)
-    assert told(end) == [Greeted("me", False)]
+    assert requests(end) == [Greeted("me", False)]
 
 
 def test_readings_are_for_those_who_are_there_now():
     end = made()
     end.reading("key", b"early", 0)
     greet(end)
-    assert said(end) == []
+    assert packets(end) == []
     end.reading("key", b"now", 0)
-    assert said(end) == [Reading(1, "key", b"now")]
+    assert packets(end) == [Reading(1, "key", b"now")]
 
 
 @pytest.mark.parametrize(

@@ -34,29 +34,29 @@ class Both:
         self.talk()
 
     def talk(self):
-        asked = []
+        requests = []
         for _ in range(3):
             for pump in self.pumps.values():
                 pump.service(self.now)
-            asked += [one for one in self.session.service(self.now) if isinstance(one, Asked)]
-        return asked
+            requests += [event for event in self.session.service(self.now) if isinstance(event, Asked)]
+        return requests
 
-    def heard(self, channel, kind):
-        return [one for one in self.ends[channel].take_happenings() if isinstance(one, kind)]
+    def events_of(self, channel, kind):
+        return [event for event in self.ends[channel].take_happenings() if isinstance(event, kind)]
 
 
 def test_signals_answers_and_readings_go_their_own_ways():  # R-F01
     both = Both(THREE)
     assert set(both.session.states().values()) == {LinkState.LINKED}
     both.ends[Channel.SESSION].request(b"do", both.now)
-    (asked,) = both.talk()
+    (request,) = both.talk()
     both.session.signal(b"event", both.now)
     both.session.show("X", b"1", both.now)
-    both.session.reply(asked.ticket, b"done", both.now)
+    both.session.reply(request.ticket, b"done", both.now)
     both.talk()
-    assert both.heard(Channel.SESSION, Replied) == [Replied(1, b"done")]
-    assert both.heard(Channel.SIGNAL, Signalled) == [Signalled(1, b"event")]
-    assert both.heard(Channel.STREAM, Read) == [Read("X", b"1")]
+    assert both.events_of(Channel.SESSION, Replied) == [Replied(1, b"done")]
+    assert both.events_of(Channel.SIGNAL, Signalled) == [Signalled(1, b"event")]
+    assert both.events_of(Channel.STREAM, Read) == [Read("X", b"1")]
 
 
 def test_what_was_said_before_the_signal_channel_is_there_is_heard_on_it():  # R-F01
@@ -65,7 +65,7 @@ def test_what_was_said_before_the_signal_channel_is_there_is_heard_on_it():  # R
     both.ends[Channel.SIGNAL] = ClientEnd("me", LOCAL, Channel.SIGNAL)
     both.pumps[Channel.SIGNAL] = Pump(both.ends[Channel.SIGNAL])
     both.connect(Channel.SIGNAL)
-    assert both.heard(Channel.SIGNAL, Signalled) == [Signalled(1, b"early")]
+    assert both.events_of(Channel.SIGNAL, Signalled) == [Signalled(1, b"early")]
 
 
 def test_a_session_is_lost_once_after_silence_and_again_after_it_came_back():  # R-F01, R-X12

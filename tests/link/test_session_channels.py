@@ -33,17 +33,17 @@ class Net:
             self.bundle.attach(channel, here, self.now)
 
     def talk(self, rounds=4):
-        asked = []
+        requests = []
         for _ in range(rounds):
             self.dial()
             self.bundle.service(self.now)
             for session in self.guests.sessions:
-                asked += [(session, one) for one in session.service(self.now) if isinstance(one, Asked)]
+                requests += [(session, event) for event in session.service(self.now) if isinstance(event, Asked)]
         self.bundle.service(self.now)
-        return asked
+        return requests
 
-    def told(self, *kinds):
-        return [one for one in self.bundle.take_happenings() if isinstance(one, kinds)]
+    def events_of(self, *kinds):
+        return [event for event in self.bundle.take_happenings() if isinstance(event, kinds)]
 
 
 def test_the_asking_channel_comes_first_and_the_others_follow():  # R-F01
@@ -57,7 +57,7 @@ def test_the_asking_channel_comes_first_and_the_others_follow():  # R-F01
     assert net.bundle.state is not LinkState.LINKED
     net.talk()
     assert net.bundle.state is LinkState.LINKED
-    assert net.told(EpochChanged, Resumed) == [EpochChanged("first-1")]
+    assert net.events_of(EpochChanged, Resumed) == [EpochChanged("first-1")]
 
 
 def test_trying_again_takes_longer_each_time_up_to_two_seconds():
@@ -75,17 +75,17 @@ def test_answers_and_signals_come_out_of_one_bundle():  # R-F01
     net = Net()
     net.talk()
     number = net.bundle.request(b"do", net.now)
-    ((session, asked),) = net.talk()
+    ((session, request),) = net.talk()
     session.signal(b"event", net.now)
-    session.reply(asked.ticket, b"done", net.now)
+    session.reply(request.ticket, b"done", net.now)
     net.talk()
-    assert net.told(Replied, Signalled) == [Replied(number, b"done"), Signalled(1, b"event")]
+    assert net.events_of(Replied, Signalled) == [Replied(number, b"done"), Signalled(1, b"event")]
 
 
 def test_a_cut_of_one_channel_is_mended_without_a_word():  # R-F01
     net = Net()
     net.talk()
-    net.told()
+    net.events_of()
     net.lines[Channel.SIGNAL].close()
     net.guests.sessions[0].signal(b"meanwhile", net.now)
     net.talk()
@@ -93,7 +93,7 @@ def test_a_cut_of_one_channel_is_mended_without_a_word():  # R-F01
     net.now += 300 * MS
     net.talk()
     assert net.bundle.state is LinkState.LINKED
-    assert net.told(Signalled, Turned, EpochChanged) == [Signalled(1, b"meanwhile")]
+    assert net.events_of(Signalled, Turned, EpochChanged) == [Signalled(1, b"meanwhile")]
 
 
 def test_in_a_new_life_of_the_runtime_all_channels_begin_anew():  # R-F01
@@ -109,23 +109,23 @@ def test_in_a_new_life_of_the_runtime_all_channels_begin_anew():  # R-F01
     net.talk()
     net.guests.sessions[0].signal(b"new", net.now)
     net.talk()
-    assert [one.epoch for one in net.told(EpochChanged)] == ["first-1", "second-1"]
+    assert [event.epoch for event in net.events_of(EpochChanged)] == ["first-1", "second-1"]
     assert net.bundle.state is LinkState.LINKED
 
 
 def test_signals_of_an_old_life_are_not_told_in_a_new_one():  # R-F01
     net = Net()
     net.talk()
-    net.told()
+    net.events_of()
     net.guests.sessions[0].signal(b"old", net.now)  # on its way when the runtime ends
     net.lines[Channel.SESSION].close()
     net.restart("second")
     net.bundle.service(net.now)
     net.now += 300 * MS
     net.talk()
-    told = net.told(EpochChanged, Signalled)
-    assert told[-1] == EpochChanged("second-1")
-    assert Signalled(1, b"old") not in told[told.index(EpochChanged("second-1")) :]
+    events = net.events_of(EpochChanged, Signalled)
+    assert events[-1] == EpochChanged("second-1")
+    assert Signalled(1, b"old") not in events[events.index(EpochChanged("second-1")) :]
 
 
 def test_the_end_is_said_on_all_channels():
@@ -135,7 +135,7 @@ def test_the_end_is_said_on_all_channels():
     net.talk()
     assert net.bundle.state is LinkState.ENDED
     assert net.bundle.carriers == []
-    assert net.told(Turned)[-1].lost.cause is Cause.HERE
+    assert net.events_of(Turned)[-1].lost.cause is Cause.HERE
     assert net.guests.lost(net.now) == ["ann#1"]
 
 

@@ -22,7 +22,7 @@ def test_the_token_is_made_once_and_only_its_user_can_read_it(tmp_path):
     assert own_token(path) == token == read_token(path)
     assert stat.S_IMODE(path.stat().st_mode) == 0o600
     assert stat.S_IMODE(path.parent.stat().st_mode) == 0o700
-    assert [one.name for one in path.parent.iterdir()] == ["token"]
+    assert [path_.name for path_ in path.parent.iterdir()] == ["token"]
 
 
 def test_of_programs_that_start_at_once_the_first_ones_token_stands(tmp_path):

@@ -39,7 +39,7 @@ class Pair:
 
     def hear(self):
         self.server.receive_data(self.raw.recv(1 << 20))
-        return [bytes(one.data) for one in self.server.events_received() if isinstance(one, Frame)]
+        return [bytes(frame.data) for frame in self.server.events_received() if isinstance(frame, Frame)]
 
     def close(self):
         self.carrier.close()

@@ -125,7 +125,7 @@ class ClientEnd:
         if self.state is LinkState.GREETING:
             self._feed_greeting(packet, now_ns)
         elif self._pulse.is_linked:
-            self._pulse.heard(now_ns)
+            self._pulse.note_arrival(now_ns)
             self._feed_linked(packet, now_ns)
 
     def tick(self, now_ns: int) -> None:
@@ -245,10 +245,10 @@ class ClientEnd:
         if packet.cause == "version":
             self._end(
                 LinkEvent.REFUSED if self.state is LinkState.GREETING else LinkEvent.CUT,
-                lost.said(packet.cause, packet.reason),
+                lost.link_lost(packet.cause, packet.reason),
             )
         else:
-            self._end(LinkEvent.CUT, lost.said(packet.cause, packet.reason))
+            self._end(LinkEvent.CUT, lost.link_lost(packet.cause, packet.reason))
 
     def _unexpected(self, packet: Packet) -> None:
         if isinstance(packet, Hello | Request | Ack):

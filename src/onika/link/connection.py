@@ -190,9 +190,9 @@ class Connection:
 
     def _vouch(self) -> None:
         """Whoever serves the connections is alive."""
-        for one in self._bundle.carriers:
-            if isinstance(one, Beating):
-                one.served()
+        for carrier in self._bundle.carriers:
+            if isinstance(carrier, Beating):
+                carrier.served()
 
     def _sources(self) -> list[Source]:
         return [*self._bundle.carriers, *([] if self._dialler is None else [self._dialler])]

@@ -42,7 +42,7 @@ class Pact:
         return cls(port, secrets.token_bytes(_NAME), secrets.token_bytes(_KEY))
 
     @classmethod
-    def told(cls, header: str) -> "Pact | None":
+    def parse(cls, header: str) -> "Pact | None":
         """What the other end has told; None: it tells nothing that could be used."""
         words = header.split()
         try:
@@ -58,15 +58,15 @@ class Pact:
 
     def beat(self, count: int) -> bytes:
         """The datagram."""
-        said = self.name + count.to_bytes(_COUNT, "big")
-        return said + _seal(self.key, said)
+        head = self.name + count.to_bytes(_COUNT, "big")
+        return head + _seal(self.key, head)
 
     def count_in(self, datagram: bytes) -> int | None:
         """The count of a beat of this connection; None: it is none."""
-        said, seal = datagram[:-_SEAL], datagram[-_SEAL:]
-        if len(datagram) != LENGTH or said[:_NAME] != self.name or not compare_digest(seal, _seal(self.key, said)):
+        head, seal = datagram[:-_SEAL], datagram[-_SEAL:]
+        if len(datagram) != LENGTH or head[:_NAME] != self.name or not compare_digest(seal, _seal(self.key, head)):
             return None
-        return int.from_bytes(said[_NAME:], "big")
+        return int.from_bytes(head[_NAME:], "big")
 
 
 def name_in(datagram: bytes) -> bytes:
@@ -123,5 +123,5 @@ class Beater:
                         self._socket.send(beat)
 
 
-def _seal(key: bytes, said: bytes) -> bytes:
-    return blake2b(said, digest_size=_SEAL, key=key).digest()
+def _seal(key: bytes, data: bytes) -> bytes:
+    return blake2b(data, digest_size=_SEAL, key=key).digest()

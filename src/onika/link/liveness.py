@@ -44,7 +44,7 @@ class Pulse:
         self._beats = 0
         self.turn(LinkEvent.GREETED)
 
-    def heard(self, now_ns: int) -> None:
+    def note_arrival(self, now_ns: int) -> None:
         """The other side said something."""
         self.heard_ns = now_ns
         if self.is_linked:

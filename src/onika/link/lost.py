@@ -65,7 +65,7 @@ def garbage(detail: str) -> LinkLost:
     return LinkLost(Cause.GARBAGE, f"garbage was received: {detail}")
 
 
-def said(cause: str, reason: str) -> LinkLost:
+def link_lost(cause: str, reason: str) -> LinkLost:
     """What the other side's good-bye says."""
     if cause == "closed":
         return closed(reason)

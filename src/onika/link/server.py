@@ -46,8 +46,8 @@ class ServerEnd:
         self._account: Account | None = None
         self._welcome: Welcome | None = None
         self._tickets: dict[int, _Ticket] = {}
-        self._asked = 0
-        self._said = 0
+        self._last_ticket = 0
+        self._sent_to = 0
         self._acked = 0
         self._progress_ns = 0
         self.rhythm = Rhythm()
@@ -96,8 +96,8 @@ class ServerEnd:
         """Answer a request, once; raises KeyError for a ticket that was never given or is answered already."""
         if len(body) > self._terms.body_limit:
             raise ValueError(f"expected a reply of {self._terms.body_limit} bytes at most, found {len(body)}")
-        asked = self._tickets.pop(ticket)
-        self._answer(asked.account, asked.number, Answer(body))
+        request = self._tickets.pop(ticket)
+        self._answer(request.account, request.number, Answer(body))
 
     def reading(self, key: str, body: bytes, now_ns: int) -> None:
         """Show the newest value under a key, if there is somebody to see it and room on the way."""
@@ -111,7 +111,7 @@ class ServerEnd:
         if self.state is LinkState.GREETING:
             self._feed_greeting(packet, now_ns)
         elif self._account is not None:
-            self._pulse.heard(now_ns)
+            self._pulse.note_arrival(now_ns)
             self._feed_linked(self._account, packet, now_ns)
 
     def tick(self, now_ns: int) -> None:
@@ -128,7 +128,7 @@ class ServerEnd:
 
     def due_ns(self, now_ns: int) -> int | None:
         """How long until `tick` has something to do; None: not before something else happens."""
-        return self._pulse.due_ns(now_ns, may_retry=self._acked < self._said)
+        return self._pulse.due_ns(now_ns, may_retry=self._acked < self._sent_to)
 
     def take_packets(self, now_ns: int, room: int) -> list[Packet]:
         """What is to be sent now, where the connection has room for about so many bytes."""
@@ -182,7 +182,7 @@ class ServerEnd:
             self._account, self._acked = account, hello.seq
         else:
             self._account, self._acked = self._replies.begin(hello.client), self._journal.last
-        self._said = self._acked
+        self._sent_to = self._acked
         self._progress_ns = now_ns
         self._welcome = Welcome(VERSION, self._journal.epoch, self._acked, resumed, now_ns)
         self._lanes.signal(self._welcome)
@@ -213,9 +213,9 @@ class ServerEnd:
         if request.deadline_ns and now_ns > request.deadline_ns:
             self._answer(account, request.number, Answer(b"", late=True))
             return
-        self._asked += 1
-        self._tickets[self._asked] = _Ticket(account, request.number)
-        self._happenings.append(Asked(self._asked, account.client, body))
+        self._last_ticket += 1
+        self._tickets[self._last_ticket] = _Ticket(account, request.number)
+        self._happenings.append(Asked(self._last_ticket, account.client, body))
 
     def _answer(self, account: Account, number: int, answer: Answer) -> None:
         if account.answer(number, answer) and account is self._account and self._pulse.is_linked:
@@ -239,7 +239,7 @@ class ServerEnd:
             self._garbage(f"signal {ack.seq} acknowledged, {self._journal.last} are there")
         elif ack.seq > self._acked:
             self._acked = ack.seq
-            self._said = max(self._said, ack.seq)
+            self._sent_to = max(self._sent_to, ack.seq)
             self._progress_ns = now_ns
             self._say(now_ns)
 
@@ -247,22 +247,22 @@ class ServerEnd:
         """Say what is in the journal and not said yet, as far as the window allows."""
         if not self._pulse.is_linked:
             return
-        if self._said == self._acked:
+        if self._sent_to == self._acked:
             self._progress_ns = now_ns
-        if not self._journal.reaches_back_to(self._said):
-            why = f"signal {self._said + 1} is forgotten"
+        if not self._journal.reaches_back_to(self._sent_to):
+            why = f"signal {self._sent_to + 1} is forgotten"
             self._end(LinkEvent.CUT, lost.behind(why))
             self._lanes.last(Bye("behind", why))
             return
-        while self._said < self._journal.last and self._said - self._acked < self._terms.window:
-            self._said += 1
-            self._lanes.signal(Signal(self._said, self._journal.body(self._said)))
+        while self._sent_to < self._journal.last and self._sent_to - self._acked < self._terms.window:
+            self._sent_to += 1
+            self._lanes.signal(Signal(self._sent_to, self._journal.body(self._sent_to)))
 
     def _retry(self, now_ns: int) -> None:
         retry_ns = self._terms.retry_ns
         overdue = retry_ns and now_ns - self._progress_ns >= retry_ns
-        if overdue and self._pulse.is_linked and self._acked < self._said:
-            self._said = self._acked
+        if overdue and self._pulse.is_linked and self._acked < self._sent_to:
+            self._sent_to = self._acked
             self._progress_ns = now_ns
 
     def _bye(self, packet: Bye) -> None:

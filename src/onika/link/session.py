@@ -46,7 +46,7 @@ class Session:
         self._followers = ReplyBook()
         self._has_greeted = False
         self._is_present = False
-        self.has_asked = False
+        self.has_requested = False
         self._has_shown = False
 
     @property
@@ -76,7 +76,7 @@ class Session:
         return Rhythm() if self._asking is None else self._asking.rhythm
 
     @property
-    def is_heard(self) -> bool:
+    def is_linked(self) -> bool:
         """Whether it has a connection, and was not silent on its asking channel for suspiciously long."""
         is_quiet = self._asking is not None and self._asking.state is LinkState.SUSPECT
         return bool(self.ports) and not is_quiet
@@ -102,7 +102,7 @@ class Session:
             for happening in port.service(now_ns):
                 happenings.append(happening)
                 if isinstance(happening, Asked):
-                    self.has_asked = True
+                    self.has_requested = True
                 elif isinstance(happening, Greeted) and port is self._asking:
                     self.client = happening.client
                     self._has_greeted = self._is_present = True

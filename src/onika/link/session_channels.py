@@ -119,7 +119,7 @@ class Bundle:
         return number
 
     @property
-    def asked(self) -> int:
+    def request_count(self) -> int:
         """The number of the latest request."""
         return self._first.end.asked
 

@@ -70,27 +70,27 @@ class Guests:
 
     def admit(self, new: Introduction, carrier: Carrier, now_ns: int) -> str:
         """Take a connection to its session, which is made where there is none; else why it is turned away."""
-        known = self._by_client.get(new.client)
-        if known is not None and known.caller.user != new.caller.user:
+        session = self._by_client.get(new.client)
+        if session is not None and session.caller.user != new.caller.user:
             return "this session is another user's"
-        if known is not None and self._begins_anew(known, new):
-            self._part(known)
-            known = None
-        if known is None and not new.channel.asks:
+        if session is not None and self._begins_anew(session, new):
+            self._part(session)
+            session = None
+        if session is None and not new.channel.asks:
             return "there is no such session; greet on the session channel first"
-        if known is not None and not known.fits(new.channel):
+        if session is not None and not session.fits(new.channel):
             return "a session has one connection for everything, or one for each channel"
-        if known is None:
+        if session is None:
             if not self._has_room():
                 return f"there are {self._keep} sessions already"
-            known = self._begin(new)
-        known.caller = new.caller
-        known.attach(new.channel, carrier, now_ns)
+            session = self._begin(new)
+        session.caller = new.caller
+        session.attach(new.channel, carrier, now_ns)
         return ""
 
     def lost(self, now_ns: int) -> list[str]:
         """The sessions given up since the last call; those that are away for long are forgotten too."""
-        gone = self._turned_away + [one.name for one in self._sessions.values() if one.is_lost(now_ns)]
+        gone = self._turned_away + [session.name for session in self._sessions.values() if session.is_lost(now_ns)]
         self._turned_away = []
         for session in self.sessions:
             if session.has_left or (not session.ports and now_ns - session.heard_ns >= self._forget_ns):
@@ -101,13 +101,13 @@ class Guests:
     def _life(self) -> str:
         return f"{self._epoch}-{self._count}"
 
-    def _begins_anew(self, known: Session, new: Introduction) -> bool:
+    def _begins_anew(self, session: Session, new: Introduction) -> bool:
         """Whether a program that knows nothing of its session has come under the old name.
 
         Not if nothing was asked: then the same program may have missed the first welcome.
         """
-        is_other = known.has_asked or not known.fits(new.channel)
-        return new.channel.asks and is_other and new.epoch != known.epoch
+        is_other = session.has_requested or not session.fits(new.channel)
+        return new.channel.asks and is_other and new.epoch != session.epoch
 
     def _begin(self, new: Introduction) -> Session:
         self._count += 1
@@ -121,9 +121,9 @@ class Guests:
         """Whether one more fits, if need be in place of the one that has been away longest."""
         if len(self._by_client) < self._keep:
             return True
-        away = [one for one in self._by_client.values() if not one.ports]
+        away = [session for session in self._by_client.values() if not session.ports]
         if away:
-            self._part(min(away, key=lambda one: one.heard_ns))
+            self._part(min(away, key=lambda session: session.heard_ns))
         return bool(away)
 
     def _part(self, session: Session) -> None:

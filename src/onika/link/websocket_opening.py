@@ -99,16 +99,16 @@ class Opening:
         if isinstance(fault, InvalidStatus):
             status = fault.response.status_code
             cause, text = _REFUSED.get(status, (Cause.REFUSED, "no link there"))
-            said = bytes(fault.response.body or b"").decode("utf-8", "replace").strip()[:500]
-            raise LinkLost(cause, f"{self.address} refused ({status}): {said or text}")
+            body = bytes(fault.response.body or b"").decode("utf-8", "replace").strip()[:500]
+            raise LinkLost(cause, f"{self.address} refused ({status}): {body or text}")
         if fault is not None:
             raise LinkLost(Cause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
 
 
 def _beater(connected: socket.socket, protocol: ClientProtocol) -> Beater | None:
     """What beats beside the connection, where the runtime has told how."""
-    answers = [one for one in protocol.events if isinstance(one, Response)]
-    pact = Pact.told(answers[0].headers.get(HEADER, "")) if answers else None
+    answers = [event for event in protocol.events if isinstance(event, Response)]
+    pact = Pact.parse(answers[0].headers.get(HEADER, "")) if answers else None
     return None if pact is None else Beater(pact, connected.getpeername()[0], connected.family)
 
 
