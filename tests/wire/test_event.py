@@ -48,13 +48,13 @@ EVENTS = [
 ]
 
 
-@pytest.mark.parametrize("one", EVENTS, ids=lambda one: type(one).__name__)
-def test_an_event_travels_whole(one):  # R-F01, R-E11
-    assert event.decode(event.encode(one)) == one
+@pytest.mark.parametrize("message", EVENTS, ids=lambda message: type(message).__name__)
+def test_an_event_travels_whole(message):  # R-F01, R-E11
+    assert event.decode(event.encode(message)) == message
 
 
 def test_every_event_is_tried():
-    assert {type(one) for one in EVENTS} == set(event.Event.__args__)
+    assert {type(message) for message in EVENTS} == set(event.Event.__args__)
 
 
 def test_what_is_no_event_is_a_value_error():

@@ -8,19 +8,19 @@ SESSION = holding.SessionStanding("ann#2", "operator", is_here=False, only_watch
 
 
 @pytest.mark.parametrize(
-    "asked",
+    "message",
     [holding.Hand("s0", "ann#2"), holding.Hand("s0"), holding.Decline("s0"), holding.OnlyWatch(), holding.Sessions()],
 )
-def test_a_request_about_holding_travels_whole(asked):  # R-X12
-    assert request.decode_request(request.encode(asked)) == asked
+def test_a_request_about_holding_travels_whole(message):  # R-X12
+    assert request.decode_request(request.encode(message)) == message
 
 
 def test_who_is_there_travels_whole():  # R-X12
     answer = holding.Company("ann#2", (SESSION,))
     assert request.decode_response(request.encode(answer)) == answer
-    for told in (
+    for message in (
         event.Company((SESSION,)),
         event.Offered("s0", "ann#2", "bob#3", "accepted"),
         event.Held("s0", "", "why"),
     ):
-        assert event.decode(event.encode(told)) == told
+        assert event.decode(event.encode(message)) == message

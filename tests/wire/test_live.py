@@ -68,16 +68,16 @@ RESPONSES = [
 ]
 
 
-@pytest.mark.parametrize("one", REQUESTS, ids=lambda one: type(one).__name__)
-def test_a_request_by_hand_travels_whole(one):  # R-A19
-    assert request.decode_request(request.encode(one)) == one
+@pytest.mark.parametrize("message", REQUESTS, ids=lambda message: type(message).__name__)
+def test_a_request_by_hand_travels_whole(message):  # R-A19
+    assert request.decode_request(request.encode(message)) == message
 
 
-@pytest.mark.parametrize("one", RESPONSES, ids=lambda one: type(one).__name__)
-def test_a_response_by_hand_travels_whole(one):  # R-A19
-    assert request.decode_response(request.encode(one)) == one
+@pytest.mark.parametrize("message", RESPONSES, ids=lambda message: type(message).__name__)
+def test_a_response_by_hand_travels_whole(message):  # R-A19
+    assert request.decode_response(request.encode(message)) == message
 
 
 def test_everything_that_is_asked_by_hand_is_tried():
-    assert {type(one) for one in REQUESTS} == set(live.LiveRequest.__args__)
-    assert {type(one) for one in RESPONSES} == set(live.LiveResponse.__args__)
+    assert {type(message) for message in REQUESTS} == set(live.LiveRequest.__args__)
+    assert {type(message) for message in RESPONSES} == set(live.LiveResponse.__args__)

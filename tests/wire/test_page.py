@@ -14,13 +14,13 @@ MESSAGES = (
 )
 
 
-@pytest.mark.parametrize("message", MESSAGES, ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize("message", MESSAGES, ids=lambda message: type(message).__name__)
 def test_a_message_travels_whole(message):
     assert msgspec.json.decode(page.encode(message), type=type(message)) == message
 
 
 def test_every_message_is_tried():
-    assert {type(one) for one in MESSAGES} == set(page.AnyMessage.__args__)
+    assert {type(message) for message in MESSAGES} == set(page.AnyMessage.__args__)
 
 
 @pytest.mark.parametrize("body", [b"", b"{}", b"null", b'{"cid":"x","act":{"t":"New"}}', b'{"cid":1,"act":{}}'])

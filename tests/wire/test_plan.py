@@ -11,7 +11,7 @@ def test_a_plan_travels_whole():  # house decisions 2, 11
 
 
 def test_a_plan_cannot_be_changed_and_equal_plans_are_equal():  # house decision 5
-    one, other = (rail().plan([action("mass", "servo")]) for _ in range(2))
-    assert one == other
-    for part in (one, one.flows[0], one.flows[0].tasks[0], one.flows[0].actions[0], one.code[0]):
+    first, other = (rail().plan([action("mass", "servo")]) for _ in range(2))
+    assert first == other
+    for part in (first, first.flows[0], first.flows[0].tasks[0], first.flows[0].actions[0], first.code[0]):
         assert part.__struct_config__.frozen

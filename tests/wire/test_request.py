@@ -24,14 +24,14 @@ RESPONSES = [
 ]
 
 
-@pytest.mark.parametrize("one", REQUESTS, ids=lambda one: type(one).__name__)
-def test_a_request_travels_whole(one):  # R-F01
-    assert request.decode_request(request.encode(one)) == one
+@pytest.mark.parametrize("message", REQUESTS, ids=lambda message: type(message).__name__)
+def test_a_request_travels_whole(message):  # R-F01
+    assert request.decode_request(request.encode(message)) == message
 
 
-@pytest.mark.parametrize("one", RESPONSES, ids=lambda one: type(one).__name__)
-def test_a_response_travels_whole(one):  # R-F01, R-F07
-    assert request.decode_response(request.encode(one)) == one
+@pytest.mark.parametrize("message", RESPONSES, ids=lambda message: type(message).__name__)
+def test_a_response_travels_whole(message):  # R-F01, R-F07
+    assert request.decode_response(request.encode(message)) == message
 
 
 def test_every_request_and_every_response_is_tried():
@@ -40,8 +40,8 @@ def test_every_request_and_every_response_is_tried():
         {*live.LiveResponse.__args__, steer.Positions, holding.Company},
     )
     # tried in files of their own
-    assert {type(one) for one in REQUESTS} == set(request.Request.__args__) - by_hand[0]
-    assert {type(one) for one in RESPONSES} == set(request.Response.__args__) - by_hand[1]
+    assert {type(message) for message in REQUESTS} == set(request.Request.__args__) - by_hand[0]
+    assert {type(message) for message in RESPONSES} == set(request.Response.__args__) - by_hand[1]
 
 
 @pytest.mark.parametrize("body", [b"", b"\xc0", b"\x81\xa4type\xa4Jump", b"\x80", request.encode(request.Done())])

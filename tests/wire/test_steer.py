@@ -21,15 +21,15 @@ ASKED = (
 POSITION = steer.Position("flow0", "waiting", 2, "t a", ("flow1",), True, ("outer",), ("pd",), (1, 4))
 
 
-@pytest.mark.parametrize("asked", ASKED, ids=lambda one: type(one).__name__)
-def test_every_request_travels(asked):  # R-E07, R-E08, R-E13
-    assert request.decode_request(request.encode(asked)) == asked
+@pytest.mark.parametrize("message", ASKED, ids=lambda message: type(message).__name__)
+def test_every_request_travels(message):  # R-E07, R-E08, R-E13
+    assert request.decode_request(request.encode(message)) == message
 
 
 def test_no_request_is_left_out():
-    assert {type(one) for one in ASKED} == set(get_args(steer.SteerRequest))
+    assert {type(message) for message in ASKED} == set(get_args(steer.SteerRequest))
 
 
 def test_positions_travel_back():  # R-X03
-    told = steer.Positions((POSITION,))
-    assert request.decode_response(request.encode(told)) == told
+    positions = steer.Positions((POSITION,))
+    assert request.decode_response(request.encode(positions)) == positions

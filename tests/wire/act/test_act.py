@@ -24,19 +24,19 @@ LISTS = {"svars": ("Q",), "lines": (("SPEED", ("0.5",)),), "values": {"min_size"
 
 def filled(kind):
     """An act with something in every field that it needs."""
-    needed = [one for one in msgspec.structs.fields(kind) if one.required]
+    needed = [field for field in msgspec.structs.fields(kind) if field.required]
     given = {"local": (), **WORDS, **TIMES, **LISTS, **UPPER}
     if kind is act.MakeTarget:
         return act.MakeTarget("home", "Joint object", (("1", "2"),), "8" * 1024)
     if kind is act.Move:
         return act.Move("c1", {"pd": (1, 2)}, {"Q": (3, 4)})
-    return kind(**{one.name: given.get(one.name, "word") for one in needed})
+    return kind(**{field.name: given.get(field.name, "word") for field in needed})
 
 
 @pytest.mark.parametrize("kind", EVERY, ids=lambda kind: kind.__name__)
 def test_an_act_travels_whole(kind):
-    asked = filled(kind)
-    assert page.decode(msgspec.json.encode(page.Ordered(3, asked))) == page.Ordered(3, asked)
+    message = filled(kind)
+    assert page.decode(msgspec.json.encode(page.Ordered(3, message))) == page.Ordered(3, message)
 
 
 @pytest.mark.parametrize("kind", EVERY, ids=lambda kind: kind.__name__)
@@ -48,5 +48,5 @@ def test_a_field_that_no_act_has_is_refused(kind):
 
 
 def test_no_act_is_left_out():
-    named = {one for one in vars(act).values() if isinstance(one, type) and issubclass(one, act.Act)}
+    named = {kind for kind in vars(act).values() if isinstance(kind, type) and issubclass(kind, act.Act)}
     assert named - {act.Act} == set(EVERY)

@@ -9,5 +9,5 @@ def test_nothing_goes_on_from_a_recording_or_is_replaced_unless_it_is_confirmed(
 
 
 def test_how_far_two_runs_may_lie_apart_depends_on_them_unless_it_is_said():
-    asked = act.CompareWith("run.mcap", part=0.0)
-    assert (asked.tolerance, asked.part, asked.time_s) == (None, 0.0, None)
+    message = act.CompareWith("run.mcap", part=0.0)
+    assert (message.tolerance, message.part, message.time_s) == (None, 0.0, None)
