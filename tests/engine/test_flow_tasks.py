@@ -26,8 +26,8 @@ def switch(made, step):
     return change
 
 
-def on(*tasks, told="1 2"):
-    return tuple(Start(task, told if task == "move" else "", 100.0) for task in tasks)
+def on(*tasks, ranks="1 2"):
+    return tuple(Start(task, ranks if task == "move" else "", 100.0) for task in tasks)
 
 
 def test_spawning_orders_the_union_of_the_tasks_once_each():  # R-E02

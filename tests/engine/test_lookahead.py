@@ -12,7 +12,7 @@ NOTHING = frozenset()
 
 
 def made(script, noops=()):
-    actions = 1 + max(one.action for one in script if isinstance(one, Do))
+    actions = 1 + max(instruction.action for instruction in script if isinstance(instruction, Do))
     jobs = [build.noop() if index in noops else JOB for index in range(actions)]
     return Program(build.plan(build.flow(jobs, script)).flows[0])
 
@@ -68,12 +68,12 @@ def parts(depth=2):
     if depth == 0:
         return st.lists(leaf, min_size=1, max_size=2)
     inner = parts(depth - 1)
-    one = st.one_of(
+    block = st.one_of(
         leaf,
         st.tuples(st.sampled_from(["bottom", "top"]), inner),
         st.tuples(st.just("branch"), st.lists(inner, min_size=1, max_size=3)),
     )
-    return st.lists(one, min_size=1, max_size=3)
+    return st.lists(block, min_size=1, max_size=3)
 
 
 class Counted:
@@ -88,12 +88,12 @@ class Counted:
         return Do(self.actions - 1)
 
     def parts(self, drawn):
-        return [self.part(one) for one in drawn]
+        return [self.part(part) for part in drawn]
 
-    def part(self, one):
-        if one == "do":
+    def part(self, part):
+        if part == "do":
             return self.do()
-        kind, inner = one
+        kind, inner = part
         if kind == "branch":
             return branch(*[self.parts(each) for each in inner])
         self.loops += 1

@@ -9,7 +9,7 @@ JOB = build.job("move", trigger="move")
 
 
 def made(*script, actions=None):
-    count = actions if actions is not None else sum(isinstance(one, Do) for one in script)
+    count = actions if actions is not None else sum(isinstance(instruction, Do) for instruction in script)
     return Program(build.plan(build.flow([JOB] * count, script)).flows[0])
 
 

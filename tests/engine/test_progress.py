@@ -127,8 +127,8 @@ def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there()
 def test_no_ops_on_the_way_are_told_and_what_is_on_still_belongs_to_the_job_before():  # R-D11
     flow = running(REACH, build.noop(), GRASP)
     flow.ends_with(Value())
-    way, told = flow.walk()
-    assert told == [Began(0, 1), Done(0, 1)]
+    way, orders = flow.walk()
+    assert orders == [Began(0, 1), Done(0, 1)]
     assert (way.passed, flow.current, flow.step.name) == ((1,), 1, "action 0")
 
 

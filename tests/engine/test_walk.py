@@ -11,17 +11,17 @@ NOTHING = frozenset()
 
 
 def way(script, noops=(), pc=0, value=None, leaving=NOTHING, holding=(), rests=()):
-    actions = 1 + max(one.action for one in script if isinstance(one, Do))
+    actions = 1 + max(instruction.action for instruction in script if isinstance(instruction, Do))
     jobs = [build.noop() if index in noops else JOB for index in range(actions)]
     made = Program(build.plan(build.flow(jobs, script)).flows[0])
-    return walk(made, pc, value, frozenset(leaving), lambda one: one in holding, lambda one: one in rests)
+    return walk(made, pc, value, frozenset(leaving), lambda action: action in holding, lambda action: action in rests)
 
 
-@pytest.mark.parametrize("one", [Do(0), Meet("a"), Fork(((1, 0),)), Halt(), Rest(-1)])
-def test_a_walk_ends_at_what_takes_time_or_needs_others(one):
-    script = (one, Do(0), *([Join((1,))] if isinstance(one, Fork) else []), Halt())
-    found = way(script)
-    assert (found.pc, found.passed, found.notes, found.rests, found.is_endless) == (0, (), (), False, False)
+@pytest.mark.parametrize("script", [Do(0), Meet("a"), Fork(((1, 0),)), Halt(), Rest(-1)])
+def test_a_walk_ends_at_what_takes_time_or_needs_others(script):
+    script = (script, Do(0), *([Join((1,))] if isinstance(script, Fork) else []), Halt())
+    end = way(script)
+    assert (end.pc, end.passed, end.notes, end.rests, end.is_endless) == (0, (), (), False, False)
 
 
 def test_a_join_ends_a_walk():
@@ -38,14 +38,14 @@ def test_a_breakpoint_of_an_application_is_passed_unless_its_condition_holds(hol
 
 
 def test_no_ops_are_passed_and_return_true_and_flow_0():  # R-D11
-    found = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], value=Value(2))
-    assert (found.pc, found.passed, found.value) == (2, (0, 1), NOOP)
+    end = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], value=Value(2))
+    assert (end.pc, end.passed, end.value) == (2, (0, 1), NOOP)
     assert Value(0, loop=True) == NOOP
 
 
 def test_a_flow_rests_behind_a_no_op_after_which_it_is_to_rest():  # decision 25
-    found = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], rests=[0])
-    assert (found.pc, found.passed, found.rests) == (1, (0,), True)
+    end = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], rests=[0])
+    assert (end.pc, end.passed, end.rests) == (1, (0,), True)
 
 
 def test_without_a_value_flow_0_is_taken_and_loops_are_left():  # decisions 21 and 22
@@ -56,8 +56,8 @@ def test_without_a_value_flow_0_is_taken_and_loops_are_left():  # decisions 21 a
 
 def test_a_loop_that_was_left_need_not_be_left_again():  # R-E07
     script = program(bottom("round", Do(0)), Do(1))
-    found = way(script, pc=1, value=Value(0, loop=True), leaving={"round", "other"})
-    assert (found.pc, found.left) == (2, {"other"})
+    end = way(script, pc=1, value=Value(0, loop=True), leaving={"round", "other"})
+    assert (end.pc, end.left) == (2, {"other"})
     assert way(script, pc=1, value=Value(0, loop=True)).pc == 0
 
 
@@ -66,8 +66,8 @@ def test_a_loop_that_ends_by_itself_need_not_be_left():  # R-E07
 
 
 def test_a_top_test_loop_is_left_at_the_end_of_its_body_as_well():  # R-E07
-    found = way(program(top("round", Do(0), Do(1)), Do(2)), pc=3, value=Value(), leaving={"round"})
-    assert (found.pc, found.left) == (4, NOTHING)
+    end = way(program(top("round", Do(0), Do(1)), Do(2)), pc=3, value=Value(), leaving={"round"})
+    assert (end.pc, end.left) == (4, NOTHING)
 
 
 def test_a_loop_without_jobs_is_left_when_that_is_wanted_and_endless_else():
@@ -83,8 +83,8 @@ def test_a_loop_without_jobs_ends_when_its_condition_does_not_hold():
 
 
 def test_a_value_too_large_is_noted_with_the_number_of_flows():  # decision 20
-    found = way(program(branch([Do(0)], [Do(1)], name="sort")), value=Value(2))
-    assert (found.pc, found.notes) == (
+    end = way(program(branch([Do(0)], [Do(1)], name="sort")), value=Value(2))
+    assert (end.pc, end.notes) == (
         1,
         ("sort has 2 flows and the action before it asks for flow 2: flow 0 is taken",),
     )
@@ -95,8 +95,8 @@ def test_a_branch_without_a_name_is_called_the_branch():
 
 
 def test_conditions_are_asked_in_their_order_and_no_further_than_needed():  # R-D13
-    asked = []
+    conditions = []
     script = program(branch([Do(0)], [Do(1)], [Do(2)], conditions=("X", "Y")))
     made = Program(build.plan(build.flow([JOB] * 3, script)).flows[0])
-    walk(made, 0, None, NOTHING, lambda one: asked.append(one) or one == "X", lambda _one: False)
-    assert asked == ["X"]
+    walk(made, 0, None, NOTHING, lambda condition: conditions.append(condition) or condition == "X", lambda _one: False)
+    assert conditions == ["X"]

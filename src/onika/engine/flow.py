@@ -94,7 +94,7 @@ def after(state: FlowState, event: FlowEvent) -> FlowState:
     """The state that follows; raises ValueError for an event that the state does not list."""
     following = TABLE[state].get(event)
     if following is None:
-        listed = ", ".join(known.value for known in TABLE[state]) or "nothing more"
+        listed = ", ".join(possible.value for possible in TABLE[state]) or "nothing more"
         raise ValueError(f"a flow that is {state.value} expects {listed}, found {event.value}")
     return following
 

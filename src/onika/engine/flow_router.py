@@ -32,7 +32,7 @@ class Itinerary:
 
     def go_on(self, flows: Iterable[int], number: int = 0) -> list[Order]:
         """These flows go on from where they are; `number` is that of the case that was carried out already."""
-        told: list[Order] = []
+        orders: list[Order] = []
         begun: list[Order] = []
         self._met = ""
         self._going = deque(flows)
@@ -41,24 +41,24 @@ class Itinerary:
                 break
             flow = self._flows[self._going.popleft()]
             way, on_the_way = flow.walk()
-            told += on_the_way
-            one = flow.next
+            orders += on_the_way
+            instruction = flow.next
             if way.is_endless:
                 self.astray = f"flow {flow.flow} goes round for ever without taking any time"
-                return told
+                return orders
             if way.rests:
-                told += self.rest(flow)
-            elif isinstance(one, Do):
+                orders += self.rest(flow)
+            elif isinstance(instruction, Do):
                 begun += flow.begin(number)
-            elif isinstance(one, Meet):
-                told += self._meet(flow, one.tag)
+            elif isinstance(instruction, Meet):
+                orders += self._meet(flow, instruction.tag)
             else:
-                told += self._pass_by(flow)
+                orders += self._pass_by(flow)
         else:
             self.astray = "flows meet for ever without taking any time"
-            return told
-        together = tuple(one.flow for one in begun if isinstance(one, Switch))
-        return told + ([Together(self._met, together)] if len(together) > 1 else []) + begun + self._settle()
+            return orders
+        together = tuple(order.flow for order in begun if isinstance(order, Switch))
+        return orders + ([Together(self._met, together)] if len(together) > 1 else []) + begun + self._settle()
 
     def _meet(self, flow: Progress, tag: str) -> list[Order]:
         together = self.meetings.arrive(flow.flow, tag)
@@ -72,19 +72,21 @@ class Itinerary:
         return [self.waits(flow)]
 
     def _pass_by(self, flow: Progress) -> list[Order]:
-        one = flow.next
-        match one:
+        instruction = flow.next
+        match instruction:
             case Rest():
                 flow.advance()
                 return self.rest(flow)
             case Fork():
-                if self._not_done(number for number, _ in one.flows):
+                if self._not_done(number for number, _ in instruction.flows):
                     return self._join(flow)
                 flow.advance()
                 self._going.append(flow.flow)
-                return [order for number, place in one.flows for order in self._fork(self._flows[number], place)]
+                return [
+                    order for number, place in instruction.flows for order in self._fork(self._flows[number], place)
+                ]
             case Join():
-                if self._not_done(one.flows):
+                if self._not_done(instruction.flows):
                     return self._join(flow)
                 flow.advance()
                 self._going.append(flow.flow)
@@ -110,11 +112,14 @@ class Itinerary:
         parent = None if flow.parent is None else self._flows[flow.parent]
         if parent is not None and parent.state is FlowState.JOINING and parent.flow not in self._going:
             self._going.append(parent.flow)
-        waiting = (one for one in self._flows if self.meetings.waits_at(one.flow))
-        return [flow.moved(), *(self.waits(one) for one in waiting if flow.flow in self.waits_for(one))]
+        waiting = (waiting_flow for waiting_flow in self._flows if self.meetings.waits_at(waiting_flow.flow))
+        return [
+            flow.moved(),
+            *(self.waits(waiting_flow) for waiting_flow in waiting if flow.flow in self.waits_for(waiting_flow)),
+        ]
 
     def _not_done(self, flows: Iterable[int]) -> list[int]:
-        return [one for one in flows if self._flows[one].state is not FlowState.DONE or one in self._going]
+        return [flow for flow in flows if self._flows[flow].state is not FlowState.DONE or flow in self._going]
 
     def _settle(self) -> list[Order]:
         return [Settle()] if all(flow.state is FlowState.DONE for flow in self._flows) else []
@@ -140,10 +145,10 @@ class Itinerary:
         """The flows a flow waits for."""
         if flow.state is FlowState.WAITING:
             return self.meetings.absent(flow.flow)
-        one = flow.next if flow.state is FlowState.JOINING else None
-        if isinstance(one, Join):
-            return self._not_done(one.flows)
-        return self._not_done(number for number, _ in one.flows) if isinstance(one, Fork) else []
+        instruction = flow.next if flow.state is FlowState.JOINING else None
+        if isinstance(instruction, Join):
+            return self._not_done(instruction.flows)
+        return self._not_done(number for number, _ in instruction.flows) if isinstance(instruction, Fork) else []
 
     def _has_ended(self, number: int) -> bool:
         """Whether a flow is done for good; one that is begun by another may be begun again."""

@@ -50,11 +50,11 @@ def _ways(
         way = walk(program, pc, open_value, leaving, _nobody_knows, lambda _action: False)
     except _Unforeseen as unforeseen:
         if unforeseen.args == ("loop",):
-            for known in (False, True):
-                yield from _ways(program, pc, leaving, choice, known)
+            for loop_ in (False, True):
+                yield from _ways(program, pc, leaving, choice, loop_)
         elif unforeseen.args == ("choice",):
-            for one in range(min(_widest(program), _MOST_CHOICES)):
-                yield from _ways(program, pc, leaving, one, loop)
+            for choice_ in range(min(_widest(program), _MOST_CHOICES)):
+                yield from _ways(program, pc, leaving, choice_, loop)
         return
     if not way.notes and not way.is_endless:
         yield choice, loop, way
@@ -65,4 +65,6 @@ def _nobody_knows(_condition: str) -> bool:
 
 
 def _widest(program: Program) -> int:
-    return max((len(one.to) for one in program.instructions if isinstance(one, Choose)), default=0)
+    return max(
+        (len(instruction.to) for instruction in program.instructions if isinstance(instruction, Choose)), default=0
+    )

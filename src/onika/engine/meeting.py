@@ -26,9 +26,9 @@ class Meetings:
         """A flow comes to a tag; the flows that may go on with it, in their order; none while it has to wait."""
         self._visits[flow][tag] += 1
         self._waiting[flow] = tag
-        together = [one for one, where in self._waiting.items() if where == tag and not self.absent(one)]
-        for one in together:
-            del self._waiting[one]
+        together = [other for other, where in self._waiting.items() if where == tag and not self.absent(other)]
+        for other in together:
+            del self._waiting[other]
         return sorted(together)
 
     def let_pass(self, flow: int) -> None:

@@ -38,11 +38,15 @@ class Program:
         self.entries = self._entries(len(planned.actions))
         """Where each action begins: at its tag, if it has one."""
         self.breakpoints = {
-            one.action: one.condition for one in self.instructions if isinstance(one, Rest) and one.action >= 0
+            instruction.action: instruction.condition
+            for instruction in self.instructions
+            if isinstance(instruction, Rest) and instruction.action >= 0
         }
         """The conditions of the breakpoints behind single actions; empty: always."""
         self.loops = tuple(self._loops())
-        self._stretches = [place for place, one in enumerate(self.instructions) if isinstance(one, Halt)]
+        self._stretches = [
+            place for place, instruction in enumerate(self.instructions) if isinstance(instruction, Halt)
+        ]
         self._parallel = tuple(self._parallels())
 
     def loops_at(self, place: int) -> list[Loop]:
@@ -60,8 +64,8 @@ class Program:
 
     def tags_from(self, place: int) -> set[str]:
         """The tags of the stretch that begins at a place."""
-        end = next(one for one in self._stretches if one >= place)
-        return {one.tag for one in self.instructions[place:end] if isinstance(one, Meet)}
+        end = next(stretch for stretch in self._stretches if stretch >= place)
+        return {instruction.tag for instruction in self.instructions[place:end] if isinstance(instruction, Meet)}
 
     @property
     def end(self) -> int:
@@ -71,51 +75,56 @@ class Program:
     @property
     def tags(self) -> list[str]:
         """Every tag, in the order of the program."""
-        return list(dict.fromkeys(one.tag for one in self.instructions if isinstance(one, Meet)))
+        return list(
+            dict.fromkeys(instruction.tag for instruction in self.instructions if isinstance(instruction, Meet))
+        )
 
     def _entries(self, actions: int) -> dict[int, int]:
         entries: dict[int, int] = {}
-        for place, one in enumerate(self.instructions):
-            if isinstance(one, Do):
+        for place, instruction in enumerate(self.instructions):
+            if isinstance(instruction, Do):
                 before = self.instructions[place - 1] if place else None
-                entries.setdefault(one.action, place - 1 if isinstance(before, Meet) else place)
+                entries.setdefault(instruction.action, place - 1 if isinstance(before, Meet) else place)
         if len(entries) != actions:
             raise ValueError(f"expected a Do for each of {actions} actions, found {len(entries)}")
         return entries
 
     def _loops(self) -> list[Loop]:
-        found = []
-        for place, one in enumerate(self.instructions):
-            if isinstance(one, Again) or (isinstance(one, Jump) and one.loop):
-                found.append(Loop(one.loop, one.to, place))
-        return found
+        loops = []
+        for place, instruction in enumerate(self.instructions):
+            if isinstance(instruction, Again) or (isinstance(instruction, Jump) and instruction.loop):
+                loops.append(Loop(instruction.loop, instruction.to, place))
+        return loops
 
     def _parallels(self) -> list[tuple[int, int]]:
         """Forks and their Joins; one within another ends before it."""
-        found, open_forks = [], []
-        for place, one in enumerate(self.instructions):
-            if isinstance(one, Fork):
+        pairs, open_forks = [], []
+        for place, instruction in enumerate(self.instructions):
+            if isinstance(instruction, Fork):
                 open_forks.append(place)
-            elif isinstance(one, Join):
+            elif isinstance(instruction, Join):
                 if not open_forks:
                     raise ValueError(f"expected a Fork before the Join at {place}, found none")
-                found.append((open_forks.pop(), place))
+                pairs.append((open_forks.pop(), place))
         if open_forks:
             raise ValueError(f"expected a Join for the Fork at {open_forks[0]}, found none")
-        return found
+        return pairs
 
     def _check(self, actions: int) -> None:
         size = len(self.instructions)
         if not size or not isinstance(self.instructions[-1], Halt):
             raise ValueError("expected a program that ends with a Halt")
-        for place, one in enumerate(self.instructions):
-            for to in _leads_to(one):
+        for place, instruction in enumerate(self.instructions):
+            for to in _leads_to(instruction):
                 if not 0 <= to < size:
                     raise ValueError(f"expected a place below {size} at {place}, found {to}")
-            if isinstance(one, Do) and not 0 <= one.action < actions:
-                raise ValueError(f"expected an action below {actions} at {place}, found {one.action}")
-            if isinstance(one, Choose) and (not one.to or (one.conditions and len(one.conditions) != len(one.to) - 1)):
-                raise ValueError(f"expected one condition fewer than ways at {place}, found {one}")
+            if isinstance(instruction, Do) and not 0 <= instruction.action < actions:
+                raise ValueError(f"expected an action below {actions} at {place}, found {instruction.action}")
+            if isinstance(instruction, Choose) and (
+                not instruction.to
+                or (instruction.conditions and len(instruction.conditions) != len(instruction.to) - 1)
+            ):
+                raise ValueError(f"expected one condition fewer than ways at {place}, found {instruction}")
 
 
 def straight(actions: Sequence[PlannedAction]) -> tuple[Instruction, ...]:
@@ -128,10 +137,10 @@ def straight(actions: Sequence[PlannedAction]) -> tuple[Instruction, ...]:
     return (*program, Halt())
 
 
-def _leads_to(one: Instruction) -> tuple[int, ...]:
-    match one:
+def _leads_to(instruction: Instruction) -> tuple[int, ...]:
+    match instruction:
         case Choose():
-            return one.to
+            return instruction.to
         case Again() | Unless() | Jump():
-            return (one.to,)
+            return (instruction.to,)
     return ()

@@ -99,11 +99,11 @@ class Progress:
         way = walk(self.program, self._pc, self._value, self.leaving, self._judge, self.rests_after)
         self._pc, self._value, self.leaving = way.pc, way.value, way.left
         behind = "" if self.step is None else f"{self.step.place}: "
-        told: list[Order] = [Note(self.flow, f"{behind}{note}") for note in way.notes]
+        orders: list[Order] = [Note(self.flow, f"{behind}{note}") for note in way.notes]
         for action in way.passed:
             self.current = action
-            told += [Began(self.flow, action), Done(self.flow, action)]
-        return way, told
+            orders += [Began(self.flow, action), Done(self.flow, action)]
+        return way, orders
 
     def rests_after(self, action: int) -> bool:
         """Whether the flow pauses after this action: the user wants it, or there is a breakpoint."""
@@ -114,10 +114,10 @@ class Progress:
 
     def begin(self, number: int = 0) -> list[Order]:
         """The next instruction is a Do: switch to its action. `number` is that of the case that did so already."""
-        one = self.next
-        if not isinstance(one, Do):
-            raise ValueError(f"expected a Do to begin, found {one}")
-        self.current = one.action
+        instruction = self.next
+        if not isinstance(instruction, Do):
+            raise ValueError(f"expected a Do to begin, found {instruction}")
+        self.current = instruction.action
         self._pc += 1
         return self.repeat(number)
 
@@ -155,11 +155,11 @@ class Progress:
             return []
         if self.is_pausing or self.current in self.breakpoints or not self.crew.is_settled:
             return []
-        found = []
+        cases = []
         for choice, loop, way in ways(self.program, self._pc, self.leaving):
-            one = self.program.instructions[way.pc]
+            instruction = self.program.instructions[way.pc]
             rests = any(action in self.breakpoints for action in way.passed)
-            if isinstance(one, Do) and not rests:
-                switch = self.crew.change(self._steps[one.action], finished=step.triggers[0])
-                found.append(Case(step.triggers[0], choice, loop, switch))
-        return found
+            if isinstance(instruction, Do) and not rests:
+                switch = self.crew.change(self._steps[instruction.action], finished=step.triggers[0])
+                cases.append(Case(step.triggers[0], choice, loop, switch))
+        return cases

@@ -60,47 +60,49 @@ def walk(
     notes: list[str] = []
     seen: set[tuple[int, Value | None, frozenset[str]]] = set()
     while True:
-        one = program.instructions[pc]
+        instruction = program.instructions[pc]
         if (pc, value, leaving) in seen:
             return Way(pc, value, leaving, tuple(passed), tuple(notes), is_endless=True)
         seen.add((pc, value, leaving))
-        match one:
-            case Do() if program.is_noop[one.action]:
-                passed.append(one.action)
+        match instruction:
+            case Do() if program.is_noop[instruction.action]:
+                passed.append(instruction.action)
                 value = NOOP
                 pc += 1
-                if rests_after(one.action):
+                if rests_after(instruction.action):
                     return Way(pc, value, leaving, tuple(passed), tuple(notes), rests=True)
-            case Rest() if one.action >= 0 or (one.condition and not judge(one.condition)):
+            case Rest() if instruction.action >= 0 or (instruction.condition and not judge(instruction.condition)):
                 pc += 1
             case Choose():
-                choice, note = _choice(one, value, judge)
+                choice, note = _choice(instruction, value, judge)
                 notes += [note] if note else []
-                pc = one.to[choice]
+                pc = instruction.to[choice]
             case Again() | Unless():
-                goes_on = one.loop not in leaving and _goes_on(one, value, judge)
-                leaving -= {one.loop} if not goes_on else frozenset()
-                pc = one.to if goes_on == isinstance(one, Again) else pc + 1
+                goes_on = instruction.loop not in leaving and _goes_on(instruction, value, judge)
+                leaving -= {instruction.loop} if not goes_on else frozenset()
+                pc = instruction.to if goes_on == isinstance(instruction, Again) else pc + 1
             case Jump():
-                pc, leaving = (pc + 1, leaving - {one.loop}) if one.loop in leaving else (one.to, leaving)
+                pc, leaving = (
+                    (pc + 1, leaving - {instruction.loop}) if instruction.loop in leaving else (instruction.to, leaving)
+                )
             case _:
                 return Way(pc, value, leaving, tuple(passed), tuple(notes))
 
 
-def _goes_on(one: Again | Unless, value: Value | None, judge: Judge) -> bool:
-    if one.condition:
-        return judge(one.condition)
+def _goes_on(instruction: Again | Unless, value: Value | None, judge: Judge) -> bool:
+    if instruction.condition:
+        return judge(instruction.condition)
     return value is not None and value.loop
 
 
-def _choice(one: Choose, value: Value | None, judge: Judge) -> tuple[int, str]:
+def _choice(choose: Choose, value: Value | None, judge: Judge) -> tuple[int, str]:
     """Which way, and what is worth saying of it (decision 20)."""
-    if one.conditions:
-        last = len(one.to) - 1
-        return next((at for at, condition in enumerate(one.conditions) if judge(condition)), last), ""
-    if value is None or len(one.to) == 1:
+    if choose.conditions:
+        last = len(choose.to) - 1
+        return next((at for at, condition in enumerate(choose.conditions) if judge(condition)), last), ""
+    if value is None or len(choose.to) == 1:
         return 0, ""
-    if value.choice < len(one.to):
+    if value.choice < len(choose.to):
         return value.choice, ""
-    asked = f"{one.name or 'the branch'} has {len(one.to)} flows and the action before it asks for flow {value.choice}"
-    return 0, f"{asked}: flow 0 is taken"
+    flows = f"{choose.name or 'the branch'} has {len(choose.to)} flows"
+    return 0, f"{flows} and the action before it asks for flow {value.choice}: flow 0 is taken"
