@@ -56,5 +56,5 @@ def served(tmp_path):
     (static / "assets").mkdir(parents=True)
     (static / "index.html").write_text("<title>Onika</title>")
     (static / "assets" / "page.js").write_text("1")
-    with Served(tmp_path / "base", static) as one:
-        yield one
+    with Served(tmp_path / "base", static) as served:
+        yield served

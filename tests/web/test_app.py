@@ -74,10 +74,10 @@ def test_acts_are_answered_over_the_socket(served):
     with talk(served, cookie(served)) as socket:
         assert json.loads(socket.recv())["t"] == "Snapshot"
         socket.send('{"cid": 3, "act": {"t": "New"}}')
-        found = json.loads(socket.recv())
-        while found["t"] == "Patch":
-            found = json.loads(socket.recv())
-        assert (found["t"], found["cid"]) == ("Ok", 3)
+        message = json.loads(socket.recv())
+        while message["t"] == "Patch":
+            message = json.loads(socket.recv())
+        assert (message["t"], message["cid"]) == ("Ok", 3)
 
 
 @pytest.mark.parametrize("body", ["nonsense", '{"cid":1,"act":{"t":"Nothing"}}', b"\x00\x01"])

@@ -32,83 +32,83 @@ class Talk:
         self.hall = hall
         self.guest = hall.come()
 
-    def send(self, cid, asked):
-        self.hall.take(self.guest, msgspec.json.encode(page.Ordered(cid, asked)))
+    def send(self, cid, request):
+        self.hall.take(self.guest, msgspec.json.encode(page.Ordered(cid, request)))
 
-    def heard(self):
+    def messages(self):
         async def take():
-            found = []
+            messages = []
             while True:
                 try:
-                    found.append(msgspec.json.decode(await asyncio.wait_for(self.guest.outbox.next(), 0.01)))
+                    messages.append(msgspec.json.decode(await asyncio.wait_for(self.guest.outbox.next(), 0.01)))
                 except TimeoutError:
-                    return found
+                    return messages
 
         return self.hall.runner.run(take())
 
 
 @pytest.fixture
 def hall(tmp_path):
-    found = Hall(Sitting(tmp_path, TASKS).environment, Values(), lambda: 12.5)
-    with asyncio.Runner() as found.runner:  # what waits for something belongs to one loop
-        yield found
+    hub = Hall(Sitting(tmp_path, TASKS).environment, Values(), lambda: 12.5)
+    with asyncio.Runner() as hub.runner:  # what waits for something belongs to one loop
+        yield hub
 
 
 def tree(messages):
     """The tree that a page has made of what it was sent."""
-    found = {}
+    by_kind = {}
     revision = None
-    for one in messages:
-        if one["t"] == "Snapshot":
-            found, revision = one["tree"], one["rev"]
-        if one["t"] == "Patch":
-            assert one["rev"] == revision + 1, "a gap"
-            revision = one["rev"]
-            for path, value in one["changes"]:
-                at = found
+    for message in messages:
+        if message["t"] == "Snapshot":
+            by_kind, revision = message["tree"], message["rev"]
+        if message["t"] == "Patch":
+            assert message["rev"] == revision + 1, "a gap"
+            revision = message["rev"]
+            for path, value in message["changes"]:
+                at = by_kind
                 for step in path[:-1]:
                     at = at.setdefault(step, {})
                 if value is None:
                     at.pop(path[-1], None)
                 else:
                     at[path[-1]] = value
-    return msgspec.convert(found, page.Tree)
+    return msgspec.convert(by_kind, page.Tree)
 
 
 def test_a_browser_is_told_everything_first_and_how_many_look(hall):
     Talk(hall)
-    other = Talk(hall).heard()
+    other = Talk(hall).messages()
     assert other[0]["t"] == "Snapshot"
     assert tree(other).people == 2
 
 
 def test_every_act_gets_one_answer_after_its_patch(hall):
     talk = Talk(hall)
-    talk.heard()
+    talk.messages()
     talk.send(7, act.New())
     talk.send(8, act.Undo("c1"))
-    patch, done, refused = talk.heard()
+    patch, done, refused = talk.messages()
     assert (patch["t"], done["t"], done["cid"], done["value"]) == ("Patch", "Ok", 7, "c1")
     assert done["rev"] == patch["rev"]
     assert (refused["t"], refused["cid"]) == ("Refused", 8)
 
 
 def test_several_browsers_stay_identical(hall):  # two browsers converge
-    one, two = Talk(hall), Talk(hall)
-    one.send(1, act.New())
+    first, two = Talk(hall), Talk(hall)
+    first.send(1, act.New())
     for number in range(20):
-        talk = (one, two)[number % 2]
+        talk = (first, two)[number % 2]
         talk.send(number, act.Place("c1", "a", 0, 0) if number == 2 else act.Move("c1", {"a": (number, number)}))
     late = Talk(hall)
-    trees = [tree(talk.heard()) for talk in (one, two, late)]
+    trees = [tree(talk.messages()) for talk in (first, two, late)]
     assert trees[0] == trees[1] == trees[2]
     assert trees[0].documents["c1"].tasks["a"].x == 19
 
 
 def test_a_browser_that_leaves_is_counted_no_more(hall):
-    one, two = Talk(hall), Talk(hall)
+    first, two = Talk(hall), Talk(hall)
     hall.leave(two.guest)
-    assert tree(one.heard()).people == 1
+    assert tree(first.messages()).people == 1
 
 
 @pytest.mark.parametrize(
@@ -120,34 +120,34 @@ def test_what_is_no_act_is_a_value_error(hall, body):
 
 
 def test_each_browser_gets_the_values_it_watches_and_no_others(hall):  # R-C14, R-C27
-    one, two, three = Talk(hall), Talk(hall), Talk(hall)
-    one.send(1, act.Watch(("c1/Q",), hz=30.0))
+    first, two, three = Talk(hall), Talk(hall), Talk(hall)
+    first.send(1, act.Watch(("c1/Q",), hz=30.0))
     two.send(1, act.Watch(("c1/R",), ("boxes",), figures=True, hz=10.0))
     assert hall._watched.wishes[-1] == (frozenset({"c1/Q", "c1/R"}), frozenset({"boxes"}), True, 30.0)
-    for talk in (one, two, three):
-        talk.heard()
+    for talk in (first, two, three):
+        talk.messages()
     hall._watched.next = page.Frame(1.5, {"c1/Q": [1.0], "c1/R": 2}, {"c1/a": {"cycle": 3}}, {"boxes": [0.0]})
     hall.pump()
-    assert [frame["values"] for frame in one.heard()] == [{"c1/Q": [1.0]}]
-    (frame,) = two.heard()
+    assert [frame["values"] for frame in first.messages()] == [{"c1/Q": [1.0]}]
+    (frame,) = two.messages()
     assert (frame["values"], frame["figures"], frame["poses"]) == (
         {"c1/R": 2},
         {"c1/a": {"cycle": 3}},
         {"boxes": [0.0]},
     )
-    assert three.heard() == []
+    assert three.messages() == []
     hall._watched.next = page.Frame(1.5, {"c1/R": 3})
     hall.pump()
-    assert one.heard() == []
+    assert first.messages() == []
 
 
 def test_a_line_is_told_at_once_with_its_time_and_again_to_whoever_comes(hall):
     talk = Talk(hall)
-    talk.heard()
+    talk.messages()
     hall.remember((page.Say("warning", "from before"),))
     hall.say(page.Say("info", "a word"))
-    assert [(one["text"], one["at_s"]) for one in talk.heard()] == [("a word", 12.5)]
-    late = [one["text"] for one in Talk(hall).heard() if one["t"] == "Say"]
+    assert [(message["text"], message["at_s"]) for message in talk.messages()] == [("a word", 12.5)]
+    late = [message["text"] for message in Talk(hall).messages() if message["t"] == "Say"]
     assert late == ["from before", "a word"]
 
 

@@ -6,13 +6,13 @@ HOST = "127.0.0.1:8420"
 
 
 def test_a_key_works_once_and_the_next_is_told():  # R-X11
-    told = []
-    door = Door((HOST,), told.append)
+    names = []
+    door = Door((HOST,), names.append)
     first = door.key
     cookie = door.enter(first)
     assert door.knows({COOKIE: cookie})
     assert door.enter(first) is None
-    assert told == [door.key] != [first]
+    assert names == [door.key] != [first]
 
 
 @pytest.mark.parametrize("key", ["", "x", "é"])

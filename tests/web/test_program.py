@@ -70,33 +70,38 @@ def until(socket, wanted):
 
 
 def snapshot(socket):
-    return until(socket, lambda one: one["t"] == "Snapshot")["tree"]
+    return until(socket, lambda message: message["t"] == "Snapshot")["tree"]
 
 
 def send(socket, **act):
     socket.send(json.dumps({"cid": 1, "act": act}))
-    return until(socket, lambda one: one.get("cid") == 1)
+    return until(socket, lambda message: message.get("cid") == 1)
 
 
 def test_a_session_begins_with_a_blank_configuration_and_each_address_lets_one_browser_in(tmp_path):  # R-C21
     with Running(tmp_path) as program:
-        with program.browser() as one, program.browser() as two:
-            trees = [snapshot(one), snapshot(two)]
+        with program.browser() as first, program.browser() as two:
+            trees = [snapshot(first), snapshot(two)]
         assert [[doc["name"] for doc in tree["documents"].values()] for tree in trees] == [["Untitled-1"]] * 2
         assert len(set(program.addresses)) == 3
 
 
 def test_what_is_not_there_is_told_and_the_rest_is_opened(tmp_path):
     with Running(tmp_path, "nowhere") as program, program.browser() as browser:
-        assert [one["name"] for one in snapshot(browser)["documents"].values()] == ["Untitled-1"]
-        assert "nowhere" in until(browser, lambda one: one["t"] == "Say" and one["level"] == "error")["text"]
+        assert [document["name"] for document in snapshot(browser)["documents"].values()] == ["Untitled-1"]
+        assert (
+            "nowhere" in until(browser, lambda message: message["t"] == "Say" and message["level"] == "error")["text"]
+        )
 
 
 def test_a_file_that_another_writes_appears_by_itself(tmp_path):  # R-C01
     with Running(tmp_path) as program, program.browser() as browser:
         assert sorted(snapshot(browser)["tasks"]) == ["a"]
         program.base.save_task(RmodText(Task("b", "b", outvar=("R",), frequency=1.0)))
-        until(browser, lambda one: one["t"] == "Patch" and any(path == ["tasks", "b"] for path, _ in one["changes"]))
+        until(
+            browser,
+            lambda message: message["t"] == "Patch" and any(path == ["tasks", "b"] for path, _ in message["changes"]),
+        )
 
 
 def test_what_is_not_saved_is_there_the_next_time(tmp_path):
@@ -104,7 +109,7 @@ def test_what_is_not_saved_is_there_the_next_time(tmp_path):
         doc = next(iter(snapshot(browser)["documents"]))
         assert send(browser, t="Place", doc=doc, task="a", x=10, y=20)["t"] == "Ok"
     with Running(tmp_path) as program, program.browser() as browser:
-        (document,) = [one for one in snapshot(browser)["documents"].values() if one.get("tasks")]
+        (document,) = [document for document in snapshot(browser)["documents"].values() if document.get("tasks")]
         assert document["tasks"]["a"]["x"] == 10
         assert document["is_dirty"]
 
@@ -115,7 +120,7 @@ def test_what_was_discarded_is_not(tmp_path):
         send(browser, t="Place", doc=doc, task="a", x=10, y=20)
         send(browser, t="Close", doc=doc, discards=True)
     with Running(tmp_path) as program, program.browser() as browser:
-        assert not [one for one in snapshot(browser)["documents"].values() if one.get("tasks")]
+        assert not [document for document in snapshot(browser)["documents"].values() if document.get("tasks")]
 
 
 def test_preferences_have_a_file_after_the_first_session(tmp_path):  # R-B12
@@ -138,14 +143,16 @@ def test_an_application_is_judged_soon_after_it_was_opened_and_when_its_files_ch
     path = files.application("play", [job("goneC")])
     with Running(tmp_path, str(path)) as running, running.browser() as socket:
 
-        def told(words):
-            return lambda one: one["t"] in ("Snapshot", "Patch") and words in json.dumps(one)
+        def mentions(words):
+            return lambda message: message["t"] in ("Snapshot", "Patch") and words in json.dumps(message)
 
-        until(socket, told("there is no configuration goneC"))
+        until(socket, mentions("there is no configuration goneC"))
         files.plain_task("b", writes="B")
         files.module("b", "# b\n")
         files.configuration("goneC", "b 100")
         until(
             socket,
-            lambda one: one["t"] == "Patch" and any(p[-1] != "files" and "faults" in p for p, _ in one["changes"]),
+            lambda message: (
+                message["t"] == "Patch" and any(p[-1] != "files" and "faults" in p for p, _ in message["changes"])
+            ),
         )

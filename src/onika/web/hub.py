@@ -57,15 +57,15 @@ class Hall:
     @property
     def is_watching(self) -> bool:
         """Whether anybody wants frames."""
-        return any(one.watch.variables or one.watch.worlds or one.watch.figures for one in self._guests)
+        return any(client.watch.variables or client.watch.worlds or client.watch.figures for client in self._guests)
 
     def come(self) -> Guest:
         """A browser comes in; the first it is sent is a snapshot."""
         self._came += 1
         name = f"browser {self._came}"
         guest = Guest(name, lambda: self._snapshot(name))
-        for said in self._remembered:
-            guest.outbox.put(said)
+        for message in self._remembered:
+            guest.outbox.put(message)
         self._guests.append(guest)
         self._count()
         return guest
@@ -94,14 +94,14 @@ class Hall:
 
     def remember(self, says: Iterable[page.Say]) -> None:
         """Lines that everybody who comes is shown."""
-        self._remembered.extend(page.encode(self._stamped(said)) for said in says)
+        self._remembered.extend(page.encode(self._stamped(message)) for message in says)
 
-    def say(self, said: page.Say) -> None:
+    def say(self, message: page.Say) -> None:
         """Something is worth a line; whoever comes later reads it in the log."""
-        message = page.encode(self._stamped(said))
-        self._remembered.append(message)
+        line = page.encode(self._stamped(message))
+        self._remembered.append(line)
         for guest in self._guests:
-            guest.outbox.put(message)
+            guest.outbox.put(line)
 
     def pump(self) -> None:
         """Bring the newest values to those who watch them."""
@@ -131,16 +131,16 @@ class Hall:
         environment = self._environment
         return page.encode(page.Snapshot(environment.revision, environment.tree, __version__, name))
 
-    def _stamped(self, said: page.Say) -> page.Say:
+    def _stamped(self, message: page.Say) -> page.Say:
         """With the time: a page tells what is new from what it is only reminded of."""
-        return said if said.at_s else msgspec.structs.replace(said, at_s=self._clock())
+        return message if message.at_s else msgspec.structs.replace(message, at_s=self._clock())
 
     def _rewatch(self) -> None:
-        wishes = [one.watch for one in self._guests]
-        variables = frozenset(name for one in wishes for name in one.variables)
-        worlds = frozenset(name for one in wishes for name in one.worlds)
-        fastest = max((one.hz for one in wishes), default=0.0)
-        self._watched.watch(variables, worlds, any(one.figures for one in wishes), fastest)
+        wishes = [client.watch for client in self._guests]
+        variables = frozenset(name for wish in wishes for name in wish.variables)
+        worlds = frozenset(name for wish in wishes for name in wish.worlds)
+        fastest = max((wish.hz for wish in wishes), default=0.0)
+        self._watched.watch(variables, worlds, any(wish.figures for wish in wishes), fastest)
 
     def _count(self) -> None:
         self._environment.become(lambda model: Done(replace(model, people=len(self._guests))))

@@ -33,7 +33,7 @@ class Door:
     def knows(self, cookies: Mapping[str, str]) -> bool:
         """Whether a browser came in before."""
         given = cookies.get(COOKIE, "").encode()
-        return any(hmac.compare_digest(given, one.encode()) for one in self._cookies)
+        return any(hmac.compare_digest(given, cookie.encode()) for cookie in self._cookies)
 
     def is_ours(self, headers: Mapping[str, str]) -> bool:
         """Whether a request names us as its host: a foreign name that leads here does not (DNS rebinding)."""

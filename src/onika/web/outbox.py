@@ -27,7 +27,7 @@ class Outbox:
         self._waiting.append((message, True))
         self._size += len(message)
         if self._size > _MOST:
-            self._waiting = deque(one for one in self._waiting if not one[1])
+            self._waiting = deque(message for message in self._waiting if not message[1])
             self._size = 0
             self._is_behind = True
         self._some.set()

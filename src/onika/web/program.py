@@ -143,29 +143,31 @@ class Program:
     def _recovery(self, environment: Environment) -> Recovery | None:
         try:
             kept = Recovery(self._state)
-            found = kept.recovered()
+            rescued = kept.recovered()
         except OSError as wrong:
             environment.say(page.Say("warning", f"nothing is kept for a recovery: {wrong}"))
             return None
-        if found:
-            environment.become(lambda model: reopened(model, found))
+        if rescued:
+            environment.become(lambda model: reopened(model, rescued))
         return kept
 
     def _open(self, environment: Environment) -> None:
         """The files that were named; a blank configuration where there is nothing."""
 
-        def told(given: Answer) -> None:
+        def report(given: Answer) -> None:
             if given.no is not None:
                 environment.say(page.Say("error", given.no.reason))
 
         for name in self._wishes.files:
-            environment.do(act.Open(name), _NAME, told)
+            environment.do(act.Open(name), _NAME, report)
         if not environment.model.documents:
-            environment.do(act.New(), _NAME, told)
+            environment.do(act.New(), _NAME, report)
         if self._wishes.is_connected:
             first = next(iter(environment.model.documents))
             connect = act.Connect(first, self._wishes.url, self._wishes.token)
-            environment.do(connect, _NAME, lambda given: told(given) if first in environment.model.documents else None)
+            environment.do(
+                connect, _NAME, lambda given: report(given) if first in environment.model.documents else None
+            )
 
     async def _show(self, hall: Hall) -> None:
         """The newest values, to those who watch."""
@@ -196,14 +198,14 @@ class Program:
 
     async def _keep(self, environment: Environment, kept: Recovery | None, autosave: Autosave) -> None:
         """What is not saved, soon after it was changed."""
-        is_told = False
+        is_reported = False
         while kept is not None:
             now = time.monotonic()
             autosave.look(environment.model, now)
             changes = autosave.take(now)
             wrong = await asyncio.to_thread(kept.carry_out, changes) if changes else ""
-            if wrong and not is_told:
-                is_told = True
+            if wrong and not is_reported:
+                is_reported = True
                 environment.say(page.Say("warning", f"nothing is kept for a recovery: {wrong}"))
             await asyncio.sleep(_KEEP_S)
 

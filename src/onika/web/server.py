@@ -49,7 +49,7 @@ async def serve(
         timeout_graceful_shutdown=1,
     )
     server = uvicorn.Server(config)
-    others = [asyncio.ensure_future(one) for one in beside]
+    others = [asyncio.ensure_future(coroutine) for coroutine in beside]
     serving = asyncio.ensure_future(server.serve(sockets=[listening]))
     while not server.started and not serving.done():
         await asyncio.sleep(0.005)
