@@ -23,9 +23,9 @@ def test_a_trail_is_shown_and_found_whole(path, capsys):  # R-X12
 def test_a_changed_trail_is_named_with_its_line(path, capsys):  # R-X12
     path.write_bytes(path.read_bytes().replace(b"Stop", b"Look"))
     assert main(["audit", str(path)]) == 1
-    said = capsys.readouterr()
-    assert f"{path}:2:" in said.err
-    assert "NOT WHOLE" in said.out
+    captured = capsys.readouterr()
+    assert f"{path}:2:" in captured.err
+    assert "NOT WHOLE" in captured.out
 
 
 def test_lines_taken_off_the_end_show_by_the_head_that_was_noted(path, capsys):  # R-X12
@@ -35,9 +35,9 @@ def test_lines_taken_off_the_end_show_by_the_head_that_was_noted(path, capsys): 
     path.write_bytes(b"".join(path.read_bytes().splitlines(keepends=True)[:-1]))
     capsys.readouterr()
     assert main(["audit", str(path), "--last", "1", "--head", head]) == 1
-    said = capsys.readouterr()
-    assert "taken off its end" in said.err
-    assert len(said.out.splitlines()) == 2
+    captured = capsys.readouterr()
+    assert "taken off its end" in captured.err
+    assert len(captured.out.splitlines()) == 2
 
 
 def test_where_there_is_none_it_says_so(tmp_path, capsys):

@@ -10,15 +10,15 @@ OTHER = Fault(Place("b.rmod"), "one", "two", "left out")
 
 
 @pytest.fixture
-def found(monkeypatch):
+def survey_results(monkeypatch):
     """What a survey of each path finds, in order."""
     results = []
     monkeypatch.setattr(room, "survey", lambda path, site, note: results.pop(0))
     return results
 
 
-def test_every_fault_is_printed_once_and_counted(found, capsys):  # R-B07
-    found += [([Path("a"), Path("b")], [FAULT, OTHER]), ([Path("c")], [FAULT])]
+def test_every_fault_is_printed_once_and_counted(survey_results, capsys):  # R-B07
+    survey_results += [([Path("a"), Path("b")], [FAULT, OTHER]), ([Path("c")], [FAULT])]
     assert main(["check", "x", "y"]) == 1
     assert capsys.readouterr().out.splitlines() == [
         "a.rmod:3: expected one, found two; instead: left out",
@@ -31,8 +31,8 @@ def test_every_fault_is_printed_once_and_counted(found, capsys):  # R-B07
     ("files", "faults", "line", "code"),
     [(1, 0, "1 file read, no faults", 0), (2, 1, "2 files read, 1 fault", 1), (0, 0, "0 files read, no faults", 0)],
 )
-def test_numbers_are_told_as_people_say_them(found, capsys, files, faults, line, code):
-    found.append(([Path(str(number)) for number in range(files)], [FAULT] * faults))
+def test_numbers_are_told_as_people_say_them(survey_results, capsys, files, faults, line, code):
+    survey_results.append(([Path(str(number)) for number in range(files)], [FAULT] * faults))
     assert main(["check", "x"]) == code
     assert capsys.readouterr().out.splitlines()[-1] == line
 

@@ -35,18 +35,18 @@ def test_a_script_may_be_all_of_it(sits, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "sentence"),
     [
         (["http://127.0.0.1:7994"], "expected ws://HOST:PORT or wss://HOST:PORT"),
         (["ws://example.org:7994"], "expected wss:// for another machine"),
         (["ws://127.0.0.1:7994", "--no-console"], "expected --script with --no-console"),
     ],
 )
-def test_a_wrong_command_line_is_told_and_ends_with_2(capsys, words, said):
+def test_a_wrong_command_line_is_told_and_ends_with_2(capsys, words, sentence):
     with pytest.raises(SystemExit) as ended:
         main(["console", *words])
     assert ended.value.code == 2
-    assert said in capsys.readouterr().err
+    assert sentence in capsys.readouterr().err
 
 
 def test_a_token_file_that_is_not_there_is_told(sits, tmp_path, capsys):

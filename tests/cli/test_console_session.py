@@ -32,12 +32,12 @@ def test_a_console_says_where_it_is_and_carries_out_lines(lines, capsys):  # R-A
     lines("spawn puma\n")
     runtime = LiveRuntime()
     assert sit_down(runtime, SITE, None, addresses=("ws://127.0.0.1:7994",)) == 0
-    said = capsys.readouterr().out.splitlines()
-    assert said[:2] == [
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[:2] == [
         "runtime with rt0, rt1 in virtual time; `help` names the commands",
         "others reach it at ws://127.0.0.1:7994",
     ]
-    assert "     0.00 s  main/puma OFF" in said
+    assert "     0.00 s  main/puma OFF" in printed
 
 
 def test_a_runtime_that_cannot_be_operated_is_told(lines, capsys):

@@ -31,8 +31,8 @@ class Played:
         self.prompts.append(prompt)
         if not self._lines:
             raise EOFError
-        one = self._lines.pop(0)
-        return one() if callable(one) else one
+        line = self._lines.pop(0)
+        return line() if callable(line) else line
 
     def drop(self):
         self.dropped += 1

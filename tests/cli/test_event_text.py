@@ -1,6 +1,6 @@
 import pytest
 
-from onika.cli.event_text import asked_item, lines as told, sentence, summary
+from onika.cli.event_text import item_text, lines as event_lines, sentence, summary
 from onika.desk.run.outcome import Outcome
 from onika.wire import event
 from onika.wire.figures import TaskFigures
@@ -19,7 +19,7 @@ def result(**changes):
 
 
 @pytest.mark.parametrize(
-    ("one", "line"),
+    ("happening", "line"),
     [
         (event.Began(0, 4, 12, "jmoveC home", 3.14159), "    3.14 s   5/12  jmoveC home"),
         (event.Warned("flow0", "jtraj", "too fast", 1.0), "    1.00 s  note: jtraj: too fast"),
@@ -57,8 +57,8 @@ def result(**changes):
         (event.TaskState("flow0", "pd", "ON", 0.0), ""),
     ],
 )
-def test_an_event_is_told_in_one_line_or_not_at_all(one, line):  # R-E11
-    assert sentence(one, 12) == line
+def test_an_event_is_told_in_one_line_or_not_at_all(happening, line):  # R-E11
+    assert sentence(happening, 12) == line
 
 
 def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
@@ -107,23 +107,23 @@ def test_each_expectation_is_told_with_what_was_found():  # R-X07
 
 
 def test_a_question_says_bounds_and_default():  # R-A10
-    asked = event.Item("duration", "double", 1, "s", "how long", (2.0,), (0.1,), (600.0,))
-    assert asked_item(asked) == "duration, how long, in s, from 0.1 to 600, else 2.0"
-    assert asked_item(event.Item("n", "int", 1, "-", "", None, (1.0,), None)) == "n, at least 1"
+    item = event.Item("duration", "double", 1, "s", "how long", (2.0,), (0.1,), (600.0,))
+    assert item_text(item) == "duration, how long, in s, from 0.1 to 600, else 2.0"
+    assert item_text(event.Item("n", "int", 1, "-", "", None, (1.0,), None)) == "n, at least 1"
 
 
 def test_where_there_are_several_flows_each_action_says_whose_it_is():  # R-E11
-    one = event.Began(1, 4, 7, "jmoveC home", 3.14159)
-    assert sentence(one, 12, ("left", "right")) == "    3.14 s  right   5/7  jmoveC home"
+    happening = event.Began(1, 4, 7, "jmoveC home", 3.14159)
+    assert sentence(happening, 12, ("left", "right")) == "    3.14 s  right   5/7  jmoveC home"
 
 
 def test_why_a_flow_stands_still_takes_several_lines():  # R-X06
     choices = (("clear", "clear the error and repeat"),)
-    one = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
-    said = list(told(one, 12, ("flow0",), 100))
-    assert len(said) > 1
-    assert "it broke" in said[0]
-    assert list(told(event.Done(0, 0, 1.0), 12)) == []
+    happening = event.Explained("flow0", "pd", "move", 1, "a.appl:3", "it broke", "", 0, (), (), choices, 4.0)
+    printed = list(event_lines(happening, 12, ("flow0",), 100))
+    assert len(printed) > 1
+    assert "it broke" in printed[0]
+    assert list(event_lines(event.Done(0, 0, 1.0), 12)) == []
 
 
 def test_a_script_that_failed_after_the_end_is_told():  # R-E07

@@ -17,9 +17,9 @@ def test_an_icon_is_made_and_its_file_and_type_are_told(tmp_path, capsys):  # R-
 
 def test_why_there_is_none_is_told(tmp_path, capsys):
     assert main(["icon", str(tmp_path / "x.conf")]) == 1
-    said = capsys.readouterr()
-    assert said.out == ""
-    assert "x.conf: expected a file NAME.conf or NAME.appl, found none" in said.err
+    captured = capsys.readouterr()
+    assert captured.out == ""
+    assert "x.conf: expected a file NAME.conf or NAME.appl, found none" in captured.err
 
 
 def test_the_icon_of_something_else_is_replaced_only_when_it_is_said(tmp_path, capsys):  # decision 34

@@ -36,8 +36,8 @@ def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, 
     expectation = Condition.parse("Q[0] > 1")
     outcome = Outcome("go", [], ["by the way"], RESULT, [(expectation, 1.5, True)], printed="it printed")
     JsonLines().ended(outcome, "picture: out.png")
-    (found,) = lines(capsys)
-    assert found == {
+    (line,) = lines(capsys)
+    assert line == {
         "event": "result",
         "application": "go",
         "state": "completed",
@@ -69,11 +69,11 @@ def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, 
 
 def test_a_refused_run_lists_its_faults(capsys):  # R-E01
     JsonLines().ended(Outcome("go", [Fault(Place("a.rmod", 3), "one", "two", "left out")]), "")
-    (found,) = lines(capsys)
-    assert (found["state"], found["exit"]) == ("refused", 2)
-    assert found["faults"] == [{"file": "a.rmod", "line": 3, "expected": "one", "found": "two", "instead": "left out"}]
-    assert "cause" not in found
-    assert "picture" not in found
+    (line,) = lines(capsys)
+    assert (line["state"], line["exit"]) == ("refused", 2)
+    assert line["faults"] == [{"file": "a.rmod", "line": 3, "expected": "one", "found": "two", "instead": "left out"}]
+    assert "cause" not in line
+    assert "picture" not in line
 
 
 def test_values_that_are_no_numbers_are_still_json(capsys):

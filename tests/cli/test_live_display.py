@@ -33,7 +33,7 @@ def screen(monkeypatch):
 def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
     with Live() as live:
         live.begins(PREPARED, 4711)
-        for one in (
+        for happening in (
             event.TaskState("flow0", "jtraj", "ON", 0.0),
             event.TaskState("flow0", "pd", "KILLED", 0.0),
             event.Began(0, 0, 2, "jmoveC aside", 0.0),
@@ -41,7 +41,7 @@ def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
             event.Warned("flow0", "jtraj", "too fast", 2.0),
             event.Failed("flow0", "jtraj", "cycle: no", "jtraj.py", 7, "", 2.0),
         ):
-            live.happens(one)
+            live.happens(happening)
         live._screen.refresh()
     text = screen.getvalue()
     assert "0.00 s  flow0  1/2  jmoveC aside" in text

@@ -15,9 +15,9 @@ def test_a_second_time_nothing_is_written_and_it_is_said_why(tmp_path, capsys): 
     assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 0
     capsys.readouterr()
     assert main(["new", "module", "gain", "--in", str(tmp_path)]) == 1
-    said = capsys.readouterr()
-    assert "is there already: nothing was written" in said.err
-    assert said.out == ""
+    captured = capsys.readouterr()
+    assert "is there already: nothing was written" in captured.err
+    assert captured.out == ""
 
 
 @pytest.mark.parametrize("name", ["9lives", "../up", ""])

@@ -23,9 +23,9 @@ def shown(panel, width=120):
 
 @pytest.fixture
 def panel():
-    one = Panel()
-    one.begins("assemble", TWO)
-    return one
+    panel_ = Panel()
+    panel_.begins("assemble", TWO)
+    return panel_
 
 
 def test_before_the_run_it_says_that_it_prepares():
@@ -85,8 +85,8 @@ def test_tasks_that_are_gone_are_not_shown(panel):
 
 
 def test_every_state_has_a_mark():
-    assert set(FLOWS) == {one.value for one in FlowState}
-    assert set(MARKS) == {one.value for one in State} - {"KILLED"}
+    assert set(FLOWS) == {state.value for state in FlowState}
+    assert set(MARKS) == {state.value for state in State} - {"KILLED"}
 
 
 def test_a_small_terminal_is_enough(panel):

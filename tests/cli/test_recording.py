@@ -74,7 +74,7 @@ def test_runs_in_wall_time_are_compared_as_such_unless_it_is_said(tmp_path, caps
         tape.end(completed="yes")
         files.append(str(tape.path))
     assert main(["recording", "diff", *files]) == 0
-    told = capsys.readouterr().out.splitlines()
-    assert told[0] == "no difference"
-    assert "speeds and forces are not compared" in told[1]
+    printed = capsys.readouterr().out.splitlines()
+    assert printed[0] == "no difference"
+    assert "speeds and forces are not compared" in printed[1]
     assert main(["recording", "diff", *files, "--tolerance", "1"]) == 1

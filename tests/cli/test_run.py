@@ -26,17 +26,17 @@ def settings_of(runs, *words):
 
 
 def test_a_run_is_as_usual_unless_said_otherwise(runs):  # R-E01
-    found = settings_of(runs, "go_home")
-    assert (found.name, found.is_virtual, found.expectations, found.settle_s) == ("go_home", False, (), 0.5)
-    assert (found.seed, found.answers, found.wants_picture, found.with_fifo) == (0, (), False, True)
+    settings = settings_of(runs, "go_home")
+    assert (settings.name, settings.is_virtual, settings.expectations, settings.settle_s) == ("go_home", False, (), 0.5)
+    assert (settings.seed, settings.answers, settings.wants_picture, settings.with_fifo) == (0, (), False, True)
 
 
 def test_every_option_reaches_the_run(runs, tmp_path):
     words = ("--virtual", "--expect", "A == 1", "--expect", "B > 2", "--settle", "1.5", "--seed", "-7", "--no-fifo")
-    found = settings_of(runs, "x.appl", *words, "--local", str(tmp_path))
-    assert found.is_virtual
-    assert [one.text for one in found.expectations] == ["A == 1", "B > 2"]
-    assert (found.settle_s, found.seed, found.with_fifo) == (1.5, -7, False)
+    settings = settings_of(runs, "x.appl", *words, "--local", str(tmp_path))
+    assert settings.is_virtual
+    assert [expectation.text for expectation in settings.expectations] == ["A == 1", "B > 2"]
+    assert (settings.settle_s, settings.seed, settings.with_fifo) == (1.5, -7, False)
     assert runs[-1][1].directories[0].path == tmp_path
 
 
@@ -52,7 +52,7 @@ def test_every_option_reaches_the_run(runs, tmp_path):
     ],
 )
 def test_answers_are_taken_by_task_and_name(runs, given, expected):  # law 25
-    words = [word for one in given for word in ("--answer", one)]
+    words = [word for answer in given for word in ("--answer", answer)]
     assert settings_of(runs, "go_home", *words).answers == expected
 
 
@@ -98,8 +98,8 @@ def test_it_asks_only_where_somebody_can_answer(runs, monkeypatch, words, tty, m
 def test_at_an_error_it_waits_where_somebody_could_go_on(runs, tmp_path, words, has_script, on_error):  # R-E08
     path = tmp_path / "s"
     path.write_text("pause\n")
-    found = settings_of(runs, "go_home", *words, *(["--script", str(path)] if has_script else []))
-    assert (found.on_error, found.script) == (on_error, path if has_script else None)
+    settings = settings_of(runs, "go_home", *words, *(["--script", str(path)] if has_script else []))
+    assert (settings.on_error, settings.script) == (on_error, path if has_script else None)
 
 
 @pytest.mark.parametrize("on_loss", ["stop", "finish", "run"])

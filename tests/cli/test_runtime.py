@@ -65,10 +65,10 @@ def test_how_long_a_holder_may_be_silent_and_where_all_is_written_down_is_said_t
 
 
 @pytest.mark.parametrize(
-    ("words", "code", "said"),
+    ("words", "code", "sentence"),
     [(["--listen", "0.0.0.0:1"], 2, "--users: expected a file"), ([], 1, "the runtime is gone: it ended")],
 )
-def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words, code, said):
+def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words, code, sentence):
     class Stillborn(Launched):
         def __enter__(self):
             raise LinkLost(Cause.CLOSED, "the runtime is gone: it ended")
@@ -78,12 +78,12 @@ def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words
 
     monkeypatch.setattr(room, "Runtime", Stillborn)
     assert main(["runtime", *words]) == code
-    assert capsys.readouterr().err.strip() == said
+    assert capsys.readouterr().err.strip() == sentence
     assert sits == []
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "sentence"),
     [
         (["--no-console"], "expected --listen or --script with --no-console"),
         (["--cert", "c"], "expected --listen HOST:PORT with --cert"),
@@ -94,9 +94,9 @@ def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words
         (["--lease", "soon"], "expected 0.2 to 3 seconds, found 'soon'"),
     ],
 )
-def test_a_wrong_command_line_is_told_and_ends_with_2(sits, capsys, words, said):
+def test_a_wrong_command_line_is_told_and_ends_with_2(sits, capsys, words, sentence):
     with pytest.raises(SystemExit) as ended:
         main(["runtime", *words])
     assert ended.value.code == 2
-    assert said in capsys.readouterr().err
+    assert sentence in capsys.readouterr().err
     assert Launched.seen == []

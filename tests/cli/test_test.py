@@ -13,15 +13,15 @@ BAD = Trial("tests/b.test", Verdict(("flow0: LAMP at the end: expected 1, found 
 @pytest.fixture
 def done(monkeypatch):
     """What comes out of all tests, and how they were asked for."""
-    results, asked = [], []
+    results, requests = [], []
 
     def try_all(files, site, **more):
-        asked.append((files, more))
+        requests.append((files, more))
         return iter(results)
 
     monkeypatch.setattr(room, "find", lambda paths, word: ([Path(f"{paths[0]}/{word}.test")], []))
     monkeypatch.setattr(room, "try_all", try_all)
-    return results, asked
+    return results, requests
 
 
 def test_good_tests_are_counted_and_end_with_0(done, capsys):  # R-X07

@@ -44,9 +44,9 @@ def test_every_fault_is_told_on_the_error_output_and_nothing_is_written(
 ) -> None:
     (here / "a.al").write_text("BEGIN\n  go\n  DRIVE jmoveC TO hom\nEND\n")
     assert main(["text", "a.al", "-o", "a.appl"]) == 1
-    told = capsys.readouterr()
-    assert [line.partition(": ")[0] for line in told.err.splitlines()] == ["a.al:2", "a.al:3"]
-    assert told.out == ""
+    captured = capsys.readouterr()
+    assert [line.partition(": ")[0] for line in captured.err.splitlines()] == ["a.al:2", "a.al:3"]
+    assert captured.out == ""
     assert not (here / "a.appl").exists()
 
 

@@ -24,16 +24,16 @@ def carry_out(given: argparse.Namespace) -> int:
     if not files:
         print(f"expected an audit trail at {path}, found none", file=sys.stderr)
         return 2
-    found = trail.read(files)
-    shown = [] if given.quiet else list(lines(found))
+    records = trail.read(files)
+    shown = [] if given.quiet else list(lines(records))
     for line in shown if given.last is None else shown[-given.last :] if given.last > 0 else []:
         print(line)
-    for note in found.notes:
+    for note in records.notes:
         print(f"note: {note}")
-    for fault in found.faults:
+    for fault in records.faults:
         print(fault, file=sys.stderr)
-    print(verdict(found))
-    if given.head and given.head not in found.hashes:
+    print(verdict(records))
+    if given.head and given.head not in records.hashes:
         print(f"expected {given.head} in the trail, found no such line: lines were taken off its end", file=sys.stderr)
         return 1
-    return 1 if found.faults else 0
+    return 1 if records.faults else 0

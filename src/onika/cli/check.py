@@ -20,9 +20,9 @@ def carry_out(given: argparse.Namespace) -> int:
     files, faults = 0, []
     notes: list[str] = []
     for path in given.paths:
-        read, found = survey(path, site_here(given.local), notes.append)
+        read, new_faults = survey(path, site_here(given.local), notes.append)
         files += len(read)
-        faults += [one for one in found if one not in faults]
+        faults += [fault for fault in new_faults if fault not in faults]
     for fault in faults:
         print(fault)
     for text in dict.fromkeys(notes):

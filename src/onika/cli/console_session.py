@@ -49,7 +49,7 @@ def sit_down(
 
 def _welcome(session: Session, desk: Desk) -> None:
     standing = session.standing()
-    units = ", ".join(one.name for one in standing.rtpus)
+    units = ", ".join(rtpu.name for rtpu in standing.rtpus)
     time_kind = "virtual" if standing.is_virtual else "wall"
     desk.say(f"runtime with {units} in {time_kind} time; `help` names the commands", Tone.DIM)
     for address in session.addresses:

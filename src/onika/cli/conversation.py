@@ -110,7 +110,9 @@ def _guarded(session: Session, act: Callable[[], Faults]) -> Faults:
 def _interrupted(session: Session, desk: Desk) -> None:
     """Ctrl-C at the prompt: stop where something may move, else only forget what was typed."""
     desk.drop()
-    moves = session.running or any(task.state == "ON" for one in session.standing().subsystems for task in one.tasks)
+    moves = session.running or any(
+        task.state == "ON" for subsystem in session.standing().subsystems for task in subsystem.tasks
+    )
     if moves:
         session.interrupt()
     else:

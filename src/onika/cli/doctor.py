@@ -17,10 +17,10 @@ def carry_out(given: argparse.Namespace) -> int:
     """Look and say; 0 if everything is there, 1 if something is missing."""
     del given
     console, missing = Console(highlight=False), 0
-    for one in offers():
-        missing += not one.is_there
-        mark = Text("ok  ", style="green") if one.is_there else Text("no  ", style="red")
-        console.print(mark, Text(f"{one.name:<12}"), Text(one.actual), sep="")
-        if not one.is_there:
-            console.print(Text(f"    {'':<12}cost: {one.cost}", style="yellow"))
+    for offer in offers():
+        missing += not offer.is_there
+        mark = Text("ok  ", style="green") if offer.is_there else Text("no  ", style="red")
+        console.print(mark, Text(f"{offer.name:<12}"), Text(offer.actual), sep="")
+        if not offer.is_there:
+            console.print(Text(f"    {'':<12}cost: {offer.cost}", style="yellow"))
     return 1 if missing else 0

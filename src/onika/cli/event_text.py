@@ -10,76 +10,77 @@ from onika.wire import event
 _PRINTED = 20
 
 
-def lines(one: event.Event, total: int, flows: Sequence[str] = (), width: int = 80) -> Iterator[str]:
+def lines(happening: event.Event, total: int, flows: Sequence[str] = (), width: int = 80) -> Iterator[str]:
     """The lines of an event; none for those that only machines want.
 
     total   how many actions the longest flow has
     flows   the flows' subsystems; each is named where there are several
     width   columns that there are for what takes several lines
     """
-    if isinstance(one, event.Explained):
-        yield from explanation_text.lines(one, width)
-    elif line := sentence(one, total, flows):
+    if isinstance(happening, event.Explained):
+        yield from explanation_text.lines(happening, width)
+    elif line := sentence(happening, total, flows):
         yield line
 
 
-def sentence(one: event.Event, total: int, flows: Sequence[str] = ()) -> str:
+def sentence(happening: event.Event, total: int, flows: Sequence[str] = ()) -> str:
     """One line for an event; empty for those that only machines want."""
-    match one:
+    match happening:
         case event.Began():
             width = len(str(total))
             column = max(map(len, flows)) if len(flows) > 1 else 0
-            name = f"{flows[one.flow]:<{column}}  " if column else ""
-            return f"{one.at_s:8.2f} s  {name}{one.index + 1:>{width}}/{one.of if column else total}  {one.action}"
+            name = f"{flows[happening.flow]:<{column}}  " if column else ""
+            of = happening.of if column else total
+            return f"{happening.at_s:8.2f} s  {name}{happening.index + 1:>{width}}/{of}  {happening.action}"
         case event.Moved():
-            said = _moved(one)
-            return f"{one.at_s:8.2f} s  {one.subsystem} {said}" if said else ""
+            text = _moved(happening)
+            return f"{happening.at_s:8.2f} s  {happening.subsystem} {text}" if text else ""
         case event.Met():
-            tag = one.tag.rpartition(" ")[2]
-            names = " and ".join(one.subsystems)
-            return f"{one.at_s:8.2f} s  {names} go on together at {tag}, {one.skew_us:.0f} us apart"
+            tag = happening.tag.rpartition(" ")[2]
+            names = " and ".join(happening.subsystems)
+            return f"{happening.at_s:8.2f} s  {names} go on together at {tag}, {happening.skew_us:.0f} us apart"
         case event.Stepped():
-            return f"{one.at_s:8.2f} s  note: {one.subsystem}/{transfer_text.sentence(one)}"
+            return f"{happening.at_s:8.2f} s  note: {happening.subsystem}/{transfer_text.sentence(happening)}"
         case event.Warned():
-            who = f"{one.task}: " if one.task else ""
-            return f"{one.at_s:8.2f} s  note: {who}{one.text}"
+            who = f"{happening.task}: " if happening.task else ""
+            return f"{happening.at_s:8.2f} s  note: {who}{happening.text}"
         case event.Failed():
-            where = f" ({one.path}:{one.line})" if one.line else ""
-            return f"{one.at_s:8.2f} s  ERROR {one.subsystem}/{one.task}: {one.text}{where}"
-        case event.Drive() if one.state == "TRIPPED":
-            return f"{one.at_s:8.2f} s  {one.device} has tripped: {one.cause}"
-        case event.Drive() if one.state == "PRESSED":
-            return f"{one.at_s:8.2f} s  {one.device} holds: {one.cause}"
+            where = f" ({happening.path}:{happening.line})" if happening.line else ""
+            return f"{happening.at_s:8.2f} s  ERROR {happening.subsystem}/{happening.task}: {happening.text}{where}"
+        case event.Drive() if happening.state == "TRIPPED":
+            return f"{happening.at_s:8.2f} s  {happening.device} has tripped: {happening.cause}"
+        case event.Drive() if happening.state == "PRESSED":
+            return f"{happening.at_s:8.2f} s  {happening.device} holds: {happening.cause}"
         case _:
             return ""
 
 
-def _moved(one: event.Moved) -> str:
+def _moved(moved: event.Moved) -> str:
     """What is worth a word of a flow's new state; actions that begin, errors and the end have their own."""
-    match one.state:
+    match moved.state:
         case "waiting" | "joining":
-            said = waits(one.tag, one.waits_for)
+            text = waits(moved.tag, moved.waits_for)
         case "paused":
-            said = f"is paused after {one.action + 1}" if one.action >= 0 else "is paused before its first action"
+            text = f"is paused after {moved.action + 1}" if moved.action >= 0 else "is paused before its first action"
         case "stopped":
             return ""  # the error and its explanation stand beside it
         case _:
-            return one.text
-    return f"{said} ({one.text})" if one.text else said
+            return moved.text
+    return f"{text} ({moved.text})" if moved.text else text
 
 
-def asked_item(one: event.Item) -> str:
+def item_text(item: event.Item) -> str:
     """What is asked for: name, how many, meaning, unit, bounds and default."""
-    parts = [one.name if one.count == 1 else f"{one.name} ({one.count} values)", one.meaning]
-    if one.unit not in ("", "-"):
-        parts.append(f"in {one.unit}")
-    low, high = (None if bound is None else " ".join(f"{x:g}" for x in bound) for bound in (one.low, one.high))
+    parts = [item.name if item.count == 1 else f"{item.name} ({item.count} values)", item.meaning]
+    if item.unit not in ("", "-"):
+        parts.append(f"in {item.unit}")
+    low, high = (None if bound is None else " ".join(f"{x:g}" for x in bound) for bound in (item.low, item.high))
     if low is not None and high is not None:
         parts.append(f"from {low} to {high}")
     elif low is not None or high is not None:
         parts.append(f"at least {low}" if low is not None else f"at most {high}")
-    if one.default is not None:
-        parts.append(f"else {' '.join(map(str, one.default))}")
+    if item.default is not None:
+        parts.append(f"else {' '.join(map(str, item.default))}")
     return ", ".join(part for part in parts if part)
 
 
@@ -107,13 +108,13 @@ def summary(outcome: Outcome, drawn: str) -> Iterator[str]:
     if outcome.printed.strip():
         yield "the runtime printed:"
         yield from (f"  {line}" for line in outcome.printed.strip().splitlines()[-_PRINTED:])
-    missed = sum(one.missed for one in result.tasks)
-    cycles = sum(one.cycles for one in result.tasks)
+    missed = sum(task.missed for task in result.tasks)
+    cycles = sum(task.cycles for task in result.tasks)
     if cycles and not result.hash:
         yield f"cycles: {cycles}, missed {missed}"
     yield from transfer_text.summary(result.steps)
-    for one, value, holds in outcome.expectations:
-        yield f"expect {one.text}: " + ("yes" if holds else f"NO, found {'nothing' if value is None else value}")
+    for condition, value, holds in outcome.expectations:
+        yield f"expect {condition.text}: " + ("yes" if holds else f"NO, found {'nothing' if value is None else value}")
     if result.hash:
         yield f"hash: {result.hash}"
     if result.outside:

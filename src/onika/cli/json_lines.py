@@ -29,14 +29,14 @@ class JsonLines:
         """The application and the runtime's process."""
         self._write({"event": "begins", "application": prepared.name, "runtime_pid": runtime_pid})
 
-    def happens(self, one: event.Event) -> None:
+    def happens(self, happening: event.Event) -> None:
         """Every event but the result, which comes last with more."""
-        if not isinstance(one, event.Result):
-            fields = msgspec.to_builtins(one)
+        if not isinstance(happening, event.Result):
+            fields = msgspec.to_builtins(happening)
             fields["event"] = fields.pop("type").lower()
             self._write(fields)
 
-    def answer(self, asked: event.Asked) -> None:
+    def answer(self, question: event.Asked) -> None:
         """Nobody is there to answer."""
 
     @property
@@ -64,12 +64,12 @@ class JsonLines:
 
     def ended(self, outcome: Outcome, drawn: str) -> None:
         """The result."""
-        found: dict[str, Any] = {"event": "result", "application": outcome.name, "state": outcome.state}
-        found["faults"] = _plain(outcome.faults)
-        found["notes"] = outcome.notes
+        fields: dict[str, Any] = {"event": "result", "application": outcome.name, "state": outcome.state}
+        fields["faults"] = _plain(outcome.faults)
+        fields["notes"] = outcome.notes
         if outcome.result is not None:
             result = outcome.result
-            found |= {
+            fields |= {
                 "cause": result.cause,
                 "actions_done": result.done,
                 "actions": result.of,
@@ -77,9 +77,10 @@ class JsonLines:
                 "wall_s": round(result.wall_s, 3),
                 "values": result.values,
                 "expectations": [
-                    {"expect": one.text, "found": value, "holds": holds} for one, value, holds in outcome.expectations
+                    {"expect": condition.text, "found": value, "holds": holds}
+                    for condition, value, holds in outcome.expectations
                 ],
-                "missed": {f"{one.subsystem}/{one.task}": one.missed for one in result.tasks},
+                "missed": {f"{task.subsystem}/{task.task}": task.missed for task in result.tasks},
                 "tasks": msgspec.to_builtins(result.tasks),
                 "switches_us": result.switches_us,
                 "skews_us": result.skews_us,
@@ -90,9 +91,9 @@ class JsonLines:
                 "printed": outcome.printed,
             }
         if drawn:
-            found["picture"] = drawn
-        found["exit"] = outcome.exit_code
-        self._write(found)
+            fields["picture"] = drawn
+        fields["exit"] = outcome.exit_code
+        self._write(fields)
 
     def _write(self, fields: dict[str, Any]) -> None:
         sys.stdout.write(msgspec.json.encode(fields).decode() + "\n")
@@ -102,11 +103,11 @@ class JsonLines:
 def _plain(faults: Sequence[Fault]) -> list[dict[str, Any]]:
     return [
         {
-            "file": one.place.file,
-            "line": one.place.line,
-            "expected": one.expected,
-            "found": one.found,
-            "instead": one.instead,
+            "file": fault.place.file,
+            "line": fault.place.line,
+            "expected": fault.expected,
+            "found": fault.found,
+            "instead": fault.instead,
         }
-        for one in faults
+        for fault in faults
     ]

@@ -7,7 +7,7 @@ from rich.console import Console
 from rich.live import Live as Screen
 from rich.text import Text
 
-from onika.cli.event_text import asked_item, lines, summary
+from onika.cli.event_text import item_text, lines, summary
 from onika.cli.keyboard import Keyboard
 from onika.cli.panel import Panel
 from onika.cli.typed import typed_line
@@ -69,18 +69,18 @@ class Live:
             self._panel.begins(prepared.name, Cast.of(prepared.plan))
             self._panel.has_keys = self.can_steer
 
-    def happens(self, one: event.Event) -> None:
+    def happens(self, happening: event.Event) -> None:
         """Remember it for the panel; say it above where it is worth a line."""
-        self._panel.happens(one)
-        self._has_moved = self._has_moved or isinstance(one, event.Began | event.Moved)
-        for line in lines(one, self._total, self._panel.cast.subsystems, self._console.width):
-            self._console.print(Text(line, style=_STYLES.get(type(one), "")))
+        self._panel.happens(happening)
+        self._has_moved = self._has_moved or isinstance(happening, event.Began | event.Moved)
+        for line in lines(happening, self._total, self._panel.cast.subsystems, self._console.width):
+            self._console.print(Text(line, style=_STYLES.get(type(happening), "")))
 
-    def answer(self, asked: event.Asked) -> str | None:
+    def answer(self, question: event.Asked) -> str | None:
         """Ask for it in the terminal, value by value; None at the end of the input."""
         self._screen.stop()
         with self._keyboard.lent():
-            line = self._answers(asked)
+            line = self._answers(question)
         if line is not None:
             self._screen.start()
         return line
@@ -120,12 +120,12 @@ class Live:
             style = ("bold green" if good else "bold red") if is_verdict else "red" if ": NO" in line else ""
             self._console.print(Text(line, style=style))
 
-    def _answers(self, asked: event.Asked) -> str | None:
-        if asked.reason:
-            self._console.print(Text(asked.reason, style="magenta"))
+    def _answers(self, question: event.Asked) -> str | None:
+        if question.reason:
+            self._console.print(Text(question.reason, style="magenta"))
         words: list[str] = []
-        for one in asked.items:
-            self._console.print(Text(f"{asked.task} asks for {asked_item(one)}: "), end="")
+        for item in question.items:
+            self._console.print(Text(f"{question.task} asks for {item_text(item)}: "), end="")
             line = typed_line()
             if line is None:
                 return None

@@ -15,10 +15,10 @@ def in_order() -> Iterator[None]:
     def end(number: int, _frame: FrameType | None) -> None:
         raise SystemExit(128 + number)
 
-    heard = [one for one in _TOLD if signal.getsignal(one) is not signal.SIG_IGN]  # as `nohup` wants it
-    former = {one: signal.signal(one, end) for one in heard}
+    caught = [number for number in _TOLD if signal.getsignal(number) is not signal.SIG_IGN]  # as `nohup` wants it
+    former = {number: signal.signal(number, end) for number in caught}
     try:
         yield
     finally:
-        for one, handler in former.items():
-            signal.signal(one, handler)
+        for number, handler in former.items():
+            signal.signal(number, handler)

@@ -66,11 +66,11 @@ def carry_out(given: argparse.Namespace) -> int:
     )
     program = Program(site_here(given.base), wishes, state_directory())
     shows = not given.no_browser and _has_screen()
-    told: list[str] = []
+    answers: list[str] = []
 
     def tell(address: str) -> None:
-        _tell(address, shows, is_first=not told)
-        told.append(address)
+        _tell(address, shows, is_first=not answers)
+        answers.append(address)
 
     asyncio.run(program.run(listening, tell))
     return 0

@@ -62,16 +62,16 @@ class Panel:
         self.wheel = Wheel(cast.subsystems)
         self.since = monotonic()
 
-    def happens(self, one: event.Event) -> None:
+    def happens(self, happening: event.Event) -> None:
         """Remember what is shown."""
-        self.where.hear(one)
-        if isinstance(one, event.TaskState):
-            self._states[one.subsystem, one.task] = one.state
+        self.where.hear(happening)
+        if isinstance(happening, event.TaskState):
+            self._states[happening.subsystem, happening.task] = happening.state
 
     def place(self, positions: tuple[Position, ...]) -> None:
         """What the runtime says of its flows."""
         self.where.place(positions)
-        self._positions = {one.subsystem: one for one in positions}
+        self._positions = {position.subsystem: position for position in positions}
 
     def draw(self) -> RenderableType:
         """As it is now."""

@@ -2,7 +2,7 @@
 
 from types import TracebackType
 
-from onika.cli.event_text import asked_item, lines, summary
+from onika.cli.event_text import item_text, lines, summary
 from onika.cli.typed import typed_line
 from onika.desk.plan.flow_index import Cast
 from onika.desk.plan.preparation import PreparedRun
@@ -36,9 +36,9 @@ class Plain:
             self._total = max(len(flow.actions) for flow in prepared.plan.flows)
             self._write(f"{prepared.name}: {sum(len(flow.actions) for flow in prepared.plan.flows)} actions")
 
-    def happens(self, one: event.Event) -> None:
+    def happens(self, happening: event.Event) -> None:
         """Its lines, if there are any."""
-        for line in lines(one, self._total, self._cast.subsystems):
+        for line in lines(happening, self._total, self._cast.subsystems):
             self._write(line)
 
     @property
@@ -63,11 +63,11 @@ class Plain:
         for each in (*faults, *(places.lines(positions, self._cast) if positions else ())):
             self._write(str(each))
 
-    def answer(self, asked: event.Asked) -> str | None:
+    def answer(self, question: event.Asked) -> str | None:
         """Ask on the terminal that input comes from; None at the end of the input."""
-        wanted = "; ".join(asked_item(one) for one in asked.items)
-        reason = f" ({asked.reason})" if asked.reason else ""
-        self._write(f"{asked.task} asks for {wanted}{reason}:")
+        wanted = "; ".join(item_text(item) for item in question.items)
+        reason = f" ({question.reason})" if question.reason else ""
+        self._write(f"{question.task} asks for {wanted}{reason}:")
         return typed_line()
 
     def ended(self, outcome: Outcome, drawn: str) -> None:

@@ -79,9 +79,13 @@ def _table(given: argparse.Namespace) -> int:
         review = Review(path)
     with review:
         wanted = given.variables
-        series = [one for name, one in review.series.items() if not wanted or name in wanted or one.name in wanted]
-        known = {*review.series, *(one.name for one in series)}
-        strange = [name for name in wanted if name not in known]
+        series = [
+            variable
+            for name, variable in review.series.items()
+            if not wanted or name in wanted or variable.name in wanted
+        ]
+        names = {*review.series, *(variable.name for variable in series)}
+        strange = [name for name in wanted if name not in names]
         if strange:
             raise _Spoilt(f"{path}: expected one of {', '.join(review.series)}, found {strange[0]!r}")
         if output is None:
@@ -115,10 +119,10 @@ def _compare(given: argparse.Namespace) -> int:
             readers.append(Reader(path))
             is_virtual &= Run.read(readers[-1]).is_virtual
     tolerance = usual(is_virtual, given.tolerance, given.part, given.time)
-    found = None
+    difference = None
     with _reading(given.one):  # a part that is spoilt tells its own file
-        found = first_difference(readers[0], readers[1], tolerance)
-    print(found or "no difference")
+        difference = first_difference(readers[0], readers[1], tolerance)
+    print(difference or "no difference")
     if tolerance.is_of_places:
         print(
             f"in wall time: values within {tolerance.value:g} and {tolerance.part:.1%}, times within "
@@ -127,7 +131,7 @@ def _compare(given: argparse.Namespace) -> int:
     for reader in readers:
         if not reader.is_whole:
             print(f"{reader.path} was cut short: compared up to {reader.span[1] * 1e-9:.9g} s")
-    return 0 if found is None else 1
+    return 0 if difference is None else 1
 
 
 def _counted(number: int, what: str) -> str:

@@ -138,8 +138,8 @@ def _keep(path: Path, settings: RunSettings, site: Site, outcome: Outcome) -> in
     """Keep the run as a test; told on the error output, as JSON lines may go to the other one."""
     seen = outcome.result.hash if outcome.result is not None else ""
     with in_order():
-        is_kept, told = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen)
-    sys.stderr.write("".join(f"{'test' if is_kept else 'no test'}: {line}\n" for line in told))
+        is_kept, report = keep_in(path, settings, site, workers=os.cpu_count() or 1, seen=seen)
+    sys.stderr.write("".join(f"{'test' if is_kept else 'no test'}: {line}\n" for line in report))
     return 0 if is_kept else 1
 
 

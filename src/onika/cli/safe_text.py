@@ -3,9 +3,9 @@
 
 def safe(text: str) -> str:
     """The same text, with a sign of its own in place of each that cannot be printed; its lines stay lines."""
-    return "\n".join(_line(one) for one in text.splitlines())
+    return "\n".join(_line(line) for line in text.splitlines())
 
 
 def _line(text: str) -> str:
     plain = text.expandtabs(4)
-    return plain if plain.isprintable() else "".join(one if one.isprintable() else "�" for one in plain)
+    return plain if plain.isprintable() else "".join(letter if letter.isprintable() else "�" for letter in plain)

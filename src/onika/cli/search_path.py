@@ -9,7 +9,7 @@ from onika.store.site import Site, open_site
 
 def site_here(local: list[str]) -> Site:
     """The site: directories named on the command line first, then ONIKA_LOCAL, then what is shipped."""
-    return open_site([Path(one) for one in local], os.environ, Path.home())
+    return open_site([Path(directory) for directory in local], os.environ, Path.home())
 
 
 def directory(text: str) -> str:

@@ -42,24 +42,24 @@ def carry_out(given: argparse.Namespace) -> int:
         return 2
     done = []
     with in_order():
-        for one in try_all(
+        for trial in try_all(
             files, site_here(given.local), workers=given.jobs or os.cpu_count() or 1, shakes=given.shake
         ):
-            _tell(one)
-            done.append(one)
-    failed = sum(not one.verdict.is_passed for one in done)
+            _tell(trial)
+            done.append(trial)
+    failed = sum(not trial.verdict.is_passed for trial in done)
     print(f"{len(done) - failed} of {len(done)} passed" + (f", {failed} failed" if failed else ""))
     if given.junit is not None:
         given.junit.write_bytes(junit.document(done))
     return 1 if failed else 0
 
 
-def _tell(one: Trial) -> None:
-    outcome = "passed" if one.verdict.is_passed else "FAILED"
-    print(f"{outcome}  {one.name}  {one.verdict.lasted_s:.2f} s, in {one.wall_s:.1f} s of wall time", flush=True)
-    for text in one.verdict.failures:
+def _tell(trial: Trial) -> None:
+    outcome = "passed" if trial.verdict.is_passed else "FAILED"
+    print(f"{outcome}  {trial.name}  {trial.verdict.lasted_s:.2f} s, in {trial.wall_s:.1f} s of wall time", flush=True)
+    for text in trial.verdict.failures:
         print(f"    {text}")
-    for text in one.verdict.notes:
+    for text in trial.verdict.notes:
         print(f"    note: {text}")
 
 

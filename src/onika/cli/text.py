@@ -44,6 +44,6 @@ def carry_out(given: argparse.Namespace) -> int:
 
 
 def _failed(*reasons: object) -> int:
-    for one in reasons:
-        print(one, file=sys.stderr)
+    for reason in reasons:
+        print(reason, file=sys.stderr)
     return 1
