@@ -147,7 +147,7 @@ class History:
         wanted = Wanted(str(self._labels), one.name, body, once, begin_by_ns, asking.cable if asking else None)
         urgent = self._time.random.random() < 0.1
         # the witness has to know of it before the answer can come
-        self._witness.wants(wanted, one.bundle.asked + 1)
+        self._witness.wants(wanted, one.bundle.request_count + 1)
         one.bundle.request(body, self._clock(one), within_ns, once, urgent)
         self._serve(one)
 

@@ -77,7 +77,7 @@ class Reference(LawLives):
 
     def _first_due(self) -> LawTask | None:
         """Law 1: by deadline, criticality, rank, name. Law 2: missed periods are counted and skipped first."""
-        due = [one for one in self._lives.items() if one[1].release is not None and one[1].release <= self.now]
+        due = [life for life in self._lives.items() if life[1].release is not None and life[1].release <= self.now]
         for _, life in due:
             if life.deadline <= self.now:
                 life.missed += (self.now - (life.release or 0)) // life.period
@@ -104,12 +104,12 @@ class Reference(LawLives):
         life, began = self._lives[task.name], self.now
         signals: list[Signal] = []
         self._try(task, "cycle", lambda: signals.extend(self._work(task)))
-        heard = [signal for signal in signals if self._signal(task, signal)]
+        accepted = [signal for signal in signals if self._signal(task, signal)]
         if life.release is not None:
             life.release = life.deadline if task.is_periodic else None
         self.now = began + task.cost
-        for signal in heard:
-            self._requests.extendleft((self.now, one) for one in reversed(self._react(task.name, signal)))
+        for signal in accepted:
+            self._requests.extendleft((self.now, request) for request in reversed(self._react(task.name, signal)))
 
     def _work(self, task: LawTask) -> list[Signal]:
         """Copy in, cycle, copy out; the signal that the cycle returned, if any."""

@@ -33,7 +33,7 @@ def fails(_moment):
 
 
 def entries(reference):
-    return [one.entry for one in reference.trace]
+    return [call.entry for call in reference.trace]
 
 
 def test_code_that_takes_over_goes_on_with_its_memory_in_the_next_cycle():  # law 21

@@ -14,9 +14,9 @@ from onika.runtime import command
 
 
 def assert_same_story(probes, requests, until, react=MappingProxyType({})):
-    told, reference = by_law(probes, requests, until, react)
-    assert by_executive(probes, requests, until, react) == told
-    assert told.trace or not probes
+    trace, reference = by_law(probes, requests, until, react)
+    assert by_executive(probes, requests, until, react) == trace
+    assert trace.trace or not probes
     return reference
 
 
@@ -76,7 +76,7 @@ def some_exchange(draw, probe):
 
 @st.composite
 def some_request(draw, probes):
-    names = sorted(one.name for one in probes)
+    names = sorted(probe.name for probe in probes)
     kind = draw(st.sampled_from(("switch",) * 6 + ("clear", "clear", "kill", "rank", "reinit", "swap", "swap")))
     if kind == "swap":
         return draw(some_exchange(draw(st.sampled_from(probes))))
@@ -106,13 +106,13 @@ def some_request(draw, probes):
 @st.composite
 def some_story(draw, with_costs=False):
     probes = draw(some_probes(with_costs))
-    names = sorted(one.name for one in probes)
+    names = sorted(probe.name for probe in probes)
     everyone = command.Switch(HOME, (), (), tuple(command.Launch(name) for name in names))
     times = st.integers(0, 300).map(lambda ms: ms * MS) | st.integers(0, 300 * MS)
     requests = draw(st.lists(st.tuples(times, some_request(probes)), max_size=8))
-    triggers = [one.name for one in probes if one.finish_after or one.off_after]
+    triggers = [probe.name for probe in probes if probe.finish_after or probe.off_after]
     react = {name: [draw(some_request(probes))] for name in triggers}
-    return probes, [(0, everyone), *sorted(requests, key=lambda one: one[0])], react
+    return probes, [(0, everyone), *sorted(requests, key=lambda request: request[0])], react
 
 
 @settings(deadline=None, max_examples=150)
@@ -133,11 +133,11 @@ def test_overruns_are_counted_and_skipped_by_the_executive_as_the_reference_says
 
 
 def cycles(reference, task, entry="cycle"):
-    return [one.at // MS for one in reference.trace if (one.task, one.entry) == (task, entry)]
+    return [call.at // MS for call in reference.trace if (call.task, call.entry) == (task, entry)]
 
 
 def order_at(reference, at):
-    return [one.task for one in reference.trace if one.at == at * MS and one.entry == "cycle"]
+    return [call.task for call in reference.trace if call.at == at * MS and call.entry == "cycle"]
 
 
 def switch(*on, off=(), forget=(), rates=()):
@@ -153,7 +153,7 @@ def test_tasks_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  
         Probe("first", rank=0),
         Probe("critical", rank=5, crit=1),
     ]
-    names = [one.name for one in probes]
+    names = [probe.name for probe in probes]
     reference = assert_same_story(probes, [(0, switch(*names)), (0, switch(*reversed(names)))], 25 * MS)
     assert order_at(reference, 20) == ["critical", "first", "a", "b", "late", "z"]
 
@@ -162,8 +162,8 @@ def test_a_chain_of_tasks_carries_a_value_through_in_one_instant():  # law 1
     probes = [Probe("c", rank=2, invar=("V1",)), Probe("b", rank=1, invar=("V0",), outvar=("V1",))]
     probes.append(Probe("a", rank=0, outvar=("V0",)))
     reference = assert_same_story(probes, [(0, switch("a", "b", "c"))], 10 * MS)
-    last = [one for one in reference.trace if one.at == 10 * MS]
-    assert [one.task for one in last] == ["a", "b", "c"]
+    last = [call for call in reference.trace if call.at == 10 * MS]
+    assert [call.task for call in last] == ["a", "b", "c"]
     assert last[1].inputs["V0"] == last[0].outputs["V0"]
     assert last[2].inputs["V1"] == last[1].outputs["V1"]
 
@@ -171,8 +171,8 @@ def test_a_chain_of_tasks_carries_a_value_through_in_one_instant():  # law 1
 def test_a_faster_task_sees_the_previous_value_of_a_slower_one():  # law 1
     probes = [Probe("slow", period=20 * MS, outvar=("V0",)), Probe("fast", period=5 * MS, rank=1, invar=("V0",))]
     reference = assert_same_story(probes, [(0, switch("slow", "fast"))], 40 * MS)
-    seen = [one.inputs["V0"] for one in reference.trace if one.task == "fast" and one.entry == "cycle"]
-    written = [one.outputs["V0"] for one in reference.trace if one.task == "slow" and one.entry == "cycle"]
+    seen = [call.inputs["V0"] for call in reference.trace if call.task == "fast" and call.entry == "cycle"]
+    written = [call.outputs["V0"] for call in reference.trace if call.task == "slow" and call.entry == "cycle"]
     assert seen[4] == written[0] != written[1]
     assert seen[5] == written[1]
 
@@ -219,8 +219,8 @@ def test_own_outputs_are_preloaded_when_a_task_comes_on_and_continue_what_is_in_
     probes = [Probe("a", outvar=("V0",)), Probe("b", outvar=("V0",))]
     requests = [(0, switch("a")), (15 * MS, switch("b", off=["a"])), (25 * MS, switch("a", off=["b"], forget=["V0"]))]
     reference = assert_same_story(probes, requests, 30 * MS)
-    began = {one.at // MS: one.outputs["V0"] for one in reference.trace if one.entry == "on"}
-    left = {one.at // MS: one.outputs["V0"] for one in reference.trace if one.entry == "off"}
+    began = {call.at // MS: call.outputs["V0"] for call in reference.trace if call.entry == "on"}
+    left = {call.at // MS: call.outputs["V0"] for call in reference.trace if call.entry == "off"}
     assert began == {0: 0.0, 15: left[15] + 1.0, 25: 25.0}
 
 
@@ -230,7 +230,7 @@ def test_constants_are_moved_once_and_first_values_too():  # law 3, R-A02
         Probe("b", inconst=("C0", "V0"), invar=("V0",)),
     ]
     reference = assert_same_story(probes, [(0, switch("a", "b"))], 5 * MS)
-    entry = {(one.task, one.entry): one.inputs for one in reference.trace}
+    entry = {(call.task, call.entry): call.inputs for call in reference.trace}
     assert entry["b", "init"] == {"C0": 100.0, "V0": 100.0}
     assert entry["b", "cycle"] == {"C0": 100.0, "V0": 100.0 + 1.0 + 1.0}  # preloaded, by `on`, by `cycle`
 
@@ -271,7 +271,7 @@ def test_what_an_on_leaves_as_it_was_preloaded_is_not_fresh():  # law 4, decisio
 def test_a_variable_that_an_on_did_not_write_is_not_in_force():  # law 3, decision 13
     probes = [Probe("a", outvar=("V0",), is_idle_on=True), Probe("b", outvar=("V0",))]
     reference = assert_same_story(probes, [(5 * MS, switch("a", "b"))], 5 * MS)
-    began = next(one for one in reference.trace if (one.task, one.entry) == ("b", "on"))
+    began = next(call for call in reference.trace if (call.task, call.entry) == ("b", "on"))
     assert began.outputs["V0"] == 5.0  # not preloaded zero plus one
 
 

@@ -56,21 +56,21 @@ def run(copies):
 
 
 def test_constants_are_copied_at_init_variables_at_cycles_and_first_values_at_both(table):  # R-A02
-    one, binding = bound(table, Six)
+    module, binding = bound(table, Six)
     write(table, "C", 1)
     write(table, "B", 2.0)
     write(table, "V", 3.0, 4.0)
     run(binding.copies("init_in"))
-    assert (one.C, one.B, one.V.tolist()) == (1, 2.0, [0.0, 0.0])
+    assert (module.C, module.B, module.V.tolist()) == (1, 2.0, [0.0, 0.0])
     write(table, "C", 10)
     write(table, "B", 20.0)
     run(binding.copies("in"))
-    assert (one.C, one.B, one.V.tolist()) == (1, 20.0, [3.0, 4.0])
+    assert (module.C, module.B, module.V.tolist()) == (1, 20.0, [3.0, 4.0])
 
 
 def test_outputs_are_published_in_the_same_way(table):  # R-A02
-    one, binding = bound(table, Six)
-    one.D, one.E, one.W = 1, 2.0, (3.0, 4.0)
+    module, binding = bound(table, Six)
+    module.D, module.E, module.W = 1, 2.0, (3.0, 4.0)
     run(binding.copies("init_out"))
     assert (table.value("D"), table.value("E"), table.ring("W").count) == (1, 2.0, 0)
     run(binding.copies("out"))
@@ -78,12 +78,12 @@ def test_outputs_are_published_in_the_same_way(table):  # R-A02
 
 
 def test_own_outputs_are_preloaded_from_the_table(table):  # law 3
-    one, binding = bound(table, Six)
+    module, binding = bound(table, Six)
     write(table, "D", 9)
     write(table, "E", 5.0)
     write(table, "W", 6.0, 7.0)
     run(binding.preloads)
-    assert (one.D, one.E, one.W.tolist()) == (0, 5.0, [6.0, 7.0])
+    assert (module.D, module.E, module.W.tolist()) == (0, 5.0, [6.0, 7.0])
 
 
 def test_two_tasks_meet_in_a_variable_by_their_aliases(table):  # R-C04
@@ -96,16 +96,16 @@ def test_two_tasks_meet_in_a_variable_by_their_aliases(table):  # R-C04
 
 
 def test_an_input_vector_cannot_be_written_element_by_element_either(table):  # R-A02
-    one, _ = bound(table, Six)
+    module, _ = bound(table, Six)
     with pytest.raises(ValueError, match="read-only"):
-        one.V[0] = 1.0
+        module.V[0] = 1.0
 
 
 def test_a_copied_input_does_not_change_until_the_next_copy(table):  # R-A02
-    one, binding = bound(table, Six)
+    module, binding = bound(table, Six)
     run(binding.copies("in"))
     write(table, "V", 1.0, 1.0)
-    assert one.V.tolist() == [0.0, 0.0]
+    assert module.V.tolist() == [0.0, 0.0]
 
 
 def test_what_is_not_finite_is_named(table):  # law 5
@@ -128,8 +128,8 @@ def test_what_was_written_since_it_was_forgotten_is_in_force(table):  # law 3
 
 
 def test_an_instance_gets_its_period_and_its_chance(table):  # laws 13, 14
-    one, _ = bound(table, Six, frequency=250.0)
-    assert one.dt == 0.004
+    module, _ = bound(table, Six, frequency=250.0)
+    assert module.dt == 0.004
     assert bound(table, Six, frequency=None)[0].dt == 0.0
 
 
@@ -146,16 +146,16 @@ def test_a_class_with_an_init_of_its_own_need_not_call_ours(table):
         def __init__(self):
             self.mine = 1
 
-    one, _ = bound(table, Own)
-    one.warn("still works")
-    assert (one.warnings, one.mine) == (["still works"], 1)
+    module, _ = bound(table, Own)
+    module.warn("still works")
+    assert (module.warnings, module.mine) == (["still works"], 1)
 
 
 def test_a_granted_device_is_attached(table):  # law 16
     far = BenchDevice(("x",), ("force",))
     order = spawn(table, Six, device=far.grant())
-    one = instantiate(Six, order, {"table:s": table.segment.view, SEGMENT: far.view})
-    one.device.write([2.0])
+    module = instantiate(Six, order, {"table:s": table.segment.view, SEGMENT: far.view})
+    module.device.write([2.0])
     assert far.commands.tolist() == [2.0]
     assert attach(far.grant(), {SEGMENT: far.view}).sheet == far.sheet
 
@@ -172,12 +172,18 @@ class Parameters(Module):
 
 def test_parameters_are_read_from_local_lines(table):  # R-A01
     lines = [("GAIN", ("2.5",)), ("POSE", ("1", "2", "3")), ("LABEL", ("two", "words")), ("NAMES", ("a", "b"))]
-    one, _ = bound(table, Parameters, local=lines)
-    assert (one.GAIN, one.COUNT, one.POSE, one.LABEL, one.NAMES) == (2.5, 3, [1.0, 2.0, 3.0], "two words", ["a", "b"])
+    module, _ = bound(table, Parameters, local=lines)
+    assert (module.GAIN, module.COUNT, module.POSE, module.LABEL, module.NAMES) == (
+        2.5,
+        3,
+        [1.0, 2.0, 3.0],
+        "two words",
+        ["a", "b"],
+    )
 
 
 @pytest.mark.parametrize(
-    ("lines", "told"),
+    ("lines", "refusal"),
     [
         ({}, r"expected a LOCAL line GAIN double \(gain\), found none"),
         ({"GAIN": ("fast",)}, "LOCAL GAIN: expected a number .*'fast'"),
@@ -186,18 +192,18 @@ def test_parameters_are_read_from_local_lines(table):  # R-A01
         ({"GAIN": ("1",), "POSE": ("1", "2", "x")}, "LOCAL POSE: expected a number .*'x'"),
     ],
 )
-def test_a_local_line_that_cannot_be_used_is_refused_by_its_name(lines, told):  # R-B07
-    with pytest.raises(ValueError, match=told):
+def test_a_local_line_that_cannot_be_used_is_refused_by_its_name(lines, refusal):  # R-B07
+    with pytest.raises(ValueError, match=refusal):
         locals_of(Parameters, lines)
 
 
 def test_attributes_that_look_like_variables_and_are_none_are_found(table):
-    one, _ = bound(table, Parameters, local=[("GAIN", ("1",))])
-    one.speed, one.N, one.Kp = 1, 2, 3
-    assert undeclared(one) == []
-    one.Q_REFF = 1.0
-    one.X_MEZ = 2.0
-    assert undeclared(one) == ["Q_REFF", "X_MEZ"]
+    module, _ = bound(table, Parameters, local=[("GAIN", ("1",))])
+    module.speed, module.N, module.Kp = 1, 2, 3
+    assert undeclared(module) == []
+    module.Q_REFF = 1.0
+    module.X_MEZ = 2.0
+    assert undeclared(module) == ["Q_REFF", "X_MEZ"]
 
 
 def test_a_port_that_the_spawn_lacks_is_a_mistake(table):
@@ -213,6 +219,6 @@ def test_shapes_are_those_of_the_spawn_resolved(table):  # R-A03
     entry = table.entry("Q", Shape.parse("double[3,2]"))
     port = BoundPort("Q", "Q", "double[3,2]", entry.offset)
     order = Spawn("s", "t", "m", "m.py", "", "periodic", 1.0, (), (port,), 0, 0, None)
-    one = Follows()
-    Binding(one, order, {"table:s": table.segment.view})
-    assert one.Q.shape == (3, 2)
+    follower = Follows()
+    Binding(follower, order, {"table:s": table.segment.view})
+    assert follower.Q.shape == (3, 2)

@@ -43,14 +43,14 @@ def other_class(source):
     )
 
 
-@pytest.mark.parametrize(("line", "told"), TRICKS)
+@pytest.mark.parametrize(("line", "sentence"), TRICKS)
 @pytest.mark.parametrize("at", [1, 10])
-def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, told, at):  # R-A12
+def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, sentence, at):  # R-A12
     rig = Rig().spawn("good", COUNTER).spawn("owner", module("    FOREIGN = OutVar('double')"))
     rig.spawn("one", other_class(tricky(line, at)), frequency=1000.0).switch(on=["good", "one"]).run(1100 * MS)
     assert rig.task("one").state is State.ERROR
     failed = rig.heard(news.Failed)[0]
-    assert told in failed.text
+    assert sentence in failed.text
     assert (failed.now_ns // MS) == (0 if at == 1 else CHECKED_EVERY + 1)
     assert (rig["N"], rig.task("good").state) == (111, State.ON)
 

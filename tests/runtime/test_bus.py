@@ -51,10 +51,10 @@ def test_a_device_that_takes_commands_is_granted_once(bus):  # law 9
 
 
 def test_a_device_that_only_publishes_is_shared(bus, segment):  # law 16
-    one, other = device(bus, segment, "scale", 1), device(bus, segment, "scale", 2)
+    first, other = device(bus, segment, "scale", 1), device(bus, segment, "scale", 2)
     assert bus.grant("scale", 3).command_offset is None
     bus.step(5 * MS)
-    assert one.read().tolist() == other.read().tolist() == [0.0]
+    assert first.read().tolist() == other.read().tolist() == [0.0]
 
 
 def test_an_unknown_device_is_denied_with_the_known_ones(bus):
@@ -72,60 +72,60 @@ def test_the_rings_of_a_world_do_not_overlap_and_fit(world, segment):  # law 16
             spans.append((grant.command_offset, grant.command_offset + Ring.footprint(8 * (2 + len(sheet.command)))))
         bus.release(sheet.name, number)  # of devices that stand at one place only one is granted at a time
     spans.sort()
-    assert all(one[1] <= other[0] for one, other in itertools.pairwise(spans))
+    assert all(earlier[1] <= other[0] for earlier, other in itertools.pairwise(spans))
     assert spans[-1][1] <= SEGMENT_SIZE
 
 
 def test_the_layout_is_that_of_the_world_and_not_of_the_order_of_claims(segment):
-    one, other = (Bus("w", MassWorld(), segment) for _ in range(2))
-    first = {name: one.grant(name, 1).state_offset for name in ("m0", "m1", "scale")}
+    first, other = (Bus("w", MassWorld(), segment) for _ in range(2))
+    first = {name: first.grant(name, 1).state_offset for name in ("m0", "m1", "scale")}
     assert {name: other.grant(name, 1).state_offset for name in ("scale", "m1", "m0")} == first
 
 
 def test_a_command_acts_from_the_next_step_on_and_its_state_is_published(bus, segment):  # law 1
-    one = device(bus, segment)
-    one.write([2.0])
-    assert one.read().tolist() == [0.0, 0.0]
+    claimed_device = device(bus, segment)
+    claimed_device.write([2.0])
+    assert claimed_device.read().tolist() == [0.0, 0.0]
     bus.step(1 * MS)
-    x, v = one.read()
+    x, v = claimed_device.read()
     assert (x, v) == (pytest.approx(2e-6), pytest.approx(2e-3))
 
 
 def test_a_granted_device_shows_its_state_at_once(bus, segment):
-    one = device(bus, segment)
-    one.read()
-    assert one.is_held
+    claimed_device = device(bus, segment)
+    claimed_device.read()
+    assert claimed_device.is_held
 
 
 def test_the_newest_command_is_delivered_once(bus, segment):
-    heard = []
-    one = device(bus, segment)
-    bus.world.command = lambda *given: heard.append((given[0], given[1], given[2], list(given[3])))
-    one.write([1.0])
-    one.write([2.0])
+    results = []
+    claimed_device = device(bus, segment)
+    bus.world.command = lambda *given: results.append((given[0], given[1], given[2], list(given[3])))
+    claimed_device.write([1.0])
+    claimed_device.write([2.0])
     bus.deliver()
     bus.deliver()
-    assert heard == [("m0", 1, Order.DRIVE, [2.0])]
+    assert results == [("m0", 1, Order.DRIVE, [2.0])]
 
 
 def test_a_command_from_before_the_claim_is_not_delivered(bus, segment):
-    one = device(bus, segment, epoch=1)
+    claimed_device = device(bus, segment, epoch=1)
     bus.release("m0", 1)
-    one.write([9.0])
-    heard = []
-    bus.world.command = lambda *given: heard.append(given)
+    claimed_device.write([9.0])
+    results = []
+    bus.world.command = lambda *given: results.append(given)
     bus.grant("m0", 2)
     bus.deliver()
-    assert heard == []
+    assert results == []
 
 
 def test_a_release_delivers_the_last_command_and_leaves_the_drive_in_hold(bus, segment):  # law 18
-    one = device(bus, segment)
-    one.write([1.0])
+    claimed_device = device(bus, segment)
+    claimed_device.write([1.0])
     bus.release("m0", 1)
-    one.write([1.0])
+    claimed_device.write([1.0])
     bus.step(2 * MS)
-    assert one.read().tolist() == [0.0, 0.0]
+    assert claimed_device.read().tolist() == [0.0, 0.0]
     assert bus.world.state("m0")[1] == Drive.HELD
 
 
@@ -143,10 +143,10 @@ def test_a_late_release_of_a_dead_writer_leaves_its_heir_alone(bus, segment):  #
 
 
 def test_a_touch_is_seen_at_once(bus, segment):  # R-K06
-    one = device(bus, segment)
+    claimed_device = device(bus, segment)
     bus.touch("panic", 1.0)
-    one.read()
-    assert one.is_pressed
+    claimed_device.read()
+    assert claimed_device.is_pressed
     with pytest.raises(ValueError, match="bell"):
         bus.touch("bell", 1.0)
 
@@ -158,6 +158,6 @@ def test_only_granted_devices_are_published(bus):
 
 
 def test_the_published_state_is_a_copy_of_that_instant(bus, segment):
-    one = device(bus, segment, "scale")
+    claimed_device = device(bus, segment, "scale")
     np.asarray(bus.world.state("scale"))[2] = 5.0
-    assert one.read().tolist() == [0.0]
+    assert claimed_device.read().tolist() == [0.0]

@@ -4,7 +4,7 @@ import sys
 
 import pytest
 
-from onika.runtime.code import compiled, line_in, load, told, where
+from onika.runtime.code import compiled, line_in, load, traceback_text, where
 from onika.runtime.module import Module
 from onika.words.fault import Fault, Place
 
@@ -17,9 +17,9 @@ class Still(Module):
 
 
 def fault(source):
-    found = load(source, "lab/m.py", "m")
-    assert isinstance(found, Fault), found
-    return found
+    code = load(source, "lab/m.py", "m")
+    assert isinstance(code, Fault), code
+    return code
 
 
 def test_the_one_subclass_of_module_is_found():  # R-A01
@@ -29,8 +29,8 @@ def test_the_one_subclass_of_module_is_found():  # R-A01
 
 
 def test_a_file_is_executed_anew_each_time_so_that_nothing_is_shared():  # law 14
-    one, other = load(GOOD, "lab/m.py", "m"), load(GOOD, "lab/m.py", "m")
-    one.seen.append(1)
+    first, other = load(GOOD, "lab/m.py", "m"), load(GOOD, "lab/m.py", "m")
+    first.seen.append(1)
     assert other.seen == []
 
 
@@ -41,11 +41,11 @@ def test_a_file_leaves_no_trace_among_the_imported_ones():  # law 14
 
 
 def test_a_syntax_error_is_a_fault_with_its_line():  # R-A18, R-B07
-    found = fault("x = 1\nclass :\n")
-    assert found.place == Place("lab/m.py", 2)
-    assert found.expected == "Python"
-    assert "class :" in found.found
-    assert found.instead == "module m is not loaded"
+    error = fault("x = 1\nclass :\n")
+    assert error.place == Place("lab/m.py", 2)
+    assert error.expected == "Python"
+    assert "class :" in error.found
+    assert error.instead == "module m is not loaded"
 
 
 def test_text_that_python_cannot_read_at_all_is_a_fault():
@@ -53,15 +53,15 @@ def test_text_that_python_cannot_read_at_all_is_a_fault():
 
 
 @pytest.mark.parametrize(
-    ("source", "line", "found"),
+    ("source", "line", "sentence"),
     [
         ("import nothing_of_this_name", 1, "ModuleNotFoundError: No module named 'nothing_of_this_name'"),
         ("def f():\n    raise KeyError\n\nf()", 2, "KeyError"),
         ("import sys\nsys.exit(3)", 2, "SystemExit: 3"),
     ],
 )
-def test_what_raises_while_it_is_imported_is_a_fault_with_its_line(source, line, found):  # R-A18
-    assert (fault(source).place, fault(source).found) == (Place("lab/m.py", line), found)
+def test_what_raises_while_it_is_imported_is_a_fault_with_its_line(source, line, sentence):  # R-A18
+    assert (fault(source).place, fault(source).found) == (Place("lab/m.py", line), sentence)
 
 
 def test_a_file_without_a_module_is_a_fault():
@@ -76,9 +76,9 @@ def test_a_file_with_two_modules_is_a_fault_that_names_both():
 
 
 def test_a_declaration_that_contradicts_itself_is_a_fault_with_its_line():
-    found = fault("from onika.module import InVar, Module\nclass A(Module):\n    X = InVar('real')\n")
-    assert found.place.line == 3
-    assert "double, int or double[NDOF,4], found 'real'" in found.found
+    error = fault("from onika.module import InVar, Module\nclass A(Module):\n    X = InVar('real')\n")
+    assert error.place.line == 3
+    assert "double, int or double[NDOF,4], found 'real'" in error.found
 
 
 def test_a_module_may_use_dataclasses_with_annotations_as_text():
@@ -98,8 +98,8 @@ class Uses(Module):
 
 
 def test_an_exception_is_told_in_one_line():
-    assert told(ValueError("too far")) == "ValueError: too far"
-    assert told(KeyError()) == "KeyError"
+    assert traceback_text(ValueError("too far")) == "ValueError: too far"
+    assert traceback_text(KeyError()) == "KeyError"
 
 
 def test_the_line_is_that_of_the_file_and_not_of_what_it_called():

@@ -36,7 +36,7 @@ COMMANDS = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("order", COMMANDS, ids=lambda one: type(one).__name__)
+@pytest.mark.parametrize("order", COMMANDS, ids=lambda order: type(order).__name__)
 def test_a_command_arrives_as_it_was_sent(order):
     assert command.decode(command.encode(order)) == order
 

@@ -6,11 +6,11 @@ from onika.runtime.cycle_result import signal_of
 
 
 @pytest.mark.parametrize(
-    ("returned", "told"),
+    ("returned", "sentence"),
     [(finish(), "only a trigger finishes"), ("done", "found 'done'"), (Signal(SignalKind.USER, number="x"), "'str'")],
 )
-def test_what_is_no_signal_of_this_task_is_refused(returned, told):  # R-A08
-    with pytest.raises(TypeError, match=told):
+def test_what_is_no_signal_of_this_task_is_refused(returned, sentence):  # R-A08
+    with pytest.raises(TypeError, match=sentence):
         signal_of(returned, is_trigger=False)
 
 

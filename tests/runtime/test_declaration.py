@@ -28,10 +28,10 @@ VALUES.append(["two words", "ü"])
 def instance(declaration, text):
     """An instance with one port X and its buffer, as the binding makes it."""
     cls = type("One", (Module,), {"X": declaration})
-    one, shape = cls(), Shape.parse(text)
+    owner, shape = cls(), Shape.parse(text)
     flat = np.zeros(shape.count * (shape.type.size if shape.type.is_text else 1), dtype=shape.type.code)
-    setattr(one, slot("X"), flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims))
-    return one
+    setattr(owner, slot("X"), flat if shape.type.is_text or not shape.dims else flat.reshape(shape.dims))
+    return owner
 
 
 @pytest.mark.parametrize(
@@ -59,10 +59,10 @@ def test_a_port_that_is_no_state_variable_is_refused(attribute):  # law 8
 
 @pytest.mark.parametrize(("text", "value"), list(zip(SHAPES, VALUES, strict=True)), ids=SHAPES)
 def test_an_output_of_every_type_is_written_and_read_back(text, value):  # R-A03
-    one = instance(OutVar(text), text)
-    one.X = value
-    assert np.all(np.asarray(one.X) == np.asarray(value))
-    assert isinstance(one.X, np.ndarray) == (isinstance(value, list) and not isinstance(value[0], str))
+    owner = instance(OutVar(text), text)
+    owner.X = value
+    assert np.all(np.asarray(owner.X) == np.asarray(value))
+    assert isinstance(owner.X, np.ndarray) == (isinstance(value, list) and not isinstance(value[0], str))
 
 
 def test_a_scalar_is_a_plain_number():
@@ -72,39 +72,39 @@ def test_a_scalar_is_a_plain_number():
 
 @pytest.mark.parametrize("kind", [InConst, InVar, InBoth])
 def test_an_input_is_read_and_never_written(kind):  # R-A02
-    one = instance(kind("double"), "double")
+    owner = instance(kind("double"), "double")
     with pytest.raises(AttributeError, match=f"X is an {kind.kind.value}: it is read, never written"):
-        one.X = 1.0
+        owner.X = 1.0
 
 
 def test_a_vector_is_written_into_place_and_whole():  # R-A02
-    one = instance(OutVar("double[3]"), "double[3]")
-    before = one.X
-    one.X = 7.0
-    assert before is one.X
+    owner = instance(OutVar("double[3]"), "double[3]")
+    before = owner.X
+    owner.X = 7.0
+    assert before is owner.X
     assert before.tolist() == [7.0, 7.0, 7.0]
 
 
 def test_a_vector_of_another_length_is_refused():
-    one = instance(OutVar("double[3]"), "double[3]")
+    owner = instance(OutVar("double[3]"), "double[3]")
     with pytest.raises(ValueError, match="broadcast"):
-        one.X = [1.0, 2.0]
+        owner.X = [1.0, 2.0]
 
 
 @pytest.mark.parametrize(
     ("text", "value"), [("string", "x" * 256), ("char", "ab"), ("char", "€"), ("line[2]", ["one"])]
 )
 def test_letters_that_do_not_fit_are_refused_by_the_ports_name(text, value):
-    one = instance(OutVar(text), text)
+    owner = instance(OutVar(text), text)
     with pytest.raises(ValueError, match="X: expected"):
-        one.X = value
+        owner.X = value
 
 
 def test_a_shorter_text_leaves_nothing_of_a_longer_one():
-    one = instance(OutVar("string"), "string")
-    one.X = "a long text"
-    one.X = "short"
-    assert one.X == "short"
+    owner = instance(OutVar("string"), "string")
+    owner.X = "a long text"
+    owner.X = "short"
+    assert owner.X == "short"
 
 
 def test_inputs_and_parameters_keep_what_they_were_declared_with():  # R-A10

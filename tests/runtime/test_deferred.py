@@ -26,10 +26,10 @@ def work(rig, now, steps=3):
     """So many steps, as long as nothing is said; what they led to."""
     rig.now = now
     for _ in range(steps):
-        heard = rig.executive.work(now)
-        rig.news += [(now, one) for one in heard]
-        if heard:
-            return [type(one).__name__ for one in heard]
+        events = rig.executive.work(now)
+        rig.news += [(now, event) for event in events]
+        if events:
+            return [type(event).__name__ for event in events]
     return []
 
 
@@ -116,7 +116,7 @@ def test_what_goes_off_makes_room(rig):  # law 21
 def test_a_module_that_does_not_load_is_refused_when_its_time_comes(rig):  # R-B07
     rig.do(late(rig, source="class :")).do(command.Reinit(HOME, "one"))
     assert work(rig, MS) == ["Refused", "Refused"]
-    assert [one.command for one in rig.heard(news.Refused)] == ["spawn", "reinit"]
+    assert [event.command for event in rig.heard(news.Refused)] == ["spawn", "reinit"]
 
 
 # What comes meanwhile
@@ -210,10 +210,10 @@ def test_no_task_that_is_on_misses_a_cycle_whatever_comes(pieces, period):  # la
     while rig.executive.has_work and rig.now < 3 * PATIENCE_NS:
         rig.run(rig.now)
         before = steps_left(rig)
-        heard = rig.executive.work(rig.now)
+        events = rig.executive.work(rig.now)
         after = steps_left(rig)
         moved = [name for name, left in before.items() if after.get(name) != left]
-        refused = any(isinstance(one, news.Refused) for one in heard)
+        refused = any(isinstance(event, news.Refused) for event in events)
         rig.now += max(0 if refused or not moved else needs[moved[0]].pop() * MS, MS)
     rig.run(rig.now)
     assert rig.task("busy").slot.missed == 0
@@ -223,4 +223,4 @@ def test_no_task_that_is_on_misses_a_cycle_whatever_comes(pieces, period):  # la
 
 def steps_left(rig):
     """What is compiled and loaded of everything that waits."""
-    return {one.address[1]: (one.code is None, one.task is None) for one in rig.executive._postponed._pieces}
+    return {piece.address[1]: (piece.code is None, piece.task is None) for piece in rig.executive._postponed._pieces}

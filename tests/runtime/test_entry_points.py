@@ -76,7 +76,7 @@ def test_a_finish_whose_off_raises_is_an_error_and_no_finish():  # R-A08
 
 def test_a_kill_that_raises_is_told_and_the_task_is_gone():  # R-A05
     rig = rig_of(module("    def kill(self):\n        raise ValueError")).do(command.Kill(HOME, "one"))
-    assert [type(one) for _, one in rig.news[-2:]] == [news.Failed, news.Changed]
+    assert [type(event) for _, event in rig.news[-2:]] == [news.Failed, news.Changed]
     assert rig.executive.tasks == {}
 
 

@@ -48,12 +48,12 @@ def test_a_task_without_a_rate_has_no_reference_rate():  # R-A11
 
 
 def test_the_watch_is_told_whose_code_runs():
-    told = []
+    calls = []
     rig = Rig()
-    rig.executive._calls.watch = told.append
+    rig.executive._calls.watch = calls.append
     rig.spawn("one", COUNTER).switch(on=["one"]).run(0)
-    assert {name for name in told if name} == {f"{HOME}/one"}
-    assert told[-1] == ""
+    assert {name for name in calls if name} == {f"{HOME}/one"}
+    assert calls[-1] == ""
 
 
 def test_a_release_is_known_beforehand():

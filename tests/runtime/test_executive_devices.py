@@ -111,9 +111,9 @@ def test_a_device_is_left_in_hold_whatever_ends_the_task(order):  # laws 17, 27
 
 def test_a_stop_turns_everything_off_and_is_latched():  # law 27
     rig = arm_rig().switch(on=["arm", "force"]).run(50 * MS).do(command.Stop("panic"))
-    assert {one.state for one in rig.executive.tasks.values()} == {State.OFF}
+    assert {task.state for task in rig.executive.tasks.values()} == {State.OFF}
     rig.switch(on=["arm"]).spawn("more", module())
-    assert [one.reason for one in rig.heard(news.Refused)] == ["this unit was stopped"] * 2
+    assert [event.reason for event in rig.heard(news.Refused)] == ["this unit was stopped"] * 2
     assert rig.run(100 * MS).executive.next_release() is None
 
 

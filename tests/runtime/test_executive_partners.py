@@ -51,10 +51,10 @@ def settle(rig):
 def test_a_task_with_a_partner_asks_at_its_rate_and_only_after_the_answer(outsider):  # R-F04
     rig = asking(outsider).run(55 * MS)
     call = outsider.accept()
-    asked = call.read()
-    assert (asked["id"], asked["task"], rig.task("one").counters.cycles) == (1, "rig/one", 1)
+    question = call.read()
+    assert (question["id"], question["task"], rig.task("one").counters.cycles) == (1, "rig/one", 1)
     assert rig.executive.next_release() is None, "until the answer it is not due again"
-    call.answer(asked, n=7)
+    call.answer(question, n=7)
     rig.now = 55 * MS
     settle(rig)
     assert (rig["N"], rig.executive.next_release()) == (7, 60 * MS)
@@ -70,13 +70,13 @@ def test_other_tasks_never_wait_for_a_partner(outsider):  # R-F04
     assert list(rig.executive.speaking) == [(HOME, "one")]
 
 
-@pytest.mark.parametrize("said", [b"nonsense\n", b'{"id": 1, "n": NaN}\n', b'{"id": 1, "n": 1e999}\n'])
+@pytest.mark.parametrize("data", [b"nonsense\n", b'{"id": 1, "n": NaN}\n', b'{"id": 1, "n": 1e999}\n'])
 @pytest.mark.parametrize("passive", [False, True])
-def test_without_an_answer_a_passive_task_falls_silent_and_any_other_has_a_fault(outsider, said, passive):  # R-F04
+def test_without_an_answer_a_passive_task_falls_silent_and_any_other_has_a_fault(outsider, data, passive):  # R-F04
     rig = asking(outsider, passive=passive).run(5 * MS)
     call = outsider.accept()
     call.read()
-    call.say(said)
+    call.say(data)
     settle(rig)
     state = State.OFF if passive else State.ERROR
     assert (rig.task("one").state, rig["N"]) == (state, 0)
@@ -88,12 +88,12 @@ def test_without_an_answer_a_passive_task_falls_silent_and_any_other_has_a_fault
     assert rig.executive.owed() == []
 
 
-@pytest.mark.parametrize("found", ["[1]", '"7"', "null", "1e6", "true"])
-def test_a_false_answer_is_a_fault_and_writes_nothing(outsider, found):  # R-F04: it never reaches an actuator
+@pytest.mark.parametrize("value", ["[1]", '"7"', "null", "1e6", "true"])
+def test_a_false_answer_is_a_fault_and_writes_nothing(outsider, value):  # R-F04: it never reaches an actuator
     rig = asking(outsider).run(5 * MS)
     call = outsider.accept()
     call.read()
-    call.say(b'{"id": 1, "n": %s}\n' % found.encode())
+    call.say(b'{"id": 1, "n": %s}\n' % value.encode())
     settle(rig)
     assert (rig.task("one").state, rig["N"]) == (State.ERROR, 0)
     assert "ModuleError: expected n" in rig.last(news.Failed).text
@@ -106,8 +106,8 @@ def test_a_partner_that_never_answers_costs_its_own_task_only(outsider):  # R-F0
     rig.do(command.Clear(HOME, "one")).switch(on=["one"]).run(15 * MS)
     call = outsider.accept()
     call.read()
-    asked = call.read()
-    call.answer(asked, n=3)
+    question = call.read()
+    call.answer(question, n=3)
     settle(rig)
     assert (rig["N"], rig.task("one").state) == (3, State.ON)
 
@@ -158,8 +158,8 @@ def test_an_exchange_of_the_module_has_the_new_one_ask(outsider):  # R-F04, law 
     assert first.has_ended()
     rig.run(15 * MS)
     call = outsider.accept()
-    asked = call.read()
-    assert asked["ask"] == "sum"
-    call.answer(asked, n=6)
+    question = call.read()
+    assert question["ask"] == "sum"
+    call.answer(question, n=6)
     settle(rig)
     assert (rig["N"], rig.executive.next_release()) == (6, 20 * MS)

@@ -69,7 +69,7 @@ def test_a_warning_of_every_entry_point_is_passed_on(entry):  # R-A07
         body += "\n    def cycle(self):\n        raise ValueError"
     rig = rig_of(module(body)).switch(on=["one"]).run(0).do(command.Clear(HOME, "one"))
     rig.switch(off=["one"]).do(command.Kill(HOME, "one"))
-    assert [one.text for one in rig.heard(news.Warned)] == ["mind"]
+    assert [event.text for event in rig.heard(news.Warned)] == ["mind"]
 
 
 # Table 9: every signal, once, twice, and when the task is off already
@@ -91,63 +91,63 @@ SAYS = "    def cycle(self):\n        def raise_():\n            raise ValueErro
 SAYS += "            self.warn('mind')\n        return {said}"
 
 
-def said_rig(said, launches=1):
+def said_rig(signal, launches=1):
     """A trigger, not passive where it finishes: both may not be."""
-    rig = rig_of(module(SAYS.format(said=said), trigger=said.startswith("finish")))
+    rig = rig_of(module(SAYS.format(said=signal), trigger=signal.startswith("finish")))
     for run in range(launches):
         rig.switch(on=[command.Launch("one", activation=run)])
     return rig
 
 
-@pytest.mark.parametrize("said", TABLE_9)
-def test_the_unit_answers_each_signal_as_table_9_says(said):  # R-A07
-    kind, state = TABLE_9[said]
-    rig = said_rig(said).run(0)
-    heard = [one for _, one in rig.news if isinstance(one, kind) and getattr(one, "state", "OFF") == "OFF"]
-    assert len(heard) == 1
+@pytest.mark.parametrize("signal", TABLE_9)
+def test_the_unit_answers_each_signal_as_table_9_says(signal):  # R-A07
+    kind, state = TABLE_9[signal]
+    rig = said_rig(signal).run(0)
+    events = [event for _, event in rig.news if isinstance(event, kind) and getattr(event, "state", "OFF") == "OFF"]
+    assert len(events) == 1
     assert rig.task("one").state is state
     if kind is news.Finished:
-        assert (heard[0].flow, heard[0].loop) == ((1, True) if "flow" in said else (0, False))
-    if said.startswith("user"):
-        assert (heard[0].kind, heard[0].number) == ("USER", int(said[12:14]))
+        assert (events[0].flow, events[0].loop) == ((1, True) if "flow" in signal else (0, False))
+    if signal.startswith("user"):
+        assert (events[0].kind, events[0].number) == ("USER", int(signal[12:14]))
 
 
-@pytest.mark.parametrize("said", TABLE_9)
-def test_a_signal_that_comes_twice_is_told_twice_only_where_the_task_is_still_on(said):  # R-A07
-    kind, state = TABLE_9[said]
-    rig = said_rig(said).run(10 * MS)
-    heard = [one for _, one in rig.news if isinstance(one, kind) and getattr(one, "state", "OFF") == "OFF"]
-    assert len(heard) == (2 if state is State.ON else 1)
+@pytest.mark.parametrize("signal", TABLE_9)
+def test_a_signal_that_comes_twice_is_told_twice_only_where_the_task_is_still_on(signal):  # R-A07
+    kind, state = TABLE_9[signal]
+    rig = said_rig(signal).run(10 * MS)
+    events = [event for _, event in rig.news if isinstance(event, kind) and getattr(event, "state", "OFF") == "OFF"]
+    assert len(events) == (2 if state is State.ON else 1)
 
 
-@pytest.mark.parametrize("said", TABLE_9)
-def test_a_signal_of_each_activation_is_told_apart(said):  # R-A07
-    kind, _ = TABLE_9[said]
-    rig = said_rig(said).run(0).switch(off=["one"]).do(command.Clear(HOME, "one"))
+@pytest.mark.parametrize("signal", TABLE_9)
+def test_a_signal_of_each_activation_is_told_apart(signal):  # R-A07
+    kind, _ = TABLE_9[signal]
+    rig = said_rig(signal).run(0).switch(off=["one"]).do(command.Clear(HOME, "one"))
     rig.switch(on=[command.Launch("one", activation=9)]).run(rig.now)
-    numbers = {one.activation for _, one in rig.news if isinstance(one, kind) and hasattr(one, "activation")}
+    numbers = {event.activation for _, event in rig.news if isinstance(event, kind) and hasattr(event, "activation")}
     assert numbers == ({0, 9} if kind is not news.Warned else set())
 
 
-@pytest.mark.parametrize("said", TABLE_9)
-def test_a_signal_that_comes_late_is_no_word_of_a_task_that_is_off(said):  # R-A07, R-A08
+@pytest.mark.parametrize("signal", TABLE_9)
+def test_a_signal_that_comes_late_is_no_word_of_a_task_that_is_off(signal):  # R-A07, R-A08
     """A synchronous task whose event arrives after it was turned off: nothing is called, nothing told."""
-    body = SAYS.format(said=said).replace("def cycle", "def sync") + PIPE
-    rig = rig_of(module(body, trigger=said.startswith("finish")), kind="synchronous").switch(on=["one"])
+    body = SAYS.format(said=signal).replace("def cycle", "def sync") + PIPE
+    rig = rig_of(module(body, trigger=signal.startswith("finish")), kind="synchronous").switch(on=["one"])
     rig.switch(off=["one"])
-    heard = len(rig.news)
+    count = len(rig.news)
     assert rig.executive.event((HOME, "one"), 0) == []
-    assert (len(rig.news), rig.task("one").state) == (heard, State.OFF)
+    assert (len(rig.news), rig.task("one").state) == (count, State.OFF)
     rig.do(command.Kill(HOME, "one"))
 
 
-@pytest.mark.parametrize("said", TABLE_9)
-def test_a_signal_in_the_cycle_in_which_everything_is_stopped_is_told_first(said):  # R-A07, law 27
-    kind, _ = TABLE_9[said]
-    rig = said_rig(said)
-    rig._react = lambda one: [command.Stop("panic")] if isinstance(one, news.Cycled) else []
+@pytest.mark.parametrize("signal", TABLE_9)
+def test_a_signal_in_the_cycle_in_which_everything_is_stopped_is_told_first(signal):  # R-A07, law 27
+    kind, _ = TABLE_9[signal]
+    rig = said_rig(signal)
+    rig._react = lambda event: [command.Stop("panic")] if isinstance(event, news.Cycled) else []
     rig.run(50 * MS)
-    assert any(isinstance(one, kind) for _, one in rig.news)
+    assert any(isinstance(event, kind) for _, event in rig.news)
     assert rig.task("one").state in (State.OFF, State.ERROR)
     assert rig.task("one").counters.cycles <= 1
 

@@ -49,13 +49,13 @@ def test_a_function_is_a_module_like_any_other(tmp_path):  # R-X15
 def test_its_sheet_says_what_the_signature_says():  # R-X15
     cls = load(SPRING, "spring.py", "spring")
     sheet = sheet_of(cls)
-    assert [(one.kind, one.name, one.shape) for one in sheet.ports] == [
+    assert [(port.kind, port.name, port.shape) for port in sheet.ports] == [
         ("INCONST", "NDOF", "int"),
         ("INVAR", "Q_MEZ", "double[NDOF]"),
         ("INVAR", "Q^_MEZ", "double[NDOF]"),
         ("OUTVAR", "TAU", "double[NDOF]"),
     ]
-    assert [(one.name, one.default) for one in sheet.locals] == [("K", 2.0)]
+    assert [(local.name, local.default) for local in sheet.locals] == [("K", 2.0)]
     assert cls.__name__ == "spring_and_damper"
 
 
@@ -117,7 +117,7 @@ def test_what_it_returns_are_outputs_a_signal_or_both(tmp_path, line, n):  # R-X
     source = f"from onika.module import *\n@module(hz=(1, 100))\ndef f() -> OutVar('int', name='N'):\n    {line}\n"
     bench = bench_of(tmp_path, source).init().on().cycle()
     assert (bench.state, bench["N"]) == (State.ON, n)
-    kinds = [one.kind for one in bench.news if isinstance(one, news.Signalled)]
+    kinds = [event.kind for event in bench.news if isinstance(event, news.Signalled)]
     assert bool(kinds) == ("signal" in line or "legal" in line)
 
 
@@ -138,7 +138,7 @@ def f_twice(X: InVar("int")) -> OutVar("int", name="X"): ...
 
 
 @pytest.mark.parametrize(
-    ("law", "told"),
+    ("law", "sentence"),
     [
         (f_bare, "x: expected InVar"),
         (f_default, "x: expected a default for a Local only, found 3"),
@@ -148,8 +148,8 @@ def f_twice(X: InVar("int")) -> OutVar("int", name="X"): ...
         (f_twice, "expected an output that is no parameter, found X"),
     ],
 )
-def test_a_function_that_says_too_little_is_refused_with_the_parameter(law, told):  # R-X15
-    with pytest.raises(TypeError, match=told):
+def test_a_function_that_says_too_little_is_refused_with_the_parameter(law, sentence):  # R-X15
+    with pytest.raises(TypeError, match=sentence):
         module(hz=(1, 10))(law)
 
 
@@ -188,4 +188,4 @@ def test_an_input_of_both_kinds_is_a_parameter_too(tmp_path):  # R-A02
     def follow(X: InBoth("double"), C: InConst("int"), goal: Input("int"), GAIN: Local("int")) -> None:
         """Reads."""
 
-    assert [one.kind for one in sheet_of(follow).ports] == ["INBOTH", "INCONST"]
+    assert [port.kind for port in sheet_of(follow).ports] == ["INBOTH", "INCONST"]

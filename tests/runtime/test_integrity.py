@@ -39,8 +39,8 @@ def rig():
     return rig.switch(on=["left", "middle", "right", "far"]).run(50 * MS)
 
 
-def found(rig, variable):
-    findings = {one.variable: one for one in check(rig.table, accessors())}
+def only_finding(rig, variable):
+    findings = {finding.variable: finding for finding in check(rig.table, accessors())}
     assert set(findings) == {variable}
     return findings[variable]
 
@@ -62,7 +62,7 @@ def test_a_module_that_writes_past_its_entry_is_named_as_a_candidate(rig):  # R-
     """`left` takes the address of its own entry and writes 8 bytes too many behind its last slot."""
     last_slot = address_of(rig, "A") + Ring.footprint(48) - 8
     ctypes.memset(last_slot, 0x5A, 16)
-    findings = {one.variable: one for one in check(rig.table, accessors())}
+    findings = {finding.variable: finding for finding in check(rig.table, accessors())}
     assert findings["B"].wrong == ("its guard is overwritten",)
     assert "task left on rt0 (is bound to A beside it)" in findings["B"].likely
     assert "task middle on rt0 (writes it)" in findings["B"].likely
@@ -74,7 +74,7 @@ def test_a_value_written_over_in_place_is_found_until_it_is_made_anew(rig):  # R
     rig.run(70 * MS)  # to a publication that is sealed
     ring = rig.table.ring("C")
     ctypes.memset(address_of(rig, "C") + 64 + (ring.count & 15) * 64 + 8, 0x11, 4)
-    finding = found(rig, "C")
+    finding = only_finding(rig, "C")
     assert finding.wrong == ("its value is not what its writer published",)
     assert str(finding).startswith("C: its value is not what its writer published. It could have been task ")
     assert "task far on rt1 (is bound to D beside it)" in finding.likely
@@ -88,7 +88,7 @@ def test_somebody_who_publishes_a_foreign_variable_leaves_a_trace_for_good(rig):
     ring = Ring(rig.table.segment.view, rig.table.entries["B"].offset, 48)
     ring.signed_writer(memoryview(np.full(6, 9.0)).cast("B")).publish()
     rig.run(200 * MS)
-    finding = found(rig, "B")
+    finding = only_finding(rig, "B")
     assert finding.wrong == ("it was published 1 times by somebody who is not its writer",)
     assert "task far on rt1" in finding.others
 
@@ -105,16 +105,16 @@ def test_a_module_that_does_it_in_its_own_cycle_is_named(rig):  # R-A12
     rig.switch(on=[command.Launch("bad")]).run(60 * MS)
     rig.switch(off=["bad"])
     findings = check(rig.table, [*accessors(), Accessor("bad", "rt0", frozenset({"D2"}), frozenset())])
-    assert [one.variable for one in findings] == ["B"]
+    assert [finding.variable for finding in findings] == ["B"]
     assert "published 1 times by somebody who is not its writer" in str(findings[0])
     assert "task bad on rt0" in findings[0].others
     rig.run(200 * MS)
-    assert [one.variable for one in check(rig.table, [])] == ["B"]  # for good
+    assert [finding.variable for finding in check(rig.table, [])] == ["B"]  # for good
 
 
 def test_free_memory_that_is_written_is_found(rig):  # R-A12
     ctypes.memset(address_of(rig, "A") + rig.table.end + 100, 1, 1)
-    finding = found(rig, "free memory")
+    finding = only_finding(rig, "free memory")
     assert finding.wrong == ("memory behind D, which belongs to no variable, is written",)
     assert finding.likely == ("task far on rt1 (is bound to D beside it)",)
 
@@ -125,7 +125,7 @@ def test_a_long_value_is_sealed_while_its_writer_rests():  # R-A12
     rig.switch(off=["camera"])
     ring = rig.table.ring("IMAGE")
     ctypes.memset(address_of(rig, "IMAGE") + 64 + (ring.count & 3) * LONGEST_SEALED * 8 + 2000, 0x33, 1)
-    assert [one.variable for one in check(rig.table, [])] == ["IMAGE"]
+    assert [finding.variable for finding in check(rig.table, [])] == ["IMAGE"]
 
 
 def test_a_constant_that_is_overwritten_is_found_as_long_as_it_stands():  # R-A12
@@ -134,7 +134,7 @@ def test_a_constant_that_is_overwritten_is_found_as_long_as_it_stands():  # R-A1
     assert check(rig.table, []) == []
     ring = rig.table.ring("QMAX")
     ctypes.memset(address_of(rig, "QMAX") + 64 + (ring.count & 15) * 64, 0xFF, 1)
-    assert [one.variable for one in check(rig.table, [])] == ["QMAX"]
+    assert [finding.variable for finding in check(rig.table, [])] == ["QMAX"]
 
 
 @pytest.mark.parametrize("count", [*range(6), *range(7, 40), 2**31 + 6, 2**40])

@@ -20,7 +20,7 @@ def test_a_unit_is_used_by_what_is_on():  # R-X13
 
 
 @pytest.mark.parametrize(
-    ("mean_us", "use", "told"),
+    ("mean_us", "use", "sentence"),
     [
         (200.0, 0.4, ""),
         (450.0, 0.9, ""),
@@ -28,12 +28,12 @@ def test_a_unit_is_used_by_what_is_on():  # R-X13
         (700.0, 1.4, "more than all its time; cycles would be missed"),
     ],
 )
-def test_what_one_more_task_would_do_is_foretold_with_the_number(mean_us, use, told):  # R-X13
+def test_what_one_more_task_would_do_is_foretold_with_the_number(mean_us, use, sentence):  # R-X13
     foretold = predict("rt0", [], load("c", mean_us, 2000.0))
     assert foretold.use == pytest.approx(use)
-    assert told in foretold.warning
+    assert sentence in foretold.warning
     assert bool(foretold.warning) == (use > MARGIN)
-    if told:
+    if sentence:
         assert f"task c ({mean_us:g} us a cycle at 2000 Hz)" in foretold.warning
         assert f"{use:.2f}" in foretold.warning
 

@@ -39,14 +39,14 @@ def test_user_input_is_handed_to_on_and_is_no_attribute():  # R-A10
 
 
 def test_every_entry_point_may_be_left_out():  # R-A01
-    one = Plain()
-    one.init()
-    one.reinit()
-    one.on(SimpleNamespace())
-    assert one.cycle() is one.sync() is None
-    one.off()
-    one.kill()
-    one.clear()
+    plain = Plain()
+    plain.init()
+    plain.reinit()
+    plain.on(SimpleNamespace())
+    assert plain.cycle() is plain.sync() is None
+    plain.off()
+    plain.kill()
+    plain.clear()
 
 
 def test_reinit_is_init_unless_said_otherwise():  # R-A13
@@ -67,24 +67,24 @@ def test_an_error_is_not_mended_unless_said_otherwise():  # R-A09
     assert Plain().error(ValueError()) is False
 
 
-@pytest.mark.parametrize("ask", [lambda one: one.get("speed"), lambda one: one.set("speed", "1")])
+@pytest.mark.parametrize("ask", [lambda instance: instance.get("speed"), lambda instance: instance.set("speed", "1")])
 def test_what_there_is_nothing_of_to_get_or_set_is_refused_by_name(ask):  # R-A05
     with pytest.raises(ModuleError, match="'speed'"):
         ask(Plain())
 
 
 def test_warnings_are_texts():  # R-A07
-    one = Plain()
-    one.warn("slow")
-    one.warn(ValueError("hot"))
-    assert one.warnings == ["slow", "hot"]
+    plain = Plain()
+    plain.warn("slow")
+    plain.warn(ValueError("hot"))
+    assert plain.warnings == ["slow", "hot"]
 
 
 def test_a_reference_continues_while_it_is_in_force():  # law 3
-    one = Plain()
-    assert not one.continues("Q_REF")
-    one.in_force = frozenset({"Q_REF"})
-    assert one.continues("Q_REF")
+    plain = Plain()
+    assert not plain.continues("Q_REF")
+    plain.in_force = frozenset({"Q_REF"})
+    assert plain.continues("Q_REF")
 
 
 def test_a_module_is_general_and_no_hardware_unless_it_says_so():  # R-A08, law 24
@@ -98,12 +98,12 @@ def test_a_robot_says_nothing_of_itself_and_reaches_everything_unless_it_knows_b
 
 def test_compiled_code_gets_the_memory_of_a_port():  # R-A01
     rig = Rig().spawn("one", module("    X = InVar('double')\n    Y = OutVar('int[2]')"))
-    one = rig.task("one").module
-    one.buffer("Y")[:] = (3, 4)
-    assert one.Y.tolist() == [3, 4]
-    assert (one.buffer("X").shape, one.buffer("X").flags.writeable) == ((1,), False)
+    running = rig.task("one").module
+    running.buffer("Y")[:] = (3, 4)
+    assert running.Y.tolist() == [3, 4]
+    assert (running.buffer("X").shape, running.buffer("X").flags.writeable) == ((1,), False)
     with pytest.raises(AttributeError, match=r"expected a port \(X, Y\), found Z"):
-        one.buffer("Z")
+        running.buffer("Z")
 
 
 # Hardware modules

@@ -34,14 +34,14 @@ def running(source=OLD, *, until=25 * MS, **given):
 def test_a_module_with_take_goes_on_where_the_old_one_stood_and_misses_no_cycle():  # R-X15, law 21
     rig = running()
     old, tid = rig.task("one").module, rig.task("one").tid
-    heard = len(rig.news)
+    count = len(rig.news)
     rig.do(swap_of(rig, TAKES))
     new = rig.task("one")
     assert (new.module.before, new.module.log, old.log) == (3, ["init", "take"], ["init", "on", "kill"])
     rig.run(45 * MS)
     assert rig["N"] == 3 + 200
     assert (new.counters.cycles, new.slot.missed, new.tid, new.activation) == (2, 0, tid, 4)
-    assert [one for _, one in rig.news[heard:]] == [
+    assert [event for _, event in rig.news[count:]] == [
         news.Swapped(HOME, "one", hashlib.sha256(TAKES.encode()).hexdigest())
     ]
 
@@ -53,7 +53,7 @@ def test_a_module_without_take_comes_on_anew_in_the_old_ones_place():  # law 21
     assert rig.task("one").module.log == ["init", "on"]
     assert old.log == ["init", "on", "off", "kill"]
     assert rig["N"] == 3 + 200
-    assert [one.at_ns for one in rig.heard(news.Cycled)] == [0, 30 * MS]
+    assert [event.at_ns for event in rig.heard(news.Cycled)] == [0, 30 * MS]
 
 
 def test_the_others_keep_cycling_in_their_order():  # R-X15
@@ -137,11 +137,11 @@ BAD = [
 @pytest.mark.parametrize(("source", "reason"), BAD)
 def test_whatever_fails_leaves_the_old_one_exactly_as_it_was(source, reason):  # law 21
     rig = running()
-    task, heard, written = rig.task("one"), len(rig.news), rig.table.ring("N").count
+    task, count, written = rig.task("one"), len(rig.news), rig.table.ring("N").count
     rig.do(swap_of(rig, source.replace("class One(Module):", "class One(Module):\n    C = OutConst('int')")))
-    said = [one for _, one in rig.news[heard:]]
-    assert [type(one) for one in said] == [news.Refused]
-    assert (said[0].command, reason in said[0].reason) == ("swap", True), said[0].reason
+    events = [event for _, event in rig.news[count:]]
+    assert [type(event) for event in events] == [news.Refused]
+    assert (events[0].command, reason in events[0].reason) == ("swap", True), events[0].reason
     assert rig.task("one") is task
     assert (task.module.log, task.state) == (["init", "on"], State.ON)
     assert rig.table.ring("N").count == written
@@ -164,7 +164,10 @@ def test_what_the_old_module_raises_on_its_way_out_is_a_warning():  # law 21
         module("    def off(self):\n        raise ValueError('o')\n    def kill(self):\n        raise KeyError('k')")
     )
     rig.do(swap_of(rig, COUNTER))
-    assert [one.text.split(" (")[0] for one in rig.heard(news.Warned)] == ["off: ValueError: o", "kill: KeyError: 'k'"]
+    assert [event.text.split(" (")[0] for event in rig.heard(news.Warned)] == [
+        "off: ValueError: o",
+        "kill: KeyError: 'k'",
+    ]
     assert rig.task("one").state is State.ON
 
 

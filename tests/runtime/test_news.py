@@ -34,13 +34,13 @@ NEWS = [
 ]
 
 
-@pytest.mark.parametrize("one", NEWS, ids=lambda one: type(one).__name__)
-def test_news_arrive_as_they_were_sent(one):
-    assert news.decode(news.encode(one)) == one
+@pytest.mark.parametrize("event", NEWS, ids=lambda event: type(event).__name__)
+def test_news_arrive_as_they_were_sent(event):
+    assert news.decode(news.encode(event)) == event
 
 
 def test_every_piece_of_news_is_among_these():
-    assert {type(one) for one in NEWS} == set(news.News.__args__)
+    assert {type(event) for event in NEWS} == set(news.News.__args__)
 
 
 @pytest.mark.parametrize(

@@ -18,7 +18,7 @@ def test_a_line_keeps_its_words_together():
 
 
 @pytest.mark.parametrize(
-    ("shape", "words", "said"),
+    ("shape", "words", "sentence"),
     [
         ("double", ("1", "2"), "expected one double, found 2 words"),
         ("double[3]", ("1", "2"), "expected 3 values, found 2"),
@@ -26,6 +26,6 @@ def test_a_line_keeps_its_words_together():
         ("int", ("1.5",), "expected a whole number"),
     ],
 )
-def test_what_does_not_fit_is_refused_in_words(shape, words, said):  # R-B07
-    with pytest.raises(ValueError, match=f"LOCAL GAIN: .*{said}"):
+def test_what_does_not_fit_is_refused_in_words(shape, words, sentence):  # R-B07
+    with pytest.raises(ValueError, match=f"LOCAL GAIN: .*{sentence}"):
         parse("GAIN", Shape.parse(shape), words)

@@ -19,7 +19,9 @@ ENDS = module(
 
 
 def switch(on=(), off=(), subsystem=HOME):
-    launches = tuple(one if isinstance(one, command.Launch) else command.Launch(one, "", None, 8) for one in on)
+    launches = tuple(
+        launch if isinstance(launch, command.Launch) else command.Launch(launch, "", None, 8) for launch in on
+    )
     return command.Switch(subsystem, tuple(off), (), launches)
 
 
@@ -48,7 +50,7 @@ def states(rig):
 
 def test_a_prepared_switch_is_carried_out_with_the_finish_itself():  # law 6
     rig = rig_of().do(prepared()).run(20 * MS)
-    at_finish = [one for at, one in rig.news if at == 20 * MS]
+    at_finish = [event for at, event in rig.news if at == 20 * MS]
     assert at_finish == [
         news.Finished(HOME, "end", 1, True, 20 * MS, 7, switched=1),
         news.Changed(HOME, "beside", "OFF", 20 * MS),
@@ -63,19 +65,22 @@ def test_all_that_a_finish_led_to_is_told_in_one_go():
     rig.run(20 * MS - 1)
     rig.now = 20 * MS
     goes = iter(lambda: rig.executive.run_next(rig.now), None)
-    told = next(list(heard) for heard in goes if any(isinstance(one, news.Finished) for one in heard))
-    assert [type(one) for one in told] == [news.Finished, news.Changed, news.Changed]
+    together = next(list(events) for events in goes if any(isinstance(event, news.Finished) for event in events))
+    assert [type(event) for event in together] == [news.Finished, news.Changed, news.Changed]
 
 
 def test_the_story_is_that_of_a_runner_who_answers_in_no_time():  # law 1
-    def react(one):
-        return [switch(["next"], ["beside"])] if isinstance(one, news.Finished) else []
+    def react(event):
+        return [switch(["next"], ["beside"])] if isinstance(event, news.Finished) else []
 
-    told = [
-        [(at, structs.replace(one, switched=0) if isinstance(one, news.Finished) else one) for at, one in rig.news]
+    outcomes = [
+        [
+            (at, structs.replace(event, switched=0) if isinstance(event, news.Finished) else event)
+            for at, event in rig.news
+        ]
         for rig in (rig_of().do(prepared()).run(50 * MS), rig_of(react=react).run(50 * MS))
     ]
-    assert told[0] == told[1]
+    assert outcomes[0] == outcomes[1]
 
 
 @pytest.mark.parametrize(
@@ -103,7 +108,7 @@ def test_what_was_prepared_for_another_finish_is_not_carried_out(order):
 def test_the_same_trigger_may_come_on_again_by_it():
     rig = rig_of(ENDS.replace("end = 0.02", "end = 0.0"))
     rig.do(prepared(case(1, on=[command.Launch("end", "", None, 8)], off=()))).run(10 * MS)
-    assert [(one.activation, one.switched) for one in rig.heard(news.Finished)] == [(7, 1), (8, 0)]
+    assert [(event.activation, event.switched) for event in rig.heard(news.Finished)] == [(7, 1), (8, 0)]
 
 
 def test_a_task_that_comes_on_by_it_gets_its_input_or_asks():  # R-A10
@@ -138,7 +143,7 @@ def test_what_it_names_and_is_still_to_come_comes_on_when_it_is_there():  # law 
         command.Kill(HOME, "other"),
         command.Fail("the server is gone"),
     ],
-    ids=lambda one: f"{type(one).__name__} {getattr(one, 'task', '')}",
+    ids=lambda message: f"{type(message).__name__} {getattr(message, 'task', '')}",
 )
 def test_what_was_prepared_is_forgotten_with(order):  # law 6
     rig = rig_of().do(prepared()).do(order).run(50 * MS)
@@ -197,13 +202,13 @@ def test_one_is_held_for_each_subsystem_and_given_once():
     held.keep(prepared(case(2)))
     held.keep(structs.replace(prepared(case(3)), subsystem="other"))
     assert len(held) == 2
-    found = [held.take(name, "end", 7, finish) for name in (HOME, HOME, "other")]
-    assert [one and one.number for one in found] == [2, None, 3]
+    taken = [held.take(name, "end", 7, finish) for name in (HOME, HOME, "other")]
+    assert [switch and switch.number for switch in taken] == [2, None, 3]
 
 
 def test_lines_of_all_cases_are_told_by_task():
-    one, other = case(1, on=[command.Launch("a", "1")]), case(2, on=[command.Launch("a", "2"), command.Launch("b")])
-    assert lines((one, other)) == {"a": ["1", "2"], "b": [""]}
+    first, other = case(1, on=[command.Launch("a", "1")]), case(2, on=[command.Launch("a", "2"), command.Launch("b")])
+    assert lines((first, other)) == {"a": ["1", "2"], "b": [""]}
 
 
 def test_a_cycle_of_its_own_is_what_a_prepared_task_begins_with():  # law 6: no cycle of the old job in between

@@ -25,13 +25,13 @@ def test_nothing_is_due_on_an_empty_agenda():
 
 
 def test_a_slot_is_due_at_once_and_then_on_the_common_grid():  # law 13
-    agenda, one = Agenda(), slot()
-    agenda.enter(one, 7)
+    agenda, task_slot = Agenda(), slot()
+    agenda.enter(task_slot, 7)
     releases = []
     for _ in range(4):
         releases.append(agenda.next_release())
-        assert agenda.next_due(releases[-1]) is one
-        agenda.done(one)
+        assert agenda.next_due(releases[-1]) is task_slot
+        agenda.done(task_slot)
         assert agenda.next_due(agenda.next_release() - 1) is None
     assert releases == [7, 10, 20, 30]
 
@@ -49,8 +49,8 @@ def test_slots_that_enter_together_are_due_together_and_none_is_late():  # law 2
 def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  # law 1
     agenda = Agenda()
     slots = [slot("slow", 20), slot("b"), slot("a"), slot("c", rank=-1), slot("crit", rank=9, crit=1)]
-    for one in slots:
-        agenda.enter(one, 0)
+    for task_slot in slots:
+        agenda.enter(task_slot, 0)
     assert run_all(agenda, 0) == ["crit", "c", "a", "b", "slow"]
 
 
@@ -58,8 +58,8 @@ def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  
 @given(st.permutations([slot(name, 10 * (1 + n % 2), n % 3, n % 2) for n, name in enumerate("abcdef")]))
 def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  # law 1
     agenda = Agenda()
-    for one in slots:
-        agenda.enter(one, 0)
+    for task_slot in slots:
+        agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     assert run_all(agenda, 20) == sorted(
         "abcdef", key=lambda n: next((s.deadline, s.key) for s in slots if s.key[2] == n)
@@ -67,27 +67,27 @@ def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  #
 
 
 def test_a_late_slot_skips_whole_periods_and_runs_for_the_one_that_is_open():  # law 2
-    agenda, one = Agenda(), slot()
-    agenda.enter(one, 0)
+    agenda, task_slot = Agenda(), slot()
+    agenda.enter(task_slot, 0)
     run_all(agenda, 0)
-    assert agenda.next_due(45) is one
-    assert (one.missed, one.release, one.deadline) == (3, 40, 50)
+    assert agenda.next_due(45) is task_slot
+    assert (task_slot.missed, task_slot.release, task_slot.deadline) == (3, 40, 50)
 
 
 def test_a_slot_that_runs_within_its_period_has_missed_nothing():  # law 2
-    agenda, one = Agenda(), slot()
-    agenda.enter(one, 0)
+    agenda, task_slot = Agenda(), slot()
+    agenda.enter(task_slot, 0)
     run_all(agenda, 0)
-    assert agenda.next_due(19) is one
-    assert (one.missed, one.release) == (0, 10)
+    assert agenda.next_due(19) is task_slot
+    assert (task_slot.missed, task_slot.release) == (0, 10)
 
 
 def test_a_slot_at_its_very_deadline_runs_for_the_next_period_and_only_once():  # law 2
-    agenda, one = Agenda(), slot()
-    agenda.enter(one, 0)
+    agenda, task_slot = Agenda(), slot()
+    agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     assert run_all(agenda, 20) == ["a"]
-    assert (one.missed, agenda.next_release()) == (1, 30)
+    assert (task_slot.missed, agenda.next_release()) == (1, 30)
 
 
 def test_a_late_slot_takes_its_place_by_its_new_deadline():  # laws 1, 2
@@ -99,22 +99,22 @@ def test_a_late_slot_takes_its_place_by_its_new_deadline():  # laws 1, 2
 
 
 def test_what_has_left_is_not_due_and_may_come_back():
-    agenda, one = Agenda(), slot()
+    agenda, task_slot = Agenda(), slot()
     for is_in_already in (False, True):
-        agenda.enter(one, 0)
+        agenda.enter(task_slot, 0)
         if is_in_already:
             run_all(agenda, 0)
-        agenda.leave(one)
+        agenda.leave(task_slot)
         assert agenda.next_release() is None
         assert agenda.next_due(100) is None
-    agenda.enter(one, 105)
+    agenda.enter(task_slot, 105)
     assert agenda.next_release() == 105
 
 
 def test_what_leaves_while_others_wait_their_turn_hides_nobody():
     agenda, slots = Agenda(), [slot(name, period=100) for name in "abc"]
-    for one in slots:
-        agenda.enter(one, 0)
+    for task_slot in slots:
+        agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     assert agenda.next_due(105) is slots[0]
     agenda.done(slots[0])
@@ -127,11 +127,11 @@ def test_a_new_slot_of_an_old_name_is_another_one():
     """A task that is killed and spawned again within a period: its old entries are still in the queue."""
     agenda = Agenda()
     for start in (0, 5, 7):
-        one = slot("same")
-        agenda.enter(one, start)
-        assert agenda.next_due(start) is one
-        agenda.done(one)
-        agenda.leave(one)
+        task_slot = slot("same")
+        agenda.enter(task_slot, start)
+        assert agenda.next_due(start) is task_slot
+        agenda.done(task_slot)
+        agenda.leave(task_slot)
     last = slot("same")
     agenda.enter(last, 8)
     assert agenda.next_due(10) is last
@@ -139,29 +139,29 @@ def test_a_new_slot_of_an_old_name_is_another_one():
 
 
 def test_another_period_keeps_the_common_grid():  # R-A04
-    agenda, one = Agenda(), slot(period=10)
-    agenda.enter(one, 0)
+    agenda, task_slot = Agenda(), slot(period=10)
+    agenda.enter(task_slot, 0)
     run_all(agenda, 0)
-    agenda.change(one, 4, 5)
+    agenda.change(task_slot, 4, 5)
     assert agenda.next_release() == 8
     run_all(agenda, 8)
     assert agenda.next_release() == 12
 
 
 def test_a_release_that_is_due_survives_a_change_of_the_period():  # R-A04
-    agenda, one = Agenda(), slot(period=10)
-    agenda.enter(one, 0)
+    agenda, task_slot = Agenda(), slot(period=10)
+    agenda.enter(task_slot, 0)
     run_all(agenda, 0)
-    agenda.change(one, 25, 10)
-    assert agenda.next_due(10) is one
-    assert one.deadline == 25
+    agenda.change(task_slot, 25, 10)
+    assert agenda.next_due(10) is task_slot
+    assert task_slot.deadline == 25
 
 
 def test_a_change_of_the_period_of_what_is_not_listed_lists_nothing():  # R-A04
-    agenda, one = Agenda(), slot()
-    agenda.change(one, 20, 0)
+    agenda, task_slot = Agenda(), slot()
+    agenda.change(task_slot, 20, 0)
     assert agenda.next_release() is None
-    agenda.enter(one, 3)
+    agenda.enter(task_slot, 3)
     run_all(agenda, 3)
     assert agenda.next_release() == 20
 
@@ -171,9 +171,9 @@ def test_another_rank_changes_the_order_and_loses_no_release(changes, at):  # la
     """Ranks that change between any two cycles: every slot runs once a period all the same, in the order of ranks."""
     agenda = Agenda()
     slots = [slot(name, rank=n) for n, name in enumerate("abc")]
-    for one in slots:
-        agenda.enter(one, 0)
-    ran = {one.key[2]: [] for one in slots}
+    for task_slot in slots:
+        agenda.enter(task_slot, 0)
+    ran = {task_slot.key[2]: [] for task_slot in slots}
     for now in range(0, 101, 10):
         pending = list(changes) if now == at // 10 * 10 else []
         order = []
@@ -191,8 +191,8 @@ def test_another_rank_changes_the_order_and_loses_no_release(changes, at):  # la
 
 def test_another_rank_of_what_is_due_already_counts_at_once():  # law 1
     agenda, first, second, third = Agenda(), slot("a", rank=0), slot("b", rank=1), slot("c", rank=2)
-    for one in (first, second, third):
-        agenda.enter(one, 0)
+    for task_slot in (first, second, third):
+        agenda.enter(task_slot, 0)
     assert agenda.next_due(0) is first
     agenda.done(first)
     agenda.rekey(third, (0, -1, "c"))
@@ -200,26 +200,26 @@ def test_another_rank_of_what_is_due_already_counts_at_once():  # law 1
 
 
 def test_another_rank_of_what_is_not_listed_is_taken_over_when_it_enters():  # law 1
-    agenda, one, other = Agenda(), slot("a", rank=0), slot("b", rank=1)
-    agenda.rekey(one, (0, 5, "a"))
-    agenda.enter(one, 0)
+    agenda, task_slot, other = Agenda(), slot("a", rank=0), slot("b", rank=1)
+    agenda.rekey(task_slot, (0, 5, "a"))
+    agenda.enter(task_slot, 0)
     agenda.enter(other, 0)
     assert run_all(agenda, 0) == ["b", "a"]
 
 
 def test_a_slot_that_resumes_is_due_at_the_next_point_of_its_grid():  # R-F04
-    agenda, one = Agenda(), slot()
-    agenda.enter(one, 7)
-    assert agenda.next_due(7) is one
-    agenda.leave(one)
-    agenda.resume(one, 23)
+    agenda, task_slot = Agenda(), slot()
+    agenda.enter(task_slot, 7)
+    assert agenda.next_due(7) is task_slot
+    agenda.leave(task_slot)
+    agenda.resume(task_slot, 23)
     assert (agenda.next_release(), run_all(agenda, 29), run_all(agenda, 30)) == (30, [], ["a"])
-    assert (one.deadline, one.missed) == (50, 0)
+    assert (task_slot.deadline, task_slot.missed) == (50, 0)
 
 
 def test_a_slot_that_resumes_twice_or_was_to_enter_is_due_once():
-    agenda, one = Agenda(), slot()
-    agenda.enter(one, 3)
-    agenda.resume(one, 3)
-    agenda.resume(one, 4)
+    agenda, task_slot = Agenda(), slot()
+    agenda.enter(task_slot, 3)
+    agenda.resume(task_slot, 3)
+    agenda.resume(task_slot, 4)
     assert (run_all(agenda, 9), run_all(agenda, 10), run_all(agenda, 10)) == ([], ["a"], [])

@@ -117,7 +117,7 @@ def test_a_task_file_that_fits_has_no_fault():
 
 
 @pytest.mark.parametrize(
-    ("changes", "expected", "found"),
+    ("changes", "expected", "declared"),
     [
         ({"outvar": ("Y0",)}, "OUTVAR Q^, as module everything declares", "no such port"),
         ({"invar": ("Q",)}, "INBOTH X0, as module everything declares", "INCONST"),
@@ -143,9 +143,11 @@ def test_a_task_file_that_fits_has_no_fault():
         ({"frequency": 39.9}, f"a hardware task of at least {SLOWEST_HARDWARE_HZ:g} Hz", "39.9 Hz"),
     ],
 )
-def test_a_difference_is_a_fault_that_names_it(changes, expected, found):  # R-A01, law 17
+def test_a_difference_is_a_fault_that_names_it(changes, expected, declared):  # R-A01, law 17
     fault = faults(**changes)
-    assert [(one.place, one.expected, one.found) for one in fault] == [(PLACE, expected, found)]
+    assert [(difference.place, difference.expected, difference.found) for difference in fault] == [
+        (PLACE, expected, declared)
+    ]
     assert fault[0].instead == "task m is left out"
 
 

@@ -48,8 +48,8 @@ def test_a_status_has_every_column_of_the_thesis(rig):  # R-A11
     assert status.profiled_s == pytest.approx(0.04)
     assert (status.cycle, status.measured_hz, status.measured_ms) == (2, pytest.approx(50.0), pytest.approx(20.0))
     assert (status.least_us, status.mean_us, status.most_us, status.total_us) == (1000.0, 2000.0, 3000.0, 4000.0)
-    uses = [status.use(one) for one in (status.least_us, status.mean_us, status.most_us)]
-    assert uses == [pytest.approx(one) for one in (0.1, 0.2, 0.3)]
+    uses = [status.use(duration) for duration in (status.least_us, status.mean_us, status.most_us)]
+    assert uses == [pytest.approx(use) for use in (0.1, 0.2, 0.3)]
     assert 0.0 < status.tick_ms <= 1.0
 
 
@@ -84,7 +84,7 @@ def test_the_kind_of_a_task_is_one_letter(kind, letter):  # R-A11
 
 def test_numbers_of_tasks_are_never_given_twice(rig):  # R-A11
     rig.do(command.Kill(HOME, "two")).spawn("two", SOURCE, aliases={"N^": "M"})
-    assert [one.tid for one in rig.executive.tasks.values()] == [1, 3]
+    assert [task.tid for task in rig.executive.tasks.values()] == [1, 3]
 
 
 def test_a_load_resets_nothing_and_outlives_a_status(rig):  # R-X13

@@ -40,8 +40,8 @@ def arm():
     ]
 
 
-def subsystem(table, tasks, known=None):
-    return Subsystem("0", table, tasks, {one.name: "control" for one in tasks}, known)
+def subsystem(table, tasks, constants=None):
+    return Subsystem("0", table, tasks, {task_.name: "control" for task_ in tasks}, constants)
 
 
 def write_constant(table, name, value):
@@ -57,12 +57,12 @@ def test_tasks_rank_in_data_flow_order_with_hardware_as_the_source(table):  # la
 
 
 def test_a_task_waits_until_its_constants_are_written(table):  # law 10
-    one = subsystem(table, arm())
-    assert {name for name in one.members if one.is_ready(name)} == {"ctraj", "puma"}
-    assert one.unsupplied("servo") == ["NDOF"]
-    assert one.members["servo"].state is State.WAITING
+    home = subsystem(table, arm())
+    assert {name for name in home.members if home.is_ready(name)} == {"ctraj", "puma"}
+    assert home.unsupplied("servo") == ["NDOF"]
+    assert home.members["servo"].state is State.WAITING
     write_constant(table, "NDOF", 6)
-    assert all(one.is_ready(name) for name in one.members)
+    assert all(home.is_ready(name) for name in home.members)
 
 
 def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(table):  # decision 6
@@ -73,12 +73,12 @@ def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(tabl
 
 def test_a_spawn_command_carries_everything_a_unit_needs(table):  # R-A03, R-A06
     write_constant(table, "NDOF", 3)
-    one = subsystem(table, arm())
-    order = one.spawn("servo", "source", "servo.py", 7, None)
+    home = subsystem(table, arm())
+    order = home.spawn("servo", "source", "servo.py", 7, None)
     assert (order.subsystem, order.task, order.module, order.source, order.path) == (
         "0", "servo", "servo", "source", "servo.py",
     )  # fmt: skip
-    assert (order.task_type, order.frequency, order.seed, order.rank) == ("periodic", 100.0, 7, one.ranks["servo"])
+    assert (order.task_type, order.frequency, order.seed, order.rank) == ("periodic", 100.0, 7, home.ranks["servo"])
     assert [(port.port, port.shape) for port in order.ports] == [
         ("NDOF", "int"), ("Q_REF", "double[3]"), ("Q_MEZ", "double[3]"), ("TAU", "double[3]"),
     ]  # fmt: skip
@@ -107,10 +107,10 @@ def test_shapes_that_disagree_in_the_table_are_refused(table):  # law 7
         subsystem(table, arm()).spawn("servo", "", "", 0, None)
 
 
-def turned_on(one, *names):
+def turned_on(home, *names):
     for name in names:
-        one.members[name].state = State.ON
-    return one
+        home.members[name].state = State.ON
+    return home
 
 
 CMOVE = ("ctraj", "invkin", "fwdkin", "servo", "puma")
@@ -119,64 +119,64 @@ JMOVE = ("jtraj", "fwdkin", "servo", "puma")
 
 def test_a_reference_that_nobody_reads_any_more_is_forgotten_when_jobs_switch(table):  # law 3
     """From a Cartesian to a joint move: X_REF stands still from now on; the joint reference goes on being followed."""
-    one = turned_on(subsystem(table, arm()), *CMOVE)
-    assert one.forgotten(["ctraj", "invkin"], ["jtraj"]) == ("X_MEZ", "X_REF")
+    home = turned_on(subsystem(table, arm()), *CMOVE)
+    assert home.forgotten(["ctraj", "invkin"], ["jtraj"]) == ("X_MEZ", "X_REF")
 
 
 def test_a_reference_that_a_task_goes_on_reading_stays_in_force(table):  # law 3, decision 45
-    one = turned_on(subsystem(table, arm()), *JMOVE)
-    assert one.forgotten(["jtraj"], ["jtraj"]) == ()
-    assert "Q_REF" not in one.forgotten(["jtraj"], ["ctraj", "invkin"])
+    home = turned_on(subsystem(table, arm()), *JMOVE)
+    assert home.forgotten(["jtraj"], ["jtraj"]) == ()
+    assert "Q_REF" not in home.forgotten(["jtraj"], ["ctraj", "invkin"])
 
 
 def test_what_was_written_while_nobody_read_it_steers_nothing_when_its_first_reader_comes(table):  # law 3
     """A trajectory that ran without its servo: its last reference lies anywhere, and the arm would jump there."""
-    one = turned_on(subsystem(table, arm()), "jtraj")
-    assert "Q_REF" in one.forgotten([], ["servo"])
-    assert "Q_REF" not in turned_on(one, "servo").forgotten([], ["fwdkin"])
+    home = turned_on(subsystem(table, arm()), "jtraj")
+    assert "Q_REF" in home.forgotten([], ["servo"])
+    assert "Q_REF" not in turned_on(home, "servo").forgotten([], ["fwdkin"])
 
 
 def test_what_feeds_a_hardware_task_that_comes_on_is_forgotten_back_to_its_sources(table):  # law 3
-    one = subsystem(table, arm())
-    assert one.forgotten([], JMOVE) == ("Q_MEZ", "Q_REF", "TAU", "X_MEZ", "X_REF")
+    home = subsystem(table, arm())
+    assert home.forgotten([], JMOVE) == ("Q_MEZ", "Q_REF", "TAU", "X_MEZ", "X_REF")
 
 
 def test_aliases_part_two_robots_of_one_kind(table):  # R-C04
     left = wired("left", aliases=[("Q_MEZ", "Q_LEFT")], Q_MEZ=OutVar("double[2]"))
     right = wired("right", Q_MEZ=OutVar("double[3]"))
-    one = subsystem(table, [left, right])
+    home = subsystem(table, [left, right])
     for name in ("left", "right"):
-        one.spawn(name, "", "", 0, None)
+        home.spawn(name, "", "", 0, None)
     assert {name: str(entry.shape) for name, entry in table.entries.items()} == {
         "Q_LEFT": "double[2]", "Q_MEZ": "double[3]",
     }  # fmt: skip
 
 
 def test_a_second_writer_of_a_variable_that_is_on_is_refused(table):  # law 9
-    one = turned_on(subsystem(table, arm()), *CMOVE)
-    assert one.clashes([], ["jtraj"]) == [("jtraj", "Q_REF is written by task invkin, which is ON")]
+    home = turned_on(subsystem(table, arm()), *CMOVE)
+    assert home.clashes([], ["jtraj"]) == [("jtraj", "Q_REF is written by task invkin, which is ON")]
 
 
 def test_a_writer_that_goes_off_in_the_same_switch_is_in_nobodys_way(table):  # law 9
-    one = turned_on(subsystem(table, arm()), *CMOVE)
-    assert one.clashes(["ctraj", "invkin"], ["jtraj"]) == []
-    assert one.clashes([], ["invkin"]) == []
+    home = turned_on(subsystem(table, arm()), *CMOVE)
+    assert home.clashes(["ctraj", "invkin"], ["jtraj"]) == []
+    assert home.clashes([], ["invkin"]) == []
 
 
 def test_a_writer_that_asks_is_in_the_way_too(table):  # law 9
-    one = turned_on(subsystem(table, arm()), *CMOVE)
-    one.members["invkin"].state = State.ASKING
-    assert one.clashes([], ["jtraj"]) == [("jtraj", "Q_REF is written by task invkin, which is ASKING")]
+    home = turned_on(subsystem(table, arm()), *CMOVE)
+    home.members["invkin"].state = State.ASKING
+    assert home.clashes([], ["jtraj"]) == [("jtraj", "Q_REF is written by task invkin, which is ASKING")]
 
 
 def test_two_writers_that_come_on_together_are_in_each_others_way(table):  # law 9
-    one = subsystem(table, arm())
-    assert one.clashes([], ["jtraj", "invkin"]) == [("invkin", "Q_REF is written by task jtraj, which comes on too")]
-    assert one.clashes([], ["jtraj", "jtraj"]) == []
+    home = subsystem(table, arm())
+    assert home.clashes([], ["jtraj", "invkin"]) == [("invkin", "Q_REF is written by task jtraj, which comes on too")]
+    assert home.clashes([], ["jtraj", "jtraj"]) == []
 
 
 def test_what_is_forgotten_is_no_longer_in_force_in_the_table(table):  # law 3
     write_constant(table, "N", 1)
-    one = subsystem(table, [wired("a", N=OutConst("int"))])
-    one.forget(["N", "UNKNOWN"])
+    home = subsystem(table, [wired("a", N=OutConst("int"))])
+    home.forget(["N", "UNKNOWN"])
     assert table.ring("N").mark == table.ring("N").count == 1

@@ -30,8 +30,8 @@ def test_a_new_table_is_zeroed_and_so_are_new_entries(table):  # law 4
 
 
 def test_an_entry_is_made_once(table):
-    one = table.entry("Q_MEZ", shape("double[3]"))
-    assert table.entry("Q_MEZ", shape("double[3]")) == one
+    entry = table.entry("Q_MEZ", shape("double[3]"))
+    assert table.entry("Q_MEZ", shape("double[3]")) == entry
     assert list(table.entries) == ["Q_MEZ"]
 
 
@@ -62,9 +62,9 @@ def test_a_table_that_is_full_says_so(table):
 )
 def test_numbers_are_plain_and_vectors_are_arrays(text, value):  # R-A03
     data = np.array(value, dtype=shape(text).type.code).tobytes()
-    found = value_of(data, shape(text))
-    assert np.asarray(found).tolist() == value
-    assert isinstance(found, np.ndarray) == isinstance(value, list)
+    decoded = value_of(data, shape(text))
+    assert np.asarray(decoded).tolist() == value
+    assert isinstance(decoded, np.ndarray) == isinstance(value, list)
 
 
 def test_letters_are_str_and_several_of_them_lists():

@@ -107,18 +107,18 @@ def test_a_command_does_what_the_table_says_or_is_refused_and_changes_nothing(na
     order, leads_to = COMMANDS[name]
     rig = in_state(state)
     assert state_of(rig) is state
-    heard = len(rig.news)
+    count = len(rig.news)
     rig.do(order)
     assert state_of(rig) is leads_to.get(state, state)
-    said = [one for _, one in rig.news[heard:]]
+    events = [event for _, event in rig.news[count:]]
     if state in leads_to:
-        assert [type(one) for one in said] == [SAYS.get(name, news.Changed)]
-        assert getattr(said[0], "state", leads_to[state].value) == leads_to[state].value
+        assert [type(event) for event in events] == [SAYS.get(name, news.Changed)]
+        assert getattr(events[0], "state", leads_to[state].value) == leads_to[state].value
     elif name == "off":
-        assert said == []  # turning off what is off harms nothing
+        assert events == []  # turning off what is off harms nothing
     else:
-        assert [type(one) for one in said] == [news.Refused]
-        assert said[0].reason
+        assert [type(event) for event in events] == [news.Refused]
+        assert events[0].reason
 
 
 @pytest.mark.parametrize("order", [command.Get(HOME, "nobody", "x"), command.Set(HOME, "nobody", "x", "1")])
@@ -132,14 +132,14 @@ def test_a_task_that_is_not_there_is_refused_by_name(order):
 def test_a_switch_turns_off_before_it_turns_on_with_no_cycle_in_between():  # laws 2, 3
     rig = Rig().spawn("a", COUNTER).spawn("b", COUNTER).switch(on=["a"]).run(5 * MS)
     rig.switch(off=["a"], on=["b"])
-    told = [(one.task, one.state) for one in rig.heard(news.Changed)]
-    assert told == [("a", "ON"), ("a", "OFF"), ("b", "ON")]
+    changes = [(event.task, event.state) for event in rig.heard(news.Changed)]
+    assert changes == [("a", "ON"), ("a", "OFF"), ("b", "ON")]
     assert rig.run(15 * MS)["N"] == 1 + 2
 
 
 def test_the_first_cycle_after_on_is_told_once():
     rig = rig_of(COUNTER).switch(on=["one"]).run(30 * MS).switch(off=["one"]).switch(on=["one"]).run(50 * MS)
-    assert [one.at_ns for one in rig.heard(news.Cycled)] == [0, 30 * MS]
+    assert [event.at_ns for event in rig.heard(news.Cycled)] == [0, 30 * MS]
 
 
 def test_a_reference_stays_in_force_while_it_is_read_and_a_stale_one_does_not():  # law 3, decision 45
@@ -185,16 +185,16 @@ def test_flows_that_are_switched_together_cycle_from_one_instant_the_first_of_ea
     rig.now = 3 * MS
     rig.do(together(on="abc")).run(3 * MS)
     first = rig.heard(news.Cycled)
-    assert {one.at_ns for one in first} == {3 * MS}
+    assert {event.at_ns for event in first} == {3 * MS}
     expected = [(flow, name) for name in "cba" for flow in ("f0", "f1", "f2")]
-    assert [(one.subsystem, one.task) for one in first] == expected
+    assert [(event.subsystem, event.task) for event in first] == expected
 
 
 def test_flows_that_come_on_slowly_still_cycle_first_at_one_instant():  # R-E04: `on` of one makes no other one late
     rig = meeting_rig().do(together(on="abc"))
     rig.now = 37 * MS
     rig.run(37 * MS)
-    assert {one.at_ns for one in rig.heard(news.Cycled)} == {37 * MS}
+    assert {event.at_ns for event in rig.heard(news.Cycled)} == {37 * MS}
     assert {task.slot.missed for task in rig.executive.tasks.values()} == {0}
 
 
@@ -202,7 +202,7 @@ def test_of_flows_that_are_switched_together_all_go_off_before_one_comes_on():  
     rig = meeting_rig().do(together(on="a")).run(0)
     rig.news.clear()
     rig.do(together(on="b", off="a"))
-    assert [(one.task, one.state) for one in rig.heard(news.Changed)] == [("a", "OFF")] * 3 + [("b", "ON")] * 3
+    assert [(event.task, event.state) for event in rig.heard(news.Changed)] == [("a", "OFF")] * 3 + [("b", "ON")] * 3
 
 
 def test_a_flow_that_asks_does_not_hold_up_those_it_is_switched_with():  # R-E04, R-A10
@@ -275,9 +275,9 @@ SYNC = module("    N = OutVar('int')" + PIPE + "    def sync(self):\n        sel
 def test_a_synchronous_task_runs_on_its_event_only():  # R-A04
     rig = rig_of(SYNC, kind="synchronous").switch(on=["one"]).run(200 * MS)
     assert rig["N"] == 0
-    heard = rig.executive.event((HOME, "one"), 200 * MS)
+    events = rig.executive.event((HOME, "one"), 200 * MS)
     assert rig["N"] == 1
-    assert [type(one) for one in heard] == [news.Cycled, news.Warned]
+    assert [type(event) for event in events] == [news.Cycled, news.Warned]
 
 
 def test_a_synchronous_task_waits_for_its_descriptor_while_it_is_on():  # R-A04
@@ -303,8 +303,8 @@ def test_an_event_of_a_task_that_is_off_or_not_synchronous_is_nothing():  # R-A0
 def test_an_error_in_sync_is_one_of_the_cycle():  # R-A09
     source = module(PIPE + "    def sync(self):\n        raise ValueError('planted')")
     rig = rig_of(source, kind="synchronous").switch(on=["one"])
-    heard = rig.executive.event((HOME, "one"), 0)
-    assert [(one.entry, one.text) for one in heard] == [("cycle", "ValueError: planted")]
+    events = rig.executive.event((HOME, "one"), 0)
+    assert [(event.entry, event.text) for event in events] == [("cycle", "ValueError: planted")]
 
 
 # After a stop

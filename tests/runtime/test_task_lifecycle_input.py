@@ -39,10 +39,10 @@ def asking_rig():
 )
 def test_input_that_is_missing_or_wrong_is_asked_for_with_the_reason_until_it_is_right(line, reason):  # R-A10
     rig = asking_rig().switch(on=[command.Launch("one", line)])
-    asked = rig.last(news.Asked)
-    assert reason in asked.reason
-    assert bool(asked.reason) == bool(reason)
-    assert (asked.items[0].name, asked.items[0].count, asked.items[0].high) == ("goal", 2, (3.0, 3.0))
+    question = rig.last(news.Asked)
+    assert reason in question.reason
+    assert bool(question.reason) == bool(reason)
+    assert (question.items[0].name, question.items[0].count, question.items[0].high) == ("goal", 2, (3.0, 3.0))
     assert rig.run(50 * MS).task("one").counters.cycles == 0
     rig.do(command.Answer(HOME, "one", "9 9"))
     assert "expected 0..3 rad, found 9" in rig.last(news.Asked).reason
@@ -66,8 +66,8 @@ def test_news_carry_the_activation_of_the_last_launch():  # R-A07
     source = cycle("return finish()", trigger=True)
     rig = rig_of(source).switch(on=[command.Launch("one", activation=7)]).run(0)
     rig.switch(on=[command.Launch("one", activation=8)]).run(rig.now)
-    told = [(type(one).__name__, one.activation) for _, one in rig.news[1:]]
-    assert told == [(name, run) for run in (7, 8) for name in ("Changed", "Cycled", "Finished")]
+    events = [(type(event).__name__, event.activation) for _, event in rig.news[1:]]
+    assert events == [(name, run) for run in (7, 8) for name in ("Changed", "Cycled", "Finished")]
 
 
 @pytest.mark.parametrize(

@@ -29,12 +29,12 @@ def rig():
 
 
 def test_a_task_gets_a_number_and_is_known_by_its_name(unit, rig):  # R-A11
-    one, two = task(rig, "one"), task(rig, "two")
-    unit.admit(one)
+    first, two = task(rig, "one"), task(rig, "two")
+    unit.admit(first)
     unit.admit(two)
-    assert (one.tid, two.tid) == (1, 2)
-    assert unit.tasks == {(HOME, "one"): one, (HOME, "two"): two}
-    assert unit.dismiss((HOME, "one")) is one
+    assert (first.tid, two.tid) == (1, 2)
+    assert unit.tasks == {(HOME, "one"): first, (HOME, "two"): two}
+    assert unit.dismiss((HOME, "one")) is first
     assert unit.dismiss((HOME, "one")) is None
     assert list(unit.slots.values()) == [two]
 
@@ -51,27 +51,27 @@ def test_an_exchanged_task_keeps_number_place_and_slot(unit, rig):  # law 21
 
 
 def test_a_task_is_profiled_while_it_is_on(unit, rig):  # R-A17
-    one = task(rig, "one")
-    unit.admit(one)
-    unit.enter(one, 5)
-    unit.leave(one, 25)
-    unit.leave(one, 30)
-    assert (one.counters.profiled_ns(100), unit.agenda.next_release()) == (20, None)
+    running = task(rig, "one")
+    unit.admit(running)
+    unit.enter(running, 5)
+    unit.leave(running, 25)
+    unit.leave(running, 30)
+    assert (running.counters.profiled_ns(100), unit.agenda.next_release()) == (20, None)
 
 
 def test_a_synchronous_task_is_found_by_its_descriptor(unit, rig):  # R-A04
     end, other = os.pipe()
-    one = task(rig, "one", module(f"    def fileno(self):\n        return {end}"), kind="synchronous")
-    unit.admit(one)
-    unit.enter(one, 0)
-    unit.await_event(one)
+    running = task(rig, "one", module(f"    def fileno(self):\n        return {end}"), kind="synchronous")
+    unit.admit(running)
+    unit.enter(running, 0)
+    unit.await_event(running)
     assert (unit.events, unit.agenda.next_release()) == ({end: (HOME, "one")}, None)
-    unit.leave(one, 1)
+    unit.leave(running, 1)
     assert unit.events == {}
     os.close(end)
     os.close(other)
     with pytest.raises(OSError, match="descriptor"):
-        unit.await_event(one)
+        unit.await_event(running)
 
 
 def test_only_variables_of_the_subsystem_are_forgotten(unit, rig):  # law 3
@@ -84,10 +84,10 @@ def test_only_variables_of_the_subsystem_are_forgotten(unit, rig):  # law 3
 
 
 def test_a_variable_that_no_task_here_has_any_more_is_not_marked(unit, rig):  # law 3, law 12
-    one, two = task(rig, "one"), task(rig, "two", COUNTER.replace("N = ", "M = ").replace("self.N", "self.M"))
-    unit.admit(one)
+    first, two = task(rig, "one"), task(rig, "two", COUNTER.replace("N = ", "M = ").replace("self.N", "self.M"))
+    unit.admit(first)
     unit.admit(two)
-    (name, ring), *_ = one.binding.rings.items()
+    (name, ring), *_ = first.binding.rings.items()
     ring.write(bytes(ring.size))
     unit.dismiss((HOME, "one"))
     unit.forget(HOME, (name,))
@@ -96,5 +96,5 @@ def test_a_variable_that_no_task_here_has_any_more_is_not_marked(unit, rig):  # 
 
 def test_what_is_said_is_taken_once(unit):
     unit.refuse(("s", "t"), "on", "because")
-    assert [one.reason for one in unit.take_news()] == ["because"]
+    assert [event.reason for event in unit.take_news()] == ["because"]
     assert unit.take_news() == []

@@ -27,15 +27,15 @@ def sheet(shape, name="x", low=None, high=None, default=None):
     ],
 )  # fmt: skip
 def test_a_scalar_of_each_of_the_nine_types_is_read(kind, word, value):  # R-A10
-    found = wanted(sheet(kind)).parse(word).x
-    assert (found, type(found)) == (value, type(value))
+    x = wanted(sheet(kind)).parse(word).x
+    assert (x, type(x)) == (value, type(value))
 
 
 @pytest.mark.parametrize("kind", [kind for kind in ValueType if kind.is_real or kind.is_whole])
 def test_a_vector_of_each_number_type_is_an_array_of_that_type(kind):  # R-A10
-    found = wanted(sheet(f"{kind.value}[3]")).parse("1 2 3").x
-    assert found.tolist() == [1, 2, 3]
-    assert found.dtype == np.dtype(kind.code)
+    value = wanted(sheet(f"{kind.value}[3]")).parse("1 2 3").x
+    assert value.tolist() == [1, 2, 3]
+    assert value.dtype == np.dtype(kind.code)
 
 
 @pytest.mark.parametrize("kind", ["string", "line", "char"])
@@ -44,8 +44,8 @@ def test_a_vector_of_letters_is_a_list(kind):  # R-A10
 
 
 def test_several_inputs_take_their_words_in_order_of_definition():  # decision 40
-    found = wanted(sheet("double[2]", "endpoint"), sheet("line", "label"), sheet("int", "count")).parse('1 2 "a b" 3')
-    assert (found.endpoint.tolist(), found.label, found.count) == ([1.0, 2.0], "a b", 3)
+    values = wanted(sheet("double[2]", "endpoint"), sheet("line", "label"), sheet("int", "count")).parse('1 2 "a b" 3')
+    assert (values.endpoint.tolist(), values.label, values.count) == ([1.0, 2.0], "a b", 3)
 
 
 @given(st.lists(st.text(max_size=20), min_size=3, max_size=3))
@@ -70,8 +70,8 @@ def test_everything_that_is_wrong_is_told_at_once():  # R-A10
 
 
 @given(st.floats(-10, 10), st.floats(-10, 10), st.floats(-20, 20))
-def test_bounds_by_number_belong_to_what_is_allowed(one, other, value):  # R-A10
-    low, high = sorted((one, other))
+def test_bounds_by_number_belong_to_what_is_allowed(low, other, value):  # R-A10
+    low, high = sorted((low, other))
     line = repr(value)
     if low <= value <= high:
         assert wanted(sheet("double", low=low, high=high)).parse(line).x == value

@@ -16,22 +16,31 @@ def wired(name, aliases=(), **ports):
 
 
 def test_ports_are_bound_by_their_aliases_once():  # R-C04
-    one = wired("one", [("A", "B"), ("B", "A")], A=InVar("int"), B=OutVar("int"), C=InConst("int"))
-    assert [(port.port, port.svar) for port in one.ports] == [("A", "B"), ("B", "A"), ("C", "C")]
+    wired_task = wired("one", [("A", "B"), ("B", "A")], A=InVar("int"), B=OutVar("int"), C=InConst("int"))
+    assert [(port.port, port.svar) for port in wired_task.ports] == [("A", "B"), ("B", "A"), ("C", "C")]
 
 
 def test_the_dimensions_of_a_shape_are_aliased_too():  # R-A03
-    one = wired("one", [("NDOF", "NDOF_LEFT")], Q=InVar("double[NDOF,4]"))
-    assert one.ports[0].shape == Shape.parse("double[NDOF_LEFT,4]")
+    wired_task = wired("one", [("NDOF", "NDOF_LEFT")], Q=InVar("double[NDOF,4]"))
+    assert wired_task.ports[0].shape == Shape.parse("double[NDOF_LEFT,4]")
 
 
 def test_variables_stand_in_the_lists_of_their_kinds():  # decision 7
-    one = wired(
+    wired_task = wired(
         "one", A=InConst("int"), B=InBoth("int"), C=InVar("int"), D=OutConst("int"), E=OutBoth("int"), F=OutVar("int")
     )
-    assert (one.inconst, one.invar, one.outconst, one.outvar) == (("A", "B"), ("B", "C"), ("D", "E"), ("E", "F"))
-    assert one.first_values == ("B",)
-    assert (one.meeting.name, one.meeting.inconst, one.meeting.outvar) == ("one", ("A", "B"), ("E", "F"))
+    assert (wired_task.inconst, wired_task.invar, wired_task.outconst, wired_task.outvar) == (
+        ("A", "B"),
+        ("B", "C"),
+        ("D", "E"),
+        ("E", "F"),
+    )
+    assert wired_task.first_values == ("B",)
+    assert (wired_task.meeting.name, wired_task.meeting.inconst, wired_task.meeting.outvar) == (
+        "one",
+        ("A", "B"),
+        ("E", "F"),
+    )
 
 
 def test_the_device_is_the_first_word_of_its_local_line():  # law 16
@@ -49,11 +58,11 @@ def test_another_type_shape_or_unit_is_a_fault_that_names_both_tasks():  # law 7
     first = wired("a", X=OutVar("double[NDOF]", "m"))
     others = [wired("b", X=InVar("float[NDOF]", "m")), wired("c", X=InVar("double[6]", "m"))]
     others.append(wired("d", X=InVar("double[NDOF]", "mm")))
-    found = disagreements([first, *others])
-    assert [(one.place.file, one.found) for one in found] == [
+    faults = disagreements([first, *others])
+    assert [(fault.place.file, fault.found) for fault in faults] == [
         ("b.rmod", "float[NDOF] in m"), ("c.rmod", "double[6] in m"), ("d.rmod", "double[NDOF] in mm"),
     ]  # fmt: skip
-    assert {one.expected for one in found} == {"X double[NDOF] in m, as a declares"}
+    assert {fault.expected for fault in faults} == {"X double[NDOF] in m, as a declares"}
 
 
 def test_tasks_that_do_not_meet_cannot_disagree():
@@ -62,7 +71,7 @@ def test_tasks_that_do_not_meet_cannot_disagree():
 
 def test_a_constant_that_nobody_supplies_is_a_fault():  # law 10, decision 6
     tasks = [wired("a", N=InConst("int"), M=InConst("int")), wired("b", M=OutConst("int")), wired("c", N=OutVar("int"))]
-    assert [(one.place.file, one.expected) for one in missing_constants(tasks)] == [
+    assert [(fault.place.file, fault.expected) for fault in missing_constants(tasks)] == [
         ("a.rmod", "a task that supplies the constant N")
     ]
 
@@ -91,6 +100,12 @@ def test_upstream_of_a_loop_comes_to_an_end():
 
 
 def test_what_shapes_a_task_counts_as_a_constant_that_it_reads_when_tasks_are_exchanged():  # R-A13, law 12
-    one = wired("one", [("NDOF", "NDOF_LEFT")], N=OutConst("int"), Q=InVar("double[NDOF,N]"), GAIN=InBoth("double"))
-    assert one.placed.ports.inconst == ("GAIN", "NDOF_LEFT")
-    assert (one.placed.name, one.placed.module, one.placed.device) == ("one", one.task.module, None)
+    wired_task = wired(
+        "one", [("NDOF", "NDOF_LEFT")], N=OutConst("int"), Q=InVar("double[NDOF,N]"), GAIN=InBoth("double")
+    )
+    assert wired_task.placed.ports.inconst == ("GAIN", "NDOF_LEFT")
+    assert (wired_task.placed.name, wired_task.placed.module, wired_task.placed.device) == (
+        "one",
+        wired_task.task.module,
+        None,
+    )

@@ -53,7 +53,7 @@ class Binding:
         self.input_rings: list[Ring] = []
         self.first_values: list[tuple[str, Ring]] = []
         table = views[f"table:{spawn.subsystem}"]
-        bound = {one.port: one for one in spawn.ports}
+        bound = {port.port: port for port in spawn.ports}
         for attribute, declared in type(instance).declared_ports.items():
             port = declared.port(attribute)
             if port.name not in bound:
@@ -200,15 +200,15 @@ def attach(grant: DeviceGrant, views: Views) -> Device:
 
 def locals_of(cls: type[Module], lines: Mapping[str, tuple[str, ...]]) -> SimpleNamespace:
     """The parameters a class declares, from the lines of a LOCAL block; raises ValueError that says what is wrong."""
-    found = SimpleNamespace()
+    constants = SimpleNamespace()
     for name, declared in cls.declared_locals.items():
         if name in lines:
-            setattr(found, name, parameter.parse(name, declared.shape, lines[name]))
+            setattr(constants, name, parameter.parse(name, declared.shape, lines[name]))
         elif declared.default is None:
             raise ValueError(f"expected a LOCAL line {name} {declared.shape} ({declared.meaning}), found none")
         else:
-            setattr(found, name, declared.default)
-    return found
+            setattr(constants, name, declared.default)
+    return constants
 
 
 def _buffer(shape: Shape) -> "NDArray[Any]":
@@ -217,5 +217,7 @@ def _buffer(shape: Shape) -> "NDArray[Any]":
 
 def undeclared(instance: Module) -> list[str]:
     """Attributes that look like state variables but are no port or parameter: typing mistakes that write nothing."""
-    known = set(type(instance).declared_locals)
-    return sorted(name for name in vars(instance) if SVAR_NAME.match(name) and len(name) > 1 and name not in known)
+    declared_locals = set(type(instance).declared_locals)
+    return sorted(
+        name for name in vars(instance) if SVAR_NAME.match(name) and len(name) > 1 and name not in declared_locals
+    )

@@ -39,26 +39,26 @@ class Containment:
         names = undeclared(self._instance)
         foreign = [name for name in names if name in self.known]
         others = [name for name in names if name not in self.known]
-        found = [f"{name} is a variable of other tasks: this module has no port for it" for name in foreign]
+        faults = [f"{name} is a variable of other tasks: this module has no port for it" for name in foreign]
         if others:
-            found.append(f"{', '.join(others)} is no port of this module: declare it or use another name")
-        return found
+            faults.append(f"{', '.join(others)} is no port of this module: declare it or use another name")
+        return faults
 
     def _class_faults(self) -> list[str]:
         cls = type(self._instance)
         if cls is not self._class:
             return [f"it has turned from a {self._class.__name__} into a {cls.__name__}"]
-        found = []
-        late = {name for name, one in vars(cls).items() if isinstance(one, PortDeclaration)}
+        faults = []
+        late = {name for name, declaration in vars(cls).items() if isinstance(declaration, PortDeclaration)}
         changed = sorted(late | {name for name in (*self._ports, *cls.declared_ports) if self._is_changed(name)})
         if changed:
-            found.append(
+            faults.append(
                 f"{', '.join(changed)} was declared or changed after the module was loaded: it is bound to nothing"
             )
         flags = [flag for flag, value in self._flags.items() if getattr(self._instance, flag) != value]
         if flags:
-            found.append(f"{', '.join(flags)} may not change after the module was loaded")
-        return found
+            faults.append(f"{', '.join(flags)} may not change after the module was loaded")
+        return faults
 
     def _is_changed(self, port: str) -> bool:
         now = self._class.declared_ports.get(port)

@@ -116,8 +116,8 @@ class Bus:
         """
         sheet = self._sheets.get(device)
         if sheet is None:
-            known = ", ".join(sorted(self._sheets))
-            raise ValueError(f"expected a device of world {self.name} ({known}), found {device!r}")
+            devices = ", ".join(sorted(self._sheets))
+            raise ValueError(f"expected a device of world {self.name} ({devices}), found {device!r}")
         state_at, command_at = self._offsets[device]
         if sheet.command:
             sheet = self.world.claim(device, epoch)

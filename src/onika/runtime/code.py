@@ -34,16 +34,16 @@ def load(source: str, path: str, module: str, code: types.CodeType | Fault | Non
     try:
         exec(code, namespace.__dict__)  # noqa: S102 - running modules is what a runtime is for; trust is decided before
     except (Exception, SystemExit) as wrong:
-        return Fault(Place(path, line_in(path, wrong)), "a module that can be imported", told(wrong), instead)
+        return Fault(Place(path, line_in(path, wrong)), "a module that can be imported", traceback_text(wrong), instead)
     finally:
         sys.modules.pop(namespace.__name__, None)
     classes = [
-        one
-        for one in vars(namespace).values()
-        if isinstance(one, type) and issubclass(one, Module) and one.__module__ == namespace.__name__
+        value
+        for value in vars(namespace).values()
+        if isinstance(value, type) and issubclass(value, Module) and value.__module__ == namespace.__name__
     ]
     if len(classes) != 1:
-        names = ", ".join(one.__name__ for one in classes) or "none"
+        names = ", ".join(cls.__name__ for cls in classes) or "none"
         return Fault(Place(path), "exactly one subclass of Module", names, instead)
     return classes[0]
 
@@ -59,12 +59,12 @@ def where(path: str, wrong: BaseException) -> tuple[str, int, str]:
     frames = traceback.extract_tb(wrong.__traceback__)
     own = [index for index, frame in enumerate(frames) if frame.filename == path]
     if not own:
-        return path, 0, told(wrong)
+        return path, 0, traceback_text(wrong)
     lines = traceback.format_list(frames[own[0] :])
-    return path, frames[own[-1]].lineno or 0, showable("".join([*lines, told(wrong)]), 10_000)
+    return path, frames[own[-1]].lineno or 0, showable("".join([*lines, traceback_text(wrong)]), 10_000)
 
 
-def told(wrong: BaseException) -> str:
+def traceback_text(wrong: BaseException) -> str:
     """An exception as a text that can be shown."""
     try:
         text = str(wrong)
@@ -75,5 +75,5 @@ def told(wrong: BaseException) -> str:
 
 def showable(text: str, longest: int = 1000) -> str:
     """A module's text without control characters and unpaired surrogates, and of a length that people read."""
-    clean = "".join(one if one.isprintable() or one == "\n" else "\ufffd" for one in text[: longest + 1])
+    clean = "".join(letter if letter.isprintable() or letter == "\n" else "\ufffd" for letter in text[: longest + 1])
     return clean if len(text) <= longest else clean[:longest] + "…"

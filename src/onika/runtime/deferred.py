@@ -112,7 +112,9 @@ class Postponed:
 
     def _coming(self, subsystem: str, task: str) -> Piece | None:
         """The spawn of this task that waits."""
-        return next((one for one in self._pieces if one.address == (subsystem, task) and one.word == "spawn"), None)
+        return next(
+            (piece for piece in self._pieces if piece.address == (subsystem, task) and piece.word == "spawn"), None
+        )
 
     def _sift_piece(self, order: command.Spawn | command.Swap, now: int) -> command.Command | None:
         piece = Piece(order, now)
@@ -129,7 +131,7 @@ class Postponed:
         return None
 
     def _sift_kill(self, order: command.Kill, now: int) -> command.Command | None:
-        mine = [one for one in self._pieces if one.address == (order.subsystem, order.task)]
+        mine = [piece for piece in self._pieces if piece.address == (order.subsystem, order.task)]
         for piece in mine:
             self._pieces.remove(piece)
             if piece.word == "spawn":

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 _HOLD, _DRIVE = float(Order.HOLD), float(Order.DRIVE)
 _DRIVEN, _TRIPPED, _PRESSED = (
-    int(one) for one in (Drive.DRIVEN, Drive.TRIPPED, Drive.PRESSED)
+    int(state) for state in (Drive.DRIVEN, Drive.TRIPPED, Drive.PRESSED)
 )  # plain numbers compare quicker than names
 _HEADER = 2  # world time and drive state before the values; writer's epoch and order before a command's values
 _HEARD_AFTER = 2  # publications: the first may have been under way when the command was written
@@ -39,7 +39,7 @@ class Device:
         self._values = self._state[_HEADER:]
         self._values.flags.writeable = False
         self._seen = -1
-        self._heard_ns = -1
+        self._fresh_at_ns = -1
         self._holding = False
         self._is_clearing = False
         self._clears_until = 0
@@ -116,13 +116,13 @@ class Device:
     def silent_ns(self, now_ns: int) -> int:
         """How long the device has published nothing new, as far as calls of this function could see."""
         count = self._words[0]
-        if count != self._seen or self._heard_ns < 0:
-            self._seen, self._heard_ns = count, now_ns
-        return now_ns - self._heard_ns
+        if count != self._seen or self._fresh_at_ns < 0:
+            self._seen, self._fresh_at_ns = count, now_ns
+        return now_ns - self._fresh_at_ns
 
     def listen_from(self, now_ns: int) -> None:
         """Count silence from now."""
-        self._heard_ns = now_ns
+        self._fresh_at_ns = now_ns
 
     def _still_clears(self) -> bool:
         """Only the newest command reaches a device: a clear stays the newest one until it has been heard."""

@@ -6,7 +6,7 @@ from onika.model.lifecycle import Step
 from onika.model.signal import Signal
 from onika.runtime import news
 from onika.runtime.binding_guard import Strayed
-from onika.runtime.code import showable, told, where
+from onika.runtime.code import showable, traceback_text, where
 from onika.runtime.error import AskAgain, LawBroken
 from onika.runtime.running_task import RunningTask
 from onika.runtime.statistics import values_of
@@ -53,10 +53,10 @@ class Calls:
         try:
             call()
         except AskAgain as again:
-            return f"{entry}: it asks for other input: {told(again)}"
+            return f"{entry}: it asks for other input: {traceback_text(again)}"
         except RAISED as wrong:
             path, line, _ = where(task.spawn.path, wrong)
-            return f"{entry}: {told(wrong)}" + (f" ({path}:{line})" if line else "")
+            return f"{entry}: {traceback_text(wrong)}" + (f" ({path}:{line})" if line else "")
         finally:
             self.watch("")
         return ""
@@ -92,7 +92,7 @@ class Calls:
         self._unit.prepared.drop(task.address[0])
         task.step(Step.FAIL)
         path, line, trace = where(task.spawn.path, wrong)
-        text = told(wrong) + (self._source_of(task, wrong) if isinstance(wrong, LawBroken) else "")
+        text = traceback_text(wrong) + (self._source_of(task, wrong) if isinstance(wrong, LawBroken) else "")
         values = values_of(task.binding)
         self._unit.tell(news.Failed(*task.address, entry, text, path, line, trace, now, task.activation, values))
 
@@ -107,9 +107,9 @@ class Calls:
         if isinstance(wrong, Strayed):
             return ""
         home = task.spawn.subsystem
-        others = [one for one in self._unit.tasks.values() if one.spawn.subsystem == home and one is not task]
-        for one in sorted(others, key=lambda other: other.spawn.rank):
-            found = one.binding.not_finite_outputs()
-            if found:
-                return f"; first written by task {one.spawn.task}, in {found[0]}"
+        others = [other for other in self._unit.tasks.values() if other.spawn.subsystem == home and other is not task]
+        for other in sorted(others, key=lambda other: other.spawn.rank):
+            outputs = other.binding.not_finite_outputs()
+            if outputs:
+                return f"; first written by task {other.spawn.task}, in {outputs[0]}"
         return ""

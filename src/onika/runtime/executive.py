@@ -74,10 +74,10 @@ class Executive:
 
     def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due any more."""
-        heard = self._run_due(now, most)
+        events = self._run_due(now, most)
         if self._calls.is_watched:
             self._calls.watch("")
-        return heard
+        return events
 
     def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         unit, calls = self._unit, self._calls
@@ -148,7 +148,7 @@ class Executive:
         """Carry out what of a command does not have to wait for something postponed."""
         if isinstance(order, command.Switch | command.Together):
             switches = order.switches if isinstance(order, command.Together) else (order,)
-            self._life.switch([self._postponed.sift_switch(one) for one in switches], now)
+            self._life.switch([self._postponed.sift_switch(switch) for switch in switches], now)
             return
         at_once = self._postponed.sift(order, now)
         if at_once is not None:

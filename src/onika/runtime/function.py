@@ -142,15 +142,15 @@ def _parts(law: _Law) -> _Parts:
     return _Parts(declared | outputs, tuple(sources), memories, tuple(outputs))
 
 
-def _outputs(said: Any) -> dict[str, OutVar]:
+def _outputs(returned: Any) -> dict[str, OutVar]:
     """Outputs by the attributes that hold them."""
-    if said is None or said is inspect.Signature.empty:
+    if returned is None or returned is inspect.Signature.empty:
         return {}
-    found = said if isinstance(said, tuple) else (said,)
-    for one in found:
-        if not isinstance(one, OutVar) or not one.name:
-            raise TypeError(f"result: expected an OutVar with a name, or a tuple of them, found {one!r}")
-    return {one.name.replace("^", "_RATE"): one for one in found}
+    outputs = returned if isinstance(returned, tuple) else (returned,)
+    for output in outputs:
+        if not isinstance(output, OutVar) or not output.name:
+            raise TypeError(f"result: expected an OutVar with a name, or a tuple of them, found {output!r}")
+    return {output.name.replace("^", "_RATE"): output for output in outputs}
 
 
 def _with_default(declared: Local, default: Any) -> Local:
@@ -174,13 +174,18 @@ def _doc(law: _Law, parts: _Parts, hz: tuple[float, float], flags: Mapping[str, 
     """The function's docstring, and the tables that the docstring of a module has."""
     kind = next((name for name in ("trigger", "passive") if flags[name]), "general")
     rows = [("Kind", f"{kind}, periodic, {hz[0]:g}..{hz[1]:g} Hz")]
-    for attribute, one in parts.declared.items():
-        if isinstance(one, PortDeclaration):
-            port = one.port(attribute)
+    for attribute, declaration in parts.declared.items():
+        if isinstance(declaration, PortDeclaration):
+            port = declaration.port(attribute)
             rows.append(("Ports", f"{port.kind.value:8} {port.name}  {port.shape}  {port.unit}  {port.meaning}"))
     for section, sort in (("Local", Local), ("Input", Input)):
-        found = [(name, one) for name, one in parts.declared.items() if isinstance(one, sort)]
-        rows += [(section, f"{name}  {one.shape}  {one.unit}  {one.meaning}") for name, one in found]
+        declarations = [
+            (name, declaration) for name, declaration in parts.declared.items() if isinstance(declaration, sort)
+        ]
+        rows += [
+            (section, f"{name}  {declaration.shape}  {declaration.unit}  {declaration.meaning}")
+            for name, declaration in declarations
+        ]
     if flags["trigger"]:
         rows.append(("Finish", "when the function returns `finish()`"))
     text, last = [inspect.cleandoc(law.__doc__ or law.__name__), ""], ""

@@ -51,26 +51,26 @@ def accessor(wired: WiredTask, rtpu: str) -> Accessor:
 
 def check(table: Table, tasks: Iterable[Accessor]) -> list[Finding]:
     """Everything that is wrong in a table, in the order of memory; while tasks write it, too."""
-    everyone = sorted(tasks, key=lambda one: (one.rtpu, one.task))
-    entries = sorted(table.entries.values(), key=lambda one: one.offset)
-    found = []
+    everyone = sorted(tasks, key=lambda accessor: (accessor.rtpu, accessor.task))
+    entries = sorted(table.entries.values(), key=lambda entry: entry.offset)
+    findings = []
     for place, entry in enumerate(entries):
         wrong = table.ring(entry.name).faults()
-        beside = [one.name for one in entries[max(place - 1, 0) : place + 2] if one is not entry]
+        beside = [neighbour.name for neighbour in entries[max(place - 1, 0) : place + 2] if neighbour is not entry]
         if wrong:
-            found.append(_finding(entry.name, wrong, beside, everyone))
+            findings.append(_finding(entry.name, wrong, beside, everyone))
     behind = table.segment.view[table.end : table.end + _LOOKED_AT_BEHIND]
     if any(behind) and entries:
         wrong = [f"memory behind {entries[-1].name}, which belongs to no variable, is written"]
-        found.append(_finding("free memory", wrong, [entries[-1].name], everyone))
-    return found
+        findings.append(_finding("free memory", wrong, [entries[-1].name], everyone))
+    return findings
 
 
 def _finding(variable: str, wrong: list[str], beside: list[str], tasks: list[Accessor]) -> Finding:
     likely, others = [], []
-    for one in tasks:
-        why = _why(one, variable, beside)
-        who = f"task {one.task} on {one.rtpu}"
+    for task in tasks:
+        why = _why(task, variable, beside)
+        who = f"task {task.task} on {task.rtpu}"
         if why:
             likely.append(f"{who} ({why})")
         else:

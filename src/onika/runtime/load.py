@@ -39,12 +39,12 @@ class Prediction:
 
 def use_of(tasks: Iterable[TaskLoad]) -> float:
     """The share of a unit's time that its tasks take while they are ON."""
-    return sum(one.use for one in tasks if one.is_on)
+    return sum(task.use for task in tasks if task.is_on)
 
 
 def predict(rtpu: str, tasks: Iterable[TaskLoad], more: TaskLoad, margin: float = MARGIN) -> Prediction:
     """What the unit's utilisation would be with one more task ON; the same task among `tasks` is replaced by it."""
-    others = [one for one in tasks if (one.subsystem, one.task) != (more.subsystem, more.task)]
+    others = [task for task in tasks if (task.subsystem, task.task) != (more.subsystem, more.task)]
     before = use_of(others)
     use = before + more.use
     if use <= margin:

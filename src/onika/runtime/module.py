@@ -105,11 +105,11 @@ class Module:
 
     def state_constants(self) -> dict[str, Any]:
         """In `init` of a robot module: its OUTCONSTs take what `constants` says of them; all that it says."""
-        known = self.constants(SimpleNamespace(**{name: getattr(self, name) for name in self.declared_locals}))
+        constants = self.constants(SimpleNamespace(**{name: getattr(self, name) for name in self.declared_locals}))
         for attribute, declared in self.declared_ports.items():
             if declared.kind is PortKind.OUTCONST:
-                setattr(self, attribute, known[declared.name or attribute])
-        return known
+                setattr(self, attribute, constants[declared.name or attribute])
+        return constants
 
     # Entry points
 
@@ -208,7 +208,7 @@ class Module:
         return None
 
     @classmethod
-    def fits(cls, constants: dict[str, Any], said: dict[str, Any]) -> str | None:
+    def fits(cls, constants: dict[str, Any], local_values: dict[str, Any]) -> str | None:
         """Of a hardware module: why the device that says this of itself is not the one meant; None: nothing is wrong.
 
         Asked before a run, so that it is told before anything moves; `init` has the last word.

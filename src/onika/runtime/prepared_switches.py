@@ -40,11 +40,11 @@ class Preparations:
 
 def lines(cases: Iterable[Case]) -> dict[str, list[str]]:
     """The argument lines with which tasks may come on by these cases."""
-    found: dict[str, list[str]] = {}
+    epochs: dict[str, list[str]] = {}
     for case in cases:
         for launch in case.switch.on:
-            found.setdefault(launch.task, []).append(launch.arguments)
-    return found
+            epochs.setdefault(launch.task, []).append(launch.arguments)
+    return epochs
 
 
 def _fits(case: Case, signal: Signal) -> bool:

@@ -150,14 +150,14 @@ class RunningTask:
 
     def rebind(self, ports: Iterable[BoundPort], local: tuple[tuple[str, tuple[str, ...]], ...] | None) -> None:
         """Bind these ports anew and take other parameters; raises ValueError and then has changed nothing."""
-        bound = {one.port: one for one in (*self.spawn.ports, *ports)}
+        bound = {port.port: port for port in (*self.spawn.ports, *ports)}
         spawn = structs.replace(self.spawn, ports=tuple(bound.values()))
         if local is not None:
             spawn = structs.replace(spawn, local=local)
         parameters = locals_of(type(self.module), dict(spawn.local))
         self.binding = Binding(self.module, spawn, self._views, self.binding)
-        known, self.containment = self.containment.known, Containment(self.module)
-        self.containment.known = known
+        former, self.containment = self.containment.known, Containment(self.module)
+        self.containment.known = former
         if local is not None:
             give_locals(self.module, parameters)
         self.spawn = spawn

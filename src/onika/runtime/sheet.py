@@ -33,12 +33,28 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
     return ModuleSheet(
         ports,
         tuple(
-            InputSheet(name, str(one.shape), one.unit, one.meaning, one.low, one.high, _plain(one.default))
-            for name, one in cls.declared_inputs.items()
+            InputSheet(
+                name,
+                str(declared.shape),
+                declared.unit,
+                declared.meaning,
+                declared.low,
+                declared.high,
+                _plain(declared.default),
+            )
+            for name, declared in cls.declared_inputs.items()
         ),
         tuple(
-            LocalSheet(name, str(one.shape), one.unit, one.meaning, _plain(one.default), one.low, one.high)
-            for name, one in cls.declared_locals.items()
+            LocalSheet(
+                name,
+                str(declared.shape),
+                declared.unit,
+                declared.meaning,
+                _plain(declared.default),
+                declared.low,
+                declared.high,
+            )
+            for name, declared in cls.declared_locals.items()
         ),
         cls.trigger,
         cls.passive,
@@ -54,7 +70,7 @@ def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
     declared = {port.name: port.kind for port in sheet.ports}
     written = {name: kind.value for name, kind in task.kinds().items()}
     faults = [
-        Fault(place, f"{kind} {name}, as module {task.module} declares", _found(written.get(name)), instead)
+        Fault(place, f"{kind} {name}, as module {task.module} declares", _declared_as(written.get(name)), instead)
         for name, kind in declared.items()
         if written.get(name) != kind
     ]
@@ -65,9 +81,9 @@ def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
     ]
     given = {line.key for line in task.local}
     faults += [
-        Fault(place, f"a LOCAL line {one.name} {one.shape} ({one.meaning})", "none", instead)
-        for one in sheet.locals
-        if one.default is None and one.name not in given
+        Fault(place, f"a LOCAL line {local.name} {local.shape} ({local.meaning})", "none", instead)
+        for local in sheet.locals
+        if local.default is None and local.name not in given
     ]
     faults += _bad_parameters(task, sheet, place, instead)
     if sheet.hardware and "DEVICE" not in given:
@@ -86,27 +102,27 @@ def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
 
 def strangers(task: Task, sheet: ModuleSheet) -> list[str]:
     """LOCAL lines that the module does not declare: kept in the file, but perhaps a typing mistake."""
-    known = {one.name for one in sheet.locals} | {"DEVICE"}
-    return [line.key for line in task.local if line.key not in known]
+    names = {local.name for local in sheet.locals} | {"DEVICE"}
+    return [line.key for line in task.local if line.key not in names]
 
 
 def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: str) -> list[Fault]:
-    known = {one.name: one for one in sheet.locals}
+    by_name = {local.name: local for local in sheet.locals}
     faults = []
     for line in task.local:
-        if (one := known.get(line.key)) is not None:
+        if (local := by_name.get(line.key)) is not None:
             try:
-                _within(one, parameter.parse(line.key, Shape.parse(one.shape), line.words))
+                _within(local, parameter.parse(line.key, Shape.parse(local.shape), line.words))
             except ValueError as wrong:
-                faults.append(Fault(place, f"LOCAL {line.key} {one.shape}", str(wrong), instead))
+                faults.append(Fault(place, f"LOCAL {line.key} {local.shape}", str(wrong), instead))
     return faults
 
 
-def _within(one: LocalSheet, value: Any) -> None:
-    low, high = -inf if one.low is None else one.low, inf if one.high is None else one.high
+def _within(local: LocalSheet, value: Any) -> None:
+    low, high = -inf if local.low is None else local.low, inf if local.high is None else local.high
     for number in value if isinstance(value, list) else [value]:
         if not isinstance(number, str) and not low <= number <= high:
-            raise ValueError(f"LOCAL {one.name}: expected {low:g}..{high:g} {one.unit}, found {number:.12g}")
+            raise ValueError(f"LOCAL {local.name}: expected {low:g}..{high:g} {local.unit}, found {number:.12g}")
 
 
 SLOWEST_HARDWARE_HZ = 40.0
@@ -114,25 +130,25 @@ SLOWEST_HARDWARE_HZ = 40.0
 
 
 def _check_bounds(cls: type[Module], constants: set[str]) -> None:
-    for name, one in cls.declared_inputs.items():
-        for bound in (one.low, one.high):
+    for name, declared in cls.declared_inputs.items():
+        for bound in (declared.low, declared.high):
             if isinstance(bound, str) and bound not in constants:
                 raise ValueError(f"input {name}: expected a bound that is a number or an INCONST, found {bound!r}")
 
 
-def _check_steps(cls: type[Module], known: set[str]) -> None:
-    for attribute, one in cls.declared_ports.items():
-        if one.step is None:
+def _check_steps(cls: type[Module], names: set[str]) -> None:
+    for attribute, declared in cls.declared_ports.items():
+        if declared.step is None:
             continue
-        name = one.name or attribute
-        if not (cls.hardware and one.kind in (PortKind.INVAR, PortKind.INBOTH)):
+        name = declared.name or attribute
+        if not (cls.hardware and declared.kind in (PortKind.INVAR, PortKind.INBOTH)):
             raise ValueError(f"expected a step only of what hardware reads each cycle, found one of {name}")
-        for factor in one.step if isinstance(one.step, tuple) else (one.step,):
-            if isinstance(factor, str) and factor not in known:
+        for factor in declared.step if isinstance(declared.step, tuple) else (declared.step,):
+            if isinstance(factor, str) and factor not in names:
                 raise ValueError(f"step of {name}: expected numbers, ports and parameters, found {factor!r}")
 
 
-def _found(kind: str | None) -> str:
+def _declared_as(kind: str | None) -> str:
     return "no such port" if kind is None else kind
 
 
@@ -140,7 +156,7 @@ def _plain(value: Any) -> Any:
     """Defaults as plain lists and numbers, so that a sheet travels."""
     if value is None or isinstance(value, str | int | float | bool):
         return value
-    return [_plain(one) for one in value]
+    return [_plain(item) for item in value]
 
 
 __all__ = [

@@ -38,10 +38,10 @@ class Subsystem:
         table: Table,
         tasks: Iterable[WiredTask],
         rtpus: Mapping[str, str],
-        known: Mapping[str, int] | None = None,
+        constants: Mapping[str, int] | None = None,
     ) -> None:
         self.name = name
-        self._known = dict(known or {})
+        self._constants = dict(constants or {})
         self.table = table
         self.members = {wired.name: Member(wired, rtpus[wired.name]) for wired in tasks}
         wired_tasks = [member.wired for member in self.members.values()]
@@ -127,8 +127,8 @@ class Subsystem:
 
     def dimension(self, name: str) -> int:
         """A constant that shapes depend on: as its supplier states it before it lives, else as written."""
-        if name in self._known:
-            return int(self._known[name])
+        if name in self._constants:
+            return int(self._constants[name])
         if not self._is_written(name):
             raise KeyError(name)
         return int(self.table.value(name))

@@ -41,11 +41,11 @@ class Table:
 
     def entry(self, name: str, shape: Shape) -> Entry:
         """The entry of a variable, made zeroed at first; raises ValueError where the shape differs from the entry's."""
-        known = self.entries.get(name)
-        if known is not None:
-            if known.shape != shape:
-                raise ValueError(f"{name} is {known.shape} in this subsystem, found {shape}")
-            return known
+        entry = self.entries.get(name)
+        if entry is not None:
+            if entry.shape != shape:
+                raise ValueError(f"{name} is {entry.shape} in this subsystem, found {shape}")
+            return entry
         entry = Entry(name, shape, self._room(name, shape))
         self.entries[name] = entry
         self._rings[name] = Ring(self.segment.view, entry.offset, shape.size)

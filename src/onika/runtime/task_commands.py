@@ -4,7 +4,7 @@ from msgspec import structs
 
 from onika.model.lifecycle import State, Step, refusal
 from onika.runtime import command, news
-from onika.runtime.code import told
+from onika.runtime.code import traceback_text
 from onika.runtime.entry_points import RAISED, Calls
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Address, Unit
@@ -44,7 +44,7 @@ class Alterations:
         try:
             task.rebind(order.ports, order.local)
         except RAISED as wrong:
-            self._unit.refuse(task.address, "rebind", told(wrong))
+            self._unit.refuse(task.address, "rebind", traceback_text(wrong))
             return
         task.step(Step.REBIND)
         self._unit.know_rings(task)
@@ -76,7 +76,7 @@ class Alterations:
             got = news.Got(*address, order.name, value)
             news.encode(got)  # a module may hand out what cannot travel
         except RAISED as wrong:
-            self._unit.refuse(address, "get or set", told(wrong))
+            self._unit.refuse(address, "get or set", traceback_text(wrong))
             return
         finally:
             self._calls.watch("")

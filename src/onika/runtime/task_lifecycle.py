@@ -7,7 +7,7 @@ from types import CodeType
 from onika.model.lifecycle import State, Step, refusal
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
-from onika.runtime.code import load, told
+from onika.runtime.code import load, traceback_text
 from onika.runtime.cycle_result import signal_of
 from onika.runtime.entry_points import RAISED, Calls
 from onika.runtime.error import AskAgain, ModuleError
@@ -52,7 +52,7 @@ class Life:
                 return RunningTask(order, cls, self._unit.views)
             self._unit.refuse(address, entry, str(cls))
         except RAISED as wrong:
-            self._unit.refuse(address, entry, told(wrong))
+            self._unit.refuse(address, entry, traceback_text(wrong))
         finally:
             self._calls.watch("")
         return None

@@ -38,9 +38,9 @@ class Unit:
         """Whether anything is ON, and so must not miss a cycle."""
         return any(task.is_on for task in self.tasks.values())
 
-    def tell(self, one: news.News) -> None:
+    def tell(self, event: news.News) -> None:
         """Say something to the runner."""
-        self.news.append(one)
+        self.news.append(event)
 
     def refuse(self, address: Address, command: str, reason: str) -> None:
         """Say that a command was not carried out."""
@@ -152,10 +152,10 @@ class Unit:
     def objection(self, task: RunningTask) -> str:
         """Why what a task that comes on has in its outputs cannot be given to a device; empty where it can."""
         outputs = task.binding.real_outputs()
-        for one in self.tasks.values():
-            if one.intake is not None and one.spawn.subsystem == task.spawn.subsystem and one.is_driving:
+        for running in self.tasks.values():
+            if running.intake is not None and running.spawn.subsystem == task.spawn.subsystem and running.is_driving:
                 for svar, value in outputs.items():
-                    if reason := one.intake.continuity.objection(svar, value):
+                    if reason := running.intake.continuity.objection(svar, value):
                         return reason
         return ""
 

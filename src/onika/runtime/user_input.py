@@ -75,7 +75,7 @@ class UserInput:
 def _item(sheet: InputSheet, constants: Mapping[str, Any]) -> AskedItem:
     shape = Shape.parse(sheet.shape).resolve(constants)
     default = None if sheet.default is None else _spread(sheet.name, sheet.default, shape.count)
-    low, high = (_bound(sheet.name, one, constants, shape.count) for one in (sheet.low, sheet.high))
+    low, high = (_bound(sheet.name, bound, constants, shape.count) for bound in (sheet.low, sheet.high))
     return AskedItem(sheet.name, shape.type.value, shape.count, sheet.unit, sheet.meaning, default, low, high)
 
 
@@ -83,7 +83,7 @@ def _bound(name: str, bound: float | str | None, constants: Mapping[str, Any], c
     if bound is None:
         return None
     value = constants[bound] if isinstance(bound, str) else bound
-    return tuple(float(one) for one in _spread(name, value, count))
+    return tuple(float(number) for number in _spread(name, value, count))
 
 
 def _spread(name: str, value: Any, count: int) -> tuple[Any, ...]:
@@ -116,8 +116,8 @@ def _within(where: str, value: Value, item: AskedItem, index: int) -> None:
     low = -np.inf if item.low is None else item.low[index]
     high = np.inf if item.high is None else item.high[index]
     if not low <= value <= high:
-        said = f"{value:g}" if f"{value:g}" not in (f"{low:g}", f"{high:g}") else repr(value)
-        raise ValueError(f"{where}: expected {low:g}..{high:g} {item.unit}, found {said}")
+        text = f"{value:g}" if f"{value:g}" not in (f"{low:g}", f"{high:g}") else repr(value)
+        raise ValueError(f"{where}: expected {low:g}..{high:g} {item.unit}, found {text}")
 
 
 def _vector(item: AskedItem, values: list[Value]) -> Any:

@@ -94,7 +94,7 @@ def wire(task: PlannedTask, sheet: ModuleSheet) -> WiredTask:
         dims = tuple(aliases.get(dim, dim) if isinstance(dim, str) else dim for dim in shape.dims)
         return WiredPort(name, PortKind(kind), aliases.get(name, name), Shape(shape.type, dims), unit)
 
-    return WiredTask(task, sheet, tuple(bound(one.kind, one.name, one.shape, one.unit) for one in sheet.ports))
+    return WiredTask(task, sheet, tuple(bound(port.kind, port.name, port.shape, port.unit) for port in sheet.ports))
 
 
 def disagreements(tasks: Sequence[WiredTask]) -> list[Fault]:
@@ -103,11 +103,11 @@ def disagreements(tasks: Sequence[WiredTask]) -> list[Fault]:
     faults = []
     for task in tasks:
         for port in task.ports:
-            other, known = first.setdefault(port.svar, (task, port))
-            if (known.shape, known.unit) != (port.shape, port.unit):
-                expected = f"{port.svar} {known.shape} in {known.unit}, as {other.name} declares"
-                found = f"{port.shape} in {port.unit}"
-                faults.append(Fault(Place(task.task.place), expected, found, "the application is not run"))
+            other, wired = first.setdefault(port.svar, (task, port))
+            if (wired.shape, wired.unit) != (port.shape, port.unit):
+                expected = f"{port.svar} {wired.shape} in {wired.unit}, as {other.name} declares"
+                declaration = f"{port.shape} in {port.unit}"
+                faults.append(Fault(Place(task.task.place), expected, declaration, "the application is not run"))
     return faults
 
 
@@ -126,9 +126,9 @@ def missing_constants(tasks: Sequence[WiredTask]) -> list[Fault]:
 def upstream(tasks: Iterable[WiredTask], names: Iterable[str]) -> frozenset[str]:
     """Every variable from which these are made, cycle by cycle, and these themselves."""
     everyone = list(tasks)
-    found: set[str] = set()
+    reached: set[str] = set()
     open_ = set(names)
     while open_:
-        found |= open_
-        open_ = {svar for task in everyone if found & set(task.outvar) for svar in task.invar} - found
-    return frozenset(found)
+        reached |= open_
+        open_ = {svar for task in everyone if reached & set(task.outvar) for svar in task.invar} - reached
+    return frozenset(reached)

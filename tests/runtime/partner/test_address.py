@@ -16,8 +16,8 @@ from onika.runtime.partner.address import PartnerAddress
     ],
 )
 def test_an_address_is_a_path_or_a_machine_and_its_port(words, family, place):  # R-F04
-    found = PartnerAddress.parse(words)
-    assert (found.words, found.family, found.place) == (words, family, place)
+    address = PartnerAddress.parse(words)
+    assert (address.words, address.family, address.place) == (words, family, place)
 
 
 @pytest.mark.parametrize(

@@ -22,15 +22,15 @@ def test_numbers_of_the_right_shape_are_an_array():  # R-F04
 
 
 @pytest.mark.parametrize(
-    "found",
+    "value",
     [
         *([1.0], [1.0, 2.0, 3.0], [[1.0, 2.0]], 1.0, "1 2", ["1", "2"], [True, False], None, {}, [None, 1.0]),
         *([float("nan"), 1.0], [float("inf"), 1.0], [1.0, [2.0]], [10**400, 1.0]),
     ],
 )
-def test_a_wrong_shape_and_what_is_no_finite_number_is_refused(found):  # R-F04
+def test_a_wrong_shape_and_what_is_no_finite_number_is_refused(value):  # R-F04
     with pytest.raises(ModuleError, match="expected q, 2 finite numbers, found"):
-        Answer({"q": found}).numbers("q", (2,))
+        Answer({"q": value}).numbers("q", (2,))
 
 
 def test_bounds_hold_for_each_element():  # R-F04
@@ -49,15 +49,15 @@ def test_a_field_that_is_not_there_is_named_with_those_that_are():
 
 def test_a_text_is_a_text_of_some_length():
     assert Answer({"name": "here"}).text("name") == "here"
-    for found in (3, "x" * 300):
+    for value in (3, "x" * 300):
         with pytest.raises(ModuleError, match="a text of up to 255 characters"):
-            Answer({"name": found}).text("name")
+            Answer({"name": value}).text("name")
 
 
-@given(found=ANYTHING, shape=st.sampled_from([(), (2,), (None,), (None, 3), (2, 2)]))
-def test_whatever_is_answered_numbers_are_finite_and_of_the_shape_or_refused(found, shape):  # R-F04
+@given(value=ANYTHING, shape=st.sampled_from([(), (2,), (None,), (None, 3), (2, 2)]))
+def test_whatever_is_answered_numbers_are_finite_and_of_the_shape_or_refused(value, shape):  # R-F04
     try:
-        numbers = Answer({"q": found}).numbers("q", shape)
+        numbers = Answer({"q": value}).numbers("q", shape)
     except ModuleError:
         return
     assert np.isfinite(numbers).all()

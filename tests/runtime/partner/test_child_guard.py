@@ -37,7 +37,7 @@ class Kept:
         theirs.close()
         os.close(child_output)
 
-    def said(self):
+    def words(self):
         """The last words on the lifeline."""
         return self.lifeline.recv(1000).decode()
 
@@ -68,8 +68,8 @@ def keep():
         return made[-1]
 
     yield start
-    for one in made:
-        one.close()
+    for child in made:
+        child.close()
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def keep():
     ],
 )
 def test_it_says_how_the_program_ended(keep, command, words):  # R-F04
-    assert keep(*command).said() == words
+    assert keep(*command).words() == words
 
 
 def test_the_program_ends_with_the_lifeline(keep):  # R-F04
@@ -113,7 +113,7 @@ def test_nothing_is_left_of_a_program_that_ends_at_once_when_it_shall(keep):  # 
 
 def test_what_a_program_leaves_behind_lives_as_long_as_the_task_and_no_longer(keep):  # R-F04
     kept = keep(sys.executable, "-c", LEAVES.format("os._exit(0)"))
-    assert kept.said() == "ended with exit code 0"
+    assert kept.words() == "ended with exit code 0"
     assert kept.first_line() == "up\n"
     assert not select.select([kept.output], [], [], 0.05)[0]
     kept.lifeline.close()

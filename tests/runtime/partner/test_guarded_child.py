@@ -20,8 +20,8 @@ def start():
         return made[-1]
 
     yield begin
-    for one in made:
-        one.close()
+    for child in made:
+        child.close()
 
 
 def wait(started):

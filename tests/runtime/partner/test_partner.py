@@ -30,8 +30,8 @@ def make():
         return made[-1]
 
     yield partner
-    for one in made:
-        one.close()
+    for partner in made:
+        partner.close()
 
 
 @pytest.fixture
@@ -54,9 +54,9 @@ def test_question_and_answer(partner, outsider):  # R-F04
     partner.ask("double", x=2)
     assert partner.is_awaited
     call = outsider.accept()
-    asked = call.read()
-    assert (asked["task"], asked["ask"], asked["x"]) == ("home/one", "double", 2)
-    call.answer(asked, y=4)
+    question = call.read()
+    assert (question["task"], question["ask"], question["x"]) == ("home/one", "double", 2)
+    call.answer(question, y=4)
     assert wait(partner)
     assert partner.answer.number("y") == 4.0
     assert not partner.has_answered(), "an answer is told once"
@@ -87,16 +87,16 @@ def test_a_long_question_is_sent_in_parts(partner, outsider):
 
 
 def test_two_tasks_with_one_partner_have_a_connection_each(outsider, make):  # R-F04
-    one, other = make(outsider.address, patience_s=10.0), make(outsider.address, patience_s=10.0)
-    one.ask("mine", x=1)
+    first, other = make(outsider.address, patience_s=10.0), make(outsider.address, patience_s=10.0)
+    first.ask("mine", x=1)
     other.ask("mine", x=2)
     calls = [outsider.accept(), outsider.accept()]
     for call in reversed(calls):
-        asked = call.read()
-        call.answer(asked, x=asked["x"])
-    assert wait(one)
+        question = call.read()
+        call.answer(question, x=question["x"])
+    assert wait(first)
     assert wait(other)
-    assert (one.answer.number("x"), other.answer.number("x")) == (1.0, 2.0)
+    assert (first.answer.number("x"), other.answer.number("x")) == (1.0, 2.0)
 
 
 # No answer
@@ -116,8 +116,8 @@ def test_a_partner_that_answers_late_is_passed_over_and_may_answer_the_next_ques
     fault(partner)
     partner.patience_s = 10.0
     partner.ask("b")
-    asked = call.read()
-    call.answer(late, x="late").answer(asked, x="now")
+    question = call.read()
+    call.answer(late, x="late").answer(question, x="now")
     assert wait(partner)
     assert (partner.answer.fields["x"], partner.late) == ("now", 1)
 
@@ -188,12 +188,12 @@ def test_what_a_partner_says_writes_no_lines_of_its_own(partner, outsider):  # R
 # A partner that breaks the rules
 
 
-@pytest.mark.parametrize("said", [b"what?\n", b'{"id": 99}\n', b'{"id": 1, "x": NaN}\n', b"x" * (LONGEST + 1)])
-def test_a_partner_that_lies_is_hung_up_on(partner, outsider, said):  # R-F04
+@pytest.mark.parametrize("data", [b"what?\n", b'{"id": 99}\n', b'{"id": 1, "x": NaN}\n', b"x" * (LONGEST + 1)])
+def test_a_partner_that_lies_is_hung_up_on(partner, outsider, data):  # R-F04
     partner.ask("a")
     call = outsider.accept()
     call.read()
-    call.say(said)
+    call.say(data)
     assert "expected" in fault(partner)
     assert call.has_ended()
 
@@ -209,14 +209,14 @@ def test_a_partner_that_floods_is_hung_up_on_even_when_nothing_is_asked(partner,
 
 
 @settings(max_examples=30, deadline=None)
-@given(said=st.binary(min_size=1, max_size=100))
-def test_any_bytes_are_an_answer_or_a_fault_and_never_anything_else(tmp_path_factory, said):  # R-F04
+@given(data=st.binary(min_size=1, max_size=100))
+def test_any_bytes_are_an_answer_or_a_fault_and_never_anything_else(tmp_path_factory, data):  # R-F04
     with Outsider(tmp_path_factory.mktemp("p")) as outsider:
         partner = Partner(outsider.address, patience_s=0.01)
         partner.ask("a")
         call = outsider.accept()
         call.read()
-        call.say(said + b"\n")
+        call.say(data + b"\n")
         try:
             assert wait(partner)
             assert partner.answer.fields["id"] == 1
@@ -282,8 +282,8 @@ def test_off_gives_the_question_up_and_keeps_the_connection(partner, outsider):
     assert not partner.is_awaited
     partner.begin()
     partner.ask("b")
-    asked = call.read()
-    call.answer(old, x=1).answer(asked, x=2)
+    question = call.read()
+    call.answer(old, x=1).answer(question, x=2)
     assert wait(partner)
     assert partner.answer.number("x") == 2.0
 

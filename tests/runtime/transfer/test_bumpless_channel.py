@@ -25,7 +25,7 @@ class Wire:
         self.ring.write(np.array(values, dtype=float).tobytes())
         self.crossing.keep()
         self.crossing.pass_on(now, MOST)
-        return [round(float(one), 9) for one in self.data]
+        return [round(float(value), 9) for value in self.data]
 
 
 def test_the_step_that_is_the_largest_share_of_its_limit_is_told():  # R-X04

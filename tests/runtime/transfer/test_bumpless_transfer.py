@@ -89,7 +89,7 @@ def driven(rig: Rig, level: float, **given) -> Rig:
     return rig
 
 
-def told(rig: Rig) -> list[news.Stepped]:
+def steps(rig: Rig) -> list[news.Stepped]:
     return rig.heard(news.Stepped)
 
 
@@ -103,7 +103,7 @@ def largest_step(rig: Rig) -> float:
 def test_a_step_within_its_limit_is_measured_and_passed_on_as_it_is():  # R-X04
     rig = driven(hand_rig(), 0.0)
     rig.spawn("second", source("second", 0.05), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
-    (stepped,) = told(rig)
+    (stepped,) = steps(rig)
     assert (stepped.variable, stepped.unit, stepped.step, stepped.given) == ("REF", "N", 0.05, 0.05)
     assert (stepped.limit, stepped.cycles) == (LIMIT, 0)
 
@@ -111,7 +111,7 @@ def test_a_step_within_its_limit_is_measured_and_passed_on_as_it_is():  # R-X04
 def test_a_step_beyond_its_limit_is_blended_within_it_and_told_with_its_numbers():  # R-X04
     rig = driven(hand_rig(), 0.0)
     rig.spawn("second", source("second", 1.0), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
-    (stepped,) = told(rig)
+    (stepped,) = steps(rig)
     assert (stepped.step, stepped.cycles) == (1.0, 20)
     assert stepped.given <= LIMIT
     assert largest_step(rig) <= LIMIT * (1 + 1e-9)
@@ -124,7 +124,7 @@ def test_what_comes_through_other_tasks_is_blended_too():  # R-X04
     rig.spawn("second", source("second", 2.0, "GOAL"), frequency=50.0, rank=1)
     rig.switch(on=["hand", "first", "follower"]).run(200 * MS)
     rig.switch(off=["first"], on=["second"]).run(500 * MS)
-    assert max(one.step for one in told(rig)) == 2.0
+    assert max(event.step for event in steps(rig)) == 2.0
     assert largest_step(rig) <= LIMIT * (1 + 1e-9)
     assert list(rig.task("hand").module.given[-1]) == [2.0, -2.0]
 
@@ -162,7 +162,7 @@ def test_what_nobody_could_foresee_and_cannot_be_blended_makes_the_device_hold()
     assert "REF[0] would step by 100 N: a cycle may change it by 0.1 N, 0.1 s by 5 N;" in failed.text
     assert "turn off what came on" in failed.text
     assert largest_step(rig) == 0.0
-    (stepped,) = told(rig)
+    (stepped,) = steps(rig)
     assert (stepped.step, stepped.given, stepped.cycles) == (100.0, 0.0, 0)
 
 
@@ -192,21 +192,21 @@ def test_an_exchange_of_code_is_blended_or_refused_as_a_switch_is():  # R-X04 R-
 def test_a_step_without_a_limit_is_told_and_passed_on():  # R-X04
     rig = driven(hand_rig("None"), 0.0)
     rig.spawn("second", source("second", 100.0), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
-    (stepped,) = told(rig)
+    (stepped,) = steps(rig)
     assert (stepped.step, stepped.given, stepped.limit) == (100.0, 100.0, 0.0)
 
 
 def test_what_steps_by_nature_is_neither_told_nor_held_back():  # R-X04
     rig = driven(hand_rig("float('inf')"), 0.0)
     rig.spawn("second", source("second", 100.0), rank=1).switch(off=["first"], on=["second"]).run(rig.now + 200 * MS)
-    assert told(rig) == []
+    assert steps(rig) == []
     assert largest_step(rig) == 100.0
 
 
 def test_a_step_without_a_reconfiguration_is_the_tasks_own_affair():  # R-X04
     rig = driven(hand_rig(), 0.0, sway=3.0, after=20)  # at 100 Hz
     rig.run(rig.now + 200 * MS)
-    assert told(rig) == []
+    assert steps(rig) == []
     assert largest_step(rig) == 3.0
 
 
@@ -264,7 +264,7 @@ def test_no_exchange_ever_gives_the_device_a_step_above_its_limit(exchanges):  #
         if way == "swap" and old is not None and old.state is State.ON and "REF" in old.binding.rings:
             rig.do(command.Swap(rig.spawn_of(present, text.replace(name.title(), present.title()), frequency=hz)))
         else:
-            others = [one for one in (present, "follower") if one]
+            others = [other for other in (present, "follower") if other]
             rig.spawn(name, text, frequency=hz, rank=1)
             on = ["follower", name] if out == "GOAL" else [name]
             rig.switch(off=others, on=on)
@@ -275,8 +275,8 @@ def test_no_exchange_ever_gives_the_device_a_step_above_its_limit(exchanges):  #
             rig.do(command.Clear(HOME, "hand")).switch(on=["hand"])
     rig.run(rig.now + 600 * MS)
     assert largest_step(rig) <= LIMIT * (1 + 1e-9)
-    for one in told(rig):
-        assert one.given <= LIMIT * (1 + 1e-9)
+    for event in steps(rig):
+        assert event.given <= LIMIT * (1 + 1e-9)
 
 
 @settings(max_examples=30, deadline=None)
@@ -288,6 +288,6 @@ def test_each_planted_jump_is_caught_with_its_number(jump, at_once, hz, out):  #
     rig.switch(on=["hand", "first", *["follower"] * (out == "GOAL")]).run(200 * MS)
     rig.news.clear()
     rig.switch(off=["first"], on=["second"]).run(500 * MS)
-    assert [one.step for one in told(rig)] == [pytest.approx(jump)]
-    assert 2 <= told(rig)[0].cycles <= MOST
+    assert [event.step for event in steps(rig)] == [pytest.approx(jump)]
+    assert 2 <= steps(rig)[0].cycles <= MOST
     assert largest_step(rig) <= LIMIT * (1 + 1e-9)

@@ -52,7 +52,7 @@ def test_it_holds_until_every_input_is_fresh_and_nothing_of_that_is_a_step(rig):
     assert words[:3] == ["hold", 0.5, 0.5]
     assert rig.task("arm").intake.is_waiting is False
     assert rig.task("push").intake is None
-    assert [one.step for one in rig.heard(news.Stepped)] == [0.0]
+    assert [event.step for event in rig.heard(news.Stepped)] == [0.0]
 
 
 def test_what_is_no_number_is_a_fault_before_it_is_a_step(rig):  # law 5

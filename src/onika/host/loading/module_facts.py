@@ -9,7 +9,7 @@ import numpy as np
 from onika.host.units.world_registry import open_world
 from onika.runtime.binding import locals_of
 from onika.runtime.bus import World
-from onika.runtime.code import line_in, load, told
+from onika.runtime.code import line_in, load, traceback_text
 from onika.runtime.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
@@ -140,7 +140,7 @@ class DirectLoading:
 
     def _fault(self, code: Code, expected: str, wrong: Exception) -> Fault:
         place = Place(code.path, line_in(code.path, wrong))
-        return Fault(place, expected, told(wrong), f"module {code.module} is not used")
+        return Fault(place, expected, traceback_text(wrong), f"module {code.module} is not used")
 
 
 def _plain(value: Any) -> Any:

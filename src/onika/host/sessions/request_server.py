@@ -213,7 +213,7 @@ class Gate:
     def sessions(self) -> tuple[holding.SessionStanding, ...]:
         """Who is known; here is who is heard at present."""
         known = self._guests.sessions
-        return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_heard) for one in known)
+        return tuple(holding.SessionStanding(one.name, one.caller.role.word, one.is_linked) for one in known)
 
     def hearing(self, session: str) -> Heard | None:
         """How a session is heard; None: it is not known, or the launching program, whose end is told."""

@@ -21,10 +21,10 @@ class PartnerAddress:
             return cls(words, socket.AF_UNIX, rest)
         if kind == "tcp" and host and port.isdecimal() and 0 < int(port) < 65536:
             try:
-                found = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM)
+                addresses = socket.getaddrinfo(host.strip("[]"), int(port), type=socket.SOCK_STREAM)
             except OSError as wrong:
                 raise ValueError(f"expected the name of a machine, found {host}: {wrong.strerror}") from None
-            family, _, _, _, place = found[0]
+            family, _, _, _, place = addresses[0]
             return cls(words, family, place)  # type: ignore[arg-type]
         raise ValueError(f"expected unix:PATH or tcp:HOST:PORT, found {words}")
 

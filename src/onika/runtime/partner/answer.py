@@ -25,21 +25,21 @@ class Answer:
         self, name: str, shape: tuple[int | None, ...] = (), low: Any = -math.inf, high: Any = math.inf
     ) -> "NDArray[np.float64]":
         """Finite real numbers of this shape (None: any count) within the bounds, which may be vectors too."""
-        found = self._field(name)
+        value = self._field(name)
         wanted = "×".join("any" if count is None else str(count) for count in shape) or "one"
         try:
-            if not _is_plain(found, len(shape)):
+            if not _is_plain(value, len(shape)):
                 raise ValueError
-            array = np.array(found, dtype=np.float64)
+            array = np.array(value, dtype=np.float64)
         except (ValueError, TypeError, OverflowError):
-            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(found)}") from None
+            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(value)}") from None
         if array.size == 0 and None in shape:
             array = array.reshape([count or 0 for count in shape])
         fits = array.ndim == len(shape) and all(n in (m, None) for m, n in zip(array.shape, shape, strict=True))
         if not fits or not np.isfinite(array).all():
-            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(found)}")
+            raise ModuleError(f"expected {name}, {wanted} finite numbers, found {_short(value)}")
         if ((array < low) | (array > high)).any():
-            raise ModuleError(f"expected {name} within {low} to {high}, found {_short(found)}")
+            raise ModuleError(f"expected {name} within {low} to {high}, found {_short(value)}")
         return array
 
     def number(self, name: str, low: float = -math.inf, high: float = math.inf) -> float:
@@ -48,10 +48,10 @@ class Answer:
 
     def text(self, name: str, longest: int = 255) -> str:
         """A text of at most so many characters."""
-        found = self._field(name)
-        if not isinstance(found, str) or len(found) > longest:
-            raise ModuleError(f"expected {name}, a text of up to {longest} characters, found {_short(found)}")
-        return found
+        value = self._field(name)
+        if not isinstance(value, str) or len(value) > longest:
+            raise ModuleError(f"expected {name}, a text of up to {longest} characters, found {_short(value)}")
+        return value
 
     def _field(self, name: str) -> Any:
         if name not in self.fields:
@@ -65,7 +65,7 @@ def _is_plain(value: Any, depth: int) -> bool:
     """Whether it is numbers in lists so deep: NumPy alone would take texts and truth values for numbers."""
     if depth == 0:
         return type(value) in (int, float)
-    return isinstance(value, list) and all(_is_plain(one, depth - 1) for one in value)
+    return isinstance(value, list) and all(_is_plain(item, depth - 1) for item in value)
 
 
 def _short(value: Any) -> str:

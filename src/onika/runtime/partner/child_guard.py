@@ -60,18 +60,18 @@ def end_family() -> None:
 def family() -> list[int]:
     """All living processes that come from this one."""
     children: dict[int, list[tuple[int, bytes]]] = {}
-    for one in Path("/proc").iterdir():
+    for path in Path("/proc").iterdir():
         with contextlib.suppress(OSError):
-            if one.name.isdigit():
-                state, parent = (one / "stat").read_bytes().rpartition(b")")[2].split()[:2]  # a name may hold anything
-                children.setdefault(int(parent), []).append((int(one.name), state))
-    found, left = [], [os.getpid()]
+            if path.name.isdigit():
+                state, parent = (path / "stat").read_bytes().rpartition(b")")[2].split()[:2]  # a name may hold anything
+                children.setdefault(int(parent), []).append((int(path.name), state))
+    family_ids, left = [], [os.getpid()]
     while left:
         for pid, state in children.get(left.pop(), []):
             left.append(pid)
             if state != b"Z":
-                found.append(pid)
-    return found
+                family_ids.append(pid)
+    return family_ids
 
 
 def say(lifeline: int, text: str) -> None:

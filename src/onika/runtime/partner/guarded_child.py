@@ -40,10 +40,10 @@ class Started:
             return
         with contextlib.suppress(BlockingIOError):
             try:
-                said = self._ours.recv(1000).decode("utf-8", "replace")
+                words = self._ours.recv(1000).decode("utf-8", "replace")
             except ConnectionError:
-                said = ""
-            self.how_ended = said or "ended with its keeper"
+                words = ""
+            self.how_ended = words or "ended with its keeper"
 
     def close(self) -> None:
         """Let it end, without waiting for it."""

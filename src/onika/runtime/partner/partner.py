@@ -59,7 +59,7 @@ class Partner:
         self._sent = 0
         self._why = ""
         self._fault = ""
-        self._is_told = True
+        self._is_collected = True
         if self._command:
             self._start()
 
@@ -77,7 +77,7 @@ class Partner:
             self._out = self._dialogue.ask(self.task, what, fields)
         except ValueError as wrong:
             raise ModuleError(f"partner {self.name}: {wrong}") from None
-        self._sent, self._why, self._is_told = 0, "", False
+        self._sent, self._why, self._is_collected = 0, "", False
         self._until = monotonic_ns() + round(self.patience_s * 1e9)
         self._pursue()
 
@@ -92,9 +92,9 @@ class Partner:
         if self._fault:
             fault, self._fault = self._fault, ""
             raise ModuleError(fault)
-        if self._is_told or self._dialogue.answer is None:
+        if self._is_collected or self._dialogue.answer is None:
             return False
-        self._is_told = True
+        self._is_collected = True
         return True
 
     @property
@@ -119,7 +119,7 @@ class Partner:
     @property
     def is_settled(self) -> bool:
         """Whether there is something that `has_answered` has not told yet."""
-        return bool(self._fault) or not (self._is_told or self._dialogue.answer is None)
+        return bool(self._fault) or not (self._is_collected or self._dialogue.answer is None)
 
     def fileno(self) -> int:
         """Can be read when something has come; the same through all connections."""
@@ -134,7 +134,7 @@ class Partner:
     def begin(self) -> None:
         """The task comes on: nothing is asked; a program that has ended is started again."""
         self.rest()
-        self._fault, self._is_told = "", True
+        self._fault, self._is_collected = "", True
         gone = self._started is not None and (self._started.how_ended or not (self._address or self._line))
         if gone:
             self._drop()
@@ -155,7 +155,7 @@ class Partner:
             self._epoll.close()
 
     def __del__(self) -> None:
-        if hasattr(self, "_is_told"):
+        if hasattr(self, "_is_collected"):
             self.close()
 
     # Inner: a question
@@ -236,20 +236,20 @@ class Partner:
             self._stands = True
         with contextlib.suppress(BlockingIOError):
             try:
-                said = line.recv(_AT_ONCE)
+                data = line.recv(_AT_ONCE)
             except ConnectionError:
-                said = b""
-            if not said:
+                data = b""
+            if not data:
                 self._lose("it ended the connection before it answered")
                 return
-            self._take(said)
+            self._take(data)
         if self._line is not None:
             self._send(line)
 
-    def _take(self, said: bytes) -> None:
+    def _take(self, data: bytes) -> None:
         was_open = self._dialogue.is_open
         try:
-            self._dialogue.take(said)
+            self._dialogue.take(data)
         except ValueError as wrong:
             self._drop()
             self._fail(str(wrong))

@@ -74,16 +74,16 @@ class Dialogue:
         if len(line) > LONGEST:
             raise ValueError(f"expected lines of at most {LONGEST} bytes, found {len(line)}")
         try:
-            said = msgspec.json.decode(line)
+            message = msgspec.json.decode(line)
         except (ValueError, RecursionError) as wrong:
             raise ValueError(f"expected an answer in JSON, found {_short(line)} ({wrong})") from None
-        number = said.get("id") if isinstance(said, dict) else None
+        number = message.get("id") if isinstance(message, dict) else None
         if type(number) is not int or not 1 <= number <= self.questions:
             raise ValueError(f'expected an answer {{"id": 1 to {self.questions}, …}}, found {_short(line)}')
         if number < self.questions or not self.is_open:
             self._pass_over()
             return
-        self.answer, self.is_open, self._unasked = said, False, 0
+        self.answer, self.is_open, self._unasked = message, False, 0
 
     def _pass_over(self) -> None:
         self.late += 1

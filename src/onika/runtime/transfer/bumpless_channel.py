@@ -42,7 +42,7 @@ class Crossing:
         self._left = self._cycles = 0
         self._index = self._at = 0
         self._worst = self._most_given = -1.0
-        self._asked = self._given = 0.0
+        self._wanted = self._given = 0.0
 
     def allow(self, limit: Any) -> None:
         """What it may step by in one cycle; None: nobody knows."""
@@ -76,7 +76,7 @@ class Crossing:
         if self._offset is None:
             worst, index = self._measure(self._target)
             if worst > self._worst:
-                self._worst, self._index, self._asked, self._at = worst, index, float(abs(self._step[index])), now
+                self._worst, self._index, self._wanted, self._at = worst, index, float(abs(self._step[index])), now
             if not self._has_limit or worst <= 1.0:
                 if worst > self._most_given:
                     self._most_given, self._given = worst, float(abs(self._step[index]))
@@ -91,9 +91,9 @@ class Crossing:
         if self._worst < 0.0:
             return None
         limit = float(self._limit[self._index]) if self._has_limit else 0.0
-        measured = self._index, self._asked, self._given, limit, self._cycles, self._at
+        measured = self._index, self._wanted, self._given, limit, self._cycles, self._at
         self._worst = self._most_given = -1.0
-        self._asked = self._given = 0.0
+        self._wanted = self._given = 0.0
         self._left = self._cycles = 0
         self._offset = None
         return news.Stepped(subsystem, task, self.svar, self.unit, *measured)

@@ -35,9 +35,11 @@ def limit_of(module: Module, step: Step) -> Any:
     if step is None:
         return None
     factors = step if isinstance(step, tuple) else (step,)
-    attributes = {one.name or name: name for name, one in type(module).declared_ports.items()}
-    values = [getattr(module, attributes.get(one, one)) if isinstance(one, str) else one for one in factors]
-    limit = prod((np.asarray(one, dtype=np.float64) for one in values), start=np.float64(1.0))
+    attributes = {declared.name or name: name for name, declared in type(module).declared_ports.items()}
+    values = [
+        getattr(module, attributes.get(factor, factor)) if isinstance(factor, str) else factor for factor in factors
+    ]
+    limit = prod((np.asarray(value, dtype=np.float64) for value in values), start=np.float64(1.0))
     if not np.all(limit > 0.0):  # NaN too
         raise ValueError(f"expected a step above 0, found {' * '.join(map(str, factors))} = {limit}")
     return limit
@@ -58,20 +60,20 @@ class Continuity:
         """Cycles come at another rate from now on: so much else may happen in one; raises ValueError as `limit_of`."""
         share = self._period_ns / period_ns
         self._period_ns = period_ns
-        for one in self.crossings:
-            one.allow(limit_of(module, one.step))
-            one.change_rate(share)
+        for channel in self.crossings:
+            channel.allow(limit_of(module, channel.step))
+            channel.change_rate(share)
 
     def keep(self) -> None:
         """Before the inputs are copied in: what was passed on last."""
-        for one in self.crossings:
-            one.keep()
+        for channel in self.crossings:
+            channel.keep()
 
     def come_from_hold(self, module: Module) -> bool:
         """Before the first inputs after a hold are passed on: whether they are near to what holds the device."""
         is_near = True
-        for one in self.crossings:
-            is_near &= one.come_from(module.held(one.port))
+        for channel in self.crossings:
+            is_near &= channel.come_from(module.held(channel.port))
         return is_near
 
     def pass_on(self, now: int, is_watched: bool) -> None:
@@ -80,16 +82,16 @@ class Continuity:
         most = max(BLENDED_NS // self._period_ns, 1)
         self._after = 0 if is_watched else self._after + 1
         is_blending = False
-        for one in self.crossings:
-            is_blending |= one.pass_on(now, most, self._after <= most)
+        for channel in self.crossings:
+            is_blending |= channel.pass_on(now, most, self._after <= most)
         if not (is_watched or is_blending):
             self.close()
 
     def close(self) -> None:
         """Watching is over: tell what was seen."""
         self.is_open = False
-        for one in self.crossings:
-            seen = one.take(*self._address)
+        for channel in self.crossings:
+            seen = channel.take(*self._address)
             if seen is not None:
                 self.tell(seen)
 
@@ -100,14 +102,14 @@ class Continuity:
         """
         most = max(BLENDED_NS // self._period_ns, 1)
         task = self._address[1]
-        return next((one.objection(value, most, task) for one in self.crossings if one.svar == svar), "")
+        return next((channel.objection(value, most, task) for channel in self.crossings if channel.svar == svar), "")
 
 
 def crossings(module: Module, binding: Binding) -> tuple[Crossing, ...]:
     """Those of a module's real inputs that do not step by nature; raises ValueError for a bad limit."""
-    found = []
+    channels = []
     for port, declared, svar, data, ring in binding.read_each_cycle:
         limit = limit_of(module, declared.step)
         if limit is None or np.any(np.isfinite(limit)):
-            found.append(Crossing(svar, port, declared, data, ring, limit))
-    return tuple(found)
+            channels.append(Crossing(svar, port, declared, data, ring, limit))
+    return tuple(channels)

@@ -31,8 +31,8 @@ class Intake:
     def prepare(self) -> None:
         """After `init`: how far inputs may step is known; raises ValueError where it is no positive number."""
         tell = self.continuity.tell
-        found = crossings(self._module, self._binding)
-        self.continuity = Continuity(*self._address, found, self._period_ns)
+        channels = crossings(self._module, self._binding)
+        self.continuity = Continuity(*self._address, channels, self._period_ns)
         self.continuity.tell = tell
 
     def change_rate(self, period_ns: int) -> None:
