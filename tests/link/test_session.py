@@ -124,14 +124,14 @@ def test_a_reading_is_a_reason_to_be_served_and_nobody_keeps_it_for_one_who_is_a
 
 def test_one_who_says_nothing_is_not_heard_and_is_when_he_says_something_again():  # R-X12
     both = Both()
-    assert both.session.is_heard
+    assert both.session.is_linked
     both.now += LOCAL.suspect_ns
     both.session.service(both.now)
-    assert not both.session.is_heard
+    assert not both.session.is_linked
     both.talk()
-    assert both.session.is_heard
+    assert both.session.is_linked
     both.session.drop()
-    assert not both.session.is_heard
+    assert not both.session.is_linked
 
 
 def test_beats_that_came_beside_the_connection_are_counted_until_it_is_another():  # R-X12
