@@ -32,6 +32,7 @@ check: $(VENV)/.installed-dev page page-check ## style, types, floors, tests for
 	$(BIN)/lint-imports
 	$(BIN)/python tools/check_mirror.py
 	$(BIN)/python tools/figures.py --check
+	$(BIN)/python tools/requirements.py --check
 	$(BIN)/python tools/generate.py --check
 
 # The profile draws the same examples every time, so a change is judged by what it changed; `soak` draws new ones. What
