@@ -11,8 +11,8 @@ from msgspec import NODEFAULT, Struct, inspect
 from onika.wire import act, page, view
 
 _HEAD = "// Drawn from src/onika/wire/{act,view,page}.py by tools/generate.py: change those.\n"
-_UNIONS = {"AnyAct": act.AnyAct, "AnyMessage": page.AnyMessage}
-_BASES = (act.Act, view.View, page.Message)
+_UNIONS = {"AnyAct": act.AnyAct, "AnyMessage": page.AnyMessage, "AnyShow": view.AnyShow}
+_BASES = (act.Act, view.View, view.Destination, page.Message)
 
 
 def source() -> str:

@@ -1014,11 +1014,11 @@ export interface PlacedView {
   warnings?: number;
 }
 
-/** Something wrong with a document, or worth knowing; `show` as in `Remedy`. */
+/** Something wrong with a document, or worth knowing; `show` is where it is. */
 export interface ProblemView {
   text: string;
   level: 'fault' | 'note' | 'warning';
-  show?: string;
+  show?: AnyShow | null;
   remedies?: (Remedy)[];
 }
 
@@ -1384,6 +1384,101 @@ export interface UnitView {
   is_lost?: boolean;
 }
 
+/** The form in which a task is given what it asks for. */
+export interface ShowAnswer {
+  t: 'ShowAnswer';
+  task: string;
+}
+
+/** The configuration behind a job. */
+export interface ShowConfiguration {
+  t: 'ShowConfiguration';
+  name: string;
+}
+
+/** The panel in which a configuration is connected with a runtime. */
+export interface ShowConnect {
+  t: 'ShowConnect';
+}
+
+/** What in the dictionary fits behind a step of a flow; 0 is the start icon. */
+export interface ShowFits {
+  t: 'ShowFits';
+  flow: string;
+  after: number;
+}
+
+/** The panel in which a library is opened. */
+export interface ShowLibraries {
+  t: 'ShowLibraries';
+}
+
+/** A task in its library. */
+export interface ShowLibraryTask {
+  t: 'ShowLibraryTask';
+  task: string;
+}
+
+/** The dot of a state variable on the canvas. */
+export interface ShowLocus {
+  t: 'ShowLocus';
+  svar: string;
+}
+
+/** The loop at a step, to be marked anew. */
+export interface ShowLoop {
+  t: 'ShowLoop';
+  step: number;
+}
+
+/** An icon in its dictionary. */
+export interface ShowOnikon {
+  t: 'ShowOnikon';
+  onikon: string;
+}
+
+/** A pin of a task, where its variable is given another name; the task stands on the canvas or in a library. */
+export interface ShowPin {
+  t: 'ShowPin';
+  task: string;
+  pin: string;
+}
+
+/** The panel in which a name and a base directory are chosen. */
+export interface ShowSaveAs {
+  t: 'ShowSaveAs';
+}
+
+/** The source text of a task's module. */
+export interface ShowSource {
+  t: 'ShowSource';
+  task: string;
+}
+
+/** A step of an application. */
+export interface ShowStep {
+  t: 'ShowStep';
+  step: number;
+}
+
+/** The panel in which a target of a type is made. */
+export interface ShowTarget {
+  t: 'ShowTarget';
+  type: string;
+}
+
+/** A task on the canvas. */
+export interface ShowTask {
+  t: 'ShowTask';
+  task: string;
+}
+
+/** The values of the target at a step. */
+export interface ShowValues {
+  t: 'ShowValues';
+  step: number;
+}
+
 /** A button of the user's own, and the command behind it. */
 export interface ButtonView {
   command: string;
@@ -1433,11 +1528,11 @@ export interface Reason {
   remedies?: (Remedy)[];
 }
 
-/** A button beside a refusal: it sends `act`, or goes to what `show` names. show `task:NAME`, `library:NAME`, `pin:TASK/PIN`, `locus:NAME`, `source:TASK`, `connect`, `problems`, `save-as`; in applications `step:NUMBER`, `onikon:NAME`, `fits:FLOW:NUMBER` (what fits behind that step), `target:TYPE` (make one), `values:NUMBER` (of a step), `loop:NUMBER`, `configuration:PATH` */
+/** A button beside a refusal: it sends `act`, or goes to what `show` names. */
 export interface Remedy {
   label: string;
   act?: AnyAct | null;
-  show?: string;
+  show?: AnyShow | null;
 }
 
 /** An act with the number by which it is answered. */
@@ -1489,15 +1584,16 @@ export interface Frame {
   poses?: Record<string, unknown>;
 }
 
-/** A line of the log, or a word beside something; `where` as in `Remedy.show`, with its document. */
+/** A line of the log, or a word beside something; `where` it is about, with its document. */
 export interface Say {
   t: 'Say';
   level: 'end' | 'error' | 'info' | 'success' | 'warning';
   text: string;
   doc?: string;
-  where?: string;
+  where?: AnyShow | null;
   at_s?: number;
 }
 
 export type AnyAct = New | Open | OpenInPlace | Peek | Close | Save | Reload | Keep | Undo | Redo | Place | Exchange | Remove | Move | Flip | Align | Show | Copy | Cut | Paste | Group | Ungroup | SaveGroup | Insert | TurnGroup | Rate | Unit | Check | OpenLibrary | CloseLibrary | Alias | LibraryRate | Local | SaveTask | ForgetTask | ReadText | WriteText | Connect | Disconnect | Turn | Toggle | Clear | Reinit | Renew | Answer | Stop | Reset | Take | Release | Hand | Decline | OnlyWatch | WatchNoMore | Company | SteerTaken | Watch | Scene | Draft | MakeJob | Prefer | Press | Halt | SetButton | Note | NewApplication | InsertIcon | InsertBranch | SetConditions | ExchangeIcon | RemoveIcons | MoveIcons | CopyIcons | CutIcons | PasteIcons | EditIcon | SetBreakpoint | SetSynchTag | SetLoop | RemoveLoop | AddFlow | RemoveFlow | SetParallel | OpenDictionary | CloseDictionary | MakeTarget | EditOnikon | RemoveOnikon | Teach | Run | Redirect | Seats | Steer | SkipTo | Dismiss | StartAnew | Preflight | OpenRecording | CloseRecording | Recordings | RecordedScene | Glance | Course | CompareWith | Continue | KeepTest;
 export type AnyMessage = Snapshot | Patch | Ok | Refused | Frame | Say;
+export type AnyShow = ShowTask | ShowPin | ShowLocus | ShowSource | ShowAnswer | ShowLibraryTask | ShowLibraries | ShowConnect | ShowSaveAs | ShowStep | ShowFits | ShowValues | ShowLoop | ShowConfiguration | ShowOnikon | ShowTarget;

@@ -19,6 +19,7 @@ from onika.desk.environment.state.open_libraries import Shelf
 from onika.store.library import open_libraries
 from onika.store.site import open_site
 from onika.wire import act
+from onika.wire.view import ShowValues
 
 pytestmark = pytest.mark.site
 
@@ -330,4 +331,4 @@ def test_what_the_runtime_finds_wrong_names_its_step(page):  # R-E01
     doc = page.open([*pause("fine", 0.1), *pause("endless", 1e9)])
     refused = page.answer(act.Run(doc)).no
     assert "duration" in refused.reason
-    assert refused.remedies[0].show == "values:4" and page.run is None  # the target
+    assert refused.remedies[0].show == ShowValues(4) and page.run is None  # the target

@@ -3,14 +3,14 @@ import pytest
 
 from onika.wire import act, page, view
 
-REMEDY = view.Remedy("Replace jtraj", act.Exchange("c1", "jtraj", "jvia"), "task:jtraj")
+REMEDY = view.Remedy("Replace jtraj", act.Exchange("c1", "jtraj", "jvia"), view.ShowTask("jtraj"))
 MESSAGES = (
     page.Snapshot(3, view.Tree(people=2), "1.0", "browser 1"),
     page.Patch(4, ((("documents", "c1"), None), (("people",), 3)), "browser 1"),
     page.Ok(7, 4, "c1"),
     page.Refused(8, "no", (REMEDY,), {"name": "expected a name"}),
     page.Frame(1.5, {"c1/Q": [0.5, None]}, {"c1/pd": {"cycle": 3}}, {"boxes": [0.0]}),
-    page.Say("warning", "a word", "c1", "task:pd", 2.0),
+    page.Say("warning", "a word", "c1", view.ShowTask("pd"), 2.0),
 )
 
 

@@ -1,5 +1,6 @@
 // Going to what a button names: it is selected, and whoever draws it brings it into view.
 import { untrack } from 'svelte'
+import type { AnyShow } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { canvas, pick } from '../state/canvas.svelte'
 import { openDialog } from '../state/dialogs.svelte'
@@ -8,60 +9,79 @@ import { pickSteps, workspace } from '../state/workspace.svelte'
 
 /** What shall be brought into view, and of which document; `turn` grows so that the same can be asked for twice. */
 export interface Destination {
-  show: string
+  show: AnyShow | undefined
   doc: string
   turn: number
 }
 
-export const destination: Destination = $state({ show: '', doc: '', turn: 0 })
+export const destination: Destination = $state({ show: undefined, doc: '', turn: 0 })
 
-/** Go to what the `show` words of a remedy name: select it, and let whoever draws it bring it into view. */
-export function reveal(show: string, doc: string = look.level === 'applications' ? workspace.app : canvas.doc): void {
-  const isApplication = doc in desk.tree.applications
-  if (isApplication) workspace.app = doc
-  else if (doc) canvas.doc = doc
-  if (isApplication) look.level = 'applications'
-  else if (doc in desk.tree.documents && !look.isUpperOnly) look.level = 'tasks'
-  const [kind, name = ''] = cut(show)
-  if (kind === 'task') pick(name)
-  else if (kind === 'pin') revealPin(name.split('/')[0] ?? '')
-  else if (kind === 'library') {
-    pick()
-    canvas.libraryTask = name
-  }
-  else if (kind === 'locus') canvas.pickedLocus = name
-  else if (kind === 'source') openDialog('source', { task: name, kind: 'code' })
-  else if (kind === 'connect') openDialog('connect')
-  else if (kind === 'problems') canvas.strip = 'problems'
-  else if (kind === 'save-as') openDialog('saveAs')
-  else revealUpper(kind, name)
+/** Select what a remedy names, and let whoever draws it bring it into view. */
+export function reveal(show: AnyShow, doc: string = look.level === 'applications' ? workspace.app : canvas.doc): void {
+  comeTo(doc)
+  select(show)
   Object.assign(destination, { show, doc, turn: untrack(() => destination.turn) + 1 })
 }
 
-/** The words of applications; the workspace brings steps and places into view, and opens a configuration or what a loop needs. */
-function revealUpper(kind: string, name: string): void {
-  if (['step', 'fits', 'loop', 'values', 'onikon'].includes(kind)) look.level = 'applications'
-  if (kind === 'step' || kind === 'loop') pickSteps(Number(name))
-  else if (kind === 'onikon') workspace.onikon = name
-  else if (kind === 'target') openDialog('target', { type: name })
-  else if (kind === 'values') openDialog('icon', { step: name })
-  else if (kind === 'fits') {
-    const at = name.lastIndexOf(':')
-    workspace.place = { flow: name.slice(0, at), after: Number(name.slice(at + 1)) }
-    workspace.fitsOnly = true
+function comeTo(doc: string): void {
+  if (doc in desk.tree.applications) {
+    workspace.app = doc
+    look.level = 'applications'
+    return
+  }
+  if (doc) canvas.doc = doc
+  if (doc in desk.tree.documents && !look.isUpperOnly) look.level = 'tasks'
+}
+
+function select(show: AnyShow): void {
+  switch (show.t) {
+    case 'ShowTask':
+      return pick(show.task)
+    case 'ShowPin':
+      return selectPin(show.task)
+    case 'ShowLibraryTask':
+      return selectInLibrary(show.task)
+    case 'ShowLocus':
+      canvas.pickedLocus = show.svar
+      return
+    case 'ShowSource':
+      return openDialog('source', { task: show.task, kind: 'code' })
+    case 'ShowLibraries':
+      return openDialog('open', { what: 'library' })
+    case 'ShowConnect':
+      return openDialog('connect')
+    case 'ShowSaveAs':
+      return openDialog('saveAs')
+    case 'ShowStep':
+    case 'ShowLoop':
+      look.level = 'applications'
+      return pickSteps(show.step)
+    case 'ShowValues':
+      look.level = 'applications'
+      return openDialog('icon', { step: String(show.step) })
+    case 'ShowFits':
+      look.level = 'applications'
+      Object.assign(workspace, { place: { flow: show.flow, after: show.after }, fitsOnly: true })
+      return
+    case 'ShowOnikon':
+      look.level = 'applications'
+      workspace.onikon = show.onikon
+      return
+    case 'ShowTarget':
+      return openDialog('target', { type: show.type })
+    case 'ShowAnswer': // the panel of questions and the workspace open these themselves
+    case 'ShowConfiguration':
+      return
   }
 }
 
 /** A pin's task stands on the canvas, or else in a library. */
-function revealPin(task: string): void {
+function selectPin(task: string): void {
   if (desk.tree.documents[canvas.doc]?.tasks?.[task]) pick(task)
-  else {
-    pick()
-    canvas.libraryTask = task
-  }
+  else selectInLibrary(task)
 }
 
-function cut(show: string): [string, string] {
-  const colon = show.indexOf(':')
-  return colon < 0 ? [show, ''] : [show.slice(0, colon), show.slice(colon + 1)]
+function selectInLibrary(task: string): void {
+  pick()
+  canvas.libraryTask = task
 }

@@ -15,7 +15,7 @@ export function answer(act: AnyAct, cid: number, say: SayTo): void {
     return
   }
   if (act.t === 'Save') say({ t: 'Say', level: 'success', text: `${documentsOf()[act.doc]?.name} is saved.`, doc: act.doc })
-  if (act.t === 'SaveTask') say({ t: 'Say', level: 'error', text: `${act.task}.rmod could not be written.`, doc: 'd1', where: `task:${act.task}` })
+  if (act.t === 'SaveTask') say({ t: 'Say', level: 'error', text: `${act.task}.rmod could not be written.`, doc: 'd1', where: { t: 'ShowTask', task: act.task } })
   const changes = changesOf(act)
   if (changes.length) say({ t: 'Patch', rev: desk.rev + 1, changes })
   say({ t: 'Ok', cid, rev: desk.rev, value: valueOf(act) })

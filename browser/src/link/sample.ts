@@ -71,7 +71,7 @@ const PLACED: Record<string, PlacedView> = {
       traceback: 'Traceback (most recent call last):\n  File "zdiff.py", line 41, in cycle\n    raise ModuleError(...)',
       remedies: [
         { label: 'Clear, switch on', act: { t: 'Clear', doc: 'd1', task: 'diff', turns_on: true } },
-        { label: 'Show source', show: 'source:diff' },
+        { label: 'Show source', show: { t: 'ShowSource', task: 'diff' } },
       ],
     },
   }),
@@ -102,8 +102,8 @@ const writes = (svar: string, other: string, mine: string): Reason[] => [{
   text: `writes ${svar}, which ${other} already writes`,
   remedies: [
     { label: `Replace ${other}`, act: { t: 'Exchange', doc: 'd1', old: other, new: mine } },
-    { label: 'Alias…', show: `library:${mine}` },
-    { label: `Show ${other}`, show: `task:${other}` },
+    { label: 'Alias…', show: { t: 'ShowLibraryTask', task: mine } },
+    { label: `Show ${other}`, show: { t: 'ShowTask', task: other } },
   ],
 }]
 
@@ -126,8 +126,8 @@ export function sampleTree(): Tree {
         },
         objections: { fwdkin: [{ text: 'needs DH, which nobody here writes' }] },
         problems: {
-          p1: { text: 'diff is in ERROR: Q_MEZ[3] jumped 0.41 rad in one cycle.', level: 'fault', show: 'task:diff' },
-          w1: { text: 'LED is written and nobody reads it.', level: 'note', show: 'locus:LED' },
+          p1: { text: 'diff is in ERROR: Q_MEZ[3] jumped 0.41 rad in one cycle.', level: 'fault', show: { t: 'ShowTask', task: 'diff' } },
+          w1: { text: 'LED is written and nobody reads it.', level: 'note', show: { t: 'ShowLocus', svar: 'LED' } },
         },
       },
       d2: { name: 'cart_move', order: 2, path: '/lab/boxes/conf/cart_move.conf' },

@@ -32,7 +32,7 @@ const commands = (): Entry[] =>
 
 const placed = (): Entry[] =>
   Object.keys(desk.tree.documents[canvas.doc]?.tasks ?? {}).map((name) => ({
-    id: `p ${name}`, kind: t('palette.placed'), label: name, isName: true, run: () => reveal(`task:${name}`),
+    id: `p ${name}`, kind: t('palette.placed'), label: name, isName: true, run: () => reveal({ t: 'ShowTask', task: name }),
   }))
 
 const tasks = (): Entry[] =>
@@ -40,13 +40,13 @@ const tasks = (): Entry[] =>
     id: `t ${task.name}`, kind: t('palette.task'), label: task.name, note: task.description, isName: true,
     run: () => {
       pick()
-      reveal(`library:${task.name}`)
+      reveal({ t: 'ShowLibraryTask', task: task.name })
     },
   }))
 
 const onikons = (): Entry[] =>
   Object.entries(desk.tree.onikons).map(([name, one]) => ({
-    id: `o ${name}`, kind: t('palette.onikon'), label: one.words?.[look.language] ?? (one.description || name), note: name, run: () => reveal(`onikon:${name}`),
+    id: `o ${name}`, kind: t('palette.onikon'), label: one.words?.[look.language] ?? (one.description || name), note: name, run: () => reveal({ t: 'ShowOnikon', onikon: name }),
   }))
 
 const applications = (): Entry[] =>
@@ -61,7 +61,7 @@ const files = (): Entry[] =>
 
 const variables = (): Entry[] =>
   Object.keys(desk.tree.documents[canvas.doc]?.loci ?? {}).map((name) => ({
-    id: `v ${name}`, kind: t('palette.variable'), label: name, isName: true, run: () => reveal(`locus:${name}`),
+    id: `v ${name}`, kind: t('palette.variable'), label: name, isName: true, run: () => reveal({ t: 'ShowLocus', svar: name }),
   }))
 
 /** All words must occur; whatever begins with them comes first, then what has them in its label. */

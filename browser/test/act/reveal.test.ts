@@ -1,4 +1,4 @@
-// Where the words of a remedy lead in an application.
+// Where a remedy leads in an application.
 import { beforeEach, expect, test, vi } from 'vitest'
 
 vi.hoisted(() => vi.stubGlobal('navigator', { language: 'en' }))
@@ -20,29 +20,29 @@ beforeEach(() => {
 })
 
 test('a step is selected in its application, which comes to the front', () => { // R-X01
-  reveal('step:17', 'a1')
+  reveal({ t: 'ShowStep', step: 17 }, 'a1')
   expect([...workspace.steps]).toEqual([17])
   expect([look.level, workspace.app, canvas.doc]).toEqual(['applications', 'a1', 'c1'])
-  expect(destination).toMatchObject({ show: 'step:17', doc: 'a1' })
+  expect(destination).toMatchObject({ show: { t: 'ShowStep', step: 17 }, doc: 'a1' })
 })
 
 test('what fits somewhere is shown: the cursor goes there, the dictionary keeps what fits', () => { // R-X01
-  reveal('fits:1/17/0:4', 'a1')
+  reveal({ t: 'ShowFits', flow: '1/17/0', after: 4 }, 'a1')
   expect(workspace.place).toEqual({ flow: '1/17/0', after: 4 })
   expect(workspace.fitsOnly).toBe(true)
 })
 
 test('a target is made, values are edited, an icon of the dictionary is selected', () => { // R-X01
-  reveal('target:Joint object', 'a1')
+  reveal({ t: 'ShowTarget', type: 'Joint object' }, 'a1')
   expect(dialogs.current).toEqual({ name: 'target', data: { type: 'Joint object' } })
-  reveal('values:3', 'a1')
+  reveal({ t: 'ShowValues', step: 3 }, 'a1')
   expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
-  reveal('onikon:home', 'a1')
+  reveal({ t: 'ShowOnikon', onikon: 'home' }, 'a1')
   expect(workspace.onikon).toBe('home')
 })
 
-test('words of the lower level lead there as before', () => {
-  reveal('task:pd', 'c1')
+test('a task is selected in its configuration, and the application stays as it was', () => {
+  reveal({ t: 'ShowTask', task: 'pd' }, 'c1')
   expect([...canvas.picked]).toEqual(['pd'])
   expect(canvas.doc).toBe('c1')
 })

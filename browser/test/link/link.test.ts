@@ -58,7 +58,7 @@ describe('the link', () => {
   test('rejects a refused act with reason, remedies and fields', async () => {
     first().say(snapshot())
     const answer = link.send({ t: 'New' })
-    first().say({ t: 'Refused', cid: first().sent[0]!.cid, reason: 'no', remedies: [{ label: 'Show', show: 'problems' }], fields: { name: 'empty' } })
+    first().say({ t: 'Refused', cid: first().sent[0]!.cid, reason: 'no', remedies: [{ label: 'Show', show: { t: 'ShowConnect' } }], fields: { name: 'empty' } })
     const why = await answer.catch((refusal: unknown) => refusal)
     expect(why).toMatchObject({ reason: 'no', remedies: [{ label: 'Show' }], fields: { name: 'empty' } })
   })

@@ -101,24 +101,22 @@ describe('open configurations', () => {
 })
 
 describe('R-X01: a remedy leads to what it names', () => {
-  test('a task, a pin of a placed task, a pin of a library task, a variable, a list', () => {
+  test('a task, a pin of a placed task, a pin of a library task, a variable, a source', () => {
     desk.tree = fullTree({ documents: { d: { name: 'd', order: 0, tasks: { pd: { x: 0, y: 0 } } } } })
-    reveal('task:pd', 'd')
+    reveal({ t: 'ShowTask', task: 'pd' }, 'd')
     expect([[...canvas.picked], canvas.doc]).toEqual([['pd'], 'd'])
-    reveal('pin:diff/Y')
+    reveal({ t: 'ShowPin', task: 'diff', pin: 'Y' })
     expect([[...canvas.picked], canvas.libraryTask]).toEqual([[], 'diff'])
-    reveal('pin:pd/TAU')
+    reveal({ t: 'ShowPin', task: 'pd', pin: 'TAU' })
     expect([...canvas.picked]).toEqual(['pd'])
-    reveal('locus:Q_MEZ')
+    reveal({ t: 'ShowLocus', svar: 'Q_MEZ' })
     expect(canvas.pickedLocus).toBe('Q_MEZ')
-    reveal('problems')
-    expect(canvas.strip).toBe('problems')
-    reveal('source:pd')
+    reveal({ t: 'ShowSource', task: 'pd' })
     expect(dialogs.current).toEqual({ name: 'source', data: { task: 'pd', kind: 'code' } })
     const { turn } = destination
-    reveal('task:pd')
-    reveal('task:pd')
-    expect(destination).toEqual({ show: 'task:pd', doc: 'd', turn: turn + 2 })
+    reveal({ t: 'ShowTask', task: 'pd' })
+    reveal({ t: 'ShowTask', task: 'pd' })
+    expect(destination).toEqual({ show: { t: 'ShowTask', task: 'pd' }, doc: 'd', turn: turn + 2 })
   })
 })
 

@@ -6,7 +6,7 @@ import msgspec
 from msgspec import Struct
 
 from onika.wire.act import AnyAct
-from onika.wire.view import Remedy, Tree
+from onika.wire.view import AnyShow, Remedy, Tree
 
 Path = tuple[str, ...]
 Change = tuple[Path, Any]
@@ -74,12 +74,12 @@ class Frame(Message, frozen=True):
 
 
 class Say(Message, frozen=True):
-    """A line of the log, or a word beside something; `where` as in `Remedy.show`, with its document."""
+    """A line of the log, or a word beside something; `where` it is about, with its document."""
 
     level: Literal["info", "warning", "error", "success", "end"]
     text: str
     doc: str = ""
-    where: str = ""
+    where: AnyShow | None = None
     at_s: float = 0.0
     """Seconds since 1970, when it was said."""
 

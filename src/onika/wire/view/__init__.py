@@ -67,5 +67,25 @@ from onika.wire.view.runtime import (
     SessionView as SessionView,
     UnitView as UnitView,
 )
+from onika.wire.view.show import (
+    AnyShow as AnyShow,
+    Destination as Destination,
+    ShowAnswer as ShowAnswer,
+    ShowConfiguration as ShowConfiguration,
+    ShowConnect as ShowConnect,
+    ShowFits as ShowFits,
+    ShowLibraries as ShowLibraries,
+    ShowLibraryTask as ShowLibraryTask,
+    ShowLocus as ShowLocus,
+    ShowLoop as ShowLoop,
+    ShowOnikon as ShowOnikon,
+    ShowPin as ShowPin,
+    ShowSaveAs as ShowSaveAs,
+    ShowSource as ShowSource,
+    ShowStep as ShowStep,
+    ShowTarget as ShowTarget,
+    ShowTask as ShowTask,
+    ShowValues as ShowValues,
+)
 from onika.wire.view.tree import ButtonView as ButtonView, ConfigurationFile as ConfigurationFile, Tree as Tree
 from onika.wire.view.view import Reason as Reason, Remedy as Remedy, View as View

@@ -5,6 +5,7 @@ from typing import Literal
 from msgspec import field
 
 from onika.wire.view.asking import AskView, ErrorView
+from onika.wire.view.show import AnyShow
 from onika.wire.view.view import Reason, Remedy, View
 
 State = Literal["", "OFF", "ON", "ASKING", "WAITING", "ERROR", "SPAWNING", "KILLING"]
@@ -43,11 +44,11 @@ class LocusView(View, frozen=True):
 
 
 class ProblemView(View, frozen=True):
-    """Something wrong with a document, or worth knowing; `show` as in `Remedy`."""
+    """Something wrong with a document, or worth knowing; `show` is where it is."""
 
     text: str
     level: Literal["fault", "warning", "note"]
-    show: str = ""
+    show: AnyShow | None = None
     remedies: tuple[Remedy, ...] = ()
 
 

@@ -3,6 +3,7 @@
 from msgspec import Struct
 
 from onika.wire.act import AnyAct
+from onika.wire.view.show import AnyShow
 
 
 class View(Struct, frozen=True, omit_defaults=True):
@@ -10,16 +11,11 @@ class View(Struct, frozen=True, omit_defaults=True):
 
 
 class Remedy(View, frozen=True):
-    """A button beside a refusal: it sends `act`, or goes to what `show` names.
-
-    show    `task:NAME`, `library:NAME`, `pin:TASK/PIN`, `locus:NAME`, `source:TASK`, `connect`, `problems`, `save-as`;
-            in applications `step:NUMBER`, `onikon:NAME`, `fits:FLOW:NUMBER` (what fits behind that step), `target:TYPE`
-            (make one), `values:NUMBER` (of a step), `loop:NUMBER`, `configuration:PATH`
-    """
+    """A button beside a refusal: it sends `act`, or goes to what `show` names."""
 
     label: str
     act: AnyAct | None = None
-    show: str = ""
+    show: AnyShow | None = None
 
 
 class Reason(View, frozen=True):

@@ -4,6 +4,7 @@ from kit.sitting import Sitting
 from onika.model.configuration import Group, Placed
 from onika.model.task import Task
 from onika.wire import act
+from onika.wire.view import ShowLibraries, ShowTask
 
 TASKS = (
     Task("cubic", "cubic", invar=("Q_MEZ",), outvar=("Q_REF",), frequency=100.0),
@@ -96,7 +97,7 @@ def test_nothing_is_pasted_where_one_task_may_not_be_and_every_reason_is_named(s
     assert "trapez: writes Q_REF, which cubic already writes" in no.reason
     assert "pd is placed already" in no.reason
     assert "robot" not in no.reason
-    assert "task:pd" in [remedy.show for remedy in no.remedies]
+    assert ShowTask("pd") in [remedy.show for remedy in no.remedies]
     assert not any(isinstance(remedy.act, act.Exchange) for remedy in no.remedies)
 
 
@@ -114,7 +115,7 @@ def test_a_task_that_no_library_has_is_named(sitting, tmp_path):  # R-C10
     text = elsewhere.do(act.Copy(theirs, ("grav",)))
     no = sitting.no(act.Paste(sitting.new(), 0, 0, text))
     assert "grav: no open library has it" in no.reason
-    assert [remedy.show for remedy in no.remedies] == ["library:"]
+    assert [remedy.show for remedy in no.remedies] == [ShowLibraries()]
 
 
 def test_tasks_of_a_text_that_contradict_each_other_are_not_pasted(sitting):  # R-C07

@@ -7,6 +7,7 @@ from onika.desk.environment.canvas.connection import connected
 from onika.desk.environment.runs.runtime_loss import lost
 from onika.model.task import Task
 from onika.wire import act, live, request
+from onika.wire.view import ShowConnect
 
 TASKS = (
     *(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b", "c")),
@@ -98,7 +99,7 @@ def test_where_there_is_no_runtime_the_session_goes_on_unconnected(duet):  # R-C
     duet.rebuffs = {live.Survey: request.Refused("nobody is there")}
     doc = duet.new("a")
     refused = duet.answer(act.Connect(doc)).no
-    assert "nobody is there" in refused.reason and refused.remedies[0].show == "connect"
+    assert "nobody is there" in refused.reason and refused.remedies[0].show == ShowConnect()
     assert duet.document(doc).live is None
     assert duet.environment.tree.runtime.state == "lost" and duet.environment.tree.runtime.text == "nobody is there"
     duet.do(act.Remove(doc, ("a",)))

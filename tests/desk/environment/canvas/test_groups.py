@@ -9,7 +9,7 @@ from onika.model.rules.order import Ports
 from onika.model.rules.reconfiguration import Placed as Standing, exchange
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import GroupView
+from onika.wire.view import GroupView, ShowTask
 
 TASKS = (
     Task("cubic", "cubic", invar=("Q_MEZ",), outvar=("Q_REF",), frequency=100.0),
@@ -210,7 +210,7 @@ def test_nothing_is_inserted_where_one_task_may_not_be_and_every_reason_is_named
     ):
         assert reason in no.reason
     assert "grav" not in no.reason
-    assert remedies(no)["Show pd"] == "task:pd" and remedies(no)["Expand arm"] == act.Ungroup(other, "arm")
+    assert remedies(no)["Show pd"] == ShowTask("pd") and remedies(no)["Expand arm"] == act.Ungroup(other, "arm")
 
 
 def test_an_empty_configuration_is_no_supermodule(sitting, tmp_path):  # R-C17

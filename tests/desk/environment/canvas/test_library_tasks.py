@@ -7,6 +7,7 @@ from kit.sitting import Sitting
 from onika.files import rmod
 from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import act
+from onika.wire.view import ShowPin, ShowTask
 
 WRITER = Task("writer", "w", invar=("IN",), outvar=("Q", "R"), frequency=10.0)
 OTHER = Task("other", "o", outvar=("P",), frequency=10.0)
@@ -80,7 +81,7 @@ def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with
     assert no.reason == f"Q of writer cannot be P: in {name}, writer writes P, which other already writes"
     assert no.fields == {"svar": f"in {name}, writer writes P, which other already writes"}
     assert no.remedies[0].act == act.Remove(there, ("other",))
-    assert [one.show for one in no.remedies[1:]] == ["pin:other/P", "task:other"]
+    assert [one.show for one in no.remedies[1:]] == [ShowPin("other", "P"), ShowTask("other")]
     sitting.do(no.remedies[0].act)
     sitting.do(act.Alias("writer", "Q", "P", here))
 
@@ -99,7 +100,7 @@ def test_undo_is_refused_where_it_would_clash_by_now(sitting):  # decision 9, R-
 def test_two_outputs_of_one_variable_are_refused_though_nothing_is_placed(sitting):  # decision 9
     no = sitting.no(act.Alias("writer", "Q", "R"))
     assert "would both write R" in no.reason
-    assert no.remedies[0].show == "pin:writer/R"
+    assert no.remedies[0].show == ShowPin("writer", "R")
 
 
 @pytest.mark.parametrize("svar", ["q", "1Q", "Q R", "Q=R", "É", "Q\n#"])

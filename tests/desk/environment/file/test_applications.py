@@ -8,6 +8,7 @@ from kit.sitting import Sitting
 from onika.desk.environment.initial_model import opened
 from onika.store.site import Site, shipped
 from onika.wire import act
+from onika.wire.view import ShowSaveAs
 
 SHIPPED = sorted((shipped() / "boxes" / "appl").glob("*.appl"))
 
@@ -69,7 +70,7 @@ def test_a_file_in_no_base_directory_is_not_opened(gallery, tmp_path):
 def test_without_a_name_or_a_base_it_is_asked_for(gallery):
     doc = gallery.begun("grip")
     no = gallery.no(act.Save(doc))
-    assert no.remedies[0].show == "save-as"
+    assert no.remedies[0].show == ShowSaveAs()
     assert gallery.no(act.Save(doc, "no name")).fields
     assert Path(gallery.do(act.Save(doc, "mine"))) == gallery.site.own / "appl" / "mine.appl"
 

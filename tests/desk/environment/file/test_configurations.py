@@ -4,6 +4,7 @@ from kit.duet import Duet
 from kit.sitting import Sitting
 from onika.model.task import Task
 from onika.wire import act, live
+from onika.wire.view import ShowSaveAs
 
 TASKS = (
     Task("cubic", "cubic", outvar=("Q_REF",), frequency=100.0),
@@ -70,7 +71,7 @@ def test_what_is_not_saved_is_not_closed_without_a_word(sitting):
 
 
 def test_a_configuration_without_a_file_asks_where(sitting):
-    assert sitting.no(act.Save(sitting.new("cubic"))).remedies[0].show == "save-as"
+    assert sitting.no(act.Save(sitting.new("cubic"))).remedies[0].show == ShowSaveAs()
 
 
 def test_a_name_that_is_none_is_refused_at_its_field(sitting):

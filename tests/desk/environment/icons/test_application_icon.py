@@ -5,6 +5,7 @@ from kit.laboratory import HOLE, Laboratory, job
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon
 from onika.wire import act
+from onika.wire.view import ShowSaveAs, ShowStep
 
 MOVE = job("jmoveC", "Joint job")
 SLIDE = job("cmoveC", "Cartesian job")
@@ -57,7 +58,7 @@ def test_a_hole_for_an_action_is_refused_with_the_way_to_it(tmp_path, lab):  # R
     application = cabinet.environment.model.applications[doc].application
     numbers = [step.number for step in application.flows[0].steps]
     shows = [one.show for one in no.remedies]
-    assert shows == [f"step:{numbers[1]}", f"step:{numbers[3]}"]
+    assert shows == [ShowStep(numbers[1]), ShowStep(numbers[3])]
     assert cabinet.no(act.MakeJob(doc, WHITE)).reason == no.reason
 
 
@@ -74,7 +75,7 @@ def test_it_is_made_of_what_its_file_says(tmp_path, lab):  # R-D09
     cabinet.do(no.remedies[0].act)
     assert cabinet.do(act.Draft(doc)).type == "Complete application"
     new = cabinet.do(act.NewApplication())
-    assert cabinet.no(act.Draft(new)).remedies[0].show == "save-as"
+    assert cabinet.no(act.Draft(new)).remedies[0].show == ShowSaveAs()
 
 
 def test_the_icon_of_a_configuration_is_replaced_only_where_that_is_meant(tmp_path, lab):  # decision 34

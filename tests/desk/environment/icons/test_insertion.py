@@ -2,6 +2,7 @@ import pytest
 
 from kit.gallery import ONIKONS, Gallery, onikon
 from onika.wire import act
+from onika.wire.view import ShowFits
 
 
 @pytest.fixture
@@ -39,7 +40,7 @@ def test_a_refusal_says_why_in_words_and_offers_what_fits(gallery):  # R-D03, R-
         "Change move the joints to move on a straight line",
         "Show the 2 that fit",
     ]
-    assert no.remedies[-1].show == f"fits:0:{number}"
+    assert no.remedies[-1].show == ShowFits("0", number)
     gallery.do(no.remedies[2].act)
     assert gallery.flow(doc) == "slide _"
     gallery.do(act.InsertIcon(doc, "spot", "0", number))

@@ -11,6 +11,7 @@ from onika.model.picture import blank
 from onika.model.task import Task
 from onika.store.site import shipped
 from onika.wire import act
+from onika.wire.view import ShowSaveAs
 
 TASKS = (
     Task("jmove", "jmove", invar=("Q",), outvar=("Q_REF",), frequency=1.0, object_type="Joint job"),
@@ -40,7 +41,7 @@ def onikon(sitting, name="move"):
 def test_a_configuration_is_saved_first(sitting):  # R-C16
     doc = sitting.new("jmove")
     for asked in (act.Draft(doc), act.MakeJob(doc, BLANK)):
-        assert [one.show for one in sitting.no(asked).remedies] == ["save-as"]
+        assert [one.show for one in sitting.no(asked).remedies] == [ShowSaveAs()]
     sitting.do(act.Save(doc, "move", str(sitting.base.path)))
     sitting.do(act.Place(doc, "pd", 0, 300))
     no = sitting.no(act.MakeJob(doc, BLANK))

@@ -4,6 +4,7 @@ from kit.laboratory import HOLE, job, joints
 from kit.rehearsal import Rehearsal
 from onika.desk.environment.runs.readiness import Case, Judge
 from onika.wire import act
+from onika.wire.view import ShowFits, ShowLoop, ShowStep, ShowTarget
 
 TAG = "SYNCHTAG    meet"
 
@@ -31,24 +32,24 @@ def test_nothing_is_wrong_with_what_can_run(play):  # R-E01
 def test_a_hole_says_what_is_missing_and_what_fits(play):  # R-E01, R-D03
     views = found(play, [job("aC"), HOLE, job("bC")])
     (hole,) = views
-    assert (hole.text, hole.level, hole.remedies[0].show) == ("an action is missing here", "fault", "fits:0:1")
+    assert (hole.text, hole.level, hole.remedies[0].show) == ("an action is missing here", "fault", ShowFits("0", 1))
 
 
 def test_a_hole_for_a_target_offers_to_make_one(play):  # R-E01, R-D08
     hole = the(found(play, [job("bC"), job("aC", "Joint job"), HOLE]), "is missing here")
     assert (hole.text, hole.step) == ("a Joint target is missing here", 3)
-    assert [one.show for one in hole.remedies] == ["fits:0:2", "target:Joint object"]
+    assert [one.show for one in hole.remedies] == [ShowFits("0", 2), ShowTarget("Joint object")]
 
 
 def test_what_is_not_there_is_named_without_file_and_line(play):  # R-E01, R-X01
     gone = the(found(play, [job("aC"), job("goneC")]), "goneC")
     assert (gone.text, gone.step) == ("there is no configuration goneC", 2)
-    assert gone.remedies[0].act == act.RemoveIcons("a1", (2,)) and gone.remedies[-1].show == "step:2"
+    assert gone.remedies[0].act == act.RemoveIcons("a1", (2,)) and gone.remedies[-1].show == ShowStep(2)
 
 
 def test_a_loop_that_is_none_can_be_taken_away(play):  # R-E05
     loop = the(found(play, [job("aC", "Complete job", "WHILETAG    round", "WHILETEST   yes")]), "the loop")
-    assert loop.remedies[0].act == act.RemoveLoop("a1", 1) and loop.remedies[1].show == "loop:1"
+    assert loop.remedies[0].act == act.RemoveLoop("a1", 1) and loop.remedies[1].show == ShowLoop(1)
 
 
 def test_a_tag_that_nobody_meets_can_be_taken_away(play):  # R-E04, R-X03

@@ -2,6 +2,7 @@ from onika.desk.environment.outcome.remedy import overwriting, plain, reasons, u
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.wire import act
+from onika.wire.view import ShowPin, ShowTask
 from onika.words.fault import Fault, Place, Refusal
 
 CUBIC = Task("cubic", "cubic", outvar=("Q_REF",))
@@ -13,8 +14,8 @@ def test_a_refusal_becomes_a_sentence_with_buttons():  # R-X01
     assert reason.text == "writes Q_REF, which cubic already writes"
     replaces, alias, shows = reason.remedies
     assert (replaces.label, replaces.act) == ("Replace cubic", act.Exchange("c1", "cubic", "trapez"))
-    assert (alias.label, alias.act, alias.show) == ("Alias Q_REF…", None, "pin:trapez/Y")
-    assert (shows.label, shows.show) == ("Show cubic", "task:cubic")
+    assert (alias.label, alias.act, alias.show) == ("Alias Q_REF…", None, ShowPin("trapez", "Y"))
+    assert (shows.label, shows.show) == ("Show cubic", ShowTask("cubic"))
 
 
 def test_marks_for_terminals_are_left_out():
@@ -24,7 +25,7 @@ def test_marks_for_terminals_are_left_out():
 def test_another_alias_is_given_at_its_pin():  # R-X01, decision 9
     task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
     (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
-    assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", "pin:t/B")]
+    assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", ShowPin("t", "B"))]
 
 
 def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01

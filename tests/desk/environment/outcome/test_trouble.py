@@ -8,6 +8,7 @@ from onika.desk.environment.state.live import TaskFacts
 from onika.model.configuration import Configuration
 from onika.model.task import Task
 from onika.wire import act
+from onika.wire.view import ShowLibraries, ShowLocus, ShowTask
 
 TASKS = (
     Task("cubic", "traj", invar=("Q_MEZ",), outvar=("Q_REF",), frequency=100.0, object_type="Joint job"),
@@ -56,8 +57,8 @@ def test_a_constant_that_is_only_given_while_running_is_a_fault(sitting):  # R-C
 def test_a_missing_task_can_be_removed_or_its_library_opened(sitting):  # decision 11
     doc = opened(sitting, "gone")
     found = problems(sitting, doc)["missing gone"]
-    assert (found.level, found.show) == ("fault", "task:gone")
-    assert [remedy.show for remedy in found.remedies] == ["library:", ""]
+    assert (found.level, found.show) == ("fault", ShowTask("gone"))
+    assert [remedy.show for remedy in found.remedies] == [ShowLibraries(), None]
     sitting.do(found.remedies[1].act)
     assert problems(sitting, doc) == {}
 
@@ -65,10 +66,10 @@ def test_a_missing_task_can_be_removed_or_its_library_opened(sitting):  # decisi
 def test_hanging_inputs_further_triggers_and_memories_are_told_and_never_forbidden(sitting):  # R-C08, R-C29
     found = problems(sitting, sitting.new("cubic", "wait", "memory"))
     assert {key: (one.level, one.show) for key, one in found.items()} == {
-        "hanging Q_MEZ": ("warning", "locus:Q_MEZ"),
-        "hanging T": ("warning", "locus:T"),
-        "trigger wait": ("warning", "task:wait"),
-        "fed memory M": ("note", "task:memory"),
+        "hanging Q_MEZ": ("warning", ShowLocus("Q_MEZ")),
+        "hanging T": ("warning", ShowLocus("T")),
+        "trigger wait": ("warning", ShowTask("wait")),
+        "fed memory M": ("note", ShowTask("memory")),
     }
     assert "`" not in "".join(one.text for one in found.values())
 

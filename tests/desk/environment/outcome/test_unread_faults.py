@@ -4,6 +4,7 @@ from kit.gallery import ONIKONS, Gallery
 from onika.desk.environment.outcome.unread_faults import not_run, told
 from onika.model.application import AppFlow, Application, Icon
 from onika.wire import act
+from onika.wire.view import ShowStep
 from onika.words.fault import Fault, Place
 
 
@@ -34,4 +35,4 @@ def test_what_could_be_read_only_in_part_is_not_run(tmp_path):  # issue: bad inp
     doc = gallery.do(act.Open(str(path)))
     no = gallery.no(act.Run(doc))
     assert no.reason.startswith("job1 could not be read whole: line ")
-    assert no.remedies[0].show == f"step:{gallery.number(doc, 'grip')}"
+    assert no.remedies[0].show == ShowStep(gallery.number(doc, "grip"))

@@ -3,6 +3,7 @@ import pytest
 from kit.duet import Duet
 from onika.model.task import Task
 from onika.wire import act, event, live, view
+from onika.wire.view import ShowTask
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b"))
 ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
@@ -43,7 +44,7 @@ def test_an_error_is_shown_with_what_its_code_said_until_it_is_cleared(duet, doc
     state(duet, "ERROR")
     error = shown(duet, doc).error
     assert (error.text, error.entry, error.line, error.values) == ("no sensor", "cycle", 12, {"A": 1.0})
-    assert duet.says[-1].level == "error" and duet.says[-1].where == "task:a"
+    assert duet.says[-1].level == "error" and duet.says[-1].where == ShowTask("a")
     assert duet.document(doc).content.wanted == {"a": True}  # it is wanted back
     state(duet, "OFF")
     assert shown(duet, doc).error is None and duet.document(doc).content.wanted == {"a": False}
@@ -55,7 +56,7 @@ def test_a_step_that_was_too_far_is_said_at_the_task_that_was_given_it(duet, doc
     duet.tell(event.Stepped("elsewhere", "a", "A", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0))
     assert duet.says == said
     duet.tell(event.Stepped("Untitled-1", "a", "A", "N m", 1, 40.0, 9.0, 9.76, 6, 1.0))
-    assert (duet.says[-1].level, duet.says[-1].where) == ("warning", "task:a")
+    assert (duet.says[-1].level, duet.says[-1].where) == ("warning", ShowTask("a"))
     assert duet.says[-1].text.endswith("more than 9.76 N m a cycle: blended over 6 cycles")
 
 

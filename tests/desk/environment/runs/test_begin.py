@@ -3,6 +3,7 @@ import pytest
 from kit.laboratory import HOLE, job
 from kit.rehearsal import Rehearsal
 from onika.wire import act, event, live, request
+from onika.wire.view import ShowFits, ShowValues
 
 
 @pytest.fixture
@@ -38,7 +39,7 @@ def test_everything_that_is_wrong_is_told_at_once(play):  # R-E01, R-X01
     doc = play.open([job("aC"), HOLE, job("goneC")])
     no = play.no(act.Run(doc))
     assert "an action is missing here" in no.reason and "no configuration goneC" in no.reason
-    assert no.remedies[0].show == "fits:0:1"
+    assert no.remedies[0].show == ShowFits("0", 1)
     assert play.carried_out == []
 
 
@@ -112,7 +113,7 @@ def test_the_runtimes_own_faults_lead_to_their_step(play, tmp_path):  # R-E01
     file = str(tmp_path / "appl" / "play.appl")
     play.runtime.faults = (request.FaultText(file, 2, "values for b", "bC: expected 1 double, found none", ""),)
     no = play.answer(act.Run(doc)).no
-    assert "bC does not suit b" in no.reason and no.remedies[0].show == "values:2"
+    assert "bC does not suit b" in no.reason and no.remedies[0].show == ShowValues(2)
     assert play.environment.tree.run is None
 
 
@@ -171,7 +172,7 @@ def test_an_application_without_a_file_runs_too(play):  # R-E12
 def test_what_was_not_saved_before_does_not_speak_of_files(play):  # R-E01
     fresh = play.do(act.NewApplication())
     no = play.no(act.Run(fresh))
-    assert "flow 0 is empty" in no.reason and no.remedies[0].show == "fits:0:0"
+    assert "flow 0 is empty" in no.reason and no.remedies[0].show == ShowFits("0", 0)
 
 
 @pytest.mark.parametrize(("carried", "is_begun"), [(0, False), (1, False), (2, True)])

@@ -6,6 +6,7 @@ from onika.desk.environment.runs.preflight_result import worth_noting
 from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import Looked
 from onika.wire import act, request
+from onika.wire.view import ShowValues
 
 
 @pytest.fixture
@@ -49,7 +50,7 @@ def test_a_target_is_named_by_its_icon_and_marked_there(play, tmp_path):  # R-X0
     play.do(act.Preflight(doc))
     fault = next(one for one in play.environment.tree.applications[doc].faults.values() if one.is_of_runtime)
     assert (fault.step, fault.text) == (2, "“a target” cannot be reached: joint 3 at 9.00 rad is beyond 3.93")
-    assert fault.remedies[0].show == "values:2"
+    assert fault.remedies[0].show == ShowValues(2)
 
 
 def test_a_run_counts_the_targets_that_are_re_resolved_and_names_no_joint_values(play):  # R-E09

@@ -3,6 +3,7 @@ import pytest
 from kit.laboratory import job, joints
 from kit.rehearsal import Rehearsal
 from onika.wire import act, event, live, request, steer
+from onika.wire.view import ShowStep
 
 
 @pytest.fixture
@@ -20,17 +21,17 @@ def test_the_end_is_said_as_a_success_or_with_its_cause(play):  # R-E14, R-G06
     play.began(0)
     play.done(0)
     play.end(runtime_s=12.34)
-    assert lines(play)[-1] == ("success", "play is done: 1 action in 12.3 s", "")
+    assert lines(play)[-1] == ("success", "play is done: 1 action in 12.3 s", None)
     play.run(doc)
     play.end("aborted by the user")
-    assert lines(play)[-1] == ("error", "play was aborted after 0 actions: aborted by the user", "")
+    assert lines(play)[-1] == ("error", "play was aborted after 0 actions: aborted by the user", None)
 
 
 def test_a_standstill_is_said_with_its_step(play):  # R-X06
     play.run(play.open([job("aC"), job("bC")]))
     why = ("flow0", "b", "bC", 1, "play.appl:2", "no glass", "b.py", 7, (), (), (("clear", "repeats it"),), 2.0)
     play.tell(event.Explained(*why))
-    assert lines(play)[-1] == ("error", "flow0/b: no glass", "step:2")
+    assert lines(play)[-1] == ("error", "flow0/b: no glass", ShowStep(2))
     assert play.view.stops["flow0"].text == "no glass"
     play.moved("clearing")
     assert play.view.stops == {}
@@ -48,7 +49,7 @@ def test_warnings_are_noted_and_old_ones_forgotten(play):  # R-E11
     for number in range(70):
         play.tell(event.Warned("flow0", "a", f"odd {number}", 1.0))
     assert play.view.notes[-1] == "a: odd 69" and len(play.view.notes) == 60
-    assert ("warning", "a: odd 69", "") in lines(play)
+    assert ("warning", "a: odd 69", None) in lines(play)
 
 
 def test_that_a_task_asks_is_shown_as_its_question_only(play):  # R-E15

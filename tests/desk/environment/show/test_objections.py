@@ -13,6 +13,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.library import open_libraries
 from onika.wire import act
 from onika.wire.sheet import ModuleSheet, PortSheet
+from onika.wire.view import ShowPin, ShowTask
 
 DEVICE = (LocalLine("DEVICE", ("boxes:left",)),)
 TASKS = (
@@ -53,7 +54,7 @@ def test_a_task_that_takes_a_variable_for_something_else_is_objected_to(shelf): 
     assert set(found) == {"writer"}
     (reason,) = found["writer"]
     assert reason.text == "takes X for double[6] in m, reader for double[6] in rad"
-    assert [one.show for one in reason.remedies] == ["pin:writer/OUT", "task:reader"]
+    assert [one.show for one in reason.remedies] == [ShowPin("writer", "OUT"), ShowTask("reader")]
 
 
 def test_a_second_master_of_a_device_is_objected_to(shelf):  # law 16

@@ -16,7 +16,7 @@ from onika.model.configuration import Group, Placed
 from onika.model.rules import conflict, loci
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy
+from onika.wire.view import Reason, Remedy, ShowLibraries, ShowTask
 from onika.words.fault import Refusal
 
 
@@ -101,9 +101,9 @@ def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Reason]:
     for one in taken.placed:
         task = known.get(one.task)
         if one.task in missing:
-            said.append(Reason(f"{one.task} is placed already", (Remedy(f"Show {one.task}", show=f"task:{one.task}"),)))
+            said.append(Reason(f"{one.task} is placed already", (Remedy(f"Show {one.task}", show=ShowTask(one.task)),)))
         elif task is None:
-            open_one = Remedy("Open a library…", show="library:")
+            open_one = Remedy("Open a library…", show=ShowLibraries())
             said.append(Reason(f"{one.task}: no open library has it", (open_one,)))
         else:
             for reason in reasons(against.get(task.name, ()), document.id, task):

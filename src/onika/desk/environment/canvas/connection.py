@@ -23,7 +23,7 @@ from onika.desk.environment.state.history import Step
 from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.wire import act, live, page, request, view
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowConnect, ShowTask
 from onika.words.name import TASK_NAME
 
 _MAIN = "main"
@@ -51,7 +51,7 @@ def connect(model: Model, document: Document, asked: act.Connect, outside: Surro
     if isinstance(outcome, str):
         yield Shown(_as_before(model, document.id, known, outcome))
         name = model.documents[document.id].name
-        return No(f"{name} is not connected: {outcome}", (Remedy("Connect…", show="connect"),))
+        return No(f"{name} is not connected: {outcome}", (Remedy("Connect…", show=ShowConnect()),))
     return outcome
 
 
@@ -176,7 +176,7 @@ def _spawned(model: Model, found: Merged, outside: Surroundings) -> Done:
         placed = document.content.placed(name)
         born = birth(placed, model.shelf, units) if placed else f"there is no {name}"
         if isinstance(born, str):
-            says.append(page.Say("warning", f"{born}; it is left out", document.id, f"task:{name}"))
+            says.append(page.Say("warning", f"{born}; it is left out", document.id, ShowTask(name)))
         else:
             wanted[name] = False
     content = replace(document.content, wanted={**document.content.wanted, **wanted})

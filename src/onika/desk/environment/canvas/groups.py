@@ -19,7 +19,7 @@ from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
-from onika.wire.view import Reason, Remedy
+from onika.wire.view import Reason, Remedy, ShowTask
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
@@ -146,7 +146,7 @@ def _namesake(document: Document, name: str) -> list[Reason]:
     one = document.content.configuration.group(name)
     if one is None:
         return []
-    show = Remedy(f"Show {one.tasks[0]}", show=f"task:{one.tasks[0]}")
+    show = Remedy(f"Show {one.tasks[0]}", show=ShowTask(one.tasks[0]))
     expand = Remedy(f"Expand {name}", act.Ungroup(document.id, name))
     return [Reason(f"there is a supermodule {name} already", (show, expand))]
 

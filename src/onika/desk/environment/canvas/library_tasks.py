@@ -17,7 +17,7 @@ from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import act
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowLibraries
 from onika.words.fault import Refusal
 from onika.words.name import SVAR_NAME
 
@@ -104,7 +104,7 @@ def forget_task(model: Model, asked: act.ForgetTask, _outside: Surroundings) -> 
 
 def unknown(name: str) -> No:
     """No open library has the task."""
-    return No(f"no open library has a task {name}", (Remedy("Open a library…", show="library:"),))
+    return No(f"no open library has a task {name}", (Remedy("Open a library…", show=ShowLibraries()),))
 
 
 def _taken_over(model: Model, shelf: Shelf) -> Model:

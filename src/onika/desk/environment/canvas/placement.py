@@ -12,7 +12,7 @@ from onika.desk.environment.state.model import Model
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Placed
 from onika.model.rules import loci, placement
 from onika.wire import act
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowLibraries
 
 _LIMIT = 100_000
 """Pixels: nothing is placed farther out, so that it can be found again."""
@@ -149,7 +149,7 @@ def _refused(model: Model, document: Document, name: str, leaving: tuple[str, ..
     tasks = model.shelf.tasks
     task = tasks.get(name)
     if task is None:
-        return No(f"no open library has a task {name}", (Remedy("Open a library…", show="library:"),))
+        return No(f"no open library has a task {name}", (Remedy("Open a library…", show=ShowLibraries()),))
     others = [tasks[one] for one in document.content.names if one in tasks and one not in leaving]
     found = reasons(placement.refusals(task, others), document.id, task)
     if not found:

@@ -13,7 +13,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.wire import act, live, request
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowLibraries
 
 
 @on_document
@@ -143,4 +143,4 @@ def _unknown(model: Model, document: Document, tasks: tuple[str, ...]) -> No | N
     lost = [name for name in tasks if name not in model.shelf.tasks and name not in known]
     if not lost:
         return None
-    return No(f"no open library has a task {several(lost)}", (Remedy("Open a library…", show="library:"),))
+    return No(f"no open library has a task {several(lost)}", (Remedy("Open a library…", show=ShowLibraries()),))

@@ -20,7 +20,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, Opened
 from onika.store.site import is_shipped
 from onika.wire import act, page
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowSaveAs
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
@@ -66,12 +66,12 @@ def save(model: Model, opened: OpenApplication, asked: act.Save, outside: Surrou
     own = outside.site.own
     base = Path(asked.base).expanduser().absolute() if asked.base else opened.base or (own if asked.name else None)
     if base is None:
-        return No("it has no file yet: give it a name and a base directory", (Remedy("Save as…", show="save-as"),))
+        return No("it has no file yet: give it a name and a base directory", (Remedy("Save as…", show=ShowSaveAs()),))
     if is_shipped(base) and not asked.overwrites:
         return _shipped(asked, name, own)
     path = BaseDirectory(base).application_file(name)
     again = act.Save(asked.doc, asked.name, asked.base, overwrites=True)
-    elsewhere = Remedy("Save as…", show="save-as")
+    elsewhere = Remedy("Save as…", show=ShowSaveAs())
     if opened.is_partial and not asked.overwrites and opened.opened and opened.opened.path == path:
         lost = next(one.text for one in opened.file_faults if one.level == "fault")
         return No(f"what could not be read of {path} would be lost: {lost}", (elsewhere, Remedy("Overwrite it", again)))
@@ -192,7 +192,7 @@ def _shipped(asked: act.Save, name: str, own: Path | None) -> No:
     """What comes with Onika is not changed by the way."""
     here = () if own is None else (Remedy(f"Save a copy in {own}", act.Save(asked.doc, name, str(own))),)
     meant = Remedy("Change the shipped one", act.Save(asked.doc, asked.name, asked.base, overwrites=True))
-    return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show="save-as"), meant))
+    return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show=ShowSaveAs()), meant))
 
 
 def _no_syntax() -> No:

@@ -17,7 +17,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Opened
 from onika.store.site import is_shipped
 from onika.wire import act, live
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowSaveAs
 from onika.words.fault import Refusal
 from onika.words.name import TASK_NAME
 
@@ -55,7 +55,7 @@ def save(model: Model, document: Document, asked: act.Save, outside: Surrounding
     if base is None and asked.name:
         base = own
     if base is None:
-        return No("it has no file yet: give it a name and a base directory", (Remedy("Save as…", show="save-as"),))
+        return No("it has no file yet: give it a name and a base directory", (Remedy("Save as…", show=ShowSaveAs()),))
     if is_shipped(base) and not asked.overwrites:
         return _shipped(asked, name, own)
     configuration = replace(document.content.configuration, name=name)
@@ -63,7 +63,7 @@ def save(model: Model, document: Document, asked: act.Save, outside: Surrounding
     done = BaseDirectory(base).save_configuration(configuration, former, overwrites=asked.overwrites)
     if isinstance(done, Refusal):
         again = act.Save(asked.doc, asked.name, asked.base, overwrites=True)
-        remedies = (*overwriting(done, again), Remedy("Save as…", show="save-as"))
+        remedies = (*overwriting(done, again), Remedy("Save as…", show=ShowSaveAs()))
         return No(plain(done.reason), remedies)
     content = replace(document.content, configuration=configuration)
     saved = replace(document, content=content, opened=done, base=base, has_changed_on_disk=False)
@@ -74,7 +74,7 @@ def _shipped(asked: act.Save, name: str, own: Path | None) -> No:
     """What comes with Onika is not changed by the way."""
     here = () if own is None else (Remedy(f"Save a copy in {own}", act.Save(asked.doc, name, str(own))),)
     meant = Remedy("Change the shipped one", act.Save(asked.doc, asked.name, asked.base, overwrites=True))
-    return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show="save-as"), meant))
+    return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show=ShowSaveAs()), meant))
 
 
 @on_document

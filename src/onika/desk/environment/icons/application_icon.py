@@ -17,7 +17,7 @@ from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.store.site import Site
 from onika.wire import act
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowSaveAs, ShowStep
 from onika.words.fault import Refusal
 
 _MOST = 4
@@ -60,7 +60,7 @@ def drafted(model: Model, opened: OpenApplication, site: Site) -> Draft | No:
 
 
 def _elsewhere() -> Remedy:
-    return Remedy("Save as…", show="save-as")
+    return Remedy("Save as…", show=ShowSaveAs())
 
 
 def _reasons(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Iterable[str]:
@@ -77,7 +77,7 @@ def _remedies(opened: OpenApplication, syntax: Syntax) -> Iterator[Remedy]:
     for open_hole in holes:
         step = open_hole.passage.flow.steps[open_hole.position]
         label = f"Fill the hole for {a_kind(open_hole.types[0])}" if open_hole.types else "Fill the hole"
-        yield Remedy(label, show=f"step:{step.number}")
+        yield Remedy(label, show=ShowStep(step.number))
 
 
 def _filled(opened: OpenApplication, syntax: Syntax) -> Iterator[str]:

@@ -11,7 +11,7 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch
 from onika.model.flow_path import spots, with_step
 from onika.wire import act
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowStep
 from onika.words.condition import Condition
 
 MOST_FLOWS = 32
@@ -52,7 +52,7 @@ def add_flow(model: Model, opened: OpenApplication, command: act.AddFlow, _outsi
         freed = act.SetConditions(opened.id, command.step, ())
         remedies = (
             Remedy("Choose by what was returned", freed),
-            Remedy("Show the branch", show=f"step:{command.step}"),
+            Remedy("Show the branch", show=ShowStep(command.step)),
         )
         return No("this branch chooses by conditions: one more flow would have none", remedies)
     grown = replace(branch, flows=(*branch.flows, AppFlow(())))

@@ -15,7 +15,7 @@ from onika.model.rules.gap import Solid, kind_at, kind_of
 from onika.model.rules.jigsaw import fits, solid_at, stands_in_flow
 from onika.model.syntax import IconType, Syntax
 from onika.wire import act
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowFits
 
 _MOST = 4
 """Buttons of a refusal."""
@@ -56,7 +56,7 @@ def misfit(model: Model, opened: OpenApplication, flow: AppFlow, after: int, ste
         remedies += _other_jobs(model, opened, before, kind, syntax)
     if fitting:
         count = f"{len(fitting)} that fit" if len(fitting) > 1 else "one that fits"
-        remedies.append(Remedy(f"Show the {count}", show=f"fits:{path}:{number}"))
+        remedies.append(Remedy(f"Show the {count}", show=ShowFits(path, number)))
     reason = f"{shown} does not fit behind {behind}: {_needed(left, syntax, at)}"
     return No(reason, tuple(remedies[: _MOST - 1] + remedies[-1:] if len(remedies) > _MOST else remedies))
 

@@ -19,7 +19,7 @@ from onika.desk.environment.state.picture_digits import painted
 from onika.desk.plan.icon_names import kind_named
 from onika.model.onikon import Onikon
 from onika.wire import act, page
-from onika.wire.view import DraftView, Remedy
+from onika.wire.view import DraftView, Remedy, ShowSaveAs
 from onika.words.fault import Refusal
 
 
@@ -80,10 +80,10 @@ def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
 def _unsaved(document: Document) -> No | None:
     if document.opened is None or document.base is None:
         reason = f"{document.name} has no file yet: a job is made of one"
-        return No(reason, (Remedy("Save as…", show="save-as"),))
+        return No(reason, (Remedy("Save as…", show=ShowSaveAs()),))
     if document.is_dirty:
         reason = f"{document.name} has changed since it was saved: a job is made of what its file says"
-        return No(reason, (Remedy("Save it", act.Save(document.id)), Remedy("Save as…", show="save-as")))
+        return No(reason, (Remedy("Save it", act.Save(document.id)), Remedy("Save as…", show=ShowSaveAs())))
     return None
 
 

@@ -10,7 +10,7 @@ from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.rules import placement
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy
+from onika.wire.view import Reason, Remedy, ShowPin, ShowTask
 from onika.words.fault import Refusal
 
 
@@ -60,8 +60,6 @@ def _said(one: Refusal, task: Task) -> str:
 def _remedies(one: Refusal, other: Task, document: Document) -> tuple[Remedy, ...]:
     """The ways out on the side of the other task: what is wrong with the changed one is being typed just now."""
     svars = [words.removeprefix("alias ") for words in one.remedies if words.startswith("alias ")]
-    aliases = (
-        Remedy(f"Alias {svar} of {other.name}…", show=f"pin:{other.name}/{coded(other, svar)}") for svar in svars
-    )
+    aliases = (Remedy(f"Alias {svar} of {other.name}…", show=ShowPin(other.name, coded(other, svar))) for svar in svars)
     remove = Remedy(f"Remove {other.name} from {document.name}", act.Remove(document.id, (other.name,)))
-    return (remove, *aliases, Remedy(f"Show {other.name}", show=f"task:{other.name}"))
+    return (remove, *aliases, Remedy(f"Show {other.name}", show=ShowTask(other.name)))

@@ -22,7 +22,7 @@ from onika.model.syntax import Syntax
 from onika.store.program import Program
 from onika.store.site import Site
 from onika.wire import act
-from onika.wire.view import FaultView, Remedy
+from onika.wire.view import FaultView, Remedy, ShowConfiguration, ShowFits, ShowLoop, ShowStep, ShowTarget, ShowValues
 from onika.words.fault import Fault, Place
 
 _SUBSTITUTE = re.compile(r"redirect (\S+) to (\S+)")
@@ -129,8 +129,8 @@ class Troubles:
         for one in holes(outline, self.syntax):
             steps = one.passage.flow.steps
             before = steps[one.position - 1].number if one.position else 0
-            show = Remedy("What fits here", show=f"fits:{path_of[one.passage.path]}:{before}")
-            wanted = [Remedy(f"New {kind_named(kind)}…", show=f"target:{kind}") for kind in dict.fromkeys(one.types)]
+            show = Remedy("What fits here", show=ShowFits(path_of[one.passage.path], before))
+            wanted = [Remedy(f"New {kind_named(kind)}…", show=ShowTarget(kind)) for kind in dict.fromkeys(one.types)]
             missing = a(listed(map(kind_named, one.types))) if one.types else "an action"
             text = f"{missing} is missing here"
             yield FaultView(text, "fault", steps[one.position].number, (show, *wanted))
@@ -149,11 +149,11 @@ class Troubles:
         elif isinstance(step, Icon):
             yield from self._of_icon(fault, step)
         if isinstance(step, Branch) and "conditions" in fault.expected:
-            yield Remedy("Its conditions…", show=f"step:{number}")
+            yield Remedy("Its conditions…", show=ShowStep(number))
         elif not number and (match := EMPTY.fullmatch(fault.expected)):
-            yield Remedy("What fits here", show=f"fits:{match[1]}:0")
+            yield Remedy("What fits here", show=ShowFits(match[1], 0))
         elif number:
-            yield Remedy("Show it", show=f"step:{number}")
+            yield Remedy("Show it", show=ShowStep(number))
 
     def _redirections(self, fault: Fault) -> Iterator[Remedy]:
         """Another robot for what this one cannot do: the one that was meant, then the substitutes."""
@@ -169,20 +169,20 @@ class Troubles:
         expected, number = fault.expected, icon.number
         if " loop" in expected and icon.while_tag is not None:
             yield Remedy("Remove the loop", act.RemoveLoop(self.doc, number))
-            yield Remedy("Mark it anew…", show=f"loop:{number}")
+            yield Remedy("Mark it anew…", show=ShowLoop(number))
         elif "tag" in expected and icon.synch_tag is not None:
             yield Remedy("Remove the tag", act.SetSynchTag(self.doc, number))
         elif "as its trigger" in expected or expected == "a type the syntax defines":
             yield Remedy("Take it from the dictionary anew", act.ExchangeIcon(self.doc, number, icon.onikon.name))
         elif _is_of_values(fault) or _is_of_reach(fault):
-            yield Remedy("Its values…", show=f"values:{number}")
+            yield Remedy("Its values…", show=ShowValues(number))
         elif expected.endswith(" behind it"):
             spot = self._spots[number]
-            yield Remedy("What fits behind it", show=f"fits:{spot.path}:{number}")
+            yield Remedy("What fits behind it", show=ShowFits(spot.path, number))
         elif expected.startswith(("the configuration ", "the application ", "an action that takes")):
             yield Remedy("Remove it", act.RemoveIcons(self.doc, (number,)))
         elif self.program is not None and icon.onikon.name in self.program.configurations and not fault.is_note:
-            yield Remedy("Open its configuration", show=f"configuration:{icon.onikon.name}")
+            yield Remedy("Open its configuration", show=ShowConfiguration(icon.onikon.name))
 
 
 def _is_of_reach(fault: Fault) -> bool:

@@ -10,7 +10,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.syntax import Syntax
 from onika.wire import act
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowSaveAs
 
 
 class _OfApplication(Protocol):
@@ -68,7 +68,7 @@ def is_running(model: Model, doc: str) -> bool:
 
 def running(application: OpenApplication) -> No:
     """Why nothing in it is changed now."""
-    remedies = (Remedy("Abort the run", act.Steer("abort")), Remedy("Save a copy…", show="save-as"))
+    remedies = (Remedy("Abort the run", act.Steer("abort")), Remedy("Save a copy…", show=ShowSaveAs()))
     return No(f"{application.name} is running: nothing in it is changed until it has ended", remedies)
 
 

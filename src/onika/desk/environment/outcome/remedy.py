@@ -5,7 +5,7 @@ from collections.abc import Iterable, Sequence
 
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import Reason, Remedy
+from onika.wire.view import Reason, Remedy, ShowPin, ShowTask
 from onika.words.fault import Fault, Refusal
 
 _NAMED = re.compile(r"(replace|show|alias) `?([^`]+)`?\Z")
@@ -44,7 +44,7 @@ def overwriting(refused: Refusal, again: act.AnyAct, label: str = "Overwrite it"
 def _remedy(words: str, doc: str, task: Task) -> Remedy:
     named = _NAMED.match(words)
     if other := _OTHER.match(words):
-        return Remedy(f"Alias {other[1]}…", show=f"pin:{task.name}/{other[1]}")
+        return Remedy(f"Alias {other[1]}…", show=ShowPin(task.name, other[1]))
     if named is None:
         text = plain(words)
         return Remedy(text[:1].upper() + text[1:])
@@ -53,8 +53,8 @@ def _remedy(words: str, doc: str, task: Task) -> Remedy:
         case "replace":
             return Remedy(f"Replace {name}", act.Exchange(doc, name, task.name))
         case "alias":
-            return Remedy(f"Alias {name}…", show=f"pin:{task.name}/{coded(task, name)}")
-    return Remedy(f"Show {name}", show=f"task:{name}")
+            return Remedy(f"Alias {name}…", show=ShowPin(task.name, coded(task, name)))
+    return Remedy(f"Show {name}", show=ShowTask(name))
 
 
 def coded(task: Task, svar: str) -> str:

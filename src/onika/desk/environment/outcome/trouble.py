@@ -9,7 +9,17 @@ from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.rules import conflict, warning
 from onika.model.task import Task
 from onika.wire import act
-from onika.wire.view import ErrorView, ProblemView, Reason, Remedy
+from onika.wire.view import (
+    ErrorView,
+    ProblemView,
+    Reason,
+    Remedy,
+    ShowLibraries,
+    ShowLocus,
+    ShowPin,
+    ShowSource,
+    ShowTask,
+)
 from onika.words.fault import Fault, Place, Refusal
 
 
@@ -20,7 +30,7 @@ def error_view(document: Document, name: str, facts: TaskFacts) -> ErrorView | N
     remedies = (
         Remedy("Clear, switch on", act.Clear(document.id, name, turns_on=True)),
         Remedy("Clear", act.Clear(document.id, name)),
-        Remedy("Source…", show=f"source:{name}"),
+        Remedy("Source…", show=ShowSource(name)),
         Remedy("Remove", act.Remove(document.id, (name,))),
     )
     failed = facts.failed
@@ -67,30 +77,33 @@ def _warnings(tasks: Sequence[Task], place: Place) -> dict[str, ProblemView]:
     found = {}
     for one in warning.hanging(tasks, place):
         svar = one.expected.rpartition(" ")[2]
-        found[f"hanging {svar}"] = ProblemView(said(one), "warning", f"locus:{svar}")
+        found[f"hanging {svar}"] = ProblemView(said(one), "warning", ShowLocus(svar))
     for one in warning.further_triggers(tasks, place):
         name = plain(one.found).partition(" ")[0]
-        found[f"trigger {name}"] = ProblemView(said(one), "warning", f"task:{name}")
+        found[f"trigger {name}"] = ProblemView(said(one), "warning", ShowTask(name))
     for task in tasks:
         for one in warning.self_fed(task, place):
             svar = one.found.partition(",")[0]
-            found[f"fed {task.name} {svar}"] = ProblemView(said(one), "note", f"task:{task.name}")
+            found[f"fed {task.name} {svar}"] = ProblemView(said(one), "note", ShowTask(task.name))
     return found
 
 
 def _missing(document: Document, name: str) -> ProblemView:
     text = f"no open library has a task {name}: it is kept in the file, and left out of what runs"
-    remedies = (Remedy("Open a library…", show="library:"), Remedy(f"Remove {name}", act.Remove(document.id, (name,))))
-    return ProblemView(text, "fault", f"task:{name}", remedies)
+    remedies = (
+        Remedy("Open a library…", show=ShowLibraries()),
+        Remedy(f"Remove {name}", act.Remove(document.id, (name,))),
+    )
+    return ProblemView(text, "fault", ShowTask(name), remedies)
 
 
 def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[Refusal]) -> ProblemView:
     """Two tasks that may not stand together; one of them goes, or a pin gets another variable."""
     found = reasons(refused, document.id, later)
     removing = [Remedy(f"Remove {one.name}", act.Remove(document.id, (one.name,))) for one in (later, earlier)]
-    aliasing = [one for reason in found for one in reason.remedies if one.show.startswith("pin:")]
+    aliasing = [one for reason in found for one in reason.remedies if isinstance(one.show, ShowPin)]
     text = f"{later.name}: {'; '.join(reason.text for reason in found)}"
-    return ProblemView(text, "fault", f"task:{later.name}", tuple(dict.fromkeys((*removing, *aliasing))))
+    return ProblemView(text, "fault", ShowTask(later.name), tuple(dict.fromkeys((*removing, *aliasing))))
 
 
 def said(fault: Fault) -> str:

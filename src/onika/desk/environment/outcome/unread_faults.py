@@ -7,7 +7,7 @@ from onika.desk.environment.outcome.remedy import plain
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import Application
 from onika.model.flow_path import spots
-from onika.wire.view import FaultView, Remedy
+from onika.wire.view import FaultView, Remedy, ShowSaveAs, ShowStep
 from onika.words.fault import Fault
 
 
@@ -23,9 +23,9 @@ def not_run(opened: OpenApplication) -> No | None:
         return None
     lost = [one for one in opened.file_faults if one.level == "fault"]
     where = [one.step for one in lost if one.step][:1]
-    show = tuple(Remedy("Show where", show=f"step:{step}") for step in where)
+    show = tuple(Remedy("Show where", show=ShowStep(step)) for step in where)
     reason = f"{opened.name} could not be read whole: {lost[0].text}" if lost else f"{opened.name} was not read whole"
-    return No(f"{reason}; mend it and save it first", (*show, Remedy("Save as…", show="save-as")))
+    return No(f"{reason}; mend it and save it first", (*show, Remedy("Save as…", show=ShowSaveAs())))
 
 
 def _view(fault: Fault, lines: list[tuple[int, int]], is_partial: bool) -> FaultView:

@@ -15,6 +15,7 @@ from onika.desk.environment.state.live import Live, TaskFacts
 from onika.desk.environment.state.model import Model
 from onika.desk.run import transfer_text
 from onika.wire import event, page, view
+from onika.wire.view import ShowTask
 
 
 def heard(model: Model, told: event.Event, at_s: float = 0.0) -> Done:
@@ -68,7 +69,7 @@ def _of_task(model: Model, told: _OfTask) -> Done:
         is_new = bool(told.subsystem) and told.subsystem not in model.runtime.subsystems and not is_going(model)
         return Done(_with_subsystem(model, told.subsystem), orders=(presence.ask_what(),) if is_new else ())
     known, facts = document.live, document.live.tasks.get(told.task)
-    where = f"task:{told.task}"
+    where = ShowTask(told.task)
 
     def done(new: TaskFacts, *said: page.Say) -> Done:
         new_live = known.with_task(told.task, new) if facts else known
@@ -85,7 +86,7 @@ def _of_task(model: Model, told: _OfTask) -> Done:
             return replace(now, orders=ask_present(model, document, told.task))
         case event.Warned():
             text = f"{told.task}: {told.text}" if told.task else told.text
-            said = page.Say("warning", text, document.id, where if told.task else "", told.at_s)
+            said = page.Say("warning", text, document.id, where if told.task else None, told.at_s)
             return done(replace(facts or TaskFacts(""), warnings=(facts.warnings if facts else 0) + 1), said)
         case event.Signalled():
             return Done(model, says=(_signal(told, document.id),))
@@ -119,7 +120,7 @@ def _in_state(facts: TaskFacts, state: str) -> TaskFacts:
 
 
 def _signal(told: event.Signalled, doc: str) -> page.Say:
-    where = f"task:{told.task}"
+    where = ShowTask(told.task)
     if told.kind == "FINISH":
         return page.Say("end", f"{told.task} has finished", doc, where, told.at_s)
     text = f"{told.task} signals {told.kind}" + (f": {told.text}" if told.text else "")
@@ -144,7 +145,7 @@ def _stepped(model: Model, told: event.Stepped) -> Done:
     document = _home(model, told.subsystem)
     if document is None:
         return Done(model)
-    said = page.Say("warning", transfer_text.sentence(told), document.id, f"task:{told.task}", told.at_s)
+    said = page.Say("warning", transfer_text.sentence(told), document.id, ShowTask(told.task), told.at_s)
     return Done(model, says=(said,))
 
 

@@ -20,7 +20,7 @@ from onika.desk.environment.state.live import Base, Live, Pending
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.wire import act, live, page, request
-from onika.wire.view import Remedy
+from onika.wire.view import Remedy, ShowTask
 
 _KEPT = 64
 
@@ -233,7 +233,7 @@ def _refused(document: Document, known: Live, what: Alteration, model: Model) ->
 
 def _rests(name: str, document: Document) -> page.Say:
     text = f"{name} moves hardware: it is exchanged, and stays OFF until you turn it on"
-    return page.Say("warning", text, document.id, f"task:{name}")
+    return page.Say("warning", text, document.id, ShowTask(name))
 
 
 def _unknown(model: Model, document: Document, known: Live, number: int, cause: str) -> Done:

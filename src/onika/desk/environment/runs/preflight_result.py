@@ -14,7 +14,7 @@ from onika.desk.plan.preparation import fault_of
 from onika.files import appl, conf, rmod
 from onika.wire.plan import Plan
 from onika.wire.request import Prepared
-from onika.wire.view import FaultView, Remedy
+from onika.wire.view import FaultView, Remedy, ShowStep
 from onika.words.fault import Place
 
 _ENDINGS = "|".join(map(re.escape, (appl.ENDING, conf.ENDING, rmod.ENDING)))
@@ -54,5 +54,5 @@ def _noted(troubles: Troubles, prepared: Prepared) -> Iterator[FaultView]:
         if found:
             name = Path(found[1]).name
             text = f"{name.removesuffix(rmod.ENDING)}: {found[3]}" if name.endswith(rmod.ENDING) else found[3]
-        show = (Remedy("Show it", show=f"step:{step}"),) if step else ()
+        show = (Remedy("Show it", show=ShowStep(step)),) if step else ()
         yield FaultView(text, "warning", step, show, is_of_runtime=True)

@@ -13,6 +13,7 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.runs import recording
 from onika.desk.environment.state.model import Model
 from onika.wire import event, live, page, request, steer
+from onika.wire.view import ShowStep
 
 
 def heard(model: Model, told: event.Event) -> Done:
@@ -83,9 +84,9 @@ def _says(run: Run, told: event.Event, *, is_held: bool) -> tuple[page.Say, ...]
             where = run.step_at(told.subsystem, told.index)
             who_ = "/".join(one for one in (told.subsystem, told.task) if one)
             text = run.speech.with_icons(f"{who_}: {told.text}" if who_ else told.text)
-            return (page.Say("error", text, doc, f"step:{where}" if where else "", told.at_s),)
+            return (page.Say("error", text, doc, ShowStep(where) if where else None, told.at_s),)
         case event.Warned() | event.Stepped():
-            return (page.Say("warning", run.view.notes[-1], doc, "", told.at_s),)
+            return (page.Say("warning", run.view.notes[-1], doc, None, told.at_s),)
         case event.Result():
             return (end(run),)
     return ()

@@ -4,7 +4,7 @@ from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.rules import agreement
-from onika.wire.view import Reason, Remedy
+from onika.wire.view import Reason, Remedy, ShowSource
 from onika.words.fault import Refusal
 
 
@@ -33,7 +33,7 @@ def _unread(shelf: Shelf) -> dict[str, Reason]:
     return {
         name: Reason(
             f"its module {task.module} cannot be used: {shelf.unread[task.module]}",
-            (Remedy("Source…", show=f"source:{name}"),),
+            (Remedy("Source…", show=ShowSource(name)),),
         )
         for name, task in shelf.tasks.items()
         if task.module in shelf.unread
