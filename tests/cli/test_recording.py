@@ -1,13 +1,13 @@
 import pytest
 
-from kit.tape import Tape, run
+from kit.recording_builder import RecordingBuilder, run
 from onika.cli import main
 
 
 @pytest.fixture
 def files(tmp_path):
     for name, last in (("a", 2.0), ("b", 2.5)):
-        tape = Tape(tmp_path / f"{name}.mcap")
+        tape = RecordingBuilder(tmp_path / f"{name}.mcap")
         tape.variable("X", "double", (0.0, 1.0), (1.0, last))
         tape.variable("Y", "int", (0.0, 7))
         tape.end(completed="yes")
@@ -69,7 +69,7 @@ def test_a_file_that_is_spoilt_or_cut_is_told_by_its_name(files, tmp_path, capsy
 def test_runs_in_wall_time_are_compared_as_such_unless_it_is_said(tmp_path, capsys):  # R-X05
     files = []
     for name, speed in (("a", 1.0), ("b", 9.0)):
-        tape = Tape(tmp_path / f"{name}.mcap", run(is_virtual=False))
+        tape = RecordingBuilder(tmp_path / f"{name}.mcap", run(is_virtual=False))
         tape.variable("Q^", "double", (0.0, 0.0), (1.0, speed), unit="rad/s")
         tape.end(completed="yes")
         files.append(str(tape.path))

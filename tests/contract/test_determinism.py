@@ -7,8 +7,8 @@ import sys
 
 import pytest
 
-from kit.rig import Rig
-from kit.worlds import MassWorld
+from kit.executive_rig import ExecutiveRig
+from kit.mass_world import MassWorld
 
 WALL = ("wall_s", "tasks", "switches_us", "runtime_pid")  # of the wall's clock, and of the process
 MS = 1_000_000
@@ -55,7 +55,7 @@ def test_the_story_has_a_hash_of_every_step_of_the_worlds_and_every_word(story):
 
 def shaken(seed):
     world = MassWorld()
-    rig = Rig(world, seed=seed)
+    rig = ExecutiveRig(world, seed=seed)
     rig.spawn("one", SHAKY, aliases={"X": "ONE"}, device="m0").spawn("two", SHAKY, aliases={"X": "TWO"}, device="m1")
     rig.switch(on=["one", "two"]).run(500 * MS)
     assert rig["ONE"] != rig["TWO"]

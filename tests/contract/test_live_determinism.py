@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from kit.hand import Hand, hand_with_tasks
-from kit.rail import MASS, SERVO, rail
-from kit.workshop import action
+from kit.live_edits import LiveEdits, live_edits_with_tasks
+from kit.plan_builder import action
+from kit.rail_world import MASS, SERVO, rail_tasks
 from onika.wire import event, live, request
 
 NOISE = """
@@ -26,7 +26,7 @@ class Noise(Module):
 
 def fingerprint() -> str:
     """Two subsystems with an arm each on three units, changed by hand while an application runs in a third."""
-    hand = hand_with_tasks(("rt0", "rt1", "rt2"), source="rt2", user="rt0", reader="rt1", counter="rt1")
+    hand = live_edits_with_tasks(("rt0", "rt1", "rt2"), source="rt2", user="rt0", reader="rt1", counter="rt1")
     hand.task("noise", NOISE, rtpu="rt2")
     hand.task("mass", MASS, frequency=500.0, local={"DEVICE": "yard:m0"}, rtpu="rt0")
     hand.task("servo", SERVO, rtpu="rt1")
@@ -38,7 +38,7 @@ def fingerprint() -> str:
     return hashlib.sha256(b"".join(words) + "".join(values).encode() + hand.driver.digest.encode()).hexdigest()
 
 
-def _left(hand: Hand) -> None:
+def _left(hand: LiveEdits) -> None:
     everyone = ["source", "user", "reader", "counter", "noise"]
     assert hand.change(everyone, everyone, subsystem="left") == ""
     assert hand.change(["mass", "servo"], ["mass", live.Turn("servo", "3.0")], subsystem="left") == ""
@@ -49,7 +49,7 @@ def _left(hand: Hand) -> None:
     assert hand.swap("counter", "left") == ""
 
 
-def _right(hand: Hand) -> None:
+def _right(hand: LiveEdits) -> None:
     hand.task("mass", MASS, frequency=500.0, local={"DEVICE": "yard:m1"}, rtpu="rt2")
     assert hand.change(["mass", "servo", "noise"], ["mass", "servo", "noise"], subsystem="right") == ""
     hand.let_pass(0.05)
@@ -62,9 +62,9 @@ def _right(hand: Hand) -> None:
     hand.let_pass(3.0)
 
 
-def _beside(hand: Hand) -> None:
+def _beside(hand: LiveEdits) -> None:
     assert hand.change(subsystem="right", kill=["mass"]) == ""
-    hand.shop = rail(rtpu="rt1", mass="yard:m1")
+    hand.shop = rail_tasks(rtpu="rt1", mass="yard:m1")
     hand.asker.ask(request.Prepare(hand.shop.plan([action("mass", "servo", arguments="1.0")]), ()))
     hand.asker.ask(request.Begin())
     assert hand.change(subsystem="left", off=["noise"]) == ""
@@ -96,6 +96,6 @@ def test_the_order_of_sets_changes_nothing(here, seed):  # R-X08, law 14
 
 
 def test_a_millisecond_makes_another_story(here, monkeypatch):  # R-X08
-    let_pass = Hand.let_pass
-    monkeypatch.setattr(Hand, "let_pass", lambda self, seconds: let_pass(self, seconds + 1e-3))
+    let_pass = LiveEdits.let_pass
+    monkeypatch.setattr(LiveEdits, "let_pass", lambda self, seconds: let_pass(self, seconds + 1e-3))
     assert fingerprint() != here

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.runs.readiness import Judge, judged
 from onika.desk.environment.runs.runtime_loss import lost
@@ -57,7 +57,7 @@ def test_what_is_wrong_with_an_application(expected, found):  # R-X01
 
 
 def test_what_is_judged_and_what_can_be_done(tmp_path):  # R-X01, R-E01
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     judge, doc = Judge(play.site), play.open([job("aC"), HOLE, job("newC")], [])
     for case in judge.cases(play.environment.model):
         play.environment.become(partial(judged, doc=case.opened.id, judgement=judge.judge(case)))
@@ -67,7 +67,7 @@ def test_what_is_judged_and_what_can_be_done(tmp_path):  # R-X01, R-E01
 
 
 def test_how_a_run_begins_and_ends(tmp_path):  # R-E10, R-E14
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     play.environment.become(lambda model: lost(model, "the runtime is gone: it ended"))
     assert len(play.says) > 2 and all(is_known(one.text) for one in play.says)

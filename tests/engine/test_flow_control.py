@@ -3,8 +3,8 @@ from typing import get_args
 import pytest
 
 from kit import build
-from kit.scene import JOB, ends
-from kit.script import bottom, nested, program
+from kit.flow_program import bottom, nested, program
+from kit.play_lines import JOB, ends
 from onika.engine.flow import FlowState
 from onika.engine.news import Abort, Cleared, Failed, Run, Spawned, TurnedOn
 from onika.engine.orders import Moved

@@ -1,6 +1,6 @@
 from kit import build
-from kit.scene import JOB, NOOP
-from kit.script import bottom, nested, program
+from kit.flow_program import bottom, nested, program
+from kit.play_lines import JOB, NOOP
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_router import Itinerary
 from onika.engine.orders import Began, Moved, Settle, Switch, Together

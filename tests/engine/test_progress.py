@@ -1,7 +1,7 @@
 import pytest
 
 from kit import build
-from kit.script import bottom, program, top
+from kit.flow_program import bottom, program, top
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.orders import Began, Done, Moved, Note, Start, Switch
 from onika.engine.program import Program

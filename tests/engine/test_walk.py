@@ -1,7 +1,7 @@
 import pytest
 
 from kit import build
-from kit.script import bottom, branch, program, top
+from kit.flow_program import bottom, branch, program, top
 from onika.engine.program import Program
 from onika.engine.walk import NOOP, Value, walk
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.hand import COUNTER, hand_with_tasks
-from kit.rail import rail
-from kit.workshop import action
+from kit.live_edits import COUNTER, live_edits_with_tasks
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.wire import live, reading, request
 
 SECOND = 1_000_000_000
@@ -10,7 +10,7 @@ SECOND = 1_000_000_000
 
 @pytest.fixture
 def hand():
-    one = hand_with_tasks(("rt0", "rt1"), counter="rt1")
+    one = live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
     one.change(spawn=["source", "user", "counter"], on=["source", "counter"])
     return one
 
@@ -58,7 +58,7 @@ def test_a_lost_unit_is_told_as_lost(hand):  # R-E10
 
 
 def test_an_application_is_told_with_who_began_it(hand):  # R-C12
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.asker.ask(request.Prepare(hand.shop.plan([action("mass", "servo")]), ()), "one")
     hand.asker.ask(request.Begin(may_ask=True), "one")
     hand.work()
@@ -124,7 +124,7 @@ def test_a_variable_of_another_shape_is_shown_again(hand):  # law 12
 
 
 def test_poses_of_a_world_are_shown(hand):
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass"], subsystem="s1")
     hand.asker.ask(live.Attend(worlds=("yard",)))
     show(hand, 10**15)

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.asker import Asker
-from kit.rail import YardLoading, rail
-from kit.workshop import action
+from kit.direct_client import DirectClient
+from kit.plan_builder import action
+from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.loader_client import NotYet
 from onika.wire import event, live, request
 from onika.wire.request import TargetValues
@@ -12,11 +12,11 @@ SECOND = 1_000_000_000
 
 @pytest.fixture
 def desk():
-    return Asker()
+    return DirectClient()
 
 
 def plan(*goals, **settings):
-    return rail(**settings).plan([action("mass", "servo", arguments=goal) for goal in goals])
+    return rail_tasks(**settings).plan([action("mass", "servo", arguments=goal) for goal in goals])
 
 
 def test_a_plan_is_prepared_begun_and_its_result_told_last(desk):  # R-E01, R-E03, R-E14
@@ -111,7 +111,7 @@ def test_after_a_stop_nothing_begins_before_a_deliberate_reset(desk):  # law 27
 
 
 def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
-    desk.ask(request.Prepare(rail().plan([action("mass", "servo")]), ()))
+    desk.ask(request.Prepare(rail_tasks().plan([action("mass", "servo")]), ()))
     desk.ask(request.Begin(may_ask=True))
     assert desk.to_the_end() is None
     asked = desk.gate.told[-1]
@@ -123,7 +123,7 @@ def test_an_answer_reaches_the_task_that_asks(desk):  # law 25
 
 
 def test_tasks_are_checked_against_their_modules_without_a_run(desk):  # R-B01
-    shop = rail()
+    shop = rail_tasks()
     task = shop.task("mass", shop.code("mass").source, frequency=20.0)
     faults = desk.ask(request.Inspect((task,), (shop.code("mass"),))).faults
     assert len(faults) == 2
@@ -132,7 +132,7 @@ def test_tasks_are_checked_against_their_modules_without_a_run(desk):  # R-B01
 
 
 def test_a_task_on_a_unit_that_is_not_there_runs_on_the_first():  # decision 12
-    desk = Asker(("left", "right"))
+    desk = DirectClient(("left", "right"))
     desk.ask(request.Prepare(plan("1.0", rtpu="nowhere"), ()))
     desk.ask(request.Begin())
     assert {task.task: task.rtpu for task in desk.to_the_end().tasks} == {"mass": "left", "servo": "left"}
@@ -180,11 +180,11 @@ class SlowLoading(YardLoading):
 
 
 def test_who_may_change_a_subsystem_is_judged_when_the_change_is_carried_out(monkeypatch):  # law 27
-    desk = Asker()
+    desk = DirectClient()
     loading = SlowLoading()
     monkeypatch.setattr(desk.program, "_loading", loading)
     monkeypatch.setattr(desk.program._editor, "_loading", loading)
-    shop = rail()
+    shop = rail_tasks()
     change = live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),))
     first, second = desk.send(change, "first"), desk.send(change, "second")
     assert desk.gate.replies == {}
@@ -196,10 +196,10 @@ def test_who_may_change_a_subsystem_is_judged_when_the_change_is_carried_out(mon
 
 
 def test_nobody_waits_behind_a_description(monkeypatch):  # law 21
-    desk = Asker()
+    desk = DirectClient()
     loading = SlowLoading()
     monkeypatch.setattr(desk.program, "_loading", loading)
-    shop = rail()
+    shop = rail_tasks()
     described = desk.send(live.Describe((shop.code("servo"),)), "first")
     changed = desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
     assert described not in desk.gate.replies and isinstance(desk.gate.replies[changed], live.Accepted)
@@ -210,10 +210,10 @@ def test_nobody_waits_behind_a_description(monkeypatch):  # law 21
 
 
 def test_motion_is_allowed_again_whatever_waits_for_the_loader(monkeypatch):  # law 27
-    desk = Asker()
+    desk = DirectClient()
     monkeypatch.setattr(desk.program, "_loading", SlowLoading())
     monkeypatch.setattr(desk.program._editor, "_loading", desk.program._loading)
-    shop = rail()
+    shop = rail_tasks()
     desk.send(live.Change("s0", spawn=(shop.planned("servo"),), code=(shop.code("servo"),)), "first")
     assert desk.ask(request.Stop("now"), "first") == request.Done() and desk.program.is_stopped
     assert desk.ask(live.Reset(), "first") == request.Done() and not desk.program.is_stopped

@@ -1,15 +1,15 @@
 import pytest
 
-from kit.hand import hand_with_tasks
-from kit.rail import rail
-from kit.workshop import action
+from kit.live_edits import live_edits_with_tasks
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.runtime import command, news
 from onika.wire import event, live, request
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks(("rt0", "rt1"), counter="rt1")
+    return live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
 
 
 @pytest.fixture
@@ -18,7 +18,7 @@ def stage(hand):
 
 
 def perform(hand, *goals, **begin):
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     plan = hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
     hand.asker.ask(request.Prepare(plan, ()))
     return hand.asker.ask(request.Begin(**begin))
@@ -70,7 +70,7 @@ def test_a_subsystem_is_made_anew_for_each_run_and_by_hand(hand, stage):  # law 
     perform(hand, "1.0")
     hand.asker.to_the_end()
     assert stage.tables["flow0"] is not first
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     assert hand.change(spawn=["mass"], subsystem="flow0") == ""
     assert hand.values("FORCE", subsystem="flow0")["FORCE"] == 0.0
 

@@ -7,7 +7,7 @@ from onika.laws import puma560
 from onika.laws.arm import Arm
 from onika.store.site import shipped
 from onika.testing.bench import Bench
-from onika.testing.fake_partner import Outsider
+from onika.testing.fake_partner import FakePartner
 
 CONSTANTS = {"NDOF": 6, "DH": puma560.DH, "BASE": np.eye(4), "TOOL": puma560.TOOL}
 HOME = np.array(puma560.HOME)
@@ -15,7 +15,7 @@ HOME = np.array(puma560.HOME)
 
 @pytest.fixture
 def outsider(tmp_path):
-    with Outsider(tmp_path) as made:
+    with FakePartner(tmp_path) as made:
         yield made
 
 

@@ -7,7 +7,7 @@ from onika.laws import puma560
 from onika.model.lifecycle import State
 from onika.store.site import shipped
 from onika.testing.bench import Bench
-from onika.testing.fake_partner import Outsider
+from onika.testing.fake_partner import FakePartner
 
 CODE = shipped() / "generic" / "module" / "planner.py"
 CONSTANTS = {"NDOF": 6, "QMIN": puma560.QMIN, "QMAX": puma560.QMAX, "Q^_MAX": puma560.QDMAX}
@@ -18,7 +18,7 @@ END = HOME + np.array([0.6, 0.0, -0.2, 0.0, 0.2, 0.1])
 
 @pytest.fixture
 def outsider(tmp_path):
-    with Outsider(tmp_path) as made:
+    with FakePartner(tmp_path) as made:
         yield made
 
 

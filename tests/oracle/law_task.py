@@ -11,7 +11,7 @@ from onika.ring.device import Order
 Values = dict[str, Any]
 
 
-class Hand:
+class DeviceHandle:
     """A task's hand on its device: the state published last, and the command that acts from the next step on."""
 
     def __init__(self, published: Mapping[str, tuple[float, ...]], device: str) -> None:
@@ -49,7 +49,7 @@ class Moment:
     outputs: Values
     memory: Values
     in_force: frozenset[str] = frozenset()
-    device: Hand | None = None
+    device: DeviceHandle | None = None
     former: Values = field(default_factory=dict)
     """During `take`: the memory of the code that worked until now."""
 

@@ -14,13 +14,13 @@ from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, SignalKind
 from onika.runtime.bus import World
 from onika.runtime.command import Clear, Kill, Launch, Rank, Reinit, Switch
-from oracle.law_lives import EPOCH, LawBroken, LawLives
+from oracle.law_lifecycles import EPOCH, LawBroken, LawLifecycles
 from oracle.law_task import LawSwap, LawTask
 
 Request = Switch | Clear | Kill | Rank | Reinit | LawSwap
 
 
-class Reference(LawLives):
+class Reference(LawLifecycles):
     """Interprets tasks by the law; `world` steps in its own grid, `react` is what a runner answers to a signal."""
 
     def __init__(

@@ -6,9 +6,9 @@ from types import MappingProxyType
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.probe import MS, Probe
-from kit.rig import HOME
-from kit.story import Exchanged, by_executive, by_law
+from kit.executive_rig import HOME
+from kit.law_comparison import Exchanged, by_executive, by_law
+from kit.sample_task import MS, SampleTask
 from onika.model.lifecycle import State
 from onika.runtime import command
 
@@ -38,7 +38,7 @@ def some_probes(draw, with_costs=False):
         gives = draw(st.sets(st.sampled_from((*CONSTANTS, *writes)), max_size=2)) - takes
         seldom = st.integers(-20, 20).map(lambda count: count if count > 1 else 0)  # 1 could go round at one instant
         probes.append(
-            Probe(
+            SampleTask(
                 name=name,
                 period=draw(st.sampled_from(PERIODS)),
                 crit=draw(st.integers(0, 2)),
@@ -146,12 +146,12 @@ def switch(*on, off=(), forget=(), rates=()):
 
 def test_tasks_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  # law 1
     probes = [
-        Probe("z", period=20 * MS),
-        Probe("late", period=20 * MS, rank=-9),
-        Probe("b", rank=1),
-        Probe("a", rank=1),
-        Probe("first", rank=0),
-        Probe("critical", rank=5, crit=1),
+        SampleTask("z", period=20 * MS),
+        SampleTask("late", period=20 * MS, rank=-9),
+        SampleTask("b", rank=1),
+        SampleTask("a", rank=1),
+        SampleTask("first", rank=0),
+        SampleTask("critical", rank=5, crit=1),
     ]
     names = [probe.name for probe in probes]
     reference = assert_same_story(probes, [(0, switch(*names)), (0, switch(*reversed(names)))], 25 * MS)
@@ -159,8 +159,8 @@ def test_tasks_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  
 
 
 def test_a_chain_of_tasks_carries_a_value_through_in_one_instant():  # law 1
-    probes = [Probe("c", rank=2, invar=("V1",)), Probe("b", rank=1, invar=("V0",), outvar=("V1",))]
-    probes.append(Probe("a", rank=0, outvar=("V0",)))
+    probes = [SampleTask("c", rank=2, invar=("V1",)), SampleTask("b", rank=1, invar=("V0",), outvar=("V1",))]
+    probes.append(SampleTask("a", rank=0, outvar=("V0",)))
     reference = assert_same_story(probes, [(0, switch("a", "b", "c"))], 10 * MS)
     last = [call for call in reference.trace if call.at == 10 * MS]
     assert [call.task for call in last] == ["a", "b", "c"]
@@ -169,7 +169,10 @@ def test_a_chain_of_tasks_carries_a_value_through_in_one_instant():  # law 1
 
 
 def test_a_faster_task_sees_the_previous_value_of_a_slower_one():  # law 1
-    probes = [Probe("slow", period=20 * MS, outvar=("V0",)), Probe("fast", period=5 * MS, rank=1, invar=("V0",))]
+    probes = [
+        SampleTask("slow", period=20 * MS, outvar=("V0",)),
+        SampleTask("fast", period=5 * MS, rank=1, invar=("V0",)),
+    ]
     reference = assert_same_story(probes, [(0, switch("slow", "fast"))], 40 * MS)
     seen = [call.inputs["V0"] for call in reference.trace if call.task == "fast" and call.entry == "cycle"]
     written = [call.outputs["V0"] for call in reference.trace if call.task == "slow" and call.entry == "cycle"]
@@ -178,18 +181,18 @@ def test_a_faster_task_sees_the_previous_value_of_a_slower_one():  # law 1
 
 
 def test_the_first_cycle_comes_at_once_and_the_next_on_the_common_grid():  # law 13
-    reference = assert_same_story([Probe("a")], [(7 * MS, switch("a"))], 40 * MS)
+    reference = assert_same_story([SampleTask("a")], [(7 * MS, switch("a"))], 40 * MS)
     assert cycles(reference, "a") == [7, 10, 20, 30, 40]
 
 
 def test_missed_periods_are_counted_and_skipped_and_never_caught_up():  # law 2
-    reference = assert_same_story([Probe("a", cost=35 * MS)], [(0, switch("a"))], 120 * MS)
+    reference = assert_same_story([SampleTask("a", cost=35 * MS)], [(0, switch("a"))], 120 * MS)
     assert cycles(reference, "a") == [0, 35, 70, 105]
     assert reference.missed == {"a": 2 + 3 + 2}
 
 
 def test_a_task_that_is_kept_waiting_runs_once_for_the_period_that_is_open():  # law 2
-    probes = [Probe("hog", period=50 * MS, cost=33 * MS, crit=0), Probe("b", period=10 * MS)]
+    probes = [SampleTask("hog", period=50 * MS, cost=33 * MS, crit=0), SampleTask("b", period=10 * MS)]
     reference = assert_same_story(probes, [(0, switch("hog", "b"))], 90 * MS)
     assert cycles(reference, "b") == [0, 33, 40, 50, 83, 90]
     assert cycles(reference, "hog") == [0, 50]
@@ -197,26 +200,28 @@ def test_a_task_that_is_kept_waiting_runs_once_for_the_period_that_is_open():  #
 
 
 def test_a_rate_changes_while_the_task_is_on_and_the_grid_stays():  # R-A04, law 13
-    reference = assert_same_story([Probe("a")], [(0, switch("a")), (12 * MS, switch(rates=[("a", 40.0)]))], 80 * MS)
+    reference = assert_same_story(
+        [SampleTask("a")], [(0, switch("a")), (12 * MS, switch(rates=[("a", 40.0)]))], 80 * MS
+    )
     assert cycles(reference, "a") == [0, 10, 25, 50, 75]
 
 
 def test_a_cycle_that_is_due_when_the_rate_changes_is_not_lost():  # R-A04
-    probes = [Probe("t", finish_after=2, crit=1), Probe("a")]
+    probes = [SampleTask("t", finish_after=2, crit=1), SampleTask("a")]
     react = {"t": [switch(rates=[("a", 50.0)])]}
     reference = assert_same_story(probes, [(0, switch("t", "a"))], 45 * MS, react)
     assert cycles(reference, "a") == [0, 10, 20, 40]
 
 
 def test_off_publishes_nothing():  # law 3
-    probe = Probe("a", outvar=("V0",))
+    probe = SampleTask("a", outvar=("V0",))
     reference = assert_same_story([probe], [(0, switch("a")), (15 * MS, switch(off=["a"]))], 30 * MS)
     assert reference.trace[-1].entry == "off"
     assert reference.table["V0"] == reference.trace[-2].outputs["V0"]
 
 
 def test_own_outputs_are_preloaded_when_a_task_comes_on_and_continue_what_is_in_force():  # law 3
-    probes = [Probe("a", outvar=("V0",)), Probe("b", outvar=("V0",))]
+    probes = [SampleTask("a", outvar=("V0",)), SampleTask("b", outvar=("V0",))]
     requests = [(0, switch("a")), (15 * MS, switch("b", off=["a"])), (25 * MS, switch("a", off=["b"], forget=["V0"]))]
     reference = assert_same_story(probes, requests, 30 * MS)
     began = {call.at // MS: call.outputs["V0"] for call in reference.trace if call.entry == "on"}
@@ -226,8 +231,8 @@ def test_own_outputs_are_preloaded_when_a_task_comes_on_and_continue_what_is_in_
 
 def test_constants_are_moved_once_and_first_values_too():  # law 3, R-A02
     probes = [
-        Probe("a", outconst=("C0", "V0"), outvar=("V0",)),
-        Probe("b", inconst=("C0", "V0"), invar=("V0",)),
+        SampleTask("a", outconst=("C0", "V0"), outvar=("V0",)),
+        SampleTask("b", inconst=("C0", "V0"), invar=("V0",)),
     ]
     reference = assert_same_story(probes, [(0, switch("a", "b"))], 5 * MS)
     entry = {(call.task, call.entry): call.inputs for call in reference.trace}
@@ -237,9 +242,9 @@ def test_constants_are_moved_once_and_first_values_too():  # law 3, R-A02
 
 def test_hardware_holds_until_all_its_inputs_were_written_since_it_came_on():  # law 4
     probes = [
-        Probe("arm", device="m0", invar=("V0", "V1")),
-        Probe("a", outvar=("V0",), rank=1),
-        Probe("b", outvar=("V1",), rank=1),
+        SampleTask("arm", device="m0", invar=("V0", "V1")),
+        SampleTask("a", outvar=("V0",), rank=1),
+        SampleTask("b", outvar=("V1",), rank=1),
     ]
     requests = [(0, switch("arm", "a")), (25 * MS, switch("b"))]
     reference = assert_same_story(probes, requests, 50 * MS)
@@ -248,7 +253,7 @@ def test_hardware_holds_until_all_its_inputs_were_written_since_it_came_on():  #
 
 
 def test_what_was_written_before_a_hardware_task_came_on_is_not_fresh():  # law 4
-    probes = [Probe("arm", device="m0", invar=("V0",)), Probe("a", outvar=("V0",), rank=1)]
+    probes = [SampleTask("arm", device="m0", invar=("V0",)), SampleTask("a", outvar=("V0",), rank=1)]
     requests = [(0, switch("a")), (15 * MS, switch("arm", off=["a"]))]
     reference = assert_same_story(probes, requests, 40 * MS)
     assert cycles(reference, "arm") == []
@@ -258,9 +263,9 @@ def test_what_was_written_before_a_hardware_task_came_on_is_not_fresh():  # law 
 def test_what_an_on_leaves_as_it_was_preloaded_is_not_fresh():  # law 4, decision 13
     """The reference of 15 ms ago must not be followed because a task that came on has carried it along."""
     probes = [
-        Probe("arm", device="m0", invar=("V0",)),
-        Probe("old", outvar=("V0",), rank=1),
-        Probe("slow", outvar=("V0",), rank=1, period=50 * MS, is_idle_on=True),
+        SampleTask("arm", device="m0", invar=("V0",)),
+        SampleTask("old", outvar=("V0",), rank=1),
+        SampleTask("slow", outvar=("V0",), rank=1, period=50 * MS, is_idle_on=True),
     ]
     requests = [(0, switch("old")), (15 * MS, switch("slow", "arm", off=["old"]))]
     reference = assert_same_story(probes, requests, 40 * MS)
@@ -269,7 +274,7 @@ def test_what_an_on_leaves_as_it_was_preloaded_is_not_fresh():  # law 4, decisio
 
 
 def test_a_variable_that_an_on_did_not_write_is_not_in_force():  # law 3, decision 13
-    probes = [Probe("a", outvar=("V0",), is_idle_on=True), Probe("b", outvar=("V0",))]
+    probes = [SampleTask("a", outvar=("V0",), is_idle_on=True), SampleTask("b", outvar=("V0",))]
     reference = assert_same_story(probes, [(5 * MS, switch("a", "b"))], 5 * MS)
     began = next(call for call in reference.trace if (call.task, call.entry) == ("b", "on"))
     assert began.outputs["V0"] == 5.0  # not preloaded zero plus one
@@ -277,8 +282,8 @@ def test_a_variable_that_an_on_did_not_write_is_not_in_force():  # law 3, decisi
 
 def test_nan_at_a_hardware_tasks_copy_in_is_an_error_and_no_error_entry_mends_it():  # law 5
     probes = [
-        Probe("arm", device="m0", invar=("V0",), mends=True),
-        Probe("a", outvar=("V0",), nan_at=3, rank=1),
+        SampleTask("arm", device="m0", invar=("V0",), mends=True),
+        SampleTask("a", outvar=("V0",), nan_at=3, rank=1),
     ]
     reference = assert_same_story(probes, [(0, switch("arm", "a"))], 60 * MS)
     assert reference.states["arm"] is State.ERROR
@@ -287,14 +292,14 @@ def test_nan_at_a_hardware_tasks_copy_in_is_an_error_and_no_error_entry_mends_it
 
 
 def test_only_the_trigger_goes_off_when_it_finishes():  # law 6
-    probes = [Probe("t", finish_after=3), Probe("a")]
+    probes = [SampleTask("t", finish_after=3), SampleTask("a")]
     reference = assert_same_story(probes, [(0, switch("t", "a"))], 50 * MS)
     assert cycles(reference, "t") == [0, 10, 20]
     assert cycles(reference, "a") == [0, 10, 20, 30, 40, 50]
 
 
 def test_what_a_signal_leads_to_happens_at_the_same_instant():  # laws 1, 2
-    probes = [Probe("t", finish_after=2, rank=0), Probe("next", rank=0), Probe("x", rank=1)]
+    probes = [SampleTask("t", finish_after=2, rank=0), SampleTask("next", rank=0), SampleTask("x", rank=1)]
     react = {"t": [switch("next")]}
     reference = assert_same_story(probes, [(0, switch("t", "x"))], 10 * MS, react)
     assert order_at(reference, 10) == ["t", "next", "x"]
@@ -303,7 +308,7 @@ def test_what_a_signal_leads_to_happens_at_the_same_instant():  # laws 1, 2
 
 @pytest.mark.parametrize("entry", ["init", "on", "off"])
 def test_what_raises_outside_a_cycle_is_an_error_that_a_clear_ends(entry):  # R-A05
-    probes = [Probe("a", fails_in=entry, mends=True)]
+    probes = [SampleTask("a", fails_in=entry, mends=True)]
     requests = [(0, switch("a")), (15 * MS, switch(off=["a"])), (20 * MS, command.Clear(HOME, "a"))]
     requests += [(20 * MS, switch("a")), (30 * MS, command.Clear(HOME, "a"))]
     reference = assert_same_story(probes, requests, 40 * MS)

@@ -15,9 +15,9 @@ from hypothesis.stateful import (
     rule,
 )
 
-from kit.small_engine import SmallEngine
-from kit.theatre import RUNTIME, Theatre
-from kit.tree import Act, Loop, Pick, Side, engine_for, planned
+from kit.engine_sim import RUNTIME, EngineSim
+from kit.program_tree import Act, Loop, Pick, Side, engine_for, planned
+from kit.reference_engine import ReferenceEngine
 from onika.engine import news
 from onika.engine.orders import Began, Done, Settle
 from onika.wire import steer
@@ -93,8 +93,8 @@ class Comparison(RuleBasedStateMachine):
         plan = planned(*trees)
         self.true = set()
         judged = engine_for(plan, stands_still=True, judge=lambda _flow, condition: condition in self.true)
-        self.theatre = Theatre(plan, judged)
-        self.small = SmallEngine(*trees, judge=lambda condition: condition in self.true)
+        self.theatre = EngineSim(plan, judged)
+        self.small = ReferenceEngine(*trees, judge=lambda condition: condition in self.true)
         self.told = []
         self.flows = len(plan.flows)
         self.feed(news.Run())

@@ -5,7 +5,7 @@ from collections import Counter
 from hypothesis import given, settings, strategies as st
 
 from kit import build
-from kit.fakes import FakeRuntime, Fault
+from kit.fake_runtime import FakeRuntime, Fault
 from onika.engine.orders import Began, Done, End, Kill, Settle, Spawn
 
 TRIGGERS = ("move", "grip", "pause")

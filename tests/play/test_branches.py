@@ -3,8 +3,8 @@
 import pytest
 
 from kit import build
-from kit.scene import JOB, NOOP, begins, ends, goes_on, passes, started
-from kit.script import bottom, branch, nested, program, top
+from kit.flow_program import bottom, branch, nested, program, top
+from kit.play_lines import JOB, NOOP, begins, ends, goes_on, passes, started
 from onika.engine.news import TurnedOn
 from onika.engine.orders import Done, Moved, Note, Off, Settle, Together
 from onika.wire.plan import Do, Halt

@@ -3,8 +3,8 @@
 import pytest
 
 from kit import build
-from kit.scene import JOB, begins, ends, goes_on, started
-from kit.script import bottom, branch, program
+from kit.flow_program import bottom, branch, program
+from kit.play_lines import JOB, begins, ends, goes_on, started
 from onika.engine.orders import Done, Moved, Settle
 from onika.wire.plan import Do, Rest
 from onika.wire.steer import Mark, Resume

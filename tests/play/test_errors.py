@@ -3,7 +3,7 @@
 import pytest
 
 from kit import build
-from kit.mishap import REACH, clearing, finish, on, running, started, stopped, where
+from kit.error_lines import REACH, clearing, finish, on, running, started, stopped, where
 from kit.play import Play
 from onika.engine.news import Abort, Cleared, Failed, Finished, Killed, Refused, Run, Spawned, TurnedOn
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Switch

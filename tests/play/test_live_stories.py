@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 from hypothesis import given, settings, strategies as st
 
-from kit.hand import BROKEN, SOURCE, SULKY, hand_with_tasks
+from kit.live_edits import BROKEN, SOURCE, SULKY, live_edits_with_tasks
 from onika.wire import event, live
 
 NAMES = ("source", "other", "user", "reader", "counter", "sulky", "broken", "late")
@@ -88,7 +88,7 @@ class Story:
     """One subsystem, and its model beside it."""
 
     def __init__(self):
-        self.hand = hand_with_tasks(("rt0", "rt1"), reader="rt1", counter="rt1")
+        self.hand = live_edits_with_tasks(("rt0", "rt1"), reader="rt1", counter="rt1")
         self.hand.task("other", SOURCE, module="other", local={"SIZE": "3"}, rtpu="rt1")
         self.hand.task("sulky", SULKY)
         self.hand.task("late", SULKY.replace("LEVEL", "LATE"), rtpu="rt1")

@@ -3,8 +3,8 @@
 import pytest
 
 from kit import build
-from kit.scene import JOB, NOOP, begins, ends, passes, started
-from kit.script import bottom, program, top
+from kit.flow_program import bottom, program, top
+from kit.play_lines import JOB, NOOP, begins, ends, passes, started
 from onika.engine.news import Abort, Killed, Run, Spawned, TurnedOn
 from onika.engine.orders import Done, End, Kill, Moved, Note, Off, Settle
 from onika.wire.plan import Do

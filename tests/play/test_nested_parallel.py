@@ -3,9 +3,9 @@
 import pytest
 
 from kit import build
+from kit.flow_program import bottom, nested, program
 from kit.play import Play
-from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
-from kit.script import bottom, nested, program
+from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from onika.engine.news import Cleared, Failed, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Clear, Done, End, Kill, Moved, Note, Off, Order, Settle, Together
 from onika.wire.plan import Do, Halt, Meet

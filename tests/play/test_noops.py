@@ -2,7 +2,7 @@
 
 from kit import build
 from kit.play import Play
-from kit.scene import JOB, NOOP, begins, ends, goes_on, opened, passes, started
+from kit.play_lines import JOB, NOOP, begins, ends, goes_on, opened, passes, started
 from onika.engine.news import Run, Settled, Spawned
 from onika.engine.orders import Done, End, Moved, Settle, Together
 from onika.wire.steer import Pause, Resume

@@ -3,9 +3,9 @@
 import pytest
 
 from kit import build
+from kit.flow_program import bottom, branch, nested, program, top
 from kit.play import Play
-from kit.scene import JOB, NOOP, ends, opened, passes, started
-from kit.script import bottom, branch, nested, program, top
+from kit.play_lines import JOB, NOOP, ends, opened, passes, started
 from onika.engine.news import Asked, Failed, Finished, Refused, Run, Spawned, SwitchedOff, TurnedOn
 from onika.engine.orders import Began, Case, Done, Moved, Settle, Start, Switch
 from onika.wire.plan import Do, Rest

@@ -3,7 +3,7 @@
 import pytest
 
 from kit import build
-from kit.mishap import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
+from kit.error_lines import AGAIN, MEET, REACH, clearing, finish, on, paused, running, started, stopped, where
 from onika.engine.news import Cleared, Failed, Finished, Killed, Refused, Settled
 from onika.engine.orders import Began, Clear, Done, End, Kill, Moved, Note, Off, Settle, Switch, Together
 from onika.wire.steer import Pause, Recover, Resume, Skip, Step

@@ -1,6 +1,6 @@
 """Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, decision 26)."""
 
-from kit import build, scene, script
+from kit import build, flow_program, play_lines
 from kit.play import Play
 from onika.engine.news import Abort, Finished, Killed, Run, Settled, Spawned, TurnedOn
 from onika.engine.orders import Began, Done, End, Kill, Moved, Settle, Start, Switch, Together
@@ -89,13 +89,13 @@ def test_repeated_tags_pair_in_their_order():  # decision 26
 
 def test_those_who_begin_together_do_so_at_the_tag_where_they_met_though_one_waits_at_the_next():  # R-X03
     assert (
-        scene.opened([FREE, build.noop("meet"), LATER], [FREE, MEET], [MEET, LATER])
+        play_lines.opened([FREE, build.noop("meet"), LATER], [FREE, MEET], [MEET, LATER])
         >> Spawned(2, "move") << Moved(2, "waiting", -1, "meet", (0, 1)) << Together("", (0, 1))
         << begins(0, 0) << begins(1, 0)
-        >> scene.ends(0) << Done(0, 0) << waits(0, 1)
-        >> scene.ends(1) << Done(1, 0) << scene.passes(0, 1) << Moved(0, "waiting", 1, "later", (2,))
-        << Together("meet", (1, 2)) << begins(1, 1) << scene.goes_on(2, 0)
-        >> scene.ends(2) << Done(2, 0) << Together("later", (0, 2)) << scene.goes_on(0, 2) << begins(2, 1)
+        >> play_lines.ends(0) << Done(0, 0) << waits(0, 1)
+        >> play_lines.ends(1) << Done(1, 0) << play_lines.passes(0, 1) << Moved(0, "waiting", 1, "later", (2,))
+        << Together("meet", (1, 2)) << begins(1, 1) << play_lines.goes_on(2, 0)
+        >> play_lines.ends(2) << Done(2, 0) << Together("later", (0, 2)) << play_lines.goes_on(0, 2) << begins(2, 1)
     )  # fmt: skip
 
 
@@ -112,19 +112,19 @@ def test_a_flow_that_comes_to_wait_for_an_ended_one_is_reported_and_can_be_let_p
         met([FREE, MEET, MEET], [FREE, MEET])
         >> Finished(1, "move") << Done(1, 1) << Moved(1, "done", 1)
         >> Finished(0, "move") << Done(0, 1) << waits(0, 1, after=1, text=ENDED)
-        >> Pass("0") << scene.goes_on(0, 2)
-        >> scene.ends(0) << Done(0, 2) << Moved(0, "done", 2) << Settle()
+        >> Pass("0") << play_lines.goes_on(0, 2)
+        >> play_lines.ends(0) << Done(0, 2) << Moved(0, "done", 2) << Settle()
     )  # fmt: skip
 
 
 def test_flows_may_end_at_the_instant_at_which_they_meet():  # R-E14
     last = build.noop("meet")
     assert (
-        scene.opened([FREE, last], [FREE, last])
+        play_lines.opened([FREE, last], [FREE, last])
         >> Spawned(1, "move") << Together("", (0, 1)) << begins(0, 0) << begins(1, 0)
-        >> scene.ends(1) << Done(1, 0) << waits(1, 0)
-        >> scene.ends(0) << Done(0, 0) << scene.passes(0, 1) << Moved(0, "done", 1)
-        << scene.passes(1, 1) << Moved(1, "done", 1) << Settle()
+        >> play_lines.ends(1) << Done(1, 0) << waits(1, 0)
+        >> play_lines.ends(0) << Done(0, 0) << play_lines.passes(0, 1) << Moved(0, "done", 1)
+        << play_lines.passes(1, 1) << Moved(1, "done", 1) << Settle()
     )  # fmt: skip
 
 
@@ -151,17 +151,17 @@ def test_a_waiting_flow_can_be_aborted():  # R-E07
 
 
 def test_a_tag_in_loops_pairs_round_by_round():  # decision 26
-    loop = script.program(script.bottom("round", Meet("meet"), Do(0)))
+    loop = flow_program.program(flow_program.bottom("round", Meet("meet"), Do(0)))
     flows = build.flow([FREE], loop), build.flow([FREE], loop)
     both = [Together("meet", (0, 1)), *begins(0, 0), Moved(0, "running", 0), *begins(1, 0)]
-    play = scene.opened(*flows) >> Spawned(1, "move") << waits(0, 1, after=-1) << both
+    play = play_lines.opened(*flows) >> Spawned(1, "move") << waits(0, 1, after=-1) << both
     for _ in range(2):
-        play = play >> scene.ends(0, loop=True) << Done(0, 0) << waits(0, 1)
-        play = play >> scene.ends(1, loop=True) << Done(1, 0) << both
+        play = play >> play_lines.ends(0, loop=True) << Done(0, 0) << waits(0, 1)
+        play = play >> play_lines.ends(1, loop=True) << Done(1, 0) << both
     assert (
         play
-        >> scene.ends(1) << Done(1, 0) << Moved(1, "done", 0)
-        >> scene.ends(0, loop=True) << Done(0, 0) << waits(0, 1, text=ENDED)
+        >> play_lines.ends(1) << Done(1, 0) << Moved(1, "done", 0)
+        >> play_lines.ends(0, loop=True) << Done(0, 0) << waits(0, 1, text=ENDED)
     )  # fmt: skip
 
 
@@ -173,8 +173,8 @@ def test_who_waits_for_whom_can_be_asked_at_any_time():  # R-X03
 
 
 def test_flows_that_meet_for_ever_without_taking_time_are_aborted():
-    forever = script.program(script.bottom("round", Meet("meet"), Do(0)))
-    flow = build.flow([scene.NOOP, FREE], (*forever[:-1], Do(1), Halt()))
+    forever = flow_program.program(flow_program.bottom("round", Meet("meet"), Do(0)))
+    flow = build.flow([play_lines.NOOP, FREE], (*forever[:-1], Do(1), Halt()))
     engine = build.engine(flow, flow)
     orders = [order for news in (Run(), Spawned(0, "move"), Spawned(1, "move")) for order in engine.feed(news)]
     assert orders[-2:] == [Kill(0, "move"), Kill(1, "move")]

@@ -1,13 +1,13 @@
 import csv
 import io
 
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.record import columns
 from onika.record.series import Series
 
 
 def test_a_table_has_a_row_for_each_time_at_which_something_changed(tmp_path):  # R-X05
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     tape.variable("X", "double[2]", (0.0, [1, 2]), (0.5, [3, 4]))
     tape.variable("LAMP", "int", (0.25, 7), (0.5, 8))
     stream = io.StringIO()

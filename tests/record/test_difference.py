@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.record.difference import first_difference
 from onika.record.reader import Reader
 from onika.record.tolerance import WALL, Tolerance
@@ -12,7 +12,7 @@ COURSE = ((0.0, [0.0, 0.0]), (1.0, [1.0, 2.0]), (2.0, [3.0, 4.0]))
 
 
 def tape(tmp_path, name, course=COURSE, began_s=0.5, action="go", of=2):
-    recording = Tape(tmp_path / f"{name}.mcap")
+    recording = RecordingBuilder(tmp_path / f"{name}.mcap")
     recording.variable("X", "double[2]", *course)
     recording.tell(began_s, event.Began(0, 0, of, action, began_s))
     return recording.end()
@@ -56,11 +56,11 @@ def test_an_event_that_is_another_or_later_is_told(tmp_path):  # R-X05
 
 
 def test_what_only_one_of_them_has_is_told(tmp_path):  # R-X05
-    other = Tape(tmp_path / "b.mcap")
+    other = RecordingBuilder(tmp_path / "b.mcap")
     other.variable("X", "double[2]", *COURSE)
     difference = first_difference(tape(tmp_path, "a"), other.end(), Tolerance())
     assert (difference.at_ns, difference.second) == (500_000_000, "nothing more")
-    less = Tape(tmp_path / "c.mcap").end()
+    less = RecordingBuilder(tmp_path / "c.mcap").end()
     assert first_difference(tape(tmp_path, "a"), less, Tolerance()).first == "it is there"
 
 
@@ -96,7 +96,7 @@ def test_a_run_cut_short_is_compared_as_far_as_it_goes(tmp_path):  # R-X05
 
 def test_runs_in_wall_time_are_compared_by_places(tmp_path):  # R-X05
     def hand(name, place, speed, force):
-        recording = Tape(tmp_path / f"{name}.mcap")
+        recording = RecordingBuilder(tmp_path / f"{name}.mcap")
         for at_s in (0.0, 1.0):
             recording.tell(at_s, event.Began(0, 0, 1, "go", at_s))
         recording.variable("GRIP", "double[3]", (0.0, [0.1, 0.0, 0.0]), (1.0, [place, speed, force]), unit="m,m/s,N")
@@ -111,7 +111,7 @@ def test_runs_in_wall_time_are_compared_by_places(tmp_path):  # R-X05
 
 def test_the_steps_that_a_run_measured_at_its_end_are_no_difference_by_themselves(tmp_path):  # R-X05: told by values
     def ended(name, step):
-        recording = Tape(tmp_path / f"{name}.mcap")
+        recording = RecordingBuilder(tmp_path / f"{name}.mcap")
         steps = (VariableSteps("flow0", "puma", "TAU", "N m", 1, 0, step, step, 18.0, 0.5),)
         recording.tell(1.0, event.Result(True, "", 1, 1, 1.0, 1.0, {}, (), "", steps=steps), "")
         return recording.end()

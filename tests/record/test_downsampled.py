@@ -3,7 +3,7 @@ import math
 import numpy as np
 import pytest
 
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.record.downsampled import Samples, is_drawn, parts, samples
 from onika.record.series import Series
 
@@ -12,7 +12,7 @@ NS = 1_000_000_000
 
 @pytest.fixture
 def series(tmp_path):
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     tape.variable("X", "double[2]", *((k / 10, [k, -k]) for k in range(100)))
     tape.variable("N", "int", (0.0, 3), (4.0, 5))
     tape.variable("ODD", "double", (0.0, math.inf), (1.0, math.nan), (2.0, -math.inf), (3.0, 1.0))

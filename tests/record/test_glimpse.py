@@ -1,13 +1,13 @@
 import pytest
 
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.record.glimpse import glimpse
 from onika.record.reader import UNREADABLE
 
 
 @pytest.fixture
 def tape(tmp_path):
-    recording = Tape(tmp_path / "run.mcap")
+    recording = RecordingBuilder(tmp_path / "run.mcap")
     recording.variable("X", "double", (0.0, 1.0), (4.25, 2.0))
     return recording
 

@@ -3,7 +3,7 @@ import math
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.record.mismatch import strays
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
@@ -17,7 +17,7 @@ ROOMS = st.sampled_from([0.0, 0.6, 9.0])
 
 
 def series(path, type_, course):
-    tape = Tape(path)
+    tape = RecordingBuilder(path)
     tape.variable("X", type_, *course)
     return Series.all_of(tape.end())["flow0/X"]
 

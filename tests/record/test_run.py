@@ -1,7 +1,7 @@
 import pytest
 from msgspec import structs
 
-from kit.tape import Tape, run
+from kit.recording_builder import RecordingBuilder, run
 from onika.record.reader import Reader
 from onika.record.run import Run, ending
 from onika.record.writer import Writer
@@ -13,13 +13,13 @@ from onika.wire.request import Recorded, encode
 def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
     begin = structs.replace(run().begin, answers=(("a", "b", "1 2"),), repeat=(Recorded(5, 1, encode(steer.Who())),))
     given = structs.replace(run(), begin=begin, options=("--shake", "3"))
-    copy = Run.read(Tape(tmp_path / "run.mcap", given).end())
+    copy = Run.read(RecordingBuilder(tmp_path / "run.mcap", given).end())
     assert copy == given
     assert copy.prepare.plan.code[0].source
 
 
 def test_its_modules_lie_in_the_file_as_files_of_their_own(tmp_path):
-    reader = Tape(tmp_path / "run.mcap").end()
+    reader = RecordingBuilder(tmp_path / "run.mcap").end()
     sources = [reader.attachment(attachment) for attachment in reader.attachments if attachment.startswith("code/")]
     assert any(b"class Servo(Module)" in source for source in sources)
 
@@ -47,7 +47,7 @@ def test_how_a_run_ended_is_noted():  # R-X05
 
 @pytest.mark.parametrize("part", [0.01, 0.3, 0.6])
 def test_a_file_that_was_cut_before_its_run_began_says_so(tmp_path, part):  # R-E01
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     tape.end().close()
     data = tape.path.read_bytes()
     tape.path.write_bytes(data[: max(9, int(part * data.index(b"class Servo(Module)")))])

@@ -1,9 +1,9 @@
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.record.series import Series
 
 
 def test_a_variable_keeps_its_value_until_the_next_one(tmp_path):  # R-X05
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     tape.variable("M", "double[2,2]", (0.5, [[1, 2], [3, 4]]), (1.0, [[5, 6], [7, 8]]), unit="rad")
     series = Series.all_of(tape.end())["flow0/M"]
     assert [series.at(at) for at in (499_999_999, 500_000_000)] == [None, [[1.0, 2.0], [3.0, 4.0]]]
@@ -15,7 +15,7 @@ def test_a_variable_keeps_its_value_until_the_next_one(tmp_path):  # R-X05
 
 
 def test_a_scalar_has_one_label_and_only_variables_are_series(tmp_path):
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     tape.variable("LAMP", "int", (0.0, 1))
     tape.show(0.0, "/worlds/boxes/frames", "foxglove.FrameTransforms", b"{}", b'{"transforms":[]}')
     series = Series.all_of(tape.end())

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.rig import Rig
-from kit.source import COUNTER, module
+from kit.executive_rig import ExecutiveRig
+from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import news
 from onika.runtime.binding_guard import Containment
@@ -46,7 +46,7 @@ def other_class(source):
 @pytest.mark.parametrize(("line", "sentence"), TRICKS)
 @pytest.mark.parametrize("at", [1, 10])
 def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, sentence, at):  # R-A12
-    rig = Rig().spawn("good", COUNTER).spawn("owner", module("    FOREIGN = OutVar('double')"))
+    rig = ExecutiveRig().spawn("good", COUNTER).spawn("owner", module("    FOREIGN = OutVar('double')"))
     rig.spawn("one", other_class(tricky(line, at)), frequency=1000.0).switch(on=["good", "one"]).run(1100 * MS)
     assert rig.task("one").state is State.ERROR
     failed = rig.heard(news.Failed)[0]
@@ -57,17 +57,17 @@ def test_whatever_a_module_does_to_itself_is_an_error_that_names_it(line, senten
 
 def test_no_error_entry_mends_it():  # R-A12
     body = "    def cycle(self):\n        self.Q_REFF = 1\n    def error(self, fault):\n        return True"
-    assert Rig().spawn("one", module(body)).switch(on=["one"]).run(0).task("one").state is State.ERROR
+    assert ExecutiveRig().spawn("one", module(body)).switch(on=["one"]).run(0).task("one").state is State.ERROR
 
 
 def test_whoever_writes_a_foreign_name_before_it_lives_is_named_too():  # R-A12
     body = "    def init(self):\n        self.FOREIGN = 1.0"
-    rig = Rig().spawn("owner", module("    FOREIGN = OutVar('double')")).spawn("one", module(body))
+    rig = ExecutiveRig().spawn("owner", module("    FOREIGN = OutVar('double')")).spawn("one", module(body))
     assert "FOREIGN is a variable of other tasks" in rig.heard(news.Failed)[0].text
 
 
 def test_a_module_that_does_nothing_of_the_kind_is_left_alone():
-    rig = Rig().spawn(
+    rig = ExecutiveRig().spawn(
         "one", module(PORTS + "    def cycle(self):\n        self.Y = 2.0 * self.X\n        self._k = self.K")
     )
     rig.switch(on=["one"]).run(3000 * MS)

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
-from kit.worlds import MassWorld
+from kit.mass_world import MassWorld
 from onika.ring.device import Drive, Order
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring

@@ -3,8 +3,8 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.rig import HOME, Rig
-from kit.source import COUNTER, module
+from kit.executive_rig import HOME, ExecutiveRig
+from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.deferred import PATIENCE_NS
@@ -15,7 +15,7 @@ MS = 1_000_000
 @pytest.fixture
 def rig():
     """A unit on which a task of 100 Hz is ON: gaps of 10 ms."""
-    return Rig().spawn("busy", COUNTER, aliases={"N": "BUSY"}).switch(on=["busy"]).run(0)
+    return ExecutiveRig().spawn("busy", COUNTER, aliases={"N": "BUSY"}).switch(on=["busy"]).run(0)
 
 
 def late(rig, source=COUNTER, task="one", cost=3 * MS, init=0, **given):
@@ -38,7 +38,7 @@ def state(rig, task="one"):
 
 
 def test_where_nothing_is_on_a_spawn_is_carried_out_at_once():  # law 21
-    rig = Rig()
+    rig = ExecutiveRig()
     rig.do(late(rig))
     assert (state(rig), rig.executive.has_work) == (State.OFF, False)
 
@@ -200,7 +200,7 @@ def test_an_exchange_of_a_task_that_is_still_to_come_follows_it(rig):  # law 21
 @given(st.lists(st.tuples(st.integers(1, 12), st.integers(0, 11)), max_size=5), st.integers(5, 20))
 def test_no_task_that_is_on_misses_a_cycle_whatever_comes(pieces, period):  # law 21
     """Each step takes exactly what it was expected to take; `work` is asked at every millisecond of rest."""
-    rig = Rig().spawn("busy", COUNTER, aliases={"N": "BUSY"}, frequency=1000.0 / period).switch(on=["busy"])
+    rig = ExecutiveRig().spawn("busy", COUNTER, aliases={"N": "BUSY"}, frequency=1000.0 / period).switch(on=["busy"])
     needs = {}
     for number, (cost, init) in enumerate(pieces):
         init_ms = min(init, cost - 1)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.rig import HOME, Rig, rig_of
-from kit.source import COUNTER, cycle, module
+from kit.executive_rig import HOME, ExecutiveRig, rig_of
+from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 
@@ -40,7 +40,7 @@ def test_an_error_entry_that_gives_up_or_raises_leaves_the_error_as_it_was(answe
 
 
 def test_a_task_in_error_cycles_no_more_and_the_others_go_on():  # R-A05
-    rig = Rig().spawn("bad", module(FAILS)).spawn("good", COUNTER).switch(on=["bad", "good"]).run(50 * MS)
+    rig = ExecutiveRig().spawn("bad", module(FAILS)).spawn("good", COUNTER).switch(on=["bad", "good"]).run(50 * MS)
     assert len(rig.heard(news.Failed)) == 1
     assert rig["N"] == 6
 

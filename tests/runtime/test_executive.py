@@ -9,8 +9,8 @@ import subprocess
 import numpy as np
 import pytest
 
-from kit.rig import HOME, Rig, rig_of
-from kit.source import COUNTER, cycle, module
+from kit.executive_rig import HOME, ExecutiveRig, rig_of
+from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 
@@ -22,7 +22,7 @@ MS = 1_000_000
 
 def test_counters_count_since_the_last_status():  # R-A11, R-A17
     source = cycle("self.warn('x')", crit=2)
-    rig = Rig(costs={"one": 25 * MS}).spawn("one", source).switch(on=["one"]).run(99 * MS)
+    rig = ExecutiveRig(costs={"one": 25 * MS}).spawn("one", source).switch(on=["one"]).run(99 * MS)
     figures = rig.do(command.Report()).last(news.Statuses).tasks[0]
     assert (figures.cycle, figures.miss, figures.warn, figures.crit) == (4, 4, 4, 2)
     assert (figures.state, figures.type, figures.module, figures.reference_hz) == ("ON", "periodic", "one", 100.0)
@@ -49,7 +49,7 @@ def test_a_task_without_a_rate_has_no_reference_rate():  # R-A11
 
 def test_the_watch_is_told_whose_code_runs():
     calls = []
-    rig = Rig()
+    rig = ExecutiveRig()
     rig.executive._calls.watch = calls.append
     rig.spawn("one", COUNTER).switch(on=["one"]).run(0)
     assert {name for name in calls if name} == {f"{HOME}/one"}

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit.rig import HOME, Rig
-from kit.source import HEAD, module
-from kit.worlds import MassWorld
+from kit.executive_rig import HOME, ExecutiveRig
+from kit.mass_world import MassWorld
+from kit.module_source import HEAD, module
 from onika.model.lifecycle import State
 from onika.ring.device import Drive
 from onika.runtime import command, news
@@ -35,7 +35,7 @@ FORCE = module(
 
 def arm_rig(error_mends=True):
     source = HEAD + ARM if error_mends else HEAD + ARM.partition("    def error")[0]
-    return Rig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
+    return ExecutiveRig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
 
 
 def order_of(rig):
@@ -44,7 +44,7 @@ def order_of(rig):
 
 
 def test_hardware_without_a_device_cannot_come_on():  # law 16
-    rig = Rig().spawn("arm", HEAD + ARM).switch(on=["arm"])
+    rig = ExecutiveRig().spawn("arm", HEAD + ARM).switch(on=["arm"])
     assert rig.last(news.Failed).text == "ModuleError: a hardware task needs a device"
 
 
@@ -128,7 +128,7 @@ def test_devices_that_are_gone_put_their_tasks_in_error_and_no_others():  # law 
 def test_a_tripped_drive_is_cleared_though_the_task_comes_on_at_once():  # law 17
     source = HEAD + ARM.replace("        self.X =", "        assert not self.device.is_tripped\n        self.X =")
     source = source.partition("    def error")[0] + "    def clear(self):\n        self.device.clear()\n"
-    rig = Rig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
+    rig = ExecutiveRig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
     rig.switch(on=["arm", "force"]).run(100 * MS)
     rig.bus.world._turn(rig.bus.world._masses["m0"], Drive.TRIPPED, "planted")
     rig.run(130 * MS)

@@ -4,11 +4,11 @@ import select
 
 import pytest
 
-from kit.rig import HOME, rig_of
-from kit.source import COUNTER, module
+from kit.executive_rig import HOME, rig_of
+from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.testing.fake_partner import Outsider
+from onika.testing.fake_partner import FakePartner
 
 MS = 1_000_000
 
@@ -30,7 +30,7 @@ ASKS = """
 
 @pytest.fixture
 def outsider(tmp_path):
-    with Outsider(tmp_path) as made:
+    with FakePartner(tmp_path) as made:
         yield made
 
 

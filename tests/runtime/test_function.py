@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from kit.rig import Rig
+from kit.executive_rig import ExecutiveRig
 from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, OutConst, OutVar, module
 from onika.runtime import command, news
@@ -161,7 +161,7 @@ def test_annotations_may_be_put_off():  # R-X15
 def test_an_edited_function_takes_over_memory_and_input_while_others_cycle(tmp_path):  # R-X15
     other = "@module(hz=(1, 100))\ndef f(N: InVar('int')) -> OutVar('int', name='M'):\n    return N\n"
     other = f"from onika.module import *\n{other}"
-    rig = Rig().spawn("ramp", STATEFUL).spawn("other", other, rank=1)
+    rig = ExecutiveRig().spawn("ramp", STATEFUL).spawn("other", other, rank=1)
     rig.switch(on=[command.Launch("ramp", "0.05"), "other"]).run(20 * MS)
     edited = STATEFUL.replace("memory.calls += 1", "memory.calls += 10").replace(
         "calls: int = 0", "calls: int = 0\n    more: int = 7"
@@ -176,7 +176,7 @@ def test_an_edited_function_takes_over_memory_and_input_while_others_cycle(tmp_p
 
 
 def test_a_new_input_cannot_be_taken_over():  # law 21
-    rig = Rig().spawn("ramp", STATEFUL).switch(on=[command.Launch("ramp", "0.05")]).run(0)
+    rig = ExecutiveRig().spawn("ramp", STATEFUL).switch(on=[command.Launch("ramp", "0.05")]).run(0)
     more = STATEFUL.replace("    dt,\n", "    dt,\n    other: Input('int'),\n")
     rig.do(command.Swap(rig.spawn_of("ramp", more)))
     assert "other was not asked for yet: turn the task off and on" in rig.heard(news.Refused)[-1].reason

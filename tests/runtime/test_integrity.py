@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, strategies as st
 
 from kit.build import task as planned
-from kit.rig import Rig
-from kit.source import module
+from kit.executive_rig import ExecutiveRig
+from kit.module_source import module
 from onika.ring.slots import LONGEST_SEALED, Ring
 from onika.runtime import command
 from onika.runtime.integrity import Accessor, accessor, check
@@ -33,7 +33,7 @@ def accessors():
 
 @pytest.fixture
 def rig():
-    rig = Rig()
+    rig = ExecutiveRig()
     for rank, (task, svar) in enumerate((("left", "A"), ("middle", "B"), ("right", "C"), ("far", "D"))):
         rig.spawn(task, writer(svar), rank=rank)
     return rig.switch(on=["left", "middle", "right", "far"]).run(50 * MS)
@@ -120,7 +120,9 @@ def test_free_memory_that_is_written_is_found(rig):  # R-A12
 
 
 def test_a_long_value_is_sealed_while_its_writer_rests():  # R-A12
-    rig = Rig().spawn("camera", writer("IMAGE", f"double[{LONGEST_SEALED}]")).switch(on=["camera"]).run(30 * MS)
+    rig = (
+        ExecutiveRig().spawn("camera", writer("IMAGE", f"double[{LONGEST_SEALED}]")).switch(on=["camera"]).run(30 * MS)
+    )
     assert check(rig.table, []) == []
     rig.switch(off=["camera"])
     ring = rig.table.ring("IMAGE")
@@ -130,7 +132,7 @@ def test_a_long_value_is_sealed_while_its_writer_rests():  # R-A12
 
 def test_a_constant_that_is_overwritten_is_found_as_long_as_it_stands():  # R-A12
     source = module("    QMAX = OutConst('double[2]')\n    def init(self):\n        self.QMAX = (1.0, 2.0)")
-    rig = Rig().spawn("robot", source)
+    rig = ExecutiveRig().spawn("robot", source)
     assert check(rig.table, []) == []
     ring = rig.table.ring("QMAX")
     ctypes.memset(address_of(rig, "QMAX") + 64 + (ring.count & 15) * 64, 0xFF, 1)
@@ -139,7 +141,7 @@ def test_a_constant_that_is_overwritten_is_found_as_long_as_it_stands():  # R-A1
 
 @pytest.mark.parametrize("count", [*range(6), *range(7, 40), 2**31 + 6, 2**40])
 def test_a_counter_that_is_moved_at_rest_is_found(count):  # R-A12
-    rig = Rig().spawn("left", writer("A"))
+    rig = ExecutiveRig().spawn("left", writer("A"))
     rig.switch(on=["left"]).run(50 * MS).switch(off=["left"])
     assert rig.table.ring("A").count == 6
     rig.table.ring("A").words[0] = count
@@ -150,7 +152,7 @@ def test_a_counter_that_is_moved_at_rest_is_found(count):  # R-A12
 @given(st.integers(0, 4 * (64 + 16 * 64) - 1), st.binary(min_size=1, max_size=40))
 def test_whatever_is_written_astray_is_found_or_harms_no_value(place, data):  # R-A12
     """Bytes anywhere in a table at rest: either the check tells, or every variable still has its value."""
-    rig = Rig()
+    rig = ExecutiveRig()
     for task, svar in (("left", "A"), ("middle", "B"), ("right", "C"), ("far", "D")):
         rig.spawn(task, writer(svar))
     everyone = ["left", "middle", "right", "far"]

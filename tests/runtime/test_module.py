@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import pytest
 
-from kit.rig import Rig
-from kit.source import module
+from kit.executive_rig import ExecutiveRig
+from kit.module_source import module
 from onika.model.lifecycle import State
 from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
 from onika.ring.device import Drive, Order
@@ -97,7 +97,7 @@ def test_a_robot_says_nothing_of_itself_and_reaches_everything_unless_it_knows_b
 
 
 def test_compiled_code_gets_the_memory_of_a_port():  # R-A01
-    rig = Rig().spawn("one", module("    X = InVar('double')\n    Y = OutVar('int[2]')"))
+    rig = ExecutiveRig().spawn("one", module("    X = InVar('double')\n    Y = OutVar('int[2]')"))
     running = rig.task("one").module
     running.buffer("Y")[:] = (3, 4)
     assert running.Y.tolist() == [3, 4]

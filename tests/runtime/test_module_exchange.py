@@ -4,9 +4,9 @@ import hashlib
 
 import pytest
 
-from kit.rig import HOME, Rig
-from kit.source import COUNTER, cycle, module
-from kit.worlds import MassWorld
+from kit.executive_rig import HOME, ExecutiveRig
+from kit.mass_world import MassWorld
+from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.statistics import status_of
@@ -22,12 +22,12 @@ TAKES = NEW + "\n    def take(self, old):\n        self.log.append('take')\n    
 
 
 def swap_of(rig, source, task="one", **given):
-    """A Swap to this source, on ports of its own class; `given` are the words of `Rig.spawn`."""
+    """A Swap to this source, on ports of its own class; `given` are the words of `ExecutiveRig.spawn`."""
     return command.Swap(rig.spawn_of(task, source, **given))
 
 
 def running(source=OLD, *, until=25 * MS, **given):
-    rig = Rig().spawn("one", source, **given).switch(on=[command.Launch("one", activation=4)])
+    rig = ExecutiveRig().spawn("one", source, **given).switch(on=[command.Launch("one", activation=4)])
     return rig.run(until)
 
 
@@ -66,7 +66,7 @@ def test_the_others_keep_cycling_in_their_order():  # R-X15
 
 def test_a_task_that_is_off_stays_off_and_publishes_the_new_constants():  # law 21
     source = module("    C = OutConst('int')\n    E = OutBoth('int')\n    def init(self):\n        self.C = self.E = 1")
-    rig = Rig().spawn("one", source).do(swap_of(Rig(), source))
+    rig = ExecutiveRig().spawn("one", source).do(swap_of(ExecutiveRig(), source))
     rig.do(swap_of(rig, source.replace("= 1", "= 7")))
     assert (rig.task("one").state, rig["C"], rig["E"]) == (State.OFF, 7, 7)
 
@@ -182,14 +182,14 @@ def test_what_is_not_there_or_of_another_kind_is_refused(given, reason):  # law 
 
 def test_a_task_that_asks_is_not_exchanged():  # law 11
     asks = module("    goal = Input('double')")
-    rig = Rig().spawn("one", asks).switch(on=["one"])
+    rig = ExecutiveRig().spawn("one", asks).switch(on=["one"])
     rig.do(swap_of(rig, asks))
     assert "while ASKING" in rig.last(news.Refused).reason
 
 
 def test_the_last_argument_line_is_said_again():  # law 21
     asks = module("    goal = Input('double')\n    def on(self, inputs):\n        self.goal = inputs.goal")
-    rig = Rig().spawn("one", asks).switch(on=["one"]).do(command.Answer(HOME, "one", "2.5"))
+    rig = ExecutiveRig().spawn("one", asks).switch(on=["one"]).do(command.Answer(HOME, "one", "2.5"))
     rig.do(swap_of(rig, asks))
     assert rig.task("one").module.goal == 2.5
 
@@ -198,7 +198,7 @@ ARM = module("    def cycle(self):\n        self.device.write((1.0,))", hardware
 
 
 def test_what_commands_a_device_is_exchanged_only_while_it_is_off():  # law 21
-    rig = Rig(MassWorld()).spawn("one", ARM, device="m0").switch(on=["one"]).run(100 * MS)
+    rig = ExecutiveRig(MassWorld()).spawn("one", ARM, device="m0").switch(on=["one"]).run(100 * MS)
     rig.do(swap_of(rig, ARM, device="m0"))
     assert rig.last(news.Refused).reason == "it commands a device and is ON: turn it off first"
     rig.switch(off=["one"]).do(swap_of(rig, ARM.replace("1.0", "-1.0"), device="m0"))
@@ -223,7 +223,7 @@ SYNC = module("    N = OutVar('int')" + PIPE + "    def sync(self):\n        sel
 
 @pytest.mark.parametrize("takes", ["", "\n    def take(self, old):\n        pass"])
 def test_a_synchronous_task_waits_for_the_new_descriptor(takes):  # R-A04, law 21
-    rig = Rig().spawn("one", SYNC, kind="synchronous").switch(on=["one"])
+    rig = ExecutiveRig().spawn("one", SYNC, kind="synchronous").switch(on=["one"])
     rig.do(swap_of(rig, SYNC.replace("+= 1", "+= 5") + takes, kind="synchronous"))
     new = rig.task("one").module
     assert rig.executive.events() == {new.fileno(): (HOME, "one")}
@@ -233,7 +233,7 @@ def test_a_synchronous_task_waits_for_the_new_descriptor(takes):  # R-A04, law 2
 
 
 def test_a_synchronous_module_without_a_descriptor_does_not_take_the_place():  # law 21
-    rig = Rig().spawn("one", SYNC, kind="synchronous").switch(on=["one"])
+    rig = ExecutiveRig().spawn("one", SYNC, kind="synchronous").switch(on=["one"])
     before = rig.executive.events()
     rig.do(swap_of(rig, module(), kind="synchronous"))
     assert "fileno" in rig.last(news.Refused).reason

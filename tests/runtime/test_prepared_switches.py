@@ -3,8 +3,8 @@
 import pytest
 from msgspec import structs
 
-from kit.rig import HOME, Rig
-from kit.source import COUNTER, cycle, module
+from kit.executive_rig import HOME, ExecutiveRig
+from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
@@ -35,7 +35,7 @@ def prepared(*cases, task="end", activation=7):
 
 def rig_of(source=ENDS, **given):
     """A trigger that ends at 20 ms and a task beside it are ON; another is OFF."""
-    rig = Rig(**given).spawn("end", source)
+    rig = ExecutiveRig(**given).spawn("end", source)
     for name in ("beside", "next"):
         rig.spawn(name, COUNTER, aliases={"N": f"N_{name.upper()}"}, rank=1)
     return rig.switch(on=[command.Launch("end", "", None, 7), "beside"])

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.rig import HOME, Rig
+from kit.executive_rig import HOME, ExecutiveRig
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.statistics import load_of, status_of, values_of
@@ -30,7 +30,11 @@ class One(Module):
 
 @pytest.fixture
 def rig():
-    return Rig().spawn("one", SOURCE).spawn("two", SOURCE, aliases={"N^": "M", "Q": "R", "NAME": "P", "FLAG": "G"})
+    return (
+        ExecutiveRig()
+        .spawn("one", SOURCE)
+        .spawn("two", SOURCE, aliases={"N^": "M", "Q": "R", "NAME": "P", "FLAG": "G"})
+    )
 
 
 def test_a_status_has_every_column_of_the_thesis(rig):  # R-A11
@@ -78,7 +82,7 @@ def test_a_profile_shorter_than_a_period_makes_no_high_rate(rig):  # R-A11
 
 @pytest.mark.parametrize(("kind", "letter"), [("periodic", "P"), ("synchronous", "Y"), ("aperiodic", "A")])
 def test_the_kind_of_a_task_is_one_letter(kind, letter):  # R-A11
-    figures = Rig().spawn("one", SOURCE, kind=kind, frequency=100.0).do(command.Report())
+    figures = ExecutiveRig().spawn("one", SOURCE, kind=kind, frequency=100.0).do(command.Report())
     assert figures.heard(news.Statuses)[0].tasks[0].letter == letter
 
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.rig import HOME, Rig, rig_of
-from kit.source import module
+from kit.executive_rig import HOME, ExecutiveRig, rig_of
+from kit.module_source import module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.words.shape import Shape
@@ -41,7 +41,7 @@ def test_ranks_are_taken_over_between_cycles_without_losing_a_release():  # law 
     source = module(
         "    N = OutVar('int')\n    SEEN = InVar('int')\n    def cycle(self):\n        self.N = self.SEEN + 1"
     )
-    rig = Rig().spawn("a", source, rank=0, aliases={"N": "A", "SEEN": "B"})
+    rig = ExecutiveRig().spawn("a", source, rank=0, aliases={"N": "A", "SEEN": "B"})
     rig.spawn("b", source, rank=1, aliases={"N": "B", "SEEN": "A"}).switch(on=["a", "b"]).run(0)
     assert (rig["A"], rig["B"]) == (1, 2)
     rig.do(command.Rank(HOME, (("a", 2), ("nobody", 0)))).run(10 * MS)
@@ -66,7 +66,7 @@ CONSUMER = module(
 
 
 def ndof_rig():
-    return Rig().spawn("robot", SUPPLIER).spawn("one", CONSUMER, constants={"NDOF": 2})
+    return ExecutiveRig().spawn("robot", SUPPLIER).spawn("one", CONSUMER, constants={"NDOF": 2})
 
 
 def test_a_changed_constant_reaches_its_consumer_with_a_reinit():  # R-A01, law 10

@@ -3,8 +3,8 @@
 import pytest
 from msgspec import structs
 
-from kit.rig import HOME, Rig, rig_of
-from kit.source import COUNTER, HEAD, module
+from kit.executive_rig import HOME, ExecutiveRig, rig_of
+from kit.module_source import COUNTER, HEAD, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 
@@ -46,7 +46,7 @@ def test_one_module_serves_many_tasks_that_share_nothing():  # R-A01, law 14
         "seen = []\nclass One(Module):\n    N = OutVar('int')\n"
         "    def cycle(self):\n        seen.append(1)\n        self.N = len(seen)\n"
     )
-    rig = Rig().spawn("a", source, aliases={"N": "A"}).spawn("b", source, aliases={"N": "B"}, frequency=50.0)
+    rig = ExecutiveRig().spawn("a", source, aliases={"N": "A"}).spawn("b", source, aliases={"N": "B"}, frequency=50.0)
     rig.switch(on=["a", "b"]).run(40 * MS)
     assert (rig["A"], rig["B"]) == (5, 3)
 
@@ -68,7 +68,7 @@ def test_an_init_that_raises_is_an_error_and_clear_initialises_anew():  # R-A05
 
 def in_state(state):
     asks = module("    x = Input('int')\n    def cycle(self):\n        raise ValueError('planted')")
-    rig = Rig().spawn("one", asks)
+    rig = ExecutiveRig().spawn("one", asks)
     if state is State.ASKING:
         rig.switch(on=["one"])
     if state in (State.ON, State.ERROR):
@@ -123,14 +123,14 @@ def test_a_command_does_what_the_table_says_or_is_refused_and_changes_nothing(na
 
 @pytest.mark.parametrize("order", [command.Get(HOME, "nobody", "x"), command.Set(HOME, "nobody", "x", "1")])
 def test_a_task_that_is_not_there_is_refused_by_name(order):
-    assert Rig().do(order).heard(news.Refused) == [news.Refused(HOME, "nobody", "get or set", "no such task")]
+    assert ExecutiveRig().do(order).heard(news.Refused) == [news.Refused(HOME, "nobody", "get or set", "no such task")]
 
 
 # Switches
 
 
 def test_a_switch_turns_off_before_it_turns_on_with_no_cycle_in_between():  # laws 2, 3
-    rig = Rig().spawn("a", COUNTER).spawn("b", COUNTER).switch(on=["a"]).run(5 * MS)
+    rig = ExecutiveRig().spawn("a", COUNTER).spawn("b", COUNTER).switch(on=["a"]).run(5 * MS)
     rig.switch(off=["a"], on=["b"])
     changes = [(event.task, event.state) for event in rig.heard(news.Changed)]
     assert changes == [("a", "ON"), ("a", "OFF"), ("b", "ON")]
@@ -148,7 +148,7 @@ def test_a_reference_stays_in_force_while_it_is_read_and_a_stale_one_does_not():
         "    REF = OutVar('double')\n    Q = InVar('double')\n    def on(self, inputs):\n"
         "        self.began = self.continues('REF')\n        self.REF += 1.0"
     )
-    rig = Rig()
+    rig = ExecutiveRig()
     for task, ref in (("line", "X_REF"), ("joint", "Q_REF")):
         rig.spawn(task, source, aliases={"REF": ref, "Q": ref + "2"})
     began = []
@@ -166,7 +166,7 @@ def test_a_reference_stays_in_force_while_it_is_read_and_a_stale_one_does_not():
 
 def meeting_rig():
     """Three tasks in each of three subsystems; the first of them in data flow is named last."""
-    rig = Rig()
+    rig = ExecutiveRig()
     for flow in ("f0", "f1", "f2"):
         rig.views[f"table:{flow}"] = rig.views[f"table:{HOME}"]
         for rank, name in enumerate("cba"):

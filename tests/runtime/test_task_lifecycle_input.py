@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.rig import HOME, Rig, rig_of
-from kit.source import COUNTER, cycle, module
+from kit.executive_rig import HOME, ExecutiveRig, rig_of
+from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 
@@ -20,7 +20,7 @@ ASKS = module(
 
 
 def asking_rig():
-    rig = Rig()
+    rig = ExecutiveRig()
     rig.spawn("limit", module("    QMAX = OutConst('double[2]')\n    def init(self):\n        self.QMAX = 3.0"))
     return rig.spawn("one", ASKS)
 
@@ -54,7 +54,7 @@ def test_input_that_is_missing_or_wrong_is_asked_for_with_the_reason_until_it_is
 
 def test_a_task_that_asks_can_be_turned_off_and_its_off_is_not_run():  # R-A10
     source = ASKS + "\n    def off(self):\n        raise ValueError('never was on')"
-    rig = Rig().spawn("limit", module("    QMAX = OutConst('double[2]')")).spawn("one", source)
+    rig = ExecutiveRig().spawn("limit", module("    QMAX = OutConst('double[2]')")).spawn("one", source)
     rig.switch(on=["one"]).switch(off=["one"])
     assert (rig.task("one").state, rig.heard(news.Failed)) == (State.OFF, [])
 

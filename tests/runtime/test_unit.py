@@ -4,8 +4,8 @@ import os
 
 import pytest
 
-from kit.rig import HOME, Rig
-from kit.source import COUNTER, module
+from kit.executive_rig import HOME, ExecutiveRig
+from kit.module_source import COUNTER, module
 from onika.runtime.running_task import RunningTask
 from onika.runtime.unit import Unit
 
@@ -25,7 +25,7 @@ def task(rig, name, source=COUNTER, **given):
 
 @pytest.fixture
 def rig():
-    return Rig()
+    return ExecutiveRig()
 
 
 def test_a_task_gets_a_number_and_is_known_by_its_name(unit, rig):  # R-A11

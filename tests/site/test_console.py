@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from kit.console import ONIKA, Console
+from kit.cli_process import ONIKA, CliProcess
 
 pytestmark = pytest.mark.site
 
@@ -48,7 +48,7 @@ def script(tmp_path, text):
 
 def batch(tmp_path, text, *words):
     """The exit code and everything that was said."""
-    with Console("runtime", "--no-fifo", "--script", script(tmp_path, text), *words) as console:
+    with CliProcess("runtime", "--no-fifo", "--script", script(tmp_path, text), *words) as console:
         said = console.text()
         return console.code(), said
 
@@ -117,10 +117,10 @@ def test_a_module_that_fails_shows_where_and_its_new_file_mends_it(tmp_path):  #
 
 def test_a_second_console_takes_part_in_the_same_runtime(tmp_path, monkeypatch):  # R-A16, R-A15
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    with Console("runtime", "--virtual", "--no-console", "--listen", "127.0.0.1:0") as first:
+    with CliProcess("runtime", "--virtual", "--no-console", "--listen", "127.0.0.1:0") as first:
         address = first.until_line("others reach it at ").split()[-1]
         path = script(tmp_path, "spawn puma\non puma\ntasks\nsubsystems\n")
-        with Console("console", address, "--script", path, "--no-console") as second:
+        with CliProcess("console", address, "--script", path, "--no-console") as second:
             said = second.text()
             assert second.code() == 0, said
         assert re.search(r"^main/puma +ON ", said, re.MULTILINE)

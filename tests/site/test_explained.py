@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import pytest
 
-from kit.console import Console
+from kit.cli_process import CliProcess
 from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
@@ -178,7 +178,7 @@ def loses_a_processing_unit(tmp_path):
 )
 def test_the_cause_that_is_named_is_the_planted_one(tmp_path, plant):  # R-X06
     planted = plant(tmp_path)
-    with Console("run", planted.path, "--json", *planted.words) as console:
+    with CliProcess("run", planted.path, "--json", *planted.words) as console:
         if planted.kills:
             console.until(event="warned", text="it begins")
             os.kill(console.process(planted.kills), signal.SIGKILL)
@@ -197,7 +197,7 @@ def test_the_cause_that_is_named_is_the_planted_one(tmp_path, plant):  # R-X06
 
 def test_the_last_seconds_are_those_before_the_fault_and_end_with_it(tmp_path):  # R-X06
     planted = raises(tmp_path)
-    with Console("run", planted.path, "--json", "--virtual") as console:
+    with CliProcess("run", planted.path, "--json", "--virtual") as console:
         console.result()
     (one,) = [event for event in console.events if event["event"] == "explained"]
     (course,) = one["courses"]
@@ -212,7 +212,7 @@ def test_a_run_that_is_explained_repeats_bit_for_bit(tmp_path):  # R-X06, R-X08
     path = poisons_a_variable(tmp_path).path
     told = []
     for seed in ("1", "2"):
-        with Console("run", path, "--json", "--virtual", environment={"PYTHONHASHSEED": seed}) as console:
+        with CliProcess("run", path, "--json", "--virtual", environment={"PYTHONHASHSEED": seed}) as console:
             digest = console.result()["hash"]
         told.append((digest, [event for event in console.events if event["event"] == "explained"]))
     assert told[0] == told[1]
@@ -220,7 +220,7 @@ def test_a_run_that_is_explained_repeats_bit_for_bit(tmp_path):  # R-X06, R-X08
 
 
 def test_a_stop_is_told_to_people_in_a_block(tmp_path):  # R-X06, R-E11
-    with Console("run", poisons_a_variable(tmp_path).path, "--virtual", environment={"COLUMNS": "100"}) as console:
+    with CliProcess("run", poisons_a_variable(tmp_path).path, "--virtual", environment={"COLUMNS": "100"}) as console:
         text = console.text()
     assert "END flow0/puma: " in text
     assert " suspect     poison" in text
@@ -232,7 +232,7 @@ def steered(tmp_path, path, *script):
     """The explanations of a run that is steered by these lines, and its result."""
     lines = tmp_path / "steering"
     lines.write_text("\n".join(script) + "\n")
-    with Console("run", str(path), "--json", "--virtual", "--script", str(lines)) as console:
+    with CliProcess("run", str(path), "--json", "--virtual", "--script", str(lines)) as console:
         result = console.result()
     return [event for event in console.events if event["event"] == "explained"], result
 

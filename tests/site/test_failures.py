@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from kit.console import Console
+from kit.cli_process import CliProcess
 from kit.laboratory import Laboratory, job, joints
 
 pytestmark = pytest.mark.site
@@ -80,11 +80,11 @@ def failures(console):
 
 
 def sick(tmp_path, act, **settings):
-    return Console("run", program(tmp_path, act, **settings), "--json")
+    return CliProcess("run", program(tmp_path, act, **settings), "--json")
 
 
 def test_control_c_stops_the_run(tmp_path):  # R-E07, law 27
-    with Console("run", program(tmp_path), "--json") as console:
+    with CliProcess("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
         console.interrupt()
         assert aborted(console)["cause"] == "stopped by the user (Ctrl-C)"
@@ -92,7 +92,7 @@ def test_control_c_stops_the_run(tmp_path):  # R-E07, law 27
 
 
 def test_a_killed_processing_unit_ends_the_run(tmp_path):  # R-A16, R-E10, law 17
-    with Console("run", program(tmp_path), "--json") as console:
+    with CliProcess("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
         os.kill(console.process("onika.host.units.rtpu"), signal.SIGKILL)
         assert aborted(console)["cause"].startswith("processing unit rt0 was killed by signal 9")
@@ -100,7 +100,7 @@ def test_a_killed_processing_unit_ends_the_run(tmp_path):  # R-A16, R-E10, law 1
 
 
 def test_a_stopped_processing_unit_ends_the_run(tmp_path):  # R-A16, law 17
-    with Console("run", program(tmp_path), "--json") as console:
+    with CliProcess("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
         os.kill(console.process("onika.host.units.rtpu"), signal.SIGSTOP)
         cause = aborted(console)["cause"]
@@ -149,7 +149,7 @@ def test_without_the_device_server_hardware_tasks_fail_within_a_tenth_of_a_secon
 
 
 def test_a_killed_runtime_is_told_and_takes_its_processes_with_it(tmp_path):  # R-E10, R-A15
-    with Console("run", program(tmp_path), "--json") as console:
+    with CliProcess("run", program(tmp_path), "--json") as console:
         console.until(event="warned", text="it begins")
         os.kill(console.process("onika.host --link-fd"), signal.SIGKILL)
         result = aborted(console)
@@ -160,7 +160,7 @@ def test_a_killed_runtime_is_told_and_takes_its_processes_with_it(tmp_path):  # 
 
 @pytest.mark.parametrize("mode", [(), ("--virtual",)])
 def test_a_killed_command_line_takes_everything_with_it(tmp_path, mode):  # R-A15, R-E10
-    with Console("run", program(tmp_path, "self._count = 9; time.sleep(0.02)"), "--json", *mode) as console:
+    with CliProcess("run", program(tmp_path, "self._count = 9; time.sleep(0.02)"), "--json", *mode) as console:
         console.until(event="warned", text="it begins")
         assert len(console.processes()) >= 3
         os.kill(console.pid, signal.SIGKILL)
@@ -194,7 +194,7 @@ def test_no_number_that_is_none_reaches_a_drive_through_the_variables(tmp_path, 
     path = laboratory.application(
         "poison", [job("poisonC", "Joint job"), joints("up", 0.0, -1.57, 1.57, 0.0, 0.0, 0.0)]
     )
-    with Console("run", str(path), "--json", *mode) as console:
+    with CliProcess("run", str(path), "--json", *mode) as console:
         cause = aborted(console)["cause"]
     assert "puma is in error" in cause
     assert "NaN or infinity in TAU_REF" in cause
@@ -222,7 +222,7 @@ def test_no_number_that_is_none_reaches_a_drive_through_its_device(tmp_path, mod
     laboratory.plain_task("madhand", reads="GRIP", writes="GRIP_MEZ", hz=250, local="DEVICE boxes:gripper_left\n")
     laboratory.plain_task("opengrip", reads="GRIP_MEZ", writes="GRIP", hz=50, local="LEAST 9\nMOST 9\n")
     laboratory.configuration("madC", "madhand 250", "opengrip 50")
-    with Console("run", str(laboratory.application("mad", [job("madC")])), "--json", *mode) as console:
+    with CliProcess("run", str(laboratory.application("mad", [job("madC")])), "--json", *mode) as console:
         cause = aborted(console)["cause"]
     assert "madhand is in error" in cause
     assert "finite commands" in cause
@@ -254,21 +254,21 @@ def test_a_module_with_a_thread_that_spins_hangs_nobody(tmp_path):  # law 30
 
 
 def test_in_virtual_time_a_module_that_raises_is_named_too(tmp_path):  # R-A09, R-X08
-    with Console("run", program(tmp_path, 'raise ValueError("bang")'), "--virtual", "--json") as console:
+    with CliProcess("run", program(tmp_path, 'raise ValueError("bang")'), "--virtual", "--json") as console:
         assert "sick is in error: cycle: ValueError: bang" in aborted(console)["cause"]
     assert_held_in_time(console)
 
 
 @pytest.mark.parametrize("act", ["os._exit(3)", "os.closerange(3, 300)"])
 def test_in_virtual_time_a_module_that_ends_the_runtime_is_survived(tmp_path, act):  # law 15
-    with Console("run", program(tmp_path, act), "--virtual", "--json") as console:
+    with CliProcess("run", program(tmp_path, act), "--virtual", "--json") as console:
         cause = aborted(console)["cause"]
     assert "the runtime is gone" in cause
     assert "it ended with code" in cause
 
 
 def test_in_virtual_time_control_c_stops_the_run(tmp_path):  # R-E07
-    with Console("run", program(tmp_path, "self._count = 9; time.sleep(0.01)"), "--virtual", "--json") as console:
+    with CliProcess("run", program(tmp_path, "self._count = 9; time.sleep(0.01)"), "--virtual", "--json") as console:
         console.until(event="warned", text="it begins")
         console.interrupt()
         assert aborted(console)["cause"] == "stopped by the user (Ctrl-C)"

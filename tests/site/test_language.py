@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from kit.asker import OpenGate
+from kit.direct_client import OpenGate
 from kit.laboratory import Laboratory, job, target
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run

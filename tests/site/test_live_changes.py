@@ -7,8 +7,8 @@ cycles more than those without. On a machine of its own, with real-time priority
 
 import pytest
 
-from kit.hand import COUNTER, SOURCE, USER
-from kit.workshop import Workshop
+from kit.live_edits import COUNTER, SOURCE, USER
+from kit.plan_builder import PlanBuilder
 from onika.desk.run.runtime import Runtime
 from onika.wire import event, live, request
 
@@ -39,7 +39,7 @@ class Bench:
 
     def __init__(self, runtime):
         self.runtime = runtime
-        self.shop = Workshop()
+        self.shop = PlanBuilder()
         self.told = []
 
     def change(self, spawn=(), on=(), subsystem="s0", **what):

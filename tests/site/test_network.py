@@ -15,7 +15,7 @@ import pytest
 from websockets.client import ClientProtocol
 from websockets.uri import parse_uri
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.desk.run.runtime import Runtime, connect
 from onika.link.address import Address
 from onika.link.channel import Channel
@@ -245,7 +245,7 @@ class Bell(Module):
 
 def test_local_runs_go_on_when_the_porter_is_killed(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    shop = Workshop()
+    shop = PlanBuilder()
     shop.task("bell", BELL)
     with Runtime(("rt0",), is_virtual=False, with_fifo=False, options=("--listen", "127.0.0.1:0")) as runtime:
         assert runtime.ask(request.Prepare(shop.plan([action("bell")]), ())).faults == ()

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from kit.console import ONIKA
+from kit.cli_process import ONIKA
 
 pytestmark = pytest.mark.site
 

@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 
-from kit.console import ONIKA
+from kit.cli_process import ONIKA
 from kit.laboratory import Laboratory, job
 from onika.cli import main
 

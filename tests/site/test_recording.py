@@ -8,9 +8,9 @@ from time import monotonic, sleep
 
 import pytest
 
-from kit.console import ONIKA
+from kit.cli_process import ONIKA
+from kit.environment_fixture import EnvironmentFixture
 from kit.laboratory import Laboratory, job
-from kit.sitting import Sitting
 from onika.cli import main
 from onika.desk.environment.initial_model import opened
 from onika.desk.run.recorded_run import Source, inputs_of
@@ -136,7 +136,7 @@ def test_any_instant_is_there_at_once(recorded):  # R-X05: scrubbing within 100 
 
 def test_a_page_shows_a_real_run_at_its_icons(recorded, tmp_path):  # R-X05: canvas, flows, 3-D show that instant
     model, _ = opened(SITE, None, {})
-    sitting = Sitting(tmp_path, model=model, site=SITE)
+    sitting = EnvironmentFixture(tmp_path, model=model, site=SITE)
     assert sitting.later(act.OpenRecording(str(recorded[0]))).no is None
     view = sitting.environment.tree.review.recording
     icons = sitting.environment.tree.applications[view.doc].steps

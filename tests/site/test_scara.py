@@ -3,7 +3,7 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.asker import OpenGate
+from kit.direct_client import OpenGate
 from kit.laboratory import Laboratory, job, joints, target
 from onika.cli import main
 from onika.desk.plan.preparation import prepare_run

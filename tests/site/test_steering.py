@@ -11,7 +11,7 @@ from time import monotonic
 
 import pytest
 
-from kit.console import ONIKA, Console
+from kit.cli_process import ONIKA, CliProcess
 from onika.desk.run.run import start
 from onika.desk.run.running_application import Running
 from onika.desk.run.settings import RunSettings
@@ -38,7 +38,7 @@ def steered(tmp_path, text, *words):
     """The result of a run that this script steers, and all that was said."""
     path = tmp_path / "script"
     path.write_text(text)
-    with Console("run", *words, "--json", "--script", str(path), patience_s=120.0) as console:
+    with CliProcess("run", *words, "--json", "--script", str(path), patience_s=120.0) as console:
         return console.result(), console.events
 
 
@@ -82,7 +82,7 @@ def test_a_steered_run_in_virtual_time_is_the_same_bit_for_bit(tmp_path):  # R-E
 
 def test_a_script_that_steers_nothing_changes_nothing(tmp_path):  # law 14
     result, _ = steered(tmp_path, "wait done 2\n", "assemble24", "--virtual")
-    with Console("run", "assemble24", "--virtual", "--json") as plain:
+    with CliProcess("run", "assemble24", "--virtual", "--json") as plain:
         assert plain.result()["hash"] == result["hash"]
 
 
@@ -215,9 +215,9 @@ def test_the_terminal_is_restored_whatever_ends_the_run(told):  # R-E07
 def test_a_run_that_was_left_alone_is_steered_from_a_console(tmp_path):  # R-E07, R-E10
     environment = {"XDG_STATE_HOME": str(tmp_path)}
     served = ["runtime", "--no-console", "--listen", "127.0.0.1:0"]
-    with Console(*served, environment=environment, patience_s=120.0) as runtime:
+    with CliProcess(*served, environment=environment, patience_s=120.0) as runtime:
         url = re.search(r"ws://\S+", runtime.until_line("others reach it at"))[0]
-        with Console(
+        with CliProcess(
             "run", "assemble", "--json", "--on-loss", "finish", "--runtime", url, environment=environment
         ) as run:
             run.until(event="began", index=1)
@@ -226,7 +226,7 @@ def test_a_run_that_was_left_alone_is_steered_from_a_console(tmp_path):  # R-E07
         path.write_text(
             "wait flow0 paused within 60\nruns\nwho\nstep\nwait flow0 running\nwait flow0 paused within 20\nabort\n"
         )
-        with Console("console", url, "--script", str(path), "--no-console", environment=environment) as console:
+        with CliProcess("console", url, "--script", str(path), "--no-console", environment=environment) as console:
             said = console.text()
             assert console.code() == 0, said
         assert "assemble in flow0" in said

@@ -3,11 +3,11 @@
 import pytest
 
 from onika.runtime.partner.partner import Partner
-from onika.testing.fake_partner import Outsider, wait
+from onika.testing.fake_partner import FakePartner, wait
 
 
 def test_it_hears_and_says_what_the_test_wants(tmp_path):
-    with Outsider(tmp_path) as outsider:
+    with FakePartner(tmp_path) as outsider:
         partner = Partner(outsider.address)
         partner.ask("what", x=1)
         call = outsider.accept()
@@ -22,11 +22,11 @@ def test_it_hears_and_says_what_the_test_wants(tmp_path):
 
 
 def test_where_it_does_not_listen_nobody_calls(tmp_path):
-    outsider = Outsider(tmp_path, listens=False)
+    outsider = FakePartner(tmp_path, listens=False)
     with pytest.raises(RuntimeError, match="open it first"):
         outsider.accept()
 
 
 def test_nothing_comes_of_waiting_where_nothing_is_asked(tmp_path):
-    with Outsider(tmp_path) as outsider:
+    with FakePartner(tmp_path) as outsider:
         assert not wait(Partner(outsider.address), 0.01)

@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.app import application
 from onika.web.hub import Hall
@@ -24,7 +24,7 @@ class Served:
     """An environment that is served on a port of this machine."""
 
     def __init__(self, folder, static):
-        self.sitting = Sitting(folder, (Task("a", "a", outvar=("Q",), frequency=1.0),))
+        self.sitting = EnvironmentFixture(folder, (Task("a", "a", outvar=("Q",), frequency=1.0),))
         listening = bound(0)
         self.address = addresses(listening)[0]
         self.door = Door(addresses(listening))

@@ -3,7 +3,7 @@ import asyncio
 import msgspec
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.hub import Hall
 from onika.wire import act, page
@@ -49,7 +49,7 @@ class Talk:
 
 @pytest.fixture
 def hall(tmp_path):
-    hub = Hall(Sitting(tmp_path, TASKS).environment, Values(), lambda: 12.5)
+    hub = Hall(EnvironmentFixture(tmp_path, TASKS).environment, Values(), lambda: 12.5)
     with asyncio.Runner() as hub.runner:  # what waits for something belongs to one loop
         yield hub
 

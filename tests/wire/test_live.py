@@ -2,12 +2,12 @@
 
 import pytest
 
-from kit.rail import rail
-from kit.workshop import action
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.wire import live, request
 from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 
-PLAN = rail().plan([action("mass", "servo", arguments="1")])
+PLAN = rail_tasks().plan([action("mass", "servo", arguments="1")])
 TASK, CODE = PLAN.flows[0].tasks[0], PLAN.code[0]
 REQUESTS = [
     live.Change("s0", ("a",), (TASK,), (CODE,), ("b",), (live.Turn("c", "1 2"),), (("b", 50.0),)),

@@ -1,11 +1,11 @@
 import msgspec
 import pytest
 
-from kit.rail import rail
-from kit.workshop import action
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.wire import holding, live, request, steer
 
-PLAN = rail().plan([action("mass", "servo", arguments="1")])
+PLAN = rail_tasks().plan([action("mass", "servo", arguments="1")])
 REQUESTS = [
     request.Prepare(PLAN, (request.TargetValues(0, 0, "joint object", (1.0, 2, "three")),)),
     request.Inspect(PLAN.flows[0].tasks, PLAN.code),

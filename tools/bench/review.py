@@ -19,7 +19,7 @@ import msgspec
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "src"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.initial_model import opened
 from onika.record.reader import Reader
 from onika.record.run import Run
@@ -41,10 +41,10 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = given.file or _stretched(_recorded(Path(folder)), Path(folder) / "long.mcap", given.minutes * 60)
         site = open_site([], {}, None)
-        _measure(Sitting(Path(folder) / "base", model=opened(site, None, {})[0], site=site), path)
+        _measure(EnvironmentFixture(Path(folder) / "base", model=opened(site, None, {})[0], site=site), path)
 
 
-def _measure(sitting: Sitting, path: Path) -> None:
+def _measure(sitting: EnvironmentFixture, path: Path) -> None:
     _line("opened", lambda: sitting.later(act.OpenRecording(str(path))))
     view = sitting.environment.tree.review
     if view is None:
@@ -66,7 +66,7 @@ def _measure(sitting: Sitting, path: Path) -> None:
     _line("compared with itself", lambda: _compare(sitting, act.CompareWith(str(path))))
 
 
-def _compare(sitting: Sitting, asked: act.CompareWith) -> None:
+def _compare(sitting: EnvironmentFixture, asked: act.CompareWith) -> None:
     sitting.later(asked)
     while sitting.environment.tree.review is not None and sitting.environment.tree.review.difference is None:
         sitting.environment.become(sitting.changes.get())

@@ -1,6 +1,6 @@
 """An outside partner that a test leads by the hand, in the same thread: it does only what it is told, when it is told.
 
-outsider = Outsider(tmp_path)
+outsider = FakePartner(tmp_path)
 partner = Partner(outsider.address)
 partner.ask("path")
 call = outsider.accept()
@@ -56,7 +56,7 @@ class Call:
         self._line.close()
 
 
-class Outsider:
+class FakePartner:
     """Listens in this folder as soon as it is made, or only after `open`."""
 
     def __init__(self, folder: Path, listens: bool = True) -> None:

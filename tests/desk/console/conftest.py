@@ -11,7 +11,7 @@ ENDPOINT = event.Item("endpoint", "double", 2, "rad", "where to go", None, (-1.0
 DURATION = event.Item("duration", "double", 1, "s", "how long", (3.0,), (0.1,), None)
 
 
-class Sitting:
+class ConsoleFixture:
     """A console over a runtime that is played, and all it says."""
 
     def __init__(self, home, runtime, **given):
@@ -64,7 +64,7 @@ def sit(tmp_path):
     """Begin a sitting; what is given goes to the runtime that is played, `addresses` to the session."""
 
     def begin(addresses=(), **given):
-        return Sitting(tmp_path, LiveRuntime(**given), addresses=addresses)
+        return ConsoleFixture(tmp_path, LiveRuntime(**given), addresses=addresses)
 
     return begin
 

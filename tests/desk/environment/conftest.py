@@ -1,8 +1,8 @@
 import pytest
 
-from kit.cinema import Cinema
+from kit.review_fixture import ReviewFixture
 
 
 @pytest.fixture
 def cinema(tmp_path):
-    return Cinema(tmp_path)
+    return ReviewFixture(tmp_path)

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.application_entry import Names, things
 from onika.desk.environment.diary_entry import entry
 from onika.wire import act
@@ -8,7 +8,7 @@ from onika.wire import act
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def said(gallery, asked):

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.button_commands import Commands
 from onika.files import buttons as file
 from onika.model.button import Button
@@ -10,7 +10,7 @@ from onika.words.fault import Refusal
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path)
+    return EnvironmentFixture(tmp_path)
 
 
 def kept(sitting):
@@ -110,7 +110,7 @@ class Refusing(Commands):
 
 
 def test_a_command_that_cannot_begin_is_refused(tmp_path):  # R-G02
-    sitting = Sitting(tmp_path)
+    sitting = EnvironmentFixture(tmp_path)
     sitting.do(act.SetButton("a", "true"))
     sitting.surroundings.commands.__class__ = Refusing
     assert sitting.no(act.Press("a")).reason == "a cannot be run: no more processes"

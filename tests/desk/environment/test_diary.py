@@ -1,13 +1,13 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.diary import Diary
 from onika.wire import act
 
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path)
+    return EnvironmentFixture(tmp_path)
 
 
 def kept(sitting, folder, clock=lambda: 770908202.0):

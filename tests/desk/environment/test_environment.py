@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.outcome import Ask, Change, Done, Ending, No, Shown, Until, Work
 from onika.model.task import Task
 from onika.wire import act, live, page, request
@@ -27,7 +27,7 @@ acts = st.one_of(
 @settings(deadline=None, max_examples=60)
 @given(done=st.lists(acts, max_size=25))
 def test_a_page_that_follows_the_patches_has_the_tree(tmp_path_factory, done):  # R-X10
-    sitting = Sitting(tmp_path_factory.mktemp("base"), TASKS)
+    sitting = EnvironmentFixture(tmp_path_factory.mktemp("base"), TASKS)
     sitting.new()
     for one in done:
         sitting.answer(one)  # whose patches are compared with the tree, one by one
@@ -36,7 +36,7 @@ def test_a_page_that_follows_the_patches_has_the_tree(tmp_path_factory, done):  
 @settings(deadline=None, max_examples=60)
 @given(done=st.lists(acts.filter(lambda one: not isinstance(one, act.Undo | act.Redo)), max_size=15))
 def test_undo_goes_back_through_every_state_and_redo_forward(tmp_path_factory, done):  # R-X10
-    sitting = Sitting(tmp_path_factory.mktemp("base"), TASKS)
+    sitting = EnvironmentFixture(tmp_path_factory.mktemp("base"), TASKS)
     sitting.new()
 
     def content():
@@ -58,7 +58,7 @@ def test_undo_goes_back_through_every_state_and_redo_forward(tmp_path_factory, d
 
 
 def test_every_step_is_told_by_its_label(tmp_path):  # R-X10
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a")
     assert sitting.environment.tree.documents[doc].undo == "placing a"
     sitting.do(act.Undo(doc))
@@ -66,7 +66,7 @@ def test_every_step_is_told_by_its_label(tmp_path):  # R-X10
 
 
 def test_an_observer_is_told_of_every_act_and_its_end(tmp_path):  # R-H01
-    sitting, seen = Sitting(tmp_path, TASKS), []
+    sitting, seen = EnvironmentFixture(tmp_path, TASKS), []
     sitting.environment.observers.append(lambda asked, by, given: seen.append((type(asked), by, given.no is None)))
     sitting.do(act.New(), by="anna")
     sitting.no(act.Undo("c1"))
@@ -78,7 +78,7 @@ def begin(tmp_path):
     """Carries out a procedure as an act: the sitting, and the answers that it gets."""
 
     def begin(procedure):
-        sitting, answers = Sitting(tmp_path, TASKS), []
+        sitting, answers = EnvironmentFixture(tmp_path, TASKS), []
         sitting.environment._handlers = {act.Note: procedure, act.Company: lambda model, *_: Done(people(model, 9))}
         sitting.environment.do(act.Note("x"), "me", answers.append)
         return sitting, answers
@@ -162,13 +162,13 @@ def test_an_act_may_wait_until_something_comes_by_itself_and_so_may_several(begi
 
 
 def test_a_refused_change_that_no_act_waits_for_is_worth_a_line(tmp_path):  # law 22
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     sitting.environment.become(lambda model: Done(model, news=((Change("c1", 1), No("they disagree")),)))
     assert [(line.text, line.doc) for line in sitting.says] == [("they disagree", "c1")]
 
 
 def test_a_change_from_outside_reaches_every_page(tmp_path):
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     said = page.Say("info", "a word")
     sitting.environment.become(lambda model: Done(model, says=(said,)))
     assert sitting.says == [said]

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import LocalLine, Task
 from onika.wire import act, event, live
 
@@ -14,7 +14,7 @@ TASKS = (
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 def test_placing_spawns_and_removing_kills_each_with_its_undo(duet):  # R-C11, R-X10

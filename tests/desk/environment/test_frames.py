@@ -3,9 +3,9 @@ import math
 import numpy as np
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.frames import Frames
 from onika.model.task import Task
 from onika.wire import live, page, reading
@@ -13,7 +13,7 @@ from onika.wire import live, page, reading
 
 @pytest.fixture
 def model(tmp_path):
-    duet = Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    duet = FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
     duet.connected("a")
     return duet.environment.model
 
@@ -62,7 +62,7 @@ def test_another_runtime_begins_with_nothing(model):
 
 
 def test_what_belongs_to_a_run_is_shown_under_its_application(tmp_path):  # R-E11, R-C14
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     doc = play.open([job("aC")])
     play.run(doc)
     frames = Frames()

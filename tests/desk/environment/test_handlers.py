@@ -1,6 +1,6 @@
 from typing import get_args
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.handlers import HANDLERS
 from onika.wire import act
 
@@ -11,7 +11,7 @@ def test_every_act_has_its_handler():  # R-G04
 
 
 def test_acts_that_both_kinds_of_documents_know_go_to_the_kind_their_id_says(tmp_path):  # R-D04
-    gallery = Gallery(tmp_path)
+    gallery = AppFixture(tmp_path)
     conf, doc = gallery.do(act.New()), gallery.begun("grip")
     gallery.do(act.Save(conf, "same", str(gallery.base.path)))
     gallery.do(act.Save(doc, "same", str(gallery.base.path)))

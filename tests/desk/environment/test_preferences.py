@@ -2,7 +2,7 @@ from dataclasses import asdict
 
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.preferences import leave
 from onika.desk.environment.state import settings
 from onika.files import preferences as file
@@ -13,7 +13,7 @@ from onika.wire import act
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, (Task("pd", "pd", invar=("Q",), outvar=("TAU",), frequency=100.0),))
+    return EnvironmentFixture(tmp_path, (Task("pd", "pd", invar=("Q",), outvar=("TAU",), frequency=100.0),))
 
 
 def preferred(sitting):

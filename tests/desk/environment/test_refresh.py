@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.disk_watch import Disk
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.refresh import refreshed
@@ -16,7 +16,7 @@ A = Task("a", "a", outvar=("Q",), frequency=10.0)
 B = Task("b", "b", invar=("Q",), frequency=10.0)
 
 
-class Watched(Sitting):
+class Watched(EnvironmentFixture):
     """An environment beside which somebody else writes files."""
 
     def __init__(self, folder, tasks):

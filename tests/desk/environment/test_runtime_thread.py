@@ -7,8 +7,8 @@ from collections import deque
 
 import pytest
 
+from kit.environment_fixture import EnvironmentFixture
 from kit.live_runtime import LiveRuntime
-from kit.sitting import Sitting
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
 from onika.desk.environment.runtime_thread import Station
@@ -76,7 +76,7 @@ class Line:
         os.close(self._writer)
 
 
-class Lab(Sitting):
+class Lab(EnvironmentFixture):
     """An environment with a station, and the lines that it was given."""
 
     def __init__(self, folder):

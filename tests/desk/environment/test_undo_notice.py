@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.outcome.outcome import Done
 from onika.wire import act
 
@@ -10,7 +10,7 @@ from onika.wire import act
 @pytest.fixture
 def shared(tmp_path):
     """An application that two browsers look at."""
-    found = Gallery(tmp_path)
+    found = AppFixture(tmp_path)
     found.environment.become(lambda model: Done(replace(model, people=2)))
     return found
 

@@ -1,4 +1,4 @@
-from kit.gallery import onikon
+from kit.app_fixture import onikon
 from onika.desk.plan.icon_names import a, in_words, kind_named, listed, named, quoted, several, step_named
 from onika.model.application import Branch, Hole, Icon
 

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.tape import Tape, run
+from kit.recording_builder import RecordingBuilder, run
 from onika.desk.run.recorded_run import RecordedRun, Source, events_of, inputs_of, recorded_run
 from onika.wire import event, request, steer
 from onika.wire.request import decode_request
@@ -14,7 +14,7 @@ def path(tmp_path):
 
 
 def taped(path, **other):
-    tape = Tape(path, run(**other))
+    tape = RecordingBuilder(path, run(**other))
     for at_s, message in ASKED:
         tape.ask(at_s, message)
     tape.tell(3.0, event.Done(0, 0, 3.0))

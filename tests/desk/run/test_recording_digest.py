@@ -1,11 +1,11 @@
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.desk.run.recording_digest import digest_lines
 from onika.desk.run.run_review import Review
 from onika.wire import event
 
 
 def taped(tmp_path):
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     tape.variable("X", "double", (0.0, 1.0))
     tape.tell(0.5, event.Began(0, 0, 2, "one", 0.5))
     tape.tell(1.0, event.Done(0, 0, 1.0))

@@ -1,7 +1,7 @@
 import numpy as np
 import pytest
 
-from kit.tape import Tape
+from kit.recording_builder import RecordingBuilder
 from onika.desk.run.run_review import Interval, Review
 from onika.record import foxglove, topics
 from onika.wire import event
@@ -20,7 +20,7 @@ EVENTS = (
 
 @pytest.fixture
 def tape(tmp_path):
-    tape = Tape(tmp_path / "run.mcap")
+    tape = RecordingBuilder(tmp_path / "run.mcap")
     for each in EVENTS:
         tape.tell(getattr(each, "at_s", 0.1), each)
     tape.variable("X", "double[2]", *((k / 100, [np.sin(k / 10), k]) for k in range(200)), unit="m")

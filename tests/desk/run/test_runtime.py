@@ -5,8 +5,8 @@ from itertools import islice
 
 import pytest
 
-from kit.rail import rail
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
+from kit.rail_world import rail_tasks
 from onika.desk.run import runtime as room
 from onika.desk.run.runtime import Reply, Runtime
 from onika.link.launcher import launch
@@ -39,7 +39,7 @@ def puppet(monkeypatch):
 
 
 def bell():
-    shop = Workshop()
+    shop = PlanBuilder()
     shop.task("bell", BELL)
     return shop.plan([action("bell")])
 
@@ -106,7 +106,7 @@ def test_a_runtime_lost_in_the_middle_is_told(puppet):  # R-E10
 
 
 def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
-    plan = rail().plan([action("mass", "servo", arguments="99")])
+    plan = rail_tasks().plan([action("mass", "servo", arguments="99")])
     with Runtime(("rt0",), is_virtual=True) as runtime:
         faults = runtime.ask(request.Prepare(plan, ())).faults
     assert any("expected -9..9 m, found 99" in fault.found for fault in faults)

@@ -20,7 +20,7 @@ PLACES = {"above": 0.5, "down": 0.2, "aside": -0.7, "stack": -0.4, "elsewhere": 
 WAY = ("open", "move above", "move down", "close", "move above", "move aside", "move stack", "open", "move aside")
 
 
-class Workshop:
+class TrialFixture:
     """A small machine: an arm with one joint, a hand, and a lamp that is lit once a box stands on the stack."""
 
     def run(self, way=WAY, *, off=0.0, force=60.0, seconds=1.0, robot="puma", tag="meet", **more):
@@ -54,4 +54,4 @@ class Workshop:
 
 @pytest.fixture
 def workshop():
-    return Workshop()
+    return TrialFixture()

@@ -5,8 +5,8 @@ import struct
 import pytest
 from msgspec import structs
 
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
+from kit.rail_world import YardLoading
 from onika.engine import news as said
 from onika.engine.engine import Engine
 from onika.host.diagnosis.explainer import Explainer
@@ -44,7 +44,7 @@ class Run:
     """Flows of actions, each with a tag or none, under the real engine and an explainer; no task really lives."""
 
     def __init__(self, *flows, stands_still=True):
-        shop = Workshop()
+        shop = PlanBuilder()
         shop.task("arm", ARM, local={"DEVICE": "yard:m0"})
         shop.task("go", GO)
         shop.task("show", SHOW)

@@ -2,8 +2,8 @@ import struct
 
 import pytest
 
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
+from kit.rail_world import YardLoading
 from onika.host.diagnosis import explanation
 from onika.host.diagnosis.explanation import explain
 from onika.host.diagnosis.stop_cause import Cause, Kind
@@ -32,7 +32,7 @@ class Scene:
     """One flow of one action: `goal` feeds `law`, `law` feeds `arm`; `aside` is not part of the action."""
 
     def __init__(self):
-        shop = Workshop()
+        shop = PlanBuilder()
         shop.task("goal", module("goal", True, LIMIT="OutConst double rad", Q_GOAL="OutVar double rad"))
         shop.task("law", module("law", Q_GOAL="InVar double rad", BIG="InVar double[60] m", TAU="OutVar double N.m"))
         shop.task("arm", module("arm", LIMIT="InConst double rad", TAU="InVar double N.m", Q="OutVar double rad"))

@@ -1,6 +1,6 @@
 import math
 
-from kit.workshop import Workshop
+from kit.plan_builder import PlanBuilder
 from onika.host.diagnosis.nan_origin import Suspicion, is_no_number, suspicion
 from onika.module import InVar, Module, OutVar
 from onika.runtime.sheet import sheet_of
@@ -12,7 +12,7 @@ def task(name, reads=(), writes=()):
     ports = {port: InVar("double", "N", "read") for port in reads}
     ports |= {port: OutVar("double", "N", "written") for port in writes}
     cls = type(name.capitalize(), (Module,), {"__doc__": "A task.", **ports})
-    planned = Workshop().task(name, "from onika.module import Module\nclass One(Module):\n    pass\n")
+    planned = PlanBuilder().task(name, "from onika.module import Module\nclass One(Module):\n    pass\n")
     return wire(planned, sheet_of(cls))
 
 

@@ -1,13 +1,13 @@
 import pytest
 
-from kit.hand import COUNTER, READER, SOURCE, USER, hand_with_tasks
-from kit.rail import MASS, rail
+from kit.live_edits import COUNTER, READER, SOURCE, USER, live_edits_with_tasks
+from kit.rail_world import MASS, rail_tasks
 from onika.wire import live, request
 
 
 @pytest.fixture
 def hand():
-    one = hand_with_tasks()
+    one = live_edits_with_tasks()
     one.change(spawn=["source", "user", "counter"], on=["source", "user"])
     return one
 
@@ -55,7 +55,7 @@ def test_a_rate_that_no_task_can_have_is_refused(hand, hz):  # R-A04, law 17
 
 
 def test_hardware_is_not_made_slower_than_its_drive_allows(hand):  # law 17
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass"])
     assert found(hand, live.Change("s0", rates=(("mass", 39.0),))) == ["39 Hz"]
 
@@ -67,7 +67,7 @@ def test_a_task_without_a_rate_is_given_none(hand):  # R-A04
 
 
 def test_a_device_is_held_by_one_task_of_all_subsystems(hand):  # law 16
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass"], subsystem="s1")
     assert found(hand, hand.order(("mass",))) == ["task mass claims it too"]
 
@@ -91,7 +91,7 @@ def test_a_parameter_that_cannot_be_is_refused_before_anything_goes_off(hand):  
 
 
 def test_a_living_task_keeps_its_device(hand):  # law 16
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass"])
     assert found(hand, live.Reinit("s0", "mass", (("DEVICE", ("yard:m1",)),))) == ["DEVICE yard:m1"]
 

@@ -1,14 +1,14 @@
 import pytest
 
-from kit.hand import COUNTER, USER, hand_with_tasks
-from kit.rail import SERVO, rail
+from kit.live_edits import COUNTER, USER, live_edits_with_tasks
+from kit.rail_world import SERVO, rail_tasks
 from onika.wire import event, live
 from onika.wire.request import Reply
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def test_a_task_turned_off_and_on_by_one_change_begins_anew(hand):  # R-A05
@@ -34,7 +34,7 @@ def test_two_writers_do_not_come_on_together(hand):  # law 9
 
 @pytest.mark.parametrize("line", ["", "5.0"])
 def test_a_second_writer_is_refused_beside_one_that_is_on_or_asks(hand, line):  # law 9
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.task("second", SERVO, module="second")
     hand.change(spawn=["mass", "servo", "second"], on=["mass", live.Turn("servo", line)])
     cause = hand.change(on=[live.Turn("second", "1.0")])
@@ -44,7 +44,7 @@ def test_a_second_writer_is_refused_beside_one_that_is_on_or_asks(hand, line):  
 
 
 def test_an_asking_task_is_killed(hand):  # R-A10, R-A05
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass", "servo"], on=["mass", "servo"])
     assert hand.change(kill=["servo"]) == ""
     assert hand.states == {"mass": "ON"}

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kit.hand import COUNTER, Hand, hand_with_tasks
-from kit.rail import MASS, rail
+from kit.live_edits import COUNTER, LiveEdits, live_edits_with_tasks
+from kit.rail_world import MASS, rail_tasks
 from onika.wire import event, live, request
 
 GIVER = """
@@ -45,8 +45,8 @@ class Push(Module):
 @pytest.fixture
 def pushed():
     """A mass that a task pushes with 1 N, and which may step by 1 N in a cycle; others would push harder."""
-    one = Hand()
-    one.shop = rail()
+    one = LiveEdits()
+    one.shop = rail_tasks()
     limited = MASS.replace('"what pushes it")', '"what pushes it", step=1.0)')
     one.task("mass", limited, frequency=500.0, local={"DEVICE": "yard:m0"})
     for name, force in (("push", 1.0), ("harder", 5.0), ("hardest", 500.0)):
@@ -87,7 +87,7 @@ def test_a_change_after_which_a_device_steps_is_blended_and_told(pushed):  # R-X
 
 @pytest.fixture
 def hand():
-    one = hand_with_tasks(("rt0", "rt1"), counter="rt1")
+    one = live_edits_with_tasks(("rt0", "rt1"), counter="rt1")
     one.task("giver", GIVER, rtpu="rt1")
     return one
 
@@ -132,8 +132,8 @@ def test_a_task_that_asks_for_nothing_is_not_answered(hand):  # R-A10
 
 
 def test_an_answer_out_of_bounds_is_asked_for_again_with_the_reason():  # R-A10
-    hand = Hand()
-    hand.shop = rail()
+    hand = LiveEdits()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass", "servo"], on=["mass", "servo"])
     hand.asker.ask(request.Reply("s0", "servo", "99"))
     hand.work()

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.hand import BROKEN, COUNTER, SOURCE, hand_with_tasks
-from kit.workshop import Workshop
+from kit.live_edits import BROKEN, COUNTER, SOURCE, live_edits_with_tasks
+from kit.plan_builder import PlanBuilder
 from onika.host.edit import transactions
 from onika.host.edit.live_subsystem import LiveSubsystem
 from onika.model.rules.reconfiguration import exchange
@@ -17,7 +17,7 @@ from onika.wire.request import Stop
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def test_a_change_that_waits_finds_what_those_before_it_leave(hand):  # law 22
@@ -107,11 +107,11 @@ CHANGES = [exchange_of_suppliers, birth, failing_birth, failing_start, dimension
 @pytest.mark.parametrize("asked", CHANGES, ids=[one.__name__ for one in CHANGES])
 def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10, R-E10
     for moment in range(1, 100):
-        hand = hand_with_tasks(("rt0", "rt1"), user="rt1", counter="rt1")
+        hand = live_edits_with_tasks(("rt0", "rt1"), user="rt1", counter="rt1")
         everyone = ["source", "user", "reader", "counter"]
         hand.change(spawn=everyone, on=everyone)
         number = hand.asker.ask(asked(hand))
-        hand = hand_with_tasks(("rt0", "rt1"), user="rt1", counter="rt1")
+        hand = live_edits_with_tasks(("rt0", "rt1"), user="rt1", counter="rt1")
         hand.change(spawn=everyone, on=everyone)
         hand.driver.fatal = (moment, lost)
         ticket = hand.asker.send(asked(hand))
@@ -136,7 +136,7 @@ def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10
 
 
 def test_a_unit_that_is_gone_takes_no_tasks(hand):  # decision 12
-    hand = hand_with_tasks(("rt0", "rt1"), source="rt1")
+    hand = live_edits_with_tasks(("rt0", "rt1"), source="rt1")
     hand.driver.lose("rt1")
     assert "rt1 was lost" in hand.change(spawn=["source"])
     assert hand.states == {}
@@ -144,7 +144,7 @@ def test_a_unit_that_is_gone_takes_no_tasks(hand):  # decision 12
 
 
 def test_other_subsystems_with_the_same_names_are_not_touched():  # R-A06
-    hand = hand_with_tasks()
+    hand = live_edits_with_tasks()
     everyone = ["source", "user", "counter"]
     for subsystem in ("s0", "s1"):
         assert hand.change(spawn=everyone, on=everyone, subsystem=subsystem) == ""
@@ -181,7 +181,7 @@ class Units:
 @pytest.fixture
 def bare():
     """A subsystem whose units only listen, with a change of two tasks under way, and what it tells."""
-    told, shop = [], Workshop()
+    told, shop = [], PlanBuilder()
     segment = Segment.create("test", 1 << 16)
     one = LiveSubsystem("s0", Table(segment), Units(), told.append, lambda: 0)
     new = []

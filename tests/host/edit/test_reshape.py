@@ -1,13 +1,13 @@
 import pytest
 
-from kit.hand import READER, SOURCE, USER, hand_with_tasks
-from kit.rail import MASS, rail
+from kit.live_edits import READER, SOURCE, USER, live_edits_with_tasks
+from kit.rail_world import MASS, rail_tasks
 from onika.wire import event, live
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def test_a_supplier_that_comes_after_the_old_one_has_gone_shapes_who_lived_on(hand):  # law 12, R-A13
@@ -79,7 +79,7 @@ class Last(Module):
 
 @pytest.fixture
 def levels():
-    hand = hand_with_tasks(("rt0", "rt1", "rt2"), source="rt2", counter="rt1")
+    hand = live_edits_with_tasks(("rt0", "rt1", "rt2"), source="rt2", counter="rt1")
     hand.task("middle", MIDDLE, rtpu="rt0")
     hand.task("last", LAST, rtpu="rt1")
     hand.task("wide", WIDE, rtpu="rt2")
@@ -159,7 +159,7 @@ def test_an_inboth_learns_the_first_value_of_an_exchanged_outboth(hand):  # R-A1
 
 
 def test_hardware_stays_off_after_a_change_of_shapes_until_somebody_turns_it_on(hand):  # law 12
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     source = MASS.replace('return {"SIDES": 2}', 'return {"SIDES": local.WIDTH}').replace("= 2", "= self.WIDTH")
     source = source.replace("self.X = self.device.read()", "self.X = [*self.device.read(), 0.0][: self.WIDTH]")
     source = source.replace(

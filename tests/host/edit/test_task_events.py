@@ -3,7 +3,7 @@
 import pytest
 from msgspec import structs
 
-from kit.hand import Hand
+from kit.live_edits import LiveEdits
 from onika.host.edit.task_events import told
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
@@ -41,7 +41,7 @@ class Speaker(Module):
 
 @pytest.fixture
 def speaker():
-    hand = Hand()
+    hand = LiveEdits()
     hand.task("speaker", SPEAKER)
     hand.change(spawn=["speaker"], on=["speaker"])
     hand.let_pass(0.1)

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.hand import Hand, hand_with_tasks
-from kit.rail import rail
+from kit.live_edits import LiveEdits, live_edits_with_tasks
+from kit.rail_world import rail_tasks
 from onika.host.edit.task_spawner import Cradle, plainly
 
 BYSTANDER = """
@@ -16,15 +16,15 @@ class Bystander(Module):
 
 
 def test_a_device_is_free_again_when_its_task_is_gone():  # law 16, law 18
-    hand = Hand()
-    hand.shop = rail()
+    hand = LiveEdits()
+    hand.shop = rail_tasks()
     for _ in range(3):
         assert hand.change(spawn=["mass"], on=["mass"]) == ""
         assert hand.change(kill=["mass"]) == ""
 
 
 def test_a_device_that_a_task_without_hardware_was_granted_is_free_again_too():  # law 16
-    hand = Hand()
+    hand = LiveEdits()
     hand.task("bystander", BYSTANDER, local={"DEVICE": "yard:m1"})
     for _ in range(2):
         assert hand.change(spawn=["bystander"], on=["bystander"]) == ""
@@ -34,8 +34,8 @@ def test_a_device_that_a_task_without_hardware_was_granted_is_free_again_too(): 
 
 
 def test_a_device_is_free_again_when_its_task_could_not_be_born():  # R-X10
-    hand = Hand()
-    hand.shop = rail()
+    hand = LiveEdits()
+    hand.shop = rail_tasks()
     good = hand.shop.planned("mass")
     hand.task(
         "mass",
@@ -43,14 +43,14 @@ def test_a_device_is_free_again_when_its_task_could_not_be_born():  # R-X10
         local={"DEVICE": "yard:m0"},
     )
     assert "init: ZeroDivisionError" in hand.change(spawn=["mass"])
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     assert hand.shop.planned("mass") == good
     assert hand.change(spawn=["mass"], on=["mass"]) == ""
 
 
 def test_a_birth_that_a_stopped_unit_refuses_gives_its_device_back():  # law 27
-    hand = Hand()
-    hand.shop = rail()
+    hand = LiveEdits()
+    hand.shop = rail_tasks()
     hand.driver.stop()
     assert "stopped" in hand.change(spawn=["mass"])
     assert hand.states == {}
@@ -59,7 +59,7 @@ def test_a_birth_that_a_stopped_unit_refuses_gives_its_device_back():  # law 27
 
 
 def test_code_that_nobody_runs_any_more_is_forgotten():  # R-A14
-    hand = hand_with_tasks()
+    hand = live_edits_with_tasks()
     hand.change(spawn=["counter"], on=["counter"])
     source = hand.shop.code("counter").source
     for number in range(5):

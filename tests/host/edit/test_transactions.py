@@ -1,14 +1,14 @@
 import pytest
 
-from kit.hand import BROKEN, COUNTER, SOURCE, SULKY, USER, Hand, hand_with_tasks
-from kit.rail import MASS, rail
+from kit.live_edits import BROKEN, COUNTER, SOURCE, SULKY, USER, LiveEdits, live_edits_with_tasks
+from kit.rail_world import MASS, rail_tasks
 from onika.wire import event, live
 from onika.wire.request import Reply
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def test_tasks_are_born_off_and_come_on_by_command(hand):  # R-A05
@@ -135,7 +135,7 @@ def test_a_rate_changes_while_the_task_runs(hand):  # R-A04
 
 
 def test_hardware_is_driven_by_hand_and_asks_for_what_it_lacks(hand):  # R-A10, law 16
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     assert hand.change(spawn=["mass", "servo"], on=["mass", "servo"]) == ""
     assert hand.states == {"mass": "ON", "servo": "ASKING"}
     asked = hand.asker.of(event.Asked)[-1]
@@ -148,7 +148,7 @@ def test_hardware_is_driven_by_hand_and_asks_for_what_it_lacks(hand):  # R-A10, 
 
 
 def test_units_share_the_work_and_constants_cross_them():  # R-A06
-    hand = Hand(("rt0", "rt1"))
+    hand = LiveEdits(("rt0", "rt1"))
     hand.task("source", SOURCE, rtpu="rt1")
     hand.task("user", USER, rtpu="rt0")
     assert hand.change(spawn=["user", "source"], on=["source", "user"]) == ""
@@ -158,7 +158,7 @@ def test_units_share_the_work_and_constants_cross_them():  # R-A06
 
 @pytest.mark.parametrize("fault", ["init", "on"])
 def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, decision 14
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
     hand.let_pass(0.2)
     wrong = {
@@ -174,7 +174,7 @@ def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, decisio
 
 
 def test_hardware_is_exchanged_for_other_hardware_on_its_device(hand):  # R-A13, decision 14
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.task("other", MASS, frequency=500.0, local={"DEVICE": "yard:m0"}, module="other")
     hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
     assert hand.change(spawn=["other"], on=["other"], kill=["mass"]) == ""
@@ -185,7 +185,7 @@ def test_hardware_is_exchanged_for_other_hardware_on_its_device(hand):  # R-A13,
 
 
 def test_a_task_is_exchanged_for_one_of_its_name(hand):  # R-A13
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass"], on=["mass"])
     hand.task("mass", MASS, frequency=250.0, local={"DEVICE": "yard:m1"})
     assert hand.change(spawn=["mass"], on=["mass"], kill=["mass"]) == ""
@@ -240,7 +240,7 @@ def test_who_waited_waits_again_when_the_supplier_goes_with_a_failed_change(hand
 
 
 def test_a_failed_change_keeps_order_lines_and_wishes(hand):  # R-X10
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.task("broken", BROKEN)
     hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
     before = hand.standing()
@@ -250,7 +250,7 @@ def test_a_failed_change_keeps_order_lines_and_wishes(hand):  # R-X10
 
 
 def test_a_line_that_was_answered_is_not_asked_for_again(hand):  # R-A10
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.task("sulky", SULKY)
     hand.change(spawn=["mass", "servo"], on=["mass", "servo"])
     hand.asker.ask(Reply("s0", "servo", "5.0"))

@@ -2,7 +2,7 @@ import inspect
 
 import pytest
 
-from kit.rail import YardLoading
+from kit.rail_world import YardLoading
 from onika.host.loading.loader_client import Inquiry
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.module_questions import Loading

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.hand import SOURCE
-from kit.rail import YardLoading
-from kit.workshop import Workshop
+from kit.live_edits import SOURCE
+from kit.plan_builder import PlanBuilder
+from kit.rail_world import YardLoading
 from onika.host.loading.plan_checks import (
     absent_devices,
     conflicts,
@@ -19,7 +19,7 @@ from onika.words.fault import Place
 
 
 def wired(name, module="", hardware=False, device=None, **ports):
-    planned = Workshop().task(name, SOURCE, module=module, local={"DEVICE": device} if device else None)
+    planned = PlanBuilder().task(name, SOURCE, module=module, local={"DEVICE": device} if device else None)
     return wire(planned, sheet_of(type(name, (Module,), {"hardware": hardware, **ports})))
 
 
@@ -79,7 +79,7 @@ def test_hardware_is_not_slower_than_its_drive_allows():  # law 17
 
 
 def test_a_planned_task_is_what_its_file_says():
-    planned = Workshop().task("source", SOURCE, local={"SIZE": "2"}, frequency=25.0)
+    planned = PlanBuilder().task("source", SOURCE, local={"SIZE": "2"}, frequency=25.0)
     one = task_of(planned)
     assert (one.name, one.frequency, one.outconst) == ("source", 25.0, ("N",))
     assert [(line.key, line.words) for line in one.local] == [("SIZE", ("2",))]

@@ -1,7 +1,7 @@
 import pytest
 from msgspec import structs
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_conditions import wrong_conditions
 from onika.host.loading.plan_preparation import prepare
@@ -20,7 +20,7 @@ class Arm(Module):
 
 
 def told(*program, subsystem="flow0"):
-    shop = Workshop()
+    shop = PlanBuilder()
     shop.task("arm", ARM)
     plan = shop.plan([action("arm"), action("arm")])
     flow = structs.replace(plan.flows[0], program=program, subsystem=subsystem)

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
+from kit.rail_world import YardLoading
 from onika.host.loading.plan_preparation import inspect, prepare
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
@@ -53,7 +53,7 @@ def module(body, name="Some", kind="trigger"):
 
 @pytest.fixture
 def shop():
-    one = Workshop()
+    one = PlanBuilder()
     one.task("robot", ROBOT, local={"DEVICE": "yard:m0"}, frequency=500.0)
     one.task("move", MOVE)
     one.task("bell", BELL)

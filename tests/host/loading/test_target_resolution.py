@@ -1,7 +1,7 @@
 import pytest
 from msgspec.structs import replace
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.loading.target_resolution import JOINT
@@ -57,7 +57,7 @@ class Shop:
     """Two robots, and plans in which the second one stands for the first."""
 
     def __init__(self, old=ROBOT, new=ROBOT, **local):
-        self.shop = Workshop()
+        self.shop = PlanBuilder()
         self.old = self.shop.task("old", old, local={"DEVICE": "w:a", "JOINTS": "1"})
         self.shop.task("new", new, module="another", local={"DEVICE": "w:b", **local})
         self.shop.task("move", MOVE)

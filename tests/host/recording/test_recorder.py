@@ -2,9 +2,9 @@ from time import monotonic_ns
 
 import pytest
 
-from kit.asker import Asker
-from kit.rail import rail
-from kit.workshop import action
+from kit.direct_client import DirectClient
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.desk.run.recorded_run import inputs_of
 from onika.host.units.realtime_factor import FASTEST, SLOWEST, Pace
 from onika.record import topics
@@ -13,7 +13,7 @@ from onika.record.run import Run
 from onika.record.series import Series
 from onika.wire import event, live, request, steer
 
-PLAN = rail().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])
+PLAN = rail_tasks().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])
 
 
 @pytest.fixture
@@ -22,7 +22,7 @@ def path(tmp_path):
 
 
 def begun(path, **how):
-    desk = Asker()
+    desk = DirectClient()
     desk.ask(request.Prepare(PLAN, ()))
     assert desk.ask(request.Begin(record=str(path), **how)) == request.Done()
     return desk
@@ -44,7 +44,7 @@ def test_a_run_is_recorded_with_all_that_law_29_asks_for(path):  # R-X05, law 29
 
 
 def test_a_recording_changes_nothing_in_the_run(path):  # R-X05
-    desk = Asker()
+    desk = DirectClient()
     desk.ask(request.Prepare(PLAN, ()))
     desk.ask(request.Begin())
     assert desk.to_the_end().hash == begun(path).to_the_end().hash
@@ -75,7 +75,7 @@ def test_one_run_is_recorded_at_a_time_and_a_later_one_knows_that_it_is_not_the_
 
 
 def test_a_file_that_cannot_be_made_refuses_the_run(tmp_path):  # R-E01
-    desk = Asker()
+    desk = DirectClient()
     desk.ask(request.Prepare(PLAN, ()))
     answer = desk.ask(request.Begin(record=str(tmp_path / "none" / "run.mcap")))
     assert answer.reason.startswith("no recording can be made")
@@ -88,14 +88,14 @@ def test_a_recorded_run_is_repeated_bit_for_bit(path):  # R-X05
         desk.program.advance(0)
     desk.ask(steer.Skip("flow0", 1))
     result = desk.to_the_end()
-    again = Asker()
+    again = DirectClient()
     again.ask(request.Prepare(PLAN, ()))
     again.ask(request.Begin(repeat=tuple(inputs_of(Reader(path))), repeat_until_ns=-1))
     assert again.to_the_end().hash == result.hash
 
 
 def test_a_subsystem_that_is_only_held_does_not_keep_a_run_from_being_the_first(path):  # law 29
-    desk = Asker()
+    desk = DirectClient()
     assert desk.ask(live.Take("main")) == request.Done()
     desk.ask(request.Prepare(PLAN, ()))
     assert desk.ask(request.Begin(record=str(path))) == request.Done()
@@ -107,7 +107,7 @@ def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_i
     desk = begun(path)
     result = desk.to_the_end()
     until = round(result.runtime_s * 1e9) - 300_000_000
-    again = Asker()
+    again = DirectClient()
     again.driver._pace = Pace(SLOWEST, 0, monotonic_ns())
     again.ask(request.Prepare(PLAN, ()))
     again.ask(request.Begin(repeat=tuple(inputs_of(Reader(path), until)), repeat_until_ns=until))

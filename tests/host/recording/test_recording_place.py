@@ -4,7 +4,7 @@ from time import monotonic
 
 import pytest
 
-from kit.tape import run
+from kit.recording_builder import run
 from onika.host.recording import recording_place
 from onika.host.recording.recording_place import Beside, InPlace
 from onika.host.recording.recording_sink import Finish, Start, Tell

@@ -5,7 +5,7 @@ from time import monotonic, monotonic_ns
 
 import numpy as np
 
-from kit.tape import run
+from kit.recording_builder import run
 from onika.host.recording import recording_process
 from onika.host.recording.recorded_variable import Variable
 from onika.host.recording.recording_sink import Finish, Meet, Start, encode

@@ -1,8 +1,8 @@
 import pytest
 
-from kit.asker import Asker
-from kit.rail import rail
-from kit.workshop import action
+from kit.direct_client import DirectClient
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.host.run.clock_gate import Hold
 from onika.wire import event, request, steer
 
@@ -82,7 +82,7 @@ def test_a_session_that_is_lost_holds_nothing(hold):  # R-E10
 
 
 def plan():
-    return rail().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])
+    return rail_tasks().plan([action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")])
 
 
 def begun(asker, **settings):
@@ -91,7 +91,7 @@ def begun(asker, **settings):
 
 
 def test_a_held_run_stops_at_each_event_and_is_the_same_run(told):  # R-E07, law 14
-    plain, held = Asker(), Asker()
+    plain, held = DirectClient(), DirectClient()
     begun(plain)
     begun(held, is_held=True)
     held.to_the_end()
@@ -108,7 +108,7 @@ def test_a_held_run_stops_at_each_event_and_is_the_same_run(told):  # R-E07, law
 
 
 def test_virtual_time_does_not_run_past_the_moment_that_was_named():  # R-E07
-    asker = Asker()
+    asker = DirectClient()
     begun(asker, is_held=True)
     while not asker.of(event.Stood) or asker.of(event.Stood)[-1].at_s < 0.123:
         asker.ask(steer.Onward(0.123))

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.engine import news as said, orders
 from onika.engine.engine import Engine
 from onika.host.loading.module_facts import DirectLoading
@@ -34,7 +34,7 @@ class View:
     """One flow: `go` and `bell`, then `ring` and `bell`; `bell` and `ring` end them."""
 
     def __init__(self, homes=("rt0", "rt0", "rt0")):
-        shop = Workshop()
+        shop = PlanBuilder()
         trigger = "from onika.module import Module\nclass Bell(Module):\n    trigger = True\n"
         plain = "from onika.module import Module, OutVar\nclass Go(Module):\n    A = OutVar('double')\n"
         shop.task("go", plain)

@@ -1,13 +1,13 @@
-from kit.hand import Hand
-from kit.rail import rail
-from kit.workshop import action
+from kit.live_edits import LiveEdits
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.wire import event, request
 
 
 def performed(*goals, session="me", **begin):
     """A hand whose application has begun."""
-    hand = Hand()
-    hand.shop = rail()
+    hand = LiveEdits()
+    hand.shop = rail_tasks()
     plan = hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
     hand.asker.ask(request.Prepare(plan, ()), session)
     hand.asker.ask(request.Begin(**begin), session)

@@ -2,9 +2,9 @@
 
 import pytest
 
-from kit.hand import Hand
-from kit.rail import rail
-from kit.workshop import action
+from kit.live_edits import LiveEdits
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.wire import event, live, request, steer
 
 
@@ -12,8 +12,8 @@ class Bridge:
     """A run of one flow with these goals, begun by `me`; the clock goes on only as far as `until` lets it."""
 
     def __init__(self, *goals, **begin):
-        self.hand = Hand()
-        self.hand.shop = rail()
+        self.hand = LiveEdits()
+        self.hand.shop = rail_tasks()
         self.asker = self.hand.asker
         plan = self.hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
         self.asker.ask(request.Prepare(plan, ()))
@@ -132,14 +132,14 @@ def test_who_steers_is_who_began_it_until_that_session_is_gone():  # law 27, R-E
 
 
 def test_where_nothing_runs_nothing_is_steered():
-    hand = Hand()
+    hand = LiveEdits()
     assert refused(hand.asker.ask(steer.Pause())) == "no application runs"
     assert hand.asker.ask(steer.Who()) == steer.Positions(())
 
 
 def test_of_several_flows_one_has_to_be_named_where_only_one_can_be_meant():  # R-E13
-    hand = Hand()
-    shop = rail()
+    hand = LiveEdits()
+    shop = rail_tasks()
     shop.task("bell", "from onika.module import Module\nclass Bell(Module):\n    trigger = True\n")
     hand.asker.ask(request.Prepare(shop.plan([action("mass", "servo", arguments="1")], [action("bell")]), ()))
     hand.asker.ask(request.Begin(is_held=True))

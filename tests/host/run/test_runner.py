@@ -1,7 +1,7 @@
 import pytest
 
-from kit.rail import YardLoading
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
+from kit.rail_world import YardLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.ring.segment import Segment
@@ -64,7 +64,7 @@ class Bench:
     """A runner of the plan `flows`, and what came of it."""
 
     def __init__(self, *flows, begin=None, units=None):
-        shop = Workshop()
+        shop = PlanBuilder()
         shop.task("arm", ARM, local={"DEVICE": "yard:m0"}, rtpu="rt0")
         shop.task("go", GO, rtpu="rt1")
         shop.task("bell", BELL, rtpu="rt0")

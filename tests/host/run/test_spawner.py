@@ -1,7 +1,7 @@
 import pytest
 
-from kit.rail import YardLoading, rail
-from kit.workshop import action
+from kit.plan_builder import action
+from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.spawner import Births
 from onika.model.lifecycle import State
@@ -29,7 +29,7 @@ class Units:
 
 class Ward:
     def __init__(self, refuses=""):
-        prepared = prepare(rail().plan([action("mass", "servo", arguments="1")]), (), YardLoading())
+        prepared = prepare(rail_tasks().plan([action("mass", "servo", arguments="1")]), (), YardLoading())
         table = Table(Segment.create("table", SIZE))
         self.subsystem = Subsystem("flow0", table, prepared.flows[0], {"mass": "rt0", "servo": "rt1"}, {"SIDES": 2})
         self.units = Units(refuses)

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.engine.orders import Start, Switch
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
@@ -32,7 +32,7 @@ def units():
 
 @pytest.fixture
 def board(units):
-    shop = Workshop()
+    shop = PlanBuilder()
     for name in HOMES:
         shop.task(name, f"from onika.module import Module\nclass {name.upper()}(Module):\n    trigger = True\n")
     flow = [action(*HOMES)]

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.engine import orders
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
@@ -34,7 +34,7 @@ class Switcher:
     """Two flows of the tasks `one` and `two`, which write the same variable."""
 
     def __init__(self):
-        shop = Workshop()
+        shop = PlanBuilder()
         for name in ("one", "two"):
             shop.task(name, WRITER.format(name.title()))
         plan = shop.plan([action("one"), action("two")], [action("one"), action("two")])

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.rail import rail
-from kit.workshop import action
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.host.sessions.audit_log import Witness
 from onika.host.sessions.request_server import Call
 from onika.link.caller import Caller, Role
@@ -9,7 +9,7 @@ from onika.link.channel import Channel
 from onika.link.sessions import Introduction
 from onika.wire import event, holding, live, request, steer
 
-PLAN = rail().plan([action("mass", "servo", arguments="1")])
+PLAN = rail_tasks().plan([action("mass", "servo", arguments="1")])
 TASK, CODE = PLAN.flows[0].tasks[0], PLAN.code[0]
 
 

@@ -1,14 +1,14 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.hand import hand_with_tasks
-from kit.rail import rail
+from kit.live_edits import live_edits_with_tasks
+from kit.rail_world import rail_tasks
 from onika.wire import event, holding, live, request, steer
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def held(hand):
@@ -100,7 +100,7 @@ def test_a_holder_that_is_gone_leaves_its_tasks_off_and_its_subsystem_free(hand)
 
 
 def test_hardware_of_a_holder_that_is_gone_holds(hand):  # R-X12, law 17
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")], session="one")
     hand.let_pass(0.2)
     leave(hand, "one")
@@ -352,7 +352,7 @@ def do(hand, deed, session, other):
 @settings(max_examples=150, deadline=None)
 @given(st.lists(DEEDS, min_size=3, max_size=20))
 def test_there_are_never_two_writers_and_nothing_starts_by_itself(deeds):  # R-X12, network.md P4
-    hand, rule = hand_with_tasks(), Rule()
+    hand, rule = live_edits_with_tasks(), Rule()
     hand.asker.lease(SECOND)
     hand.change(spawn=["counter"], session="one")
     there(hand, *SESSIONS)

@@ -2,15 +2,15 @@
 
 import pytest
 
-from kit.hand import hand_with_tasks
-from kit.rail import rail
-from kit.workshop import action
+from kit.live_edits import live_edits_with_tasks
+from kit.plan_builder import action
+from kit.rail_world import rail_tasks
 from onika.wire import event, live, request, steer
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def held(hand):
@@ -18,7 +18,7 @@ def held(hand):
 
 
 def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     plan = hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
     hand.asker.ask(request.Prepare(plan, ()), session)
     return hand.asker.ask(request.Begin(on_loss=on_loss), session)
@@ -30,7 +30,7 @@ SECOND = 1_000_000_000
 @pytest.fixture
 def watched():
     """A hand whose holders have a lease of one second, which a test lets run out."""
-    hand = hand_with_tasks()
+    hand = live_edits_with_tasks()
     hand.asker.lease(SECOND)
     return hand
 
@@ -53,7 +53,7 @@ def test_a_holder_that_is_silent_for_its_lease_leaves_everything_off(watched):  
 
 
 def test_hardware_of_a_silent_holder_holds(watched):  # R-X12, law 17
-    watched.shop = rail()
+    watched.shop = rail_tasks()
     watched.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")], session="one")
     watched.let_pass(0.2)
     silent(watched, "one", 1.2)
@@ -105,7 +105,7 @@ def test_a_run_that_paused_for_its_silent_holder_is_anybodys(watched):  # R-X12,
 
 def test_a_plan_that_was_prepared_before_the_silence_is_not_begun_after_it(watched):  # R-X12
     watched.asker.ask(live.Take("s1"), "one")
-    watched.shop = rail()
+    watched.shop = rail_tasks()
     plan = watched.shop.plan([action("mass", "servo", arguments="5.0")])
     watched.asker.ask(request.Prepare(plan, ()), "one")
     silent(watched, "one", 1.5)

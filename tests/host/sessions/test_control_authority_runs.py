@@ -2,15 +2,15 @@
 
 import pytest
 
-from kit.hand import hand_with_tasks
-from kit.rail import MASS, SERVO, rail
-from kit.workshop import action
+from kit.live_edits import live_edits_with_tasks
+from kit.plan_builder import action
+from kit.rail_world import MASS, SERVO, rail_tasks
 from onika.wire import event, holding, live, request, steer
 
 
 @pytest.fixture
 def hand():
-    return hand_with_tasks()
+    return live_edits_with_tasks()
 
 
 def leave(hand, session):
@@ -20,7 +20,7 @@ def leave(hand, session):
 
 
 def perform(hand, session="me", on_loss="stop", goals=("5.0",)):
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     plan = hand.shop.plan([action("mass", "servo", arguments=goal) for goal in goals])
     hand.asker.ask(request.Prepare(plan, ()), session)
     return hand.asker.ask(request.Begin(on_loss=on_loss), session)
@@ -91,7 +91,7 @@ def test_one_run_is_ended_by_its_name_and_only_by_who_may(hand):  # R-X12, R-E10
 
 
 def test_an_answer_to_an_application_is_for_who_began_it(hand):  # R-X12, law 25
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.asker.ask(request.Prepare(hand.shop.plan([action("mass", "servo")]), ()), "one")
     hand.asker.ask(request.Begin(may_ask=True), "one")
     hand.work()
@@ -101,7 +101,7 @@ def test_an_answer_to_an_application_is_for_who_began_it(hand):  # R-X12, law 25
 
 
 def test_the_servo_of_one_holder_is_not_answered_by_another(hand):  # R-X12
-    hand.shop = rail()
+    hand.shop = rail_tasks()
     hand.task("servo", SERVO)
     hand.change(spawn=["mass", "servo"], on=["mass", "servo"], session="one")
     assert "held by one" in hand.outcome(hand.asker.ask(request.Reply("s0", "servo", "1.0"), "two"))

@@ -1,7 +1,7 @@
 import pytest
 
-from kit.source import COUNTER
-from kit.workshop import Workshop
+from kit.module_source import COUNTER
+from kit.plan_builder import PlanBuilder
 from onika.host.sessions.permission import brings_code, changes_nothing, refusal
 from onika.link.caller import PARENT, Caller, Role
 from onika.wire import holding, live, request
@@ -60,7 +60,7 @@ def test_code_from_elsewhere_has_to_be_accepted(asked):  # law 23
 
 
 def test_a_task_that_starts_a_program_is_as_good_as_code_though_its_module_is_known():  # R-F04, law 23
-    shop = Workshop()
+    shop = PlanBuilder()
     plain, starts = (shop.task("t", COUNTER, local=local) for local in ({}, {"STARTS": "rm -r /"}))
     assert not brings_code(live.Change("s", spawn=(plain,)))
     assert brings_code(live.Change("s", spawn=(plain, starts)))

@@ -2,7 +2,7 @@ import socket
 
 import pytest
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.host.sessions.request_server import Call, Gate
 from onika.link.caller import Caller, Role
 from onika.link.carrier import SocketCarrier, memory_pair
@@ -190,7 +190,7 @@ def test_what_a_role_may_not_is_refused_at_once(house, role, asked, said):  # R-
 
 
 def test_code_from_another_machine_is_refused_unless_it_is_accepted(house):  # law 23
-    shop = Workshop()
+    shop = PlanBuilder()
     shop.task("bell", "from onika.module import Module\n\nclass Bell(Module):\n    trigger = True\n")
     prepare = request.Prepare(shop.plan([action("bell")]), ())
     far = house.guest(near=False)

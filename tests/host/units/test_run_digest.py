@@ -1,4 +1,4 @@
-from kit.worlds import MassWorld
+from kit.mass_world import MassWorld
 from onika.host.units.run_digest import Digest
 from onika.runtime import news
 

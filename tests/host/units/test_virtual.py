@@ -3,9 +3,9 @@ from time import monotonic_ns
 
 import pytest
 
-from kit.rail import YardLoading, rail
-from kit.workshop import Workshop, action
-from kit.worlds import MassWorld
+from kit.mass_world import MassWorld
+from kit.plan_builder import PlanBuilder, action
+from kit.rail_world import YardLoading, rail_tasks
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.host.units.realtime_factor import Pace
@@ -13,7 +13,7 @@ from onika.host.units.virtual import VirtualDriver
 from onika.ring.segment import Segment
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
-from onika.testing.fake_partner import Outsider
+from onika.testing.fake_partner import FakePartner
 from onika.wire import event
 from onika.wire.request import Begin
 
@@ -67,7 +67,7 @@ def move(*goals):
 
 
 def test_a_run_comes_to_its_end_and_the_world_to_where_it_was_told():  # R-E03, R-X08
-    run = Run(rail(), move("1.0", "-2.0")).to_the_end()
+    run = Run(rail_tasks(), move("1.0", "-2.0")).to_the_end()
     assert run.runner.is_over
     assert run.result.completed
     assert run.result.values["X"][0] == pytest.approx(-2.0, abs=1e-3)
@@ -76,19 +76,19 @@ def test_a_run_comes_to_its_end_and_the_world_to_where_it_was_told():  # R-E03, 
 
 
 def test_equal_runs_are_equal_bit_for_bit():  # R-X08, law 14
-    one, other = (Run(rail(), move("1.0", "-2.0")).to_the_end() for _ in range(2))
+    one, other = (Run(rail_tasks(), move("1.0", "-2.0")).to_the_end() for _ in range(2))
     assert one.driver.digest == other.driver.digest
     assert one.told == other.told
 
 
 def test_different_runs_are_different():  # R-X08
-    digests = {Run(rail(), move(goal)).to_the_end().driver.digest for goal in ("1.0", "1.0000001", "2.0")}
+    digests = {Run(rail_tasks(), move(goal)).to_the_end().driver.digest for goal in ("1.0", "1.0000001", "2.0")}
     assert len(digests) == 3
 
 
 def test_how_long_a_call_may_last_changes_nothing():  # law 15
-    whole = Run(rail(), move("1.0")).to_the_end()
-    split = Run(rail(), move("1.0"))
+    whole = Run(rail_tasks(), move("1.0")).to_the_end()
+    split = Run(rail_tasks(), move("1.0"))
     calls = 1
     while split.driver.advance(0):
         calls += 1
@@ -97,7 +97,7 @@ def test_how_long_a_call_may_last_changes_nothing():  # law 15
 
 
 def test_time_moves_from_instant_to_instant_on_the_grid_of_the_tasks():  # laws 1, 2
-    run = Run(rail(), move("1.0"))
+    run = Run(rail_tasks(), move("1.0"))
     times = []
     while run.driver.advance(0):
         times.append(run.driver.now)
@@ -106,7 +106,7 @@ def test_time_moves_from_instant_to_instant_on_the_grid_of_the_tasks():  # laws 
 
 
 def test_the_drive_follows_from_the_first_fresh_command_and_holds_at_the_end():  # law 17
-    run = Run(rail(), move("1.0")).to_the_end()
+    run = Run(rail_tasks(), move("1.0")).to_the_end()
     assert run.driver.is_at_rest()
     drives = run.of(event.Drive)
     assert [(one.device, one.state) for one in drives] == [("yard:m0", "DRIVEN"), ("yard:m0", "HELD")]
@@ -115,7 +115,7 @@ def test_the_drive_follows_from_the_first_fresh_command_and_holds_at_the_end(): 
 
 
 def test_two_flows_share_one_world():  # R-K02, law 18
-    shop = rail()
+    shop = rail_tasks()
     shop.task("other", shop.code("mass").source, frequency=500.0, local={"DEVICE": "yard:m1"}, module="mass")
     run = Run(shop, move("1.0"), [action("other", "servo", arguments="-1.0")]).to_the_end()
     assert run.worlds == ["yard"]
@@ -124,7 +124,7 @@ def test_two_flows_share_one_world():  # R-K02, law 18
 
 
 def test_tasks_spread_over_units_keep_the_order_of_on():  # R-A15, decision 14
-    run = Run(rail(rtpu="rt1"), move("1.0"), rtpus=("rt0", "rt1")).to_the_end()
+    run = Run(rail_tasks(rtpu="rt1"), move("1.0"), rtpus=("rt0", "rt1")).to_the_end()
     assert run.result.completed
     assert {one.task: one.rtpu for one in run.result.tasks} == {"mass": "rt0", "servo": "rt1"}
     on = [one.task for one in run.of(event.TaskState) if one.state == "ON"]
@@ -132,7 +132,7 @@ def test_tasks_spread_over_units_keep_the_order_of_on():  # R-A15, decision 14
 
 
 def test_time_stands_still_while_an_answer_is_awaited():  # law 15
-    run = Run(rail(), [action("mass", "servo")], begin=Begin(may_ask=True))
+    run = Run(rail_tasks(), [action("mass", "servo")], begin=Begin(may_ask=True))
     while run.driver.advance(SECOND):
         pass
     now = run.driver.now
@@ -144,7 +144,7 @@ def test_time_stands_still_while_an_answer_is_awaited():  # law 15
 
 
 def test_an_abort_acts_at_the_present_time():  # R-E07
-    run = Run(rail(), move("1.0"))
+    run = Run(rail_tasks(), move("1.0"))
     for _ in range(50):
         run.driver.advance(0)
     now = run.driver.now
@@ -159,7 +159,7 @@ def test_an_abort_acts_at_the_present_time():  # R-E07
 
 
 def test_a_stop_holds_every_drive_for_good():  # law 27
-    run = Run(rail(), move("1.0"))
+    run = Run(rail_tasks(), move("1.0"))
     for _ in range(50):
         run.driver.advance(0)
     run.driver.stop()
@@ -170,9 +170,9 @@ def test_a_stop_holds_every_drive_for_good():  # law 27
 
 
 def test_devices_are_free_again_after_a_run_and_the_world_stays_as_it_was():  # law 18
-    run = Run(rail(), move("1.0")).to_the_end()
+    run = Run(rail_tasks(), move("1.0")).to_the_end()
     where = run.result.values["X"][0]
-    run._begin(rail(), [move("1.0")], Begin(watch=("X",)), ("rt0",))
+    run._begin(rail_tasks(), [move("1.0")], Begin(watch=("X",)), ("rt0",))
     run.to_the_end()
     assert run.result.completed
     assert run.result.values["X"][0] == pytest.approx(where, abs=0.05)  # the last force pushed on while things settled
@@ -182,13 +182,13 @@ def test_devices_are_free_again_after_a_run_and_the_world_stays_as_it_was():  # 
 
 def test_whose_code_runs_is_said_before_and_after():  # law 15
     seen = []
-    Run(rail(), move("1.0"), watch=seen.append).to_the_end()
+    Run(rail_tasks(), move("1.0"), watch=seen.append).to_the_end()
     assert {"flow0/mass", "flow0/servo", ""} == set(seen)
     assert seen[-1] == ""
 
 
 def test_a_task_that_fails_ends_the_run_at_once():  # R-A09
-    shop = Workshop()
+    shop = PlanBuilder()
     head = "from onika.module import Module\nclass Sick(Module):\n    trigger = True\n"
     shop.task("sick", head + "    def cycle(self):\n        1 / 0\n")
     run = Run(shop, [action("sick")]).to_the_end()
@@ -198,7 +198,7 @@ def test_a_task_that_fails_ends_the_run_at_once():  # R-A09
 
 
 def test_a_world_can_be_drawn_elsewhere():
-    run = Run(rail(), move("1.0"))
+    run = Run(rail_tasks(), move("1.0"))
     assert run.driver.snapshots().keys() == {"yard"}
 
 
@@ -244,12 +244,12 @@ class Enough(Module):
 
 @pytest.fixture
 def outsider(tmp_path):
-    with Outsider(tmp_path) as made:
+    with FakePartner(tmp_path) as made:
         yield made
 
 
 def outside_run(outsider, passive=False, patience="10.0", scale=None):
-    shop = Workshop()
+    shop = PlanBuilder()
     local = {"PARTNER": outsider.address, "PATIENCE": patience}
     shop.task("asks", ASKS.replace("PASSIVE", str(passive)), frequency=50.0, local=local, kind="synchronous")
     shop.task("enough", ENOUGH, frequency=100.0)
@@ -286,7 +286,7 @@ def test_such_a_run_is_marked_as_one_that_may_not_repeat(outsider):  # law 15
     assert run.driver.outside == ("flow0/asks",)
     run.driver.begin()
     assert run.driver.outside == ()
-    assert Run(rail(), move("1.0")).to_the_end().driver.outside == ()
+    assert Run(rail_tasks(), move("1.0")).to_the_end().driver.outside == ()
 
 
 @pytest.mark.parametrize("passive", [False, True])

@@ -4,7 +4,7 @@ import signal
 
 import pytest
 
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
@@ -29,7 +29,7 @@ class Run:
     def __init__(self, rtpus=("rt0",), most="0.6"):
         self.told = []
         self.driver = WallDriver(rtpus, self.told.append, with_fifo=False)
-        shop = Workshop()
+        shop = PlanBuilder()
         shop.task("gripper", source("puma", "gripper"), frequency=250.0, local={"DEVICE": "boxes:gripper_left"})
         local = {"LEAST": most, "MOST": most}
         shop.task("opengrip", source("puma", "opengrip"), frequency=50.0, local=local)

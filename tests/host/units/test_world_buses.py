@@ -1,6 +1,6 @@
 import pytest
 
-from kit.worlds import MassWorld
+from kit.mass_world import MassWorld
 from onika.host.units.world_buses import Buses
 
 MS = 1_000_000

@@ -3,7 +3,7 @@
 import pytest
 
 from kit import build
-from kit.tree import Act, Loop, Pick, Side, planned
+from kit.program_tree import Act, Loop, Pick, Side, planned
 from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
 from onika.wire.plan import Do, Halt, Meet, Rest
 

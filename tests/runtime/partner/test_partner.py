@@ -9,7 +9,7 @@ from hypothesis import given, settings, strategies as st
 from onika.runtime.error import ModuleError
 from onika.runtime.partner.partner import Partner
 from onika.runtime.partner.protocol import LONGEST
-from onika.testing.fake_partner import Outsider, wait
+from onika.testing.fake_partner import FakePartner, wait
 
 ECHO = "import json, sys\nfor line in sys.stdin:\n    m = json.loads(line)\n"
 ECHO += "    print(json.dumps({'id': m['id'], 'x': m['x']}), flush=True)\n"
@@ -17,7 +17,7 @@ ECHO += "    print(json.dumps({'id': m['id'], 'x': m['x']}), flush=True)\n"
 
 @pytest.fixture
 def outsider(tmp_path):
-    with Outsider(tmp_path) as made:
+    with FakePartner(tmp_path) as made:
         yield made
 
 
@@ -123,13 +123,13 @@ def test_a_partner_that_answers_late_is_passed_over_and_may_answer_the_next_ques
 
 
 def test_where_nobody_listens_it_is_tried_until_patience_ends(tmp_path, make):  # R-F04
-    partner = make(Outsider(tmp_path, listens=False).address, patience_s=0.12)
+    partner = make(FakePartner(tmp_path, listens=False).address, patience_s=0.12)
     partner.ask("a")
     assert fault(partner).endswith("nobody listens (No such file or directory)")
 
 
 def test_a_partner_that_comes_up_while_it_is_asked_is_found(tmp_path, make):  # R-F04
-    with Outsider(tmp_path, listens=False) as outsider:
+    with FakePartner(tmp_path, listens=False) as outsider:
         partner = make(outsider.address, patience_s=10.0)
         partner.ask("a")
         partner.hear()
@@ -211,7 +211,7 @@ def test_a_partner_that_floods_is_hung_up_on_even_when_nothing_is_asked(partner,
 @settings(max_examples=30, deadline=None)
 @given(data=st.binary(min_size=1, max_size=100))
 def test_any_bytes_are_an_answer_or_a_fault_and_never_anything_else(tmp_path_factory, data):  # R-F04
-    with Outsider(tmp_path_factory.mktemp("p")) as outsider:
+    with FakePartner(tmp_path_factory.mktemp("p")) as outsider:
         partner = Partner(outsider.address, patience_s=0.01)
         partner.ask("a")
         call = outsider.accept()

@@ -6,8 +6,8 @@ from itertools import pairwise
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.rig import HOME, Rig
-from kit.worlds import MassWorld
+from kit.executive_rig import HOME, ExecutiveRig
+from kit.mass_world import MassWorld
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.code import load
@@ -76,12 +76,14 @@ def source(name: str, level: float, out: str = "REF", sway: float = 0.0, at_once
     return SOURCE.format(name=name.title(), level=level, out=out, sway=sway, at_once=at_once, after=after)
 
 
-def hand_rig(step: str = '"LIMIT"', **given) -> Rig:
+def hand_rig(step: str = '"LIMIT"', **given) -> ExecutiveRig:
     """A hand at 500 Hz, which has not come on yet."""
-    return Rig(MassWorld()).spawn("hand", HAND.format(step=step), frequency=500.0, device="m0", rank=0, **given)
+    return ExecutiveRig(MassWorld()).spawn(
+        "hand", HAND.format(step=step), frequency=500.0, device="m0", rank=0, **given
+    )
 
 
-def driven(rig: Rig, level: float, **given) -> Rig:
+def driven(rig: ExecutiveRig, level: float, **given) -> ExecutiveRig:
     """The hand is driven by `first` and nothing is watched any more."""
     rig.spawn("first", source("first", level, **given), rank=1).switch(on=["hand", "first"])
     rig.run(rig.now + 200 * MS)
@@ -89,11 +91,11 @@ def driven(rig: Rig, level: float, **given) -> Rig:
     return rig
 
 
-def steps(rig: Rig) -> list[news.Stepped]:
+def steps(rig: ExecutiveRig) -> list[news.Stepped]:
     return rig.heard(news.Stepped)
 
 
-def largest_step(rig: Rig) -> float:
+def largest_step(rig: ExecutiveRig) -> float:
     """The largest step from one cycle to the next in what the hand was given; None stands where it held."""
     given = rig.task("hand").module.given
     pairs = [(a, b) for a, b in pairwise(given) if a is not None and b is not None]

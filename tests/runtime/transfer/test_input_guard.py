@@ -1,7 +1,7 @@
 import pytest
 
-from kit.rig import Rig
-from kit.worlds import MassWorld
+from kit.executive_rig import ExecutiveRig
+from kit.mass_world import MassWorld
 from onika.runtime import command, news
 
 MS = 1_000_000
@@ -43,7 +43,7 @@ class Push(Module):
 
 @pytest.fixture
 def rig():
-    return Rig(MassWorld()).spawn("arm", ARM, device="m0").spawn("push", PUSH, rank=1)
+    return ExecutiveRig(MassWorld()).spawn("arm", ARM, device="m0").spawn("push", PUSH, rank=1)
 
 
 def test_it_holds_until_every_input_is_fresh_and_nothing_of_that_is_a_step(rig):  # law 4, R-X04

@@ -1,7 +1,7 @@
 from dataclasses import replace
 
-from kit.gallery import Gallery
-from kit.sitting import Sitting
+from kit.app_fixture import AppFixture
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.state.open_application import Judgement
 from onika.model.task import Task
 from onika.wire import act
@@ -14,7 +14,7 @@ TASKS = (
 
 
 def test_a_check_gives_every_sentence_what_is_wrong_first_and_also_where_warnings_are_off(tmp_path):  # R-C26
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     (tmp_path / "conf").mkdir()
     sitting.base.configuration_file("c").write_text("RMODFILE memory\nCOORDS 0 0\nRMODFILE reader\nCOORDS 0 0\nEOF\n")
     doc = sitting.do(act.Open(str(sitting.base.configuration_file("c"))))
@@ -27,13 +27,13 @@ def test_a_check_gives_every_sentence_what_is_wrong_first_and_also_where_warning
 
 
 def test_nothing_is_said_where_all_is_well(tmp_path):  # R-C26
-    sitting = Sitting(tmp_path)
+    sitting = EnvironmentFixture(tmp_path)
     assert sitting.do(act.Check(sitting.new())) == ()
     assert "no longer open" in sitting.no(act.Check("c9")).reason
 
 
 def test_what_is_wrong_with_an_application_is_told_as_it_was_judged_last(tmp_path):  # R-E01
-    gallery = Gallery(tmp_path)
+    gallery = AppFixture(tmp_path)
     doc = gallery.begun("grip")
     assert gallery.do(act.Check(doc)) == ()
     opened = gallery.environment.model.applications[doc]

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.model.configuration import Group, Placed
 from onika.model.task import Task
 from onika.wire import act
@@ -16,7 +16,7 @@ TASKS = (
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, TASKS)
+    return EnvironmentFixture(tmp_path, TASKS)
 
 
 def configuration(sitting, doc):
@@ -80,7 +80,7 @@ def test_cut_is_one_step_and_leaves_what_was_cut_in_the_buffer(sitting):  # R-C1
 
 
 def test_a_text_from_elsewhere_brings_rates_directions_and_units(sitting, tmp_path):  # R-C10
-    elsewhere = Sitting(tmp_path / "other", TASKS)
+    elsewhere = EnvironmentFixture(tmp_path / "other", TASKS)
     theirs = elsewhere.new("pd")
     elsewhere.do(act.Flip(theirs, ("pd",)))
     text = elsewhere.do(act.Copy(theirs, ("pd",)))
@@ -110,7 +110,7 @@ def test_the_only_task_that_is_pasted_may_replace_what_is_in_its_way(sitting):  
 
 
 def test_a_task_that_no_library_has_is_named(sitting, tmp_path):  # R-C10
-    elsewhere = Sitting(tmp_path / "other", (Task("grav", "grav", outvar=("G",), frequency=1.0),))
+    elsewhere = EnvironmentFixture(tmp_path / "other", (Task("grav", "grav", outvar=("G",), frequency=1.0),))
     theirs = elsewhere.new("grav")
     text = elsewhere.do(act.Copy(theirs, ("grav",)))
     no = sitting.no(act.Paste(sitting.new(), 0, 0, text))

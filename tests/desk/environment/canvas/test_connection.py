@@ -1,8 +1,8 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.canvas.connection import connected
 from onika.desk.environment.runs.runtime_loss import lost
 from onika.model.task import Task
@@ -17,7 +17,7 @@ TASKS = (
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 def running(duet, *names, subsystem="main"):
@@ -195,7 +195,7 @@ def test_where_another_runtime_cannot_be_reached_the_one_before_is_not_shown_any
 
 
 def test_the_runtime_on_which_an_application_runs_is_not_left(tmp_path):  # R-C18
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     no = play.no(act.Connect(play.new("c"), url="ws://there", confirmed=True))
     assert no.remedies[0].act == act.Steer("abort")

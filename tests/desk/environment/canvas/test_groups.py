@@ -1,8 +1,8 @@
 import pytest
 
-from kit.duet import Duet
+from kit.environment_fixture import EnvironmentFixture
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import Laboratory
-from kit.sitting import Sitting
 from onika.files import conf
 from onika.model.configuration import Group
 from onika.model.rules.order import Ports
@@ -22,12 +22,12 @@ TASKS = (
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, TASKS)
+    return EnvironmentFixture(tmp_path, TASKS)
 
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 def groups(desk, doc="c1"):

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, live, request
 
@@ -16,7 +16,7 @@ TASKS = (
 
 @pytest.fixture
 def duet(tmp_path):
-    duet = Duet(tmp_path, TASKS)
+    duet = FakeRuntimeEnv(tmp_path, TASKS)
     doc = duet.new("new_const", "user", "stays", "comes")
     duet.do(act.Save(doc, name="other", base=str(tmp_path)))
     duet.do(act.Close(doc))

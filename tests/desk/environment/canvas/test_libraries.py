@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.files import rmod
 from onika.files.rmod import RmodText
 from onika.model.task import Task
@@ -13,7 +13,7 @@ FAR = Task("far", "far", invar=("Q",), frequency=10.0)
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path / "own", (OWN,))
+    return EnvironmentFixture(tmp_path / "own", (OWN,))
 
 
 @pytest.fixture

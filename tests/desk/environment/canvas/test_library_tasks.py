@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.files import rmod
 from onika.model.task import LocalLine, Task, TaskType
 from onika.wire import act
@@ -17,7 +17,7 @@ SLOW = Task("slow", "s", type=TaskType.APERIODIC)
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, (WRITER, OTHER, READER, SLOW))
+    return EnvironmentFixture(tmp_path, (WRITER, OTHER, READER, SLOW))
 
 
 def svars(sitting, doc):
@@ -125,7 +125,7 @@ names = st.sampled_from(["", "A", "B", "C", "D", "Z"])
 @settings(max_examples=40, deadline=None)
 def test_aliases_are_resolved_once_whatever_was_aliased_before(tmp_path_factory, changes):  # R-C04
     swap = Task("swap", "swap", invar=("A", "B", "C"), frequency=1.0)
-    sitting = Sitting(tmp_path_factory.mktemp("swap"), (swap,))
+    sitting = EnvironmentFixture(tmp_path_factory.mktemp("swap"), (swap,))
     doc = sitting.new("swap")
     wished = {}
     for pin, svar in changes:
@@ -189,7 +189,7 @@ def test_a_parameter_given_twice_is_refused(sitting):  # R-B07
 
 def test_saving_a_task_writes_what_was_changed_and_nothing_else(sitting):  # R-C04
     file(sitting, "writer").write_text(file(sitting, "writer").read_text().replace("DESC", "# kept\nDESC"))
-    sitting = Sitting(sitting.base.path)
+    sitting = EnvironmentFixture(sitting.base.path)
     sitting.do(act.Alias("writer", "Q", "GOAL"))
     sitting.do(act.LibraryRate("writer", 20.0))
     assert sitting.do(act.SaveTask("writer")) == str(file(sitting, "writer"))

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.wire import act
 
@@ -14,7 +14,7 @@ TASKS = (
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, TASKS)
+    return EnvironmentFixture(tmp_path, TASKS)
 
 
 def document(sitting, doc="c1"):

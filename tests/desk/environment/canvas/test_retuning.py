@@ -2,7 +2,7 @@ import math
 
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task, TaskType
 from onika.wire import act
 
@@ -11,7 +11,7 @@ TASKS = (Task("a", "a", outvar=("A",), frequency=10.0), Task("once", "once", typ
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 def test_a_rate_is_the_configurations_and_reaches_the_living_task(duet):  # reading 10, R-C11

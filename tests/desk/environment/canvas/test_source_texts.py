@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.files import rmod, whole
 from onika.files.rmod import RmodText
 from onika.model.task import Task
@@ -16,7 +16,7 @@ CODE = "import os\n\nclass Pd:\n    pass\n"
 def sitting(tmp_path):
     BaseDirectory(tmp_path).save_task(RmodText(PD))
     (tmp_path / "module" / "pd.py").write_text(CODE)
-    return Sitting(tmp_path, (FREE,))
+    return EnvironmentFixture(tmp_path, (FREE,))
 
 
 def write(sitting, kind, text, **more):

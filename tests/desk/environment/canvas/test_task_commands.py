@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import Laboratory
 from kit.live_runtime import LiveRuntime
 from onika.desk.environment.outcome.outcome import Done
@@ -19,7 +19,7 @@ TASKS = (
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS, LiveRuntime(asks={"asks": (ITEM,)}))
+    return FakeRuntimeEnv(tmp_path, TASKS, LiveRuntime(asks={"asks": (ITEM,)}))
 
 
 def fail(duet, task="a"):
@@ -103,7 +103,7 @@ class Broken(LiveRuntime):
 
 
 def test_an_error_that_cannot_be_cleared_stays_and_the_task_can_be_replaced(tmp_path):  # R-C28
-    duet = Duet(tmp_path, TASKS, Broken())
+    duet = FakeRuntimeEnv(tmp_path, TASKS, Broken())
     doc = duet.connected("a")
     fail(duet)
     duet.do(act.Clear(doc, "a"))

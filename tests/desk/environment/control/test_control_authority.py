@@ -1,13 +1,13 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request
 
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    return FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
 
 
 def test_everybody_stops_everything_whoever_holds_it(duet):  # law 27

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.control import held_subsystems
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request, steer
@@ -10,7 +10,7 @@ from onika.wire.view import HoldView
 @pytest.fixture
 def duet(tmp_path):
     """Connected; in `flow0` and `flow1` an application runs that anna#2 began."""
-    duet = Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    duet = FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
     duet.connected("a")
     duet.runtime.positions = (steer.Position("flow0", "running", 0), steer.Position("flow1", "paused", 3))
     assert duet.do(act.Company()) is None

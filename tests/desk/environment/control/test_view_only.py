@@ -3,7 +3,7 @@ from dataclasses import replace
 import msgspec
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.outcome.outcome import Done
 from onika.model.task import Task
 from onika.wire import act, event, holding, live, request
@@ -11,7 +11,7 @@ from onika.wire import act, event, holding, live, request
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    return FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
 
 
 def promised(duet):

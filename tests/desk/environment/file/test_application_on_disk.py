@@ -1,13 +1,13 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.refresh import refreshed
 from onika.wire import act
 
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def opened(gallery):

@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.gallery import ONIKONS, Gallery
+from kit.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.outcome.on_application import syntax_of
 from onika.desk.environment.show.application_view import ApplicationSight
 from onika.model.flow_path import flows_by_path, spots
@@ -11,7 +11,7 @@ from onika.wire import act
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_undo_after_undo_comes_to_the_beginning_and_redo_to_the_end(gallery):  # R-X10

@@ -3,8 +3,8 @@ from pathlib import Path
 
 import pytest
 
-from kit.gallery import Gallery
-from kit.sitting import Sitting
+from kit.app_fixture import AppFixture
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.initial_model import opened
 from onika.store.site import Site, shipped
 from onika.wire import act
@@ -15,7 +15,7 @@ SHIPPED = sorted((shipped() / "boxes" / "appl").glob("*.appl"))
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def saved(gallery, *icons, name="job1"):
@@ -84,7 +84,7 @@ def test_a_file_of_that_name_is_overwritten_only_if_meant(gallery):  # R-X01
 
 
 def test_what_comes_with_onika_is_saved_as_a_copy(tmp_path):
-    gallery = Gallery(tmp_path)
+    gallery = AppFixture(tmp_path)
     doc = gallery.do(act.Open(str(SHIPPED[0])))
     no = gallery.no(act.Save(doc))
     gallery.do(no.remedies[0].act)
@@ -133,10 +133,11 @@ def test_a_file_that_is_edited_back_and_saved_is_the_same_byte_for_byte(tmp_path
     base = tmp_path / "base"
     shutil.copytree(shipped() / "boxes", base)
     site = Site(
-        tuple(map(type(Gallery(tmp_path).base), (base, shipped() / "puma", shipped() / "generic"))), shipped() / "prefs"
+        tuple(map(type(AppFixture(tmp_path).base), (base, shipped() / "puma", shipped() / "generic"))),
+        shipped() / "prefs",
     )
     model, _ = opened(site, None, {})
-    sitting = Sitting(base, (), model)
+    sitting = EnvironmentFixture(base, (), model)
     file = base / "appl" / path.name
     before = file.read_bytes()
     doc = sitting.do(act.Open(str(file)))

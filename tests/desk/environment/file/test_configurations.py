@@ -1,7 +1,7 @@
 import pytest
 
-from kit.duet import Duet
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, live
 from onika.wire.view import ShowSaveAs
@@ -14,7 +14,7 @@ TASKS = (
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, TASKS)
+    return EnvironmentFixture(tmp_path, TASKS)
 
 
 def documents(sitting):
@@ -138,7 +138,7 @@ def test_a_name_alone_saves_into_the_directory_of_the_users_own(sitting, monkeyp
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 def test_tasks_that_are_off_end_with_their_configuration(duet):  # R-C11

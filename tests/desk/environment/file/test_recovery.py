@@ -5,8 +5,8 @@ import sys
 
 import pytest
 
-from kit.gallery import Gallery
-from kit.sitting import Sitting
+from kit.app_fixture import AppFixture
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.autosave import Autosave, Change
 from onika.desk.environment.file.recovery import Recovery, reopened
 from onika.desk.environment.file.recovery_record import Rescue, rescue_of
@@ -132,7 +132,7 @@ def test_where_nothing_can_be_written_the_reason_is_given(tmp_path):
 
 
 def test_documents_are_reopened_unsaved_and_each_is_told(tmp_path):  # R-X10
-    sitting = Sitting(tmp_path, (Task("pd", "pd", outvar=("Q",), frequency=1.0),))
+    sitting = EnvironmentFixture(tmp_path, (Task("pd", "pd", outvar=("Q",), frequency=1.0),))
     doc = sitting.new("pd")
     sitting.do(act.Save(doc, "move", str(tmp_path)))
     sitting.do(act.Rate(doc, "pd", 2.0))
@@ -166,11 +166,11 @@ def test_a_file_of_a_rescue_is_plain_text(tmp_path):
 
 
 def test_applications_are_had_back_beside_configurations(tmp_path):  # R-X10
-    gallery = Gallery(tmp_path / "base")
+    gallery = AppFixture(tmp_path / "base")
     doc, conf = gallery.begun("grip", "open"), gallery.do(act.New())
     model = gallery.environment.model
     rescues = [rescue_of(model.applications[doc]), rescue_of(model.documents[conf])]
-    after = Gallery(tmp_path / "base")
+    after = AppFixture(tmp_path / "base")
     after.environment.become(lambda model: reopened(model, rescues))
     assert list(after.environment.tree.applications) == ["a1"]
     assert after.flow("a1") == "grip open"
@@ -178,6 +178,6 @@ def test_applications_are_had_back_beside_configurations(tmp_path):  # R-X10
     after.environment.become(lambda model: reopened(model, rescues[:1]))
     assert after.view("a3").name == "Untitled-3"
     assert "is open as it was" in after.says[-1].text
-    lost = Sitting(tmp_path / "other")
+    lost = EnvironmentFixture(tmp_path / "other")
     lost.environment.become(lambda model: reopened(model, rescues[:1]))
     assert "cannot be had back" in lost.says[-1].text

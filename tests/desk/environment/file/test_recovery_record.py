@@ -3,7 +3,7 @@ from pathlib import Path
 
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.file.recovery_record import Rescue, application_of, document_of, read, rescue_of, write
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
@@ -57,7 +57,7 @@ def test_a_text_that_is_no_configuration_raises():
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_an_application_comes_back_as_it_was_and_as_unsaved(gallery):  # R-X10

@@ -1,6 +1,6 @@
 from hypothesis import given, strategies as st
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.file.undo import edits_between, moved_wanted
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.open_libraries import Shelf
@@ -33,7 +33,7 @@ def test_edits_are_told_by_name_and_none_is_as_the_file_says():
 
 
 def test_there_is_nothing_to_take_back_at_first(tmp_path):  # R-X10
-    sitting = Sitting(tmp_path, (Task("t", "m", outvar=("Q",), frequency=1.0),))
+    sitting = EnvironmentFixture(tmp_path, (Task("t", "m", outvar=("Q",), frequency=1.0),))
     doc = sitting.new()
     assert "nothing" in sitting.no(act.Undo(doc)).reason
     assert "nothing" in sitting.no(act.Redo(doc)).reason
@@ -41,7 +41,7 @@ def test_there_is_nothing_to_take_back_at_first(tmp_path):  # R-X10
 
 
 def test_a_task_that_was_saved_with_its_rate_is_what_it_was(tmp_path):  # law 22: nothing that lives is exchanged for it
-    sitting = Sitting(tmp_path, (Task("t", "m", outvar=("Q",), frequency=1.0),))
+    sitting = EnvironmentFixture(tmp_path, (Task("t", "m", outvar=("Q",), frequency=1.0),))
     sitting.do(act.Alias("t", "Q", "R"))
     sitting.do(act.LibraryRate("t", 5.0))
     before = sitting.environment.model.shelf

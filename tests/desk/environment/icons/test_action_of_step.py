@@ -1,13 +1,13 @@
 import pytest
 
-from kit.gallery import ONIKONS, Gallery
+from kit.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
 from onika.model.application import AppFlow, Icon
 
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 @pytest.mark.parametrize("name", ["arc", "there", "here", "_"])

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow
@@ -8,7 +8,7 @@ from onika.model.application import AppFlow
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_a_change_is_a_step_with_its_label_and_new_steps_get_numbers(gallery):  # R-D05

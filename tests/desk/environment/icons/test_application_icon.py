@@ -1,6 +1,6 @@
 import pytest
 
-from kit.cabinet import WHITE, Cabinet, plain
+from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
 from kit.laboratory import HOLE, Laboratory, job
 from onika.model.initials import drawn
 from onika.model.onikon import Onikon
@@ -18,7 +18,7 @@ def lab(tmp_path):
 
 def opened(tmp_path, lab, *flows, parallel=False, icons=()):
     lab.application("tour", *flows, parallel=parallel)
-    cabinet = Cabinet(tmp_path, *icons)
+    cabinet = DictionaryFixture(tmp_path, *icons)
     return cabinet, cabinet.do(act.Open(str(cabinet.base.application_file("tour"))))
 
 

@@ -1,13 +1,13 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.icons.branches import conditions_of
 from onika.wire import act
 
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_flows_are_added_and_deleted_but_for_the_last(gallery):  # R-D04

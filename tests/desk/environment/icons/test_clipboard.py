@@ -1,12 +1,12 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.wire import act
 
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def numbers(gallery, doc, *names):

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.cabinet import Cabinet, plain
+from kit.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.icons.dictionaries import in_order, is_icon
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
@@ -8,7 +8,7 @@ from onika.wire import act
 
 @pytest.fixture
 def cabinet(tmp_path):
-    return Cabinet(tmp_path, plain("grip"), plain("open"))
+    return DictionaryFixture(tmp_path, plain("grip"), plain("open"))
 
 
 def far(tmp_path, *onikons):

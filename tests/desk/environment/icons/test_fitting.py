@@ -1,6 +1,6 @@
 import pytest
 
-from kit.gallery import ONIKONS, Gallery, onikon as made
+from kit.app_fixture import ONIKONS, AppFixture, onikon as made
 from onika.desk.environment.icons.fitting import fitting_behind, misfit, onikon
 from onika.desk.environment.outcome.outcome import No
 from onika.model.application import AppFlow, Icon
@@ -9,7 +9,7 @@ from onika.wire import act
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_whatever_is_offered_fits_and_whatever_fits_is_counted(gallery):  # R-X01

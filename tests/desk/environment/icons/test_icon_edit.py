@@ -1,6 +1,6 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.wire import act
 
 VALUES = (("1", "2", "3", "4", "5", "6"), ("0.5",))
@@ -8,7 +8,7 @@ VALUES = (("1", "2", "3", "4", "5", "6"), ("0.5",))
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_only_this_one_instance_is_changed(gallery):  # R-D17

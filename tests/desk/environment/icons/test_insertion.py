@@ -1,13 +1,13 @@
 import pytest
 
-from kit.gallery import ONIKONS, Gallery, onikon
+from kit.app_fixture import ONIKONS, AppFixture, onikon
 from onika.wire import act
 from onika.wire.view import ShowFits
 
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_an_icon_is_inserted_behind_another_and_a_hole_opens_where_the_next_does_not_fit(gallery):  # R-D03

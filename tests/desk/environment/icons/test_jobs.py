@@ -2,8 +2,8 @@ from dataclasses import replace
 
 import pytest
 
-from kit.cabinet import Cabinet, plain
-from kit.sitting import Sitting
+from kit.dictionary_fixture import DictionaryFixture, plain
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.outcome import Done
 from onika.files import syntax as syntax_file
 from onika.model.onikon import Onikon
@@ -24,7 +24,7 @@ DRAWN = "7" * 512 + "9" + "0" * 511
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, TASKS)
+    return EnvironmentFixture(tmp_path, TASKS)
 
 
 @pytest.fixture
@@ -127,7 +127,7 @@ def test_no_job_is_made_of_nothing(sitting):  # R-C16
 
 
 def test_the_dictionary_has_the_job_at_once(tmp_path):  # R-C16, R-D01
-    cabinet = Cabinet(tmp_path)
+    cabinet = DictionaryFixture(tmp_path)
     doc = cabinet.do(act.Open("pauseC"))
     cabinet.do(act.Save(doc, "napC", str(cabinet.own.path)))
     cabinet.do(act.MakeJob(doc, BLANK, "wait"))
@@ -139,7 +139,7 @@ def test_the_dictionary_has_the_job_at_once(tmp_path):  # R-C16, R-D01
 
 
 def test_an_icon_keeps_what_it_says_in_other_languages_as_long_as_it_says_the_same(tmp_path):  # R-X11
-    cabinet = Cabinet(tmp_path)
+    cabinet = DictionaryFixture(tmp_path)
     doc = cabinet.do(act.Open("pauseC"))
     cabinet.do(act.Save(doc, "napC", str(cabinet.own.path)))
     cabinet.own.save_onikon(replace(plain("napC", "Pause job", "wait"), words=(("es", "espera"),)))

@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from kit.gallery import ONIKONS, Gallery
+from kit.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.icons.loops import for_pasting, tags
 from onika.model.application import AppFlow, Icon
 from onika.model.rules import loop
@@ -11,7 +11,7 @@ from onika.words.fault import Place
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def loops(gallery, doc):

@@ -1,11 +1,11 @@
-from kit.cabinet import Cabinet
+from kit.dictionary_fixture import DictionaryFixture
 from onika.desk.environment.icons.measured_variables import measures_of
 from onika.desk.environment.icons.measuring_remedies import ways_to_measure
 from onika.wire import act
 
 
 def test_configurations_that_measure_it_could_be_opened_the_smallest_first(tmp_path):  # R-X01
-    cabinet = Cabinet(tmp_path)
+    cabinet = DictionaryFixture(tmp_path)
     kind = cabinet.environment.model.syntax.find("Cartesian object")
     measures = measures_of(cabinet.environment.model, kind)
     ways = ways_to_measure(cabinet.environment.model, measures)

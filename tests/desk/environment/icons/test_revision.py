@@ -1,6 +1,6 @@
 import pytest
 
-from kit.cabinet import WHITE, Cabinet, plain
+from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
 from kit.laboratory import Laboratory, target
 from onika.wire import act
 
@@ -8,7 +8,7 @@ from onika.wire import act
 @pytest.fixture
 def cabinet(tmp_path):
     Laboratory(tmp_path / "lab").application("naps", [target("rest", "Pause object", "1.0")])
-    return Cabinet(tmp_path, plain("grip"), plain("rest", "Pause object", "a while", (1.0,)))
+    return DictionaryFixture(tmp_path, plain("grip"), plain("rest", "Pause object", "a while", (1.0,)))
 
 
 def test_a_target_is_changed_in_its_file_and_the_page_has_it_at_once(cabinet):  # R-D08, R-D05

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.cabinet import WHITE, Cabinet, plain
+from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
 from kit.laboratory import HOLE, Laboratory, job
 from onika.wire import act
 
@@ -11,7 +11,7 @@ SPARK = ("ONIKON Weld object", "LEFTEDGE 7", "RIGHTEDGE 1", "VARNAME heat", "DAT
 @pytest.fixture
 def cabinet(tmp_path):
     Laboratory(tmp_path / "lab").application("seam", [job("weldC", "Weld job"), HOLE])
-    return Cabinet(tmp_path, plain("weldC", "Weld job"))
+    return DictionaryFixture(tmp_path, plain("weldC", "Weld job"))
 
 
 def test_new_types_appear_while_it_runs_by_editing_the_definition_alone(cabinet):  # R-D02, R-D16

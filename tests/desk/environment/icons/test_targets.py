@@ -1,6 +1,6 @@
 import pytest
 
-from kit.cabinet import WHITE, Cabinet, plain
+from kit.dictionary_fixture import WHITE, DictionaryFixture, plain
 from onika.wire import act
 
 SECOND = (("1.5",),)
@@ -9,7 +9,7 @@ JOINTS = (("0", "0.1", "0.2", "0.3", "0.4", "0.5"), ("2",))
 
 @pytest.fixture
 def cabinet(tmp_path):
-    return Cabinet(tmp_path, plain("grip"), plain("rest", "Pause object", "", (1.0,)))
+    return DictionaryFixture(tmp_path, plain("grip"), plain("rest", "Pause object", "", (1.0,)))
 
 
 def made(name="nap", kind="Pause object", values=SECOND, picture=WHITE, **more):

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.live_runtime import LiveRuntime
 from onika.desk.environment.initial_model import opened
 from onika.desk.environment.outcome.outcome import Done
@@ -45,7 +45,7 @@ class Reader(LiveRuntime):
 
 @pytest.fixture
 def duet(tmp_path):
-    duet = Duet(tmp_path, (ARM, EYE, MOVE, SLIDE, NAP), Reader())
+    duet = FakeRuntimeEnv(tmp_path, (ARM, EYE, MOVE, SLIDE, NAP), Reader())
     duet.environment.become(lambda model: Done(replace(model, syntax=SITE_MODEL.syntax, sources=SITE_MODEL.sources)))
     return duet
 

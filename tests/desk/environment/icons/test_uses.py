@@ -1,4 +1,4 @@
-from kit.cabinet import Cabinet, plain
+from kit.dictionary_fixture import DictionaryFixture, plain
 from kit.laboratory import Laboratory, job
 from onika.desk.environment.icons.uses import users_of
 from onika.wire import act
@@ -8,7 +8,7 @@ def test_applications_that_have_an_icon_are_named_open_ones_as_they_are_here(tmp
     lab = Laboratory(tmp_path / "lab")
     lab.application("twice", [job("grip"), job("grip")])
     lab.application("never", [job("loosen")])
-    cabinet = Cabinet(tmp_path, plain("grip"))
+    cabinet = DictionaryFixture(tmp_path, plain("grip"))
     grip = plain("grip")
     assert users_of(cabinet.environment.model, grip) == ("twice",)
     doc = cabinet.do(act.NewApplication())

@@ -1,4 +1,4 @@
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.clash import clashes, refused
 from onika.model.task import Task
 from onika.wire import act
@@ -13,7 +13,7 @@ def aliased(task, pin, svar):
 
 
 def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tmp_path):  # decision 9, Equation (3)
-    sitting = Sitting(tmp_path, (W, C))
+    sitting = EnvironmentFixture(tmp_path, (W, C))
     doc = sitting.new("w", "c")
     model = sitting.environment.model
     (reason,) = clashes(model, model.shelf.edited({"w": aliased(W, "Q", "K")}), ("w",))
@@ -25,7 +25,7 @@ def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tm
 
 def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):  # decision 9
     reader = Task("c", "c", aliases=(("K", "Q"),), inconst=("K",), invar=("P",), frequency=1.0)
-    sitting = Sitting(tmp_path, (W, reader))
+    sitting = EnvironmentFixture(tmp_path, (W, reader))
     (tmp_path / "conf").mkdir()
     text = "VERSION 1.2\nRMODFILE w\nCOORDS 1 2\nRMODFILE c\nCOORDS 1 2\nEOF\n"
     (tmp_path / "conf" / "odd.conf").write_text(text)

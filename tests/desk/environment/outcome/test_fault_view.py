@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import HOLE, job, joints
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.readiness import Case, Judge
 from onika.wire import act
 from onika.wire.view import ShowFits, ShowLoop, ShowStep, ShowTarget
@@ -11,7 +11,7 @@ TAG = "SYNCHTAG    meet"
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def found(play, *flows, **words):

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.cabinet import Cabinet, plain
+from kit.dictionary_fixture import DictionaryFixture, plain
 from kit.laboratory import HOLE, Laboratory, job
 
 TASK = """MODULE {0}\nDESC x\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR none\nTASKTYPE periodic\nFREQ 10\n{1}"""
@@ -15,7 +15,9 @@ def lab(tmp_path):
 
 
 def test_an_icon_whose_configuration_or_application_is_missing_says_so(tmp_path, lab):  # R-X01
-    cabinet = Cabinet(tmp_path, plain("lost"), plain("gone", "Complete application"), plain("rest", "Complete NOP"))
+    cabinet = DictionaryFixture(
+        tmp_path, plain("lost"), plain("gone", "Complete application"), plain("rest", "Complete NOP")
+    )
     assert cabinet.icon("lost").trouble == "there is no configuration lost"
     assert cabinet.icon("gone").trouble == "there is no application gone"
     assert (cabinet.icon("rest").trouble, cabinet.icon("rest").source) == ("", "")
@@ -26,7 +28,7 @@ def test_an_icon_whose_configuration_or_application_is_missing_says_so(tmp_path,
 
 
 def test_an_icon_that_says_another_type_than_is_made_now_says_so_as_soon_as_that_is_so(tmp_path, lab):  # decision 36
-    cabinet = Cabinet(tmp_path, plain("goC", "joint JOB"), plain("jmoveC", "Complete job"))
+    cabinet = DictionaryFixture(tmp_path, plain("goC", "joint JOB"), plain("jmoveC", "Complete job"))
     assert cabinet.icon("goC").trouble == ""
     assert "makes a Joint job now, not a Complete job" in cabinet.icon("jmoveC").trouble
     lab.task("go", TASK.format("go", "ONIKA\nOBJECT Joint job\nTARGET Pause object"))
@@ -42,7 +44,7 @@ def test_an_icon_that_says_another_type_than_is_made_now_says_so_as_soon_as_that
 
 def test_the_icon_of_an_application_is_judged_by_its_holes(tmp_path, lab):  # R-D09, decision 36
     lab.application("visit", [job("goC", "Joint job"), HOLE])
-    cabinet = Cabinet(tmp_path, plain("visit", "Joint application"))
+    cabinet = DictionaryFixture(tmp_path, plain("visit", "Joint application"))
     assert cabinet.icon("visit").trouble == ""
     lab.application("visit", [job("goC", "Joint job"), HOLE, job("goC", "Pause job"), HOLE])
     cabinet.look()
@@ -55,15 +57,15 @@ def test_the_icon_of_an_application_is_judged_by_its_holes(tmp_path, lab):  # R-
 def test_what_stands_beside_the_icon_counts_before_the_search_path(tmp_path, lab):  # decision 35
     other = Laboratory(tmp_path / "home" / "onika")
     other.configuration("opengripC", "go 10")
-    cabinet = Cabinet(tmp_path)
+    cabinet = DictionaryFixture(tmp_path)
     shipped = cabinet.icon("opengripC")
     assert shipped.source.endswith("puma/conf/opengripC.conf") and shipped.trouble == ""
     cabinet.own.save_onikon(plain("opengripC", "Joint job"))
-    cabinet = Cabinet(tmp_path)
+    cabinet = DictionaryFixture(tmp_path)
     assert cabinet.icon("opengripC").source == str(cabinet.own.configuration_file("opengripC"))
     assert cabinet.icon("opengripC").trouble == ""
 
 
 def test_no_shipped_icon_is_in_trouble(tmp_path):  # R-B08
-    icons = Cabinet(tmp_path).environment.tree.onikons
+    icons = DictionaryFixture(tmp_path).environment.tree.onikons
     assert {name: one.trouble for name, one in icons.items() if one.trouble} == {}

@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 from msgspec import structs
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.outcome.on_application import is_application, is_running
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.run import begun
@@ -15,7 +15,7 @@ from onika.words.fault import Place
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def performed(gallery, doc, state="running"):

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.handlers import HANDLERS
 from onika.desk.environment.outcome.outcome import No
 from onika.wire import act
@@ -24,6 +24,6 @@ ACTS = (
 
 @pytest.mark.parametrize("asked", ACTS, ids=lambda asked: type(asked).__name__)
 def test_an_act_on_a_document_that_was_closed_is_refused_in_one_sentence(tmp_path, asked):
-    sitting = Sitting(tmp_path)
+    sitting = EnvironmentFixture(tmp_path)
     found = HANDLERS[type(asked)](sitting.environment.model, asked, sitting.surroundings)
     assert found == No("this configuration is no longer open")

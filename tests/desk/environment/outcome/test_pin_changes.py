@@ -1,4 +1,4 @@
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.pin_changes import resettled, settled
 from onika.desk.environment.state.content import Content
 from onika.model.task import Task
@@ -8,7 +8,7 @@ B = Task("b", "b", invar=("Q",), frequency=1.0)
 
 
 def test_a_document_none_of_whose_pins_have_changed_is_the_same_object(tmp_path):
-    sitting = Sitting(tmp_path, (A, B))
+    sitting = EnvironmentFixture(tmp_path, (A, B))
     doc = sitting.new("a")
     model = sitting.environment.model
     shelf = model.shelf.edited({"b": Task("b", "b", aliases=(("Q", "R"),), invar=("Q",), frequency=1.0)})
@@ -19,7 +19,7 @@ def test_a_document_none_of_whose_pins_have_changed_is_the_same_object(tmp_path)
 
 def test_the_second_task_of_a_variable_brings_its_locus_half_way_by_an_alias_too(tmp_path):  # R-C24
     free = Task("b", "b", aliases=(("Q", "R"),), invar=("Q",), frequency=1.0)
-    sitting = Sitting(tmp_path, (A, free))
+    sitting = EnvironmentFixture(tmp_path, (A, free))
     doc = sitting.new("a", "b")
     model = sitting.environment.model
     content = model.documents[doc].content

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.outcome.trouble import error_view
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
@@ -21,7 +21,7 @@ TASKS = (
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, TASKS)
+    return EnvironmentFixture(tmp_path, TASKS)
 
 
 def opened(sitting, *tasks):

@@ -1,6 +1,6 @@
 from dataclasses import replace
 
-from kit.gallery import ONIKONS, Gallery
+from kit.app_fixture import ONIKONS, AppFixture
 from onika.desk.environment.outcome.unread_faults import not_run, told
 from onika.model.application import AppFlow, Application, Icon
 from onika.wire import act
@@ -25,7 +25,7 @@ def test_a_fault_is_told_at_the_step_in_whose_lines_it_stands():
 
 
 def test_what_could_be_read_only_in_part_is_not_run(tmp_path):  # issue: bad input
-    gallery = Gallery(tmp_path)
+    gallery = AppFixture(tmp_path)
     doc = gallery.begun("grip", "open")
     path = gallery.base.application_file("job1")
     gallery.do(act.Save(doc, "job1", str(gallery.base.path)))

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.live_runtime import LiveRuntime
 from onika.model.task import Task, TaskType
 from onika.wire import act, event, live, request
@@ -33,7 +33,7 @@ class Reader(LiveRuntime):
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, (MOVE, ARM), Reader(asks={"move": (ITEM,)}))
+    return FakeRuntimeEnv(tmp_path, (MOVE, ARM), Reader(asks={"move": (ITEM,)}))
 
 
 def test_what_nobody_writes_is_no_present_position(duet):  # R-C13

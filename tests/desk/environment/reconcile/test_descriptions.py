@@ -3,7 +3,7 @@ from functools import partial
 
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.live_runtime import LiveRuntime
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.reconcile.descriptions import describe, forgotten
@@ -37,7 +37,7 @@ class Reader(LiveRuntime):
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS, Reader())
+    return FakeRuntimeEnv(tmp_path, TASKS, Reader())
 
 
 def test_after_connecting_every_pin_learns_what_it_is(duet):  # R-C02, R-C23

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.model.task import Task
 from onika.wire import act, event, live, view
 from onika.wire.view import ShowTask
@@ -11,7 +11,7 @@ ITEM = event.Item("x", "double", 1, "m", "where to go", None, (0.0,), (1.0,))
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.canvas.libraries import reread
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.target_items import items_of
@@ -21,7 +21,7 @@ class Move:
 
 @pytest.fixture
 def duet(tmp_path):
-    duet = Duet(tmp_path, (ARM, MOVE))
+    duet = FakeRuntimeEnv(tmp_path, (ARM, MOVE))
     (tmp_path / "module" / "move.py").write_text(CODE)
     syntax, _ = open_site([], {}, None).syntax()
     duet.environment.become(lambda model: Done(replace(model, syntax=syntax)))

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from onika.desk.environment.reconcile.presence import you
 from onika.model.task import Task
 from onika.wire import act, event, holding
@@ -8,7 +8,7 @@ from onika.wire import act, event, holding
 
 @pytest.fixture
 def duet(tmp_path):
-    duet = Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    duet = FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
     duet.runtime.sessions = (
         holding.SessionStanding("you", "owner"),
         holding.SessionStanding("anna#2", "operator", is_here=False),

@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.live_runtime import LiveRuntime
 from onika.desk.environment.reconcile.reconciliation import accepted, edited
 from onika.model.lifecycle import State
@@ -14,7 +14,7 @@ FAULT = request.FaultText("/base/module/b.py", 7, "a port X", "none", "nothing i
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, TASKS)
+    return FakeRuntimeEnv(tmp_path, TASKS)
 
 
 def test_what_a_runtime_finds_wrong_is_refused_with_its_sentences_and_taken_back(duet):  # R-X01, R-X10
@@ -212,7 +212,7 @@ acts = st.one_of(
     moods=st.lists(st.sampled_from(("done", "done", "refused", "faults", "fails")), max_size=12),
 )
 def test_whatever_fails_document_and_runtime_agree_in_the_end(tmp_path_factory, done, moods):  # R-X10, law 22
-    duet = Duet(tmp_path_factory.mktemp("base"), TASKS, Moody(moods))
+    duet = FakeRuntimeEnv(tmp_path_factory.mktemp("base"), TASKS, Moody(moods))
     doc, answers, count = duet.new(), [], 0
     duet.do(act.Connect(doc))
     duet.is_held_back = True

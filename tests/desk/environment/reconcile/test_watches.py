@@ -2,9 +2,9 @@ import math
 
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.reconcile.watches import Watching, homes_of, keys_of
 from onika.model.task import Task
 from onika.wire import holding, live
@@ -12,7 +12,7 @@ from onika.wire import holding, live
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    return FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
 
 
 def test_each_variable_is_asked_for_under_its_subsystem(duet):  # R-C14
@@ -31,7 +31,7 @@ def test_nobody_is_shown_more_than_a_screen_can_show(duet, wished, asked):  # R-
 
 
 def test_variables_of_a_run_are_found_in_the_first_flow_that_has_them(tmp_path):  # R-E11, R-C14
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     doc = play.open([job("aC")], [job("aC"), job("bC")], parallel=True)
     wished = frozenset((f"{doc}/A", f"{doc}/flow1/A", f"{doc}/B", f"{doc}/NONE", doc))
     assert Watching(wished).attend(play.environment.model) == live.Attend(("*",), hz=0.1)
@@ -44,7 +44,7 @@ def test_variables_of_a_run_are_found_in_the_first_flow_that_has_them(tmp_path):
 
 
 def test_while_something_runs_here_the_runs_of_others_are_not_heard(tmp_path):  # R-E11
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     play.connected("c")
     play.run(play.open([job("aC")]))
     # its own flows are heard of by their names too: it may be handed over and still belongs to this page (X12)

@@ -5,8 +5,8 @@ from queue import Empty, Queue
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
-from kit.tape import Tape, run as recorded
+from kit.recording_builder import RecordingBuilder, run as recorded
+from kit.run_fixture import RunFixture
 from onika.desk.environment import initial_model
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.handlers import HANDLERS
@@ -23,12 +23,12 @@ from onika.wire import act, event, live, request, steer
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 @pytest.fixture
 def tape(tmp_path):
-    one = Tape(tmp_path / "run.mcap")
+    one = RecordingBuilder(tmp_path / "run.mcap")
     one.tell(0.0, event.Began(0, 0, 2, "mass", 0.0))
     one.ask(0.5, steer.Pause("flow0"))
     one.ask(1.5, steer.Resume("flow0"))
@@ -116,7 +116,7 @@ def test_while_an_application_runs_nothing_is_gone_on_with(play, tape):
 
 def test_what_cannot_be_gone_on_from_says_why(play, tmp_path):  # R-X05
     assert "no recording" in play.no(act.Continue(1.0)).reason
-    looked_at(play, Tape(tmp_path / "later.mcap", recorded(is_fresh=False)))
+    looked_at(play, RecordingBuilder(tmp_path / "later.mcap", recorded(is_fresh=False)))
     assert "other things had happened" in play.no(act.Continue(0.0)).reason
 
 

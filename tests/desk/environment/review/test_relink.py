@@ -2,7 +2,7 @@ import pytest
 from msgspec import structs
 
 from kit.laboratory import job
-from kit.tape import Tape, run
+from kit.recording_builder import RecordingBuilder, run
 from onika.wire import act, request
 
 THREE = [job("aC"), job("bC"), job("cC")]
@@ -36,7 +36,9 @@ def test_one_that_was_recorded_from_another_folder_is_found_by_its_name(cinema, 
     there = structs.replace(film.plan, application="play")
     actions = tuple(structs.replace(one, place="elsewhere/play.appl") for one in there.flows[0].actions)
     elsewhere = structs.replace(there, flows=(structs.replace(there.flows[0], actions=actions),))
-    tape = Tape(cinema.base.path / "elsewhere.mcap", structs.replace(run(), prepare=request.Prepare(elsewhere, ())))
+    tape = RecordingBuilder(
+        cinema.base.path / "elsewhere.mcap", structs.replace(run(), prepare=request.Prepare(elsewhere, ()))
+    )
     tape.end()
     assert cinema.look(tape.path).doc == doc
     path = str(cinema.environment.model.applications[doc].opened.path)

@@ -1,9 +1,9 @@
 import pytest
 from msgspec import structs
 
-from kit.cinema import LAMP
 from kit.laboratory import job
-from kit.tape import Tape, run
+from kit.recording_builder import RecordingBuilder, run
+from kit.review_fixture import LAMP
 from onika.wire import act, event
 
 
@@ -46,7 +46,7 @@ def test_a_task_for_which_another_one_stood_is_shown_in_the_state_of_that_one(ci
     old = structs.replace(flow.tasks[0], name="puma")
     swapped = structs.replace(flow, replaced=((flow.tasks[0].name, old),))
     prepare = structs.replace(recorded.prepare, plan=structs.replace(recorded.prepare.plan, flows=(swapped,)))
-    tape = Tape(tmp_path / "swapped.mcap", structs.replace(recorded, prepare=prepare))
+    tape = RecordingBuilder(tmp_path / "swapped.mcap", structs.replace(recorded, prepare=prepare))
     tape.tell(0.0, event.TaskState("flow0", flow.tasks[0].name, "ON", 0.0))
     tape.end()
     view, name = cinema.look(tape.path), flow.tasks[0].name

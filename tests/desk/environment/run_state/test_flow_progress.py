@@ -1,13 +1,13 @@
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import event
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def steps(play):

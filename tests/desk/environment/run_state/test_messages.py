@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import job, joints
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 
 TRIGGER = (
     "MODULE a\nDESC a\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR A\nTASKTYPE periodic\nFREQ 10\n\n"
@@ -11,7 +11,7 @@ TRIGGER = (
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def showing(icon, words):

@@ -1,4 +1,4 @@
-from kit.tape import run
+from kit.recording_builder import run
 from onika.desk.environment.run_state import flow_progress
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.replay import Replay

@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.run_state.run_view import is_question, left_for, loops, stop_view, tag
 from onika.wire import act, event
 
@@ -10,7 +10,7 @@ WHERE = ("flow0", "b", "bC", 1, "play.appl:2", "cycle: no glass", "b.py", 7)
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 @pytest.fixture

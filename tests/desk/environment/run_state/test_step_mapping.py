@@ -1,7 +1,7 @@
 import pytest
 from msgspec import structs
 
-from kit.tape import run
+from kit.recording_builder import run
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
 from onika.desk.environment.run_state.step_mapping import Present, recast

@@ -1,5 +1,5 @@
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.wire import event, view
 from onika.wire.figures import VariableSteps
@@ -13,7 +13,7 @@ def test_a_variable_is_shown_with_its_element_and_what_became_of_it():  # R-X04
 
 
 def test_a_step_that_is_too_far_is_a_note_of_the_run_and_stands_in_its_result(tmp_path):  # R-X04, R-E11
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     play.run(play.open([job("aC"), job("bC")]))
     play.began(0)
     play.tell(event.Stepped("flow0", "puma", "TAU_REF", "N m", 1, 3.0, 3.0, 9.76, 0, 1.0))

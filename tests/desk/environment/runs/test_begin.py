@@ -1,14 +1,14 @@
 import pytest
 
 from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import act, event, live, request
 from onika.wire.view import ShowFits, ShowValues
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def test_a_run_is_prepared_and_begun_with_the_steps_as_lines(play):  # R-E07

@@ -3,14 +3,14 @@ from dataclasses import replace
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs import flow_placement
 from onika.wire import act, view
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def test_a_unit_that_is_not_there_is_noted(play):  # decision 12

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.runs import kept_test
 from onika.desk.environment.state.open_application import Judgement
@@ -39,7 +39,7 @@ def keeper(monkeypatch):
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def shown(play):

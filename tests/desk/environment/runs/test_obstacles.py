@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import Laboratory, job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import act, live
 
 TWIN = "MODULE b\nDESC a twin\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR E\nTASKTYPE periodic\nFREQ 10"
@@ -13,7 +13,7 @@ def play(tmp_path):
     files.module("rival", "# rival\n")
     files.plain_task("rival", writes="D", local="DEVICE arm\n")
     files.task("twin", TWIN)
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def reason(play, *tasks):

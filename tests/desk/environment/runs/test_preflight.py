@@ -2,7 +2,7 @@ import pytest
 from msgspec.structs import replace
 
 from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import act, request
 
 FAR = ("a target within reach", "home: joint 3 at 9.00 rad is beyond 3.93", "the application is not run")
@@ -10,7 +10,7 @@ FAR = ("a target within reach", "home: joint 3 at 9.00 rad is beyond 3.93", "the
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def path(play):

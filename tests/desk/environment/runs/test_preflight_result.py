@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import job, target
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.preflight_result import worth_noting
 from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import Looked
@@ -11,7 +11,7 @@ from onika.wire.view import ShowValues
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def found(play, doc):

@@ -5,9 +5,9 @@ from functools import partial
 
 import pytest
 
+from kit.environment_fixture import EnvironmentFixture
 from kit.laboratory import HOLE, job
-from kit.rehearsal import Rehearsal
-from kit.sitting import Sitting
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
@@ -18,7 +18,7 @@ from onika.wire import act
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def look(play, judge, cases):
@@ -83,7 +83,7 @@ def test_a_judgement_that_says_the_same_changes_nothing(play):
 
 
 def test_without_a_syntax_nothing_is_judged(tmp_path):
-    sitting = Sitting(tmp_path)
+    sitting = EnvironmentFixture(tmp_path)
     judge = Judge(sitting.site)
     assert judge.cases(sitting.environment.model) == judge.stale(sitting.environment.model) == ()
 

@@ -1,7 +1,7 @@
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.readiness import Judge, judged
 from onika.wire import act, request
 from onika.wire.view import RedirectView
@@ -9,7 +9,7 @@ from onika.wire.view import RedirectView
 
 @pytest.fixture
 def play(tmp_path):
-    one = Rehearsal(tmp_path)
+    one = RunFixture(tmp_path)
     one.files.module("twin", '"""Another way to do it."""\n')
     one.files.plain_task("twin", writes="A MORE")
     return one

@@ -2,13 +2,13 @@ import pytest
 from msgspec.structs import replace
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import act, request
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def test_steps_whose_targets_another_robot_takes_by_their_poses_are_marked(play):  # R-E09, law 26

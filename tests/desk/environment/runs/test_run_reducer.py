@@ -1,14 +1,14 @@
 import pytest
 
 from kit.laboratory import job, joints
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import act, event, live, request, steer
 from onika.wire.view import ShowStep
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def lines(play):

@@ -1,9 +1,9 @@
 import pytest
 
-from kit.duet import Duet
+from kit.fake_runtime_env import FakeRuntimeEnv
 from kit.laboratory import job
 from kit.live_runtime import LiveRuntime
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.runtime_loss import lost, with_loads
 from onika.model.task import Task
 from onika.wire import act
@@ -11,7 +11,7 @@ from onika.wire import act
 
 @pytest.fixture
 def duet(tmp_path):
-    return Duet(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
+    return FakeRuntimeEnv(tmp_path, (Task("a", "a", outvar=("A",), frequency=10.0),))
 
 
 def test_a_lost_runtime_leaves_the_layout_and_no_state(duet):  # R-E10
@@ -36,7 +36,7 @@ def test_connecting_again_merges_with_what_runs_there_then(duet):  # R-E10, R-C1
 
 
 def test_what_a_runtime_printed_last_is_told_at_its_side_and_nowhere_else(tmp_path):  # R-E10, R-X01
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     play.lose("the runtime is gone: it ended; it printed last: Traceback (most recent call last):")
     assert not any("Traceback" in one.text for one in play.says) and "Traceback" not in play.view.cause
@@ -51,7 +51,7 @@ def test_loads_are_shown_and_only_what_has_changed(duet):  # R-A11
 
 
 def test_what_runs_is_aborted_and_says_so_once(tmp_path):  # R-E10
-    play = Rehearsal(tmp_path)
+    play = RunFixture(tmp_path)
     play.run(play.open([job("aC")]))
     play.lose("the cable")
     assert play.view.state == "over" and not play.view.is_completed

@@ -1,13 +1,13 @@
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.wire import act, event, request, steer
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def test_a_line_of_steering_is_carried_out_and_what_comes_of_it_is_asked(play):  # R-E07

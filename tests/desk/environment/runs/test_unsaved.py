@@ -1,14 +1,14 @@
 import pytest
 
 from kit.laboratory import job
-from kit.rehearsal import Rehearsal
+from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.unsaved import dirty
 from onika.wire import act
 
 
 @pytest.fixture
 def play(tmp_path):
-    return Rehearsal(tmp_path)
+    return RunFixture(tmp_path)
 
 
 def test_a_nested_application_that_is_not_saved_counts_too(play):  # R-E12

@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.show.application_view import ApplicationSight
 from onika.desk.environment.state.open_application import Judgement
 from onika.wire import act
@@ -11,7 +11,7 @@ from onika.wire.view import FaultView
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def test_flows_have_their_steps_and_the_edges_of_start_and_end(gallery):  # R-D04

@@ -1,12 +1,12 @@
 from dataclasses import replace
 
-from kit.cabinet import Cabinet, plain
+from kit.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.show.dictionary_view import dictionary_views, onikon_views
 from onika.desk.environment.state.model import Model
 
 
 def test_an_icon_is_shown_with_all_that_a_page_needs_of_it(tmp_path):  # R-D01, R-D08
-    cabinet = Cabinet(tmp_path, plain("arc", "Joint job"), plain("nap", "Pause object", "a nap", (1.5,)))
+    cabinet = DictionaryFixture(tmp_path, plain("arc", "Joint job"), plain("nap", "Pause object", "a nap", (1.5,)))
     arc, nap = cabinet.icon("arc"), cabinet.icon("nap")
     assert (arc.role, arc.left, arc.right, arc.takes) == ("job", "1", "2", ("Joint object",))
     assert (nap.role, nap.description, nap.values, nap.order) == ("target", "a nap", (("1.5",),), 1)
@@ -16,7 +16,7 @@ def test_an_icon_is_shown_with_all_that_a_page_needs_of_it(tmp_path):  # R-D01, 
 
 
 def test_what_looks_as_it_did_is_the_same_object(tmp_path):  # house decision 5
-    cabinet = Cabinet(tmp_path, plain("grip"), plain("open"))
+    cabinet = DictionaryFixture(tmp_path, plain("grip"), plain("open"))
     before = cabinet.environment.tree
     cabinet.base.save_onikon(plain("grip", description="close"), overwrites=True)
     cabinet.look()
@@ -26,5 +26,5 @@ def test_what_looks_as_it_did_is_the_same_object(tmp_path):  # house decision 5
 
 
 def test_without_a_syntax_there_are_no_icons(tmp_path):  # R-B07
-    model = replace(Cabinet(tmp_path).environment.model, syntax=None)
+    model = replace(DictionaryFixture(tmp_path).environment.model, syntax=None)
     assert onikon_views(model, {}) == {} and dictionary_views(Model()) == {}

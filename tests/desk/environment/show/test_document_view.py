@@ -1,4 +1,4 @@
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.wire import act
 
@@ -18,7 +18,7 @@ TASKS = (
 
 
 def test_a_library_task_is_drawn_from_its_file(tmp_path):  # R-C01, R-C02, R-C23
-    view = Sitting(tmp_path, TASKS).environment.tree.tasks["a"]
+    view = EnvironmentFixture(tmp_path, TASKS).environment.tree.tasks["a"]
     assert (view.description, view.hz, view.object_type, view.is_trigger) == ("makes Q", 5.0, "Joint job", True)
     assert [(pin.name, pin.svar, pin.kind) for pin in view.pins] == [("KP", "KP", "INCONST"), ("Y", "Q", "OUTVAR")]
     assert view.path.endswith("a.rmod")
@@ -27,7 +27,7 @@ def test_a_library_task_is_drawn_from_its_file(tmp_path):  # R-C01, R-C02, R-C23
 def test_a_file_at_fault_is_left_out_and_told(tmp_path):  # R-C01
     (tmp_path / "module").mkdir()
     (tmp_path / "module" / "bad.rmod").write_text("nothing\n")
-    tree = Sitting(tmp_path, TASKS).environment.tree
+    tree = EnvironmentFixture(tmp_path, TASKS).environment.tree
     (library,) = tree.libraries.values()
     assert (sorted(tree.tasks), library.tasks) == (["a", "b"], 2)
     assert any("bad.rmod" in fault for fault in library.faults)
@@ -35,7 +35,7 @@ def test_a_file_at_fault_is_left_out_and_told(tmp_path):  # R-C01
 
 def test_libraries_in_which_nothing_is_to_be_seen_come_last(tmp_path):  # R-C01
     (tmp_path / "a" / "conf").mkdir(parents=True)
-    sitting = Sitting(tmp_path / "a", ())
+    sitting = EnvironmentFixture(tmp_path / "a", ())
     for name, text in (("b", "nothing"), ("c", "")):
         (tmp_path / name / "module").mkdir(parents=True)
         (tmp_path / name / "module" / ("bad.rmod" if text else "note")).write_text(text)
@@ -45,7 +45,7 @@ def test_libraries_in_which_nothing_is_to_be_seen_come_last(tmp_path):  # R-C01
 
 
 def test_without_a_runtime_there_is_no_state_and_every_line_is_idle(tmp_path):  # R-C25
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a", "b")
     document = sitting.environment.tree.documents[doc]
     assert {one.state for one in document.tasks.values()} == {""}
@@ -53,7 +53,7 @@ def test_without_a_runtime_there_is_no_state_and_every_line_is_idle(tmp_path):  
 
 
 def test_constants_are_told_from_variables(tmp_path):  # R-C09
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a", "b")
     loci = sitting.environment.tree.documents[doc].loci
     assert {svar: one.is_constant for svar, one in loci.items()} == {"KP": True, "Q": False}
@@ -61,7 +61,7 @@ def test_constants_are_told_from_variables(tmp_path):  # R-C09
 
 
 def test_a_task_that_no_library_knows_is_shown_as_missing(tmp_path):
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a")
     path = sitting.do(act.Save(doc, "mine", str(tmp_path)))
     file = sitting.base.configuration_file("mine")

@@ -1,6 +1,6 @@
 import pytest
 
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.task import Task
@@ -15,7 +15,7 @@ TAKES = Task("takes", "takes", invar=("Q",), inconst=("NDOF",), frequency=10.0)
 
 @pytest.fixture
 def sitting(tmp_path):
-    return Sitting(tmp_path, (GIVES, TAKES))
+    return EnvironmentFixture(tmp_path, (GIVES, TAKES))
 
 
 def test_a_configuration_is_seen_in_small_without_being_opened(sitting):  # R-G05
@@ -33,7 +33,7 @@ def test_a_configuration_is_seen_in_small_without_being_opened(sitting):  # R-G0
 def test_a_task_that_no_library_has_is_a_box_without_wires(sitting):  # R-G05
     path = sitting.do(act.Save(sitting.new("gives", "takes"), "both", str(sitting.base.path)))
     (sitting.base.path / "module" / "takes.rmod").unlink()
-    known = Sitting(sitting.base.path, model=Model(Shelf(open_libraries([sitting.base]))))
+    known = EnvironmentFixture(sitting.base.path, model=Model(Shelf(open_libraries([sitting.base]))))
     seen = known.do(act.Peek(path))
     assert (seen.tasks["takes"][2:], seen.wires) == ((136, 64), ())
 
@@ -46,7 +46,7 @@ def test_what_cannot_be_read_is_refused_with_its_reason(sitting):  # R-G05, R-X0
 def test_an_application_is_its_first_icons_with_their_edges(tmp_path):  # R-G05
     boxes = shipped() / "boxes"
     syntax, _ = Site((), shipped() / "prefs", None).syntax()
-    seen = Sitting(tmp_path, model=Model(syntax=syntax)).do(act.Peek(str(boxes / "appl" / "assemble.appl")))
+    seen = EnvironmentFixture(tmp_path, model=Model(syntax=syntax)).do(act.Peek(str(boxes / "appl" / "assemble.appl")))
     assert isinstance(seen, PeekView) and seen.name == "assemble"
     (flow,) = seen.flows
     assert len(flow) == 12 and all(len(icon.picture) == 1024 for icon in flow)

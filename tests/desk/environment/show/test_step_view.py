@@ -1,6 +1,6 @@
 import pytest
 
-from kit.gallery import Gallery
+from kit.app_fixture import AppFixture
 from onika.desk.environment.icons.alteration import flow_at
 from onika.desk.environment.show.step_view import step_views
 from onika.wire import act
@@ -8,7 +8,7 @@ from onika.wire import act
 
 @pytest.fixture
 def gallery(tmp_path):
-    return Gallery(tmp_path)
+    return AppFixture(tmp_path)
 
 
 def edges(gallery, doc):

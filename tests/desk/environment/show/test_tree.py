@@ -1,4 +1,4 @@
-from kit.sitting import Sitting
+from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.show.tree import Projector
 from onika.model.task import Task
 from onika.wire import act
@@ -7,7 +7,7 @@ TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0), Task("b", "b", invar=("Q"
 
 
 def test_what_has_not_changed_is_the_same_object_again(tmp_path):
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a", "b")
     before = sitting.environment.tree
     sitting.do(act.Move(doc, {"a": (5, 5)}))
@@ -19,14 +19,14 @@ def test_what_has_not_changed_is_the_same_object_again(tmp_path):
 
 
 def test_a_tree_remembered_is_the_tree_made_anew(tmp_path):
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     doc = sitting.new("a", "b")
     sitting.do(act.Flip(doc, ("a",)))
     assert sitting.environment.tree == Projector().project(sitting.environment.model)
 
 
 def test_nothing_of_a_closed_document_is_kept(tmp_path):  # R-C06
-    sitting = Sitting(tmp_path, TASKS)
+    sitting = EnvironmentFixture(tmp_path, TASKS)
     projector, docs = Projector(), [sitting.new("a"), sitting.new("b"), sitting.new("a", "b")]
     projector.project(sitting.environment.model)
     sitting.do(act.Close(docs[0], discards=True))

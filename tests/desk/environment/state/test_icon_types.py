@@ -1,4 +1,4 @@
-from kit.cabinet import Cabinet
+from kit.dictionary_fixture import DictionaryFixture
 from onika.desk.environment.state.icon_types import edges_of, role_of, type_views
 from onika.desk.environment.state.model import Model
 from onika.model.syntax import IconType
@@ -14,7 +14,7 @@ def test_a_type_is_what_the_words_of_its_name_say():  # R-D22
 
 
 def test_every_type_of_the_definition_is_shown_with_its_edges_and_what_it_takes(tmp_path):  # R-D02
-    types = Cabinet(tmp_path).environment.tree.types
+    types = DictionaryFixture(tmp_path).environment.tree.types
     assert list(types)[:3] == ["Application start", "Application end", "Complete job"]
     job, thing = types["Joint job"], types["Joint object"]
     assert (job.role, job.takes, job.right) == ("job", "Joint object", thing.left)

@@ -1,13 +1,13 @@
 from dataclasses import replace
 
-from kit.cabinet import Cabinet, plain
+from kit.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.state.icon_words import for_placing, forgotten, told_again, words_of
 
 SPOKEN = replace(plain("grip", description="close the hand"), words=(("es", "cierra la mano"),))
 
 
 def test_a_placed_icon_takes_the_words_of_its_dictionary_as_long_as_it_says_the_same(tmp_path):  # R-X11, R-D05
-    cabinet = Cabinet(tmp_path, SPOKEN)
+    cabinet = DictionaryFixture(tmp_path, SPOKEN)
     model = cabinet.environment.model
     placed = for_placing(SPOKEN)
     assert placed.words == () and for_placing(placed) is placed
@@ -29,5 +29,5 @@ def test_an_icon_that_says_something_else_says_nothing_in_other_languages():  # 
 
 
 def test_every_shipped_icon_speaks_spanish(tmp_path):  # R-X11
-    icons = Cabinet(tmp_path).environment.tree.onikons
+    icons = DictionaryFixture(tmp_path).environment.tree.onikons
     assert [name for name, one in icons.items() if not one.words.get("es")] == []

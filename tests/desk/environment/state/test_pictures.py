@@ -1,11 +1,11 @@
-from kit.cabinet import Cabinet, plain
+from kit.dictionary_fixture import DictionaryFixture, plain
 from onika.desk.environment.state.pictures import Album, drawn, key_of
 from onika.model.initials import drawn as initial
 from onika.model.picture import blank, framed
 
 
 def test_every_picture_is_sent_once_under_a_key_that_says_what_is_in_it(tmp_path):  # R-D01
-    cabinet = Cabinet(tmp_path, plain("a"), plain("b"))
+    cabinet = DictionaryFixture(tmp_path, plain("a"), plain("b"))
     tree = cabinet.environment.tree
     assert cabinet.icon("a").picture == cabinet.icon("b").picture == key_of(blank())
     assert tree.pictures[key_of(blank())] == "".join(blank().rows)
@@ -18,7 +18,7 @@ def test_pictures_that_are_alike_have_one_key_and_others_have_others():
 
 
 def test_where_nothing_is_new_it_is_the_same_album(tmp_path):  # house decision 5
-    album, model = Album(), Cabinet(tmp_path, plain("a")).environment.model
+    album, model = Album(), DictionaryFixture(tmp_path, plain("a")).environment.model
     assert Album().shown((), {}, ("s", "e")) == {"start": "s", "end": "e"}
     found = album.shown(model.dictionaries, model.applications, model.flow_pictures)
     assert album.shown(model.dictionaries[:], {**model.applications}, model.flow_pictures) is found

@@ -10,7 +10,7 @@ from time import perf_counter_ns
 
 import onika
 from beside.contestant import Figures, serve
-from kit.workshop import Workshop, action
+from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.program import Program
@@ -76,7 +76,7 @@ class Application:
     """The application, prepared; every run is the same."""
 
     def __init__(self, actions: int = ACTIONS, watch: Callable[[str], None] = lambda _task: None) -> None:
-        shop = Workshop()
+        shop = PlanBuilder()
         names = [f"step{number:02}" for number in range(actions)]
         for number, name in enumerate(names):
             shop.task(name, MODULE, frequency=1000.0, aliases={"IN": f"V{number}", "OUT": f"V{number + 1}"})

@@ -1,0 +1,165 @@
+"""A client of a runtime program without a link between them: requests in, replies and events out, in virtual time."""
+
+from collections import deque
+from collections.abc import Callable
+
+from kit.mass_world import MassWorld
+from kit.rail_world import YardLoading
+from onika.host.program import Program
+from onika.host.sessions.leases import Heard, Leases
+from onika.host.sessions.request_server import Call
+from onika.host.units.virtual import VirtualDriver
+from onika.link.caller import Role
+from onika.wire import event, holding, live, reading, request
+
+SECOND = 1_000_000_000
+
+
+class OpenGate:
+    """A gate for any number of sessions, each of which hears everything it attends."""
+
+    def __init__(self) -> None:
+        self.waiting: deque[Call] = deque()
+        self.replies: dict[int, request.Response] = {}
+        self.told: list[event.Event] = []
+        self.heard: list[tuple[str, str, event.Event]] = []
+        self.attends: dict[str, tuple[str, ...]] = {}
+        self.shown: list[tuple[str, str, reading.Reading]] = []
+        self.gone: list[str] = []
+        self.known: dict[str, Role] = {}
+        self.silent: dict[str, int] = {}
+        """By session: for how long it has not been heard, in ns."""
+        self.overhear(None)
+
+    def requests(self) -> list[Call]:
+        """What was asked."""
+        calls = list(self.waiting)
+        self.waiting.clear()
+        self.known |= {one.session: one.role for one in calls if one.session not in self.known}
+        return calls
+
+    def sessions(self) -> tuple[holding.SessionStanding, ...]:
+        """All that have asked something and are not gone."""
+        return tuple(holding.SessionStanding(name, role.word) for name, role in self.known.items())
+
+    def deaf_ns(self) -> int:
+        """Everybody is heard as soon as he speaks."""
+        return 0
+
+    def hearing(self, session: str) -> Heard | None:
+        """For how long a session has not been heard, as a test says it; None: its lease never ends."""
+        silent_ns = self.silent.get(session)
+        return None if silent_ns is None else Heard(silent_ns)
+
+    def reply(self, ticket: int, response: request.Response) -> None:
+        """Each request is answered once."""
+        if ticket in self.replies:
+            raise KeyError(f"request {ticket} is answered already")
+        request.decode_response(request.encode(response))  # it has to travel
+        self.replies[ticket] = response
+
+    def tell(self, one: event.Event, subsystem: str = "", session: str = "") -> None:
+        """Say an event."""
+        event.decode(event.encode(one))
+        self.told.append(one)
+        self.heard.append((subsystem, session, one))
+        self.ear(one, subsystem)
+
+    def overhear(self, ear: Callable[[event.Event, str], None] | None) -> None:
+        """From now on this one hears everything too."""
+        self.ear = ear or (lambda _one, _subsystem: None)
+
+    def attend(self, session: str, subsystems: tuple[str, ...]) -> None:
+        """What a session hears."""
+        self.attends[session] = subsystems
+
+    def show(self, session: str, key: str, body: bytes) -> None:
+        """A reading."""
+        self.shown.append((session, key, reading.decode(body)))
+
+    def lost(self) -> list[str]:
+        """The sessions that are gone."""
+        gone, self.gone = self.gone, []
+        for session in gone:
+            self.known.pop(session, None)
+        return gone
+
+
+class DirectClient:
+    """Asks the program and lets it work."""
+
+    def __init__(self, rtpus: tuple[str, ...] = ("rt0",)) -> None:
+        self.gate = OpenGate()
+        self.driver = VirtualDriver(rtpus, self.gate.tell, worlds=lambda _name: MassWorld())
+        self.program = Program(self.gate, self.driver, YardLoading(), rtpus)  # type: ignore[arg-type]
+        self._count = 0
+
+    def lease(self, length_ns: int) -> None:
+        """From now on holders are there only as long as the gate hears them."""
+        self.program.leases = Leases(self.program.holders, self.gate.hearing, length_ns)
+
+    def send(self, asked: request.Request, session: str = "me") -> int:
+        """Ask, and look for the answer later; its ticket."""
+        self._count += 1
+        self.gate.waiting.append(Call(self._count, session, Role.OWNER, asked))
+        self.program.serve()
+        return self._count
+
+    def ask(self, asked: request.Request, session: str = "me") -> request.Response:
+        """Ask and let the program work until it answers."""
+        ticket = self.send(asked, session)
+        for _ in range(10_000):
+            if ticket in self.gate.replies:
+                return self.gate.replies[ticket]
+            self.program.advance(SECOND)
+        raise TimeoutError(f"no answer to {asked}")
+
+    def change(self, subsystem: str = "s0", session: str = "me", **what: object) -> str:
+        """Change a subsystem and wait for the outcome; why it came to nothing, or nothing."""
+        answer = self.ask(live.Change(subsystem, **what), session)  # type: ignore[arg-type]
+        return self.outcome(answer)
+
+    def outcome(self, answer: request.Response) -> str:
+        """What became of an accepted request; of any other its reason."""
+        if isinstance(answer, request.Refused):
+            return answer.reason
+        if isinstance(answer, request.Prepared):
+            return "; ".join(f"{one.expected}, found {one.found}" for one in answer.faults)
+        if not isinstance(answer, live.Accepted):
+            raise TypeError(f"expected Accepted, found {answer}")
+        self.program.advance(SECOND)
+        ends = [one for one in self.gate.told if isinstance(one, event.Edited) and one.number == answer.number]
+        if len(ends) != 1:
+            raise RuntimeError(f"expected one outcome of {answer.number}, found {ends}")
+        return ends[0].cause
+
+    def states(self, subsystem: str = "s0") -> dict[str, str]:
+        """The tasks of a subsystem and their states."""
+        standing = self.ask(live.Survey())
+        if not isinstance(standing, live.Standing):
+            raise TypeError(str(standing))
+        found = [one for one in standing.subsystems if one.name == subsystem]
+        return {task.task.name: task.state for one in found for task in one.tasks}
+
+    def values(self, *names: str, subsystem: str = "s0") -> dict[str, object]:
+        """Variables as they stand."""
+        answer = self.ask(live.Read(subsystem, names))
+        if not isinstance(answer, live.Values):
+            raise TypeError(str(answer))
+        return answer.values
+
+    def of(self, kind: type) -> list[event.Event]:
+        """What was told of one kind."""
+        return [one for one in self.gate.told if isinstance(one, kind)]
+
+    def to_the_end(self) -> event.Result | None:
+        """Let everything go on until nothing happens by itself."""
+        while self.program.advance(SECOND):
+            pass
+        return self.result
+
+    @property
+    def result(self) -> event.Result | None:
+        """The last thing told, if it is a result."""
+        last = self.gate.told[-1] if self.gate.told else None
+        return last if isinstance(last, event.Result) else None

@@ -1,0 +1,35 @@
+import pytest
+
+from kit.direct_client import DirectClient, OpenGate
+from onika.wire import event, live, request
+
+
+def test_a_request_is_answered_once():
+    gate = OpenGate()
+    gate.reply(1, request.Done())
+    with pytest.raises(KeyError, match="request 1 is answered already"):
+        gate.reply(1, request.Done())
+
+
+def test_who_asks_gets_the_answer_that_belongs_to_it():
+    asker = DirectClient()
+    first, second = asker.send(live.Advance(1.0)), asker.send(live.Survey())
+    assert first not in asker.gate.replies
+    assert isinstance(asker.gate.replies[second], live.Standing)
+
+
+def test_the_outcome_of_a_request_is_its_reason_or_nothing():
+    asker = DirectClient()
+    assert asker.outcome(request.Refused("no")) == "no"
+    assert "one of no task, found x" in asker.change(kill=("x",))
+    with pytest.raises(TypeError, match="expected Accepted"):
+        asker.outcome(request.Done())
+    with pytest.raises(RuntimeError, match="expected one outcome of 7"):
+        asker.outcome(live.Accepted(7))
+
+
+def test_events_are_found_by_kind():
+    asker = DirectClient()
+    asker.ask(request.Stop("enough"))
+    assert asker.of(event.Stopped) == [event.Stopped(True, "enough")]
+    assert asker.result is None

@@ -1,0 +1,14 @@
+from kit.laboratory import job
+from kit.review_fixture import ReviewFixture
+
+
+def test_each_action_of_a_film_takes_a_second(tmp_path):  # R-X05
+    cinema = ReviewFixture(tmp_path)
+    doc = cinema.open([job("aC"), job("bC")])
+    view = cinema.look(cinema.film(doc))
+    assert [(one.name, one.begin_s, one.end_s) for one in view.flows["flow0"].passages] == [
+        ("a job", 0.0, 1.0),
+        ("a job", 1.0, 2.0),
+    ]
+    assert cinema.glance(1.5).run.flows["flow0"].step == 2
+    assert cinema.glance(1.5).values["flow0/A"] == 1.5

@@ -1,0 +1,398 @@
+"""The simulator: honest programs keep their promises in two thousand storms, and every planted mistake is found."""
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import pytest
+
+from kit.sim_network import NetworkHistory
+from kit.sim_programs import HONEST, Programs
+from onika.link.channel import Channel
+from onika.link.client import ClientEnd
+from onika.link.link_events import EpochChanged, Fate, Replied, Resumed, Signalled
+from onika.link.lost import LinkLost
+from onika.link.reply_log import Account, ReplyBook
+from onika.link.runtime_port import ServerPort
+from onika.link.server import ServerEnd
+from onika.link.session import Session
+from onika.link.session_channels import Bundle
+from onika.link.sessions import Guests, Introduction
+from onika.link.state import LinkEvent, LinkState
+from onika.wire.packet import Ack, Hello, Reply, Request, Signal, Welcome
+
+HISTORIES = 800
+SEEDS_UNTIL_FOUND = 120
+
+
+def test_honest_programs_keep_every_promise_in_hundreds_of_storms():  # R-F01
+    reports = [NetworkHistory(seed).run() for seed in range(HISTORIES)]
+    assert [(r.seed, r.faults) for r in reports if r.faults] == []
+    assert sum(r.signals for r in reports) > 40 * HISTORIES
+    assert sum(r.requests for r in reports) > 15 * HISTORIES
+
+
+@pytest.mark.slow
+def test_honest_programs_keep_every_promise_in_ten_thousand_more_storms():  # R-F01
+    faults = [
+        (r.seed, r.faults) for seed in range(HISTORIES, HISTORIES + 10_000) if (r := NetworkHistory(seed).run()).faults
+    ]
+    assert faults == []
+
+
+def test_the_same_seed_gives_the_same_history_bit_for_bit():
+    first = [NetworkHistory(seed).run() for seed in range(20)]
+    again = [NetworkHistory(seed).run() for seed in range(20)]
+    assert first == again
+    assert len({report.digest for report in first}) == 20
+
+
+# -- planted mistakes, each the link with one thing wrong
+
+
+class AcceptsGaps(ClientEnd):
+    def _signal(self, packet: Signal) -> None:
+        self._accepted = max(self._accepted, packet.seq - 1)
+        super()._signal(packet)
+
+
+class AcceptsSignalsTwice(ClientEnd):
+    def _signal(self, packet: Signal) -> None:
+        if packet.seq <= self._accepted:
+            self._happenings.append(Signalled(packet.seq, packet.body))
+        super()._signal(packet)
+
+
+class AcknowledgesWhatItSkipped(ClientEnd):
+    def _signal(self, packet: Signal) -> None:
+        super()._signal(packet)
+        self._lanes.signal(Ack(packet.seq))
+
+
+class AsksBeforeTheWelcome(ClientEnd):
+    def open(self, now_ns: int) -> None:
+        super().open(now_ns)
+        for number in list(self._wishes):
+            self._send(number, now_ns)
+
+
+class RepeatsMotionOnANewConnection(ClientEnd):
+    def cut(self, why: LinkLost) -> None:
+        if self.state not in (LinkState.APART, LinkState.ENDED):
+            self._end(LinkEvent.CUT, why)
+
+    def _end(self, event: LinkEvent, why: LinkLost) -> None:
+        for wish in self._wishes.values():
+            wish.once = False
+        super()._end(event, why)
+
+
+class CarriesRequestsIntoANewEpoch(ClientEnd):
+    def _welcome(self, packet: Welcome, now_ns: int) -> None:
+        wishes = dict(self._wishes)
+        super()._welcome(packet, now_ns)
+        if not self._wishes:
+            self._wishes = wishes
+            for number in list(wishes):
+                self._send(number, now_ns)
+
+
+class OverlooksTheNewEpoch(ClientEnd):
+    def _welcome(self, packet: Welcome, now_ns: int) -> None:
+        if self.epoch and not packet.resumed:
+            self._pulse.greeted(now_ns)
+            self._happenings.append(Resumed(self.epoch))
+            return
+        super()._welcome(packet, now_ns)
+
+
+class LosesRequestsAtACut(ClientEnd):
+    def _drop_connection(self) -> None:
+        super()._drop_connection()
+        self._wishes.clear()
+
+
+class TellsTheAnswerTwice(ClientEnd):
+    def _reply(self, packet: Reply) -> None:
+        known = packet.number not in self._wishes and not packet.parts
+        if known and not packet.late:
+            self._happenings.append(Replied(packet.number, packet.body))
+        super()._reply(packet)
+
+
+class SettlesTooEarly(ClientEnd):
+    def _send(self, number: int, now_ns: int) -> None:
+        wishes, self._wishes = self._wishes, {number: self._wishes[number]}
+        super()._send(number, now_ns)
+        if number not in self._wishes:
+            del wishes[number]
+        self._wishes = wishes
+
+
+class TrustsItsOwnClock(ClientEnd):
+    def _welcome(self, packet: Welcome, now_ns: int) -> None:
+        super()._welcome(packet, now_ns)
+        self._clock_ahead_ns += 10**9
+
+
+class CallsSentRequestsUnsent(ClientEnd):
+    def _fail(self, fate: Fate, numbers: list[int]) -> None:
+        super()._fail(Fate.UNSENT, numbers)
+
+
+class SpeaksFirst(ServerEnd):
+    def open(self, now_ns: int) -> None:
+        super().open(now_ns)
+        if self._acked < self._said:
+            self._lanes.signal(Signal(self._said, self._journal.body(self._said)))
+
+
+class SaysWithoutJournal(ServerEnd):
+    def signal(self, body: bytes, now_ns: int) -> int:
+        if self._pulse.is_linked:
+            return super().signal(body, now_ns)
+        return self._journal.last
+
+
+class BelievesWhatWasSaidWasHeard(ServerEnd):
+    def _hello(self, hello: Hello, now_ns: int) -> None:
+        said = self._said if hello.epoch == self._journal.epoch else hello.seq
+        super()._hello(Hello(hello.version, hello.client, hello.epoch, max(said, hello.seq)), now_ns)
+
+
+class ForgetsAnswersAtACut(ServerEnd):
+    def _drop_connection(self) -> None:
+        if self._account is not None:
+            self._account.answers.clear()
+        super()._drop_connection()
+
+
+class NeverRepeatsAnAnswer(ServerEnd):
+    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+        if request.number not in account.answers:
+            super()._request(account, request, now_ns)
+
+
+class ForgetsWhatIsUnderWay(ServerEnd):
+    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+        account.under_way.clear()
+        super()._request(account, request, now_ns)
+
+
+class CarriesOutLateRequests(ServerEnd):
+    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+        super()._request(account, request, 0)
+
+
+class NeverNoticesSilence(ServerEnd):
+    def tick(self, now_ns: int) -> None:
+        self._pulse.heard(now_ns)
+        super().tick(now_ns)
+
+
+class AlwaysBeginsAnew(ServerEnd):
+    def _hello(self, hello: Hello, now_ns: int) -> None:
+        super()._hello(Hello(hello.version, hello.client, "", 0), now_ns)
+
+
+class NeverSaysAgain(ServerEnd):
+    def _retry(self, now_ns: int) -> None:
+        pass
+
+
+class ShowsOldReadings(ServerEnd):
+    def reading(self, key: str, body: bytes, now_ns: int) -> None:
+        super().reading(key, body, now_ns)
+        super().reading(key + "old", b"1", now_ns)
+
+
+# -- planted in a session, or in what keeps the sessions
+
+
+class SaysSignalsOnEveryChannel(Session):
+    def _spoken_on(self, channel):
+        return self._journal
+
+
+class GivesUpAtACut(Session):
+    def is_lost(self, now_ns):
+        return super().is_lost(now_ns + 10**12)
+
+
+class NeverGivesUp(Session):
+    def is_lost(self, now_ns):
+        return False
+
+
+class GivesUpAgainAndAgain(Session):
+    def leave(self):
+        return self._is_present
+
+
+class BeginsSignalsWhereTheyAreNow(Session):
+    def attach(self, channel, carrier, now_ns):
+        super().attach(channel, carrier, now_ns)
+        self._followers = ReplyBook()
+        if channel is Channel.SIGNAL:
+            self._ports[channel]._end._replies = ReplyBook()
+
+
+class SignalsOnlyToThoseWhoAreThere(Session):
+    def signal(self, body, now_ns):
+        if self.ports:
+            super().signal(body, now_ns)
+
+
+class TakesASecondBookForEachConnection(Session):
+    def attach(self, channel, carrier, now_ns):
+        self._ports.pop(channel, None)
+        self._replies = ReplyBook()
+        super().attach(channel, carrier, now_ns)
+
+    def _open(self, channel):
+        port = ServerPort(self._spoken_on(channel), self._replies, self._terms, channel, self._make)
+        self._asking = port if channel.asks else self._asking
+        return port
+
+
+class OneSessionForEachUser(Guests):
+    def admit(self, new, carrier, now_ns):
+        known = next((one for one in self.sessions if one.caller.user == new.caller.user), None)
+        if known is not None:
+            self._by_client[new.client] = known
+        return super().admit(new, carrier, now_ns)
+
+
+class ForgetsASessionAtACut(Guests):
+    def lost(self, now_ns):
+        for session in self.sessions:
+            if not session.ports:
+                self._forget(session)
+        return super().lost(now_ns)
+
+
+class GivesEveryLifeOfASessionTheSameName(Guests):
+    @property
+    def _life(self):
+        return self._epoch
+
+
+class ServesANewProgramUnderAnOldNameAsTheOldOne(Guests):
+    def admit(self, new, carrier, now_ns):
+        known = self._by_client.get(new.client)
+        epoch = known.epoch if known is not None and known.has_asked else new.epoch
+        return super().admit(Introduction(new.channel, new.client, epoch, new.caller), carrier, now_ns)
+
+
+class LeavesTheOthersInTheOldEpoch(Bundle):
+    def _lead(self, now_ns):
+        for strand in self._strands.values():
+            if not strand.end.epoch:
+                strand.end.follow(self.epoch)
+
+
+class DoesNotTryAgain(Bundle):
+    def failed(self, channel, now_ns):
+        super().failed(channel, now_ns)
+        self._strands[channel].is_dialling = True
+
+
+class TellsOfEveryChannelsBeginning(Bundle):
+    def _gather(self, now_ns):
+        for strand in self._strands.values():
+            greeted = [one for one in strand.end._happenings if isinstance(one, Resumed)]
+            if strand is not self._first and greeted:
+                self._happenings.append(EpochChanged(strand.end.epoch))
+        super()._gather(now_ns)
+
+
+class MixesTheChannels(ClientEnd):
+    def _signal(self, packet: Signal) -> None:
+        super()._signal(packet)
+        self._lanes.session((), Request(1, 1, 0, 0, b"0 "))
+
+
+class AnswersOnTheChannelOfSignals(ServerEnd):
+    def signal(self, body: bytes, now_ns: int) -> int:
+        self._lanes.session((), Reply(1, False, 0, b"re: "))
+        return super().signal(body, now_ns)
+
+
+def same_epoch_in_every_life(_life: int) -> str:
+    return "epoch"
+
+
+def guests_of(kind: type[Session]) -> type[Guests]:
+    class Kept(Guests):
+        def __init__(self, *given, **named):
+            super().__init__(*given, **named, session=kind)
+
+    return Kept
+
+
+CLIENTS: tuple[type[ClientEnd], ...] = (
+    AcceptsGaps,
+    AcceptsSignalsTwice,
+    AcknowledgesWhatItSkipped,
+    AsksBeforeTheWelcome,
+    RepeatsMotionOnANewConnection,
+    CarriesRequestsIntoANewEpoch,
+    OverlooksTheNewEpoch,
+    LosesRequestsAtACut,
+    TellsTheAnswerTwice,
+    SettlesTooEarly,
+    TrustsItsOwnClock,
+    CallsSentRequestsUnsent,
+    MixesTheChannels,
+)
+SERVERS: tuple[type[ServerEnd], ...] = (
+    SpeaksFirst,
+    SaysWithoutJournal,
+    BelievesWhatWasSaidWasHeard,
+    ForgetsAnswersAtACut,
+    NeverRepeatsAnAnswer,
+    ForgetsWhatIsUnderWay,
+    CarriesOutLateRequests,
+    NeverNoticesSilence,
+    AlwaysBeginsAnew,
+    NeverSaysAgain,
+    ShowsOldReadings,
+    AnswersOnTheChannelOfSignals,
+)
+SESSIONS: tuple[type[Session], ...] = (
+    SaysSignalsOnEveryChannel,
+    GivesUpAtACut,
+    NeverGivesUp,
+    GivesUpAgainAndAgain,
+    BeginsSignalsWhereTheyAreNow,
+    SignalsOnlyToThoseWhoAreThere,
+    TakesASecondBookForEachConnection,
+)
+GUESTS: tuple[type[Guests], ...] = (
+    OneSessionForEachUser,
+    ForgetsASessionAtACut,
+    GivesEveryLifeOfASessionTheSameName,
+    ServesANewProgramUnderAnOldNameAsTheOldOne,
+)
+BUNDLES: tuple[type[Bundle], ...] = (
+    LeavesTheOthersInTheOldEpoch,
+    DoesNotTryAgain,
+    TellsOfEveryChannelsBeginning,
+)
+MISTAKES: dict[str, Programs] = {
+    **{kind.__name__: replace(HONEST, client=kind) for kind in CLIENTS},
+    **{kind.__name__: replace(HONEST, server=kind) for kind in SERVERS},
+    **{kind.__name__: replace(HONEST, guests=guests_of(kind)) for kind in SESSIONS},
+    **{kind.__name__: replace(HONEST, guests=kind) for kind in GUESTS},
+    **{kind.__name__: replace(HONEST, bundle=kind) for kind in BUNDLES},
+    "SameEpochInEveryLife": replace(HONEST, epoch=same_epoch_in_every_life),
+}
+
+
+def first_fault(run: Callable[[int], tuple[str, ...]]) -> tuple[int, str] | None:
+    return next(((seed, faults[0]) for seed in range(SEEDS_UNTIL_FOUND) if (faults := run(seed))), None)
+
+
+@pytest.mark.parametrize("name", MISTAKES)
+def test_a_planted_mistake_is_found(name: str):  # R-F01
+    found = first_fault(lambda seed: NetworkHistory(seed, MISTAKES[name]).run().faults)
+    assert found is not None, f"{name} was not found in {SEEDS_UNTIL_FOUND} histories"
