@@ -4,7 +4,7 @@ import pytest
 from rich.console import Console
 
 from onika.cli import live_display as room
-from onika.cli.live_display import Live
+from onika.cli.live_display import LiveDisplay
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.outcome import Outcome
 from onika.store.site import open_site
@@ -31,7 +31,7 @@ def screen(monkeypatch):
 
 
 def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
-    with Live() as live:
+    with LiveDisplay() as live:
         live.begins(PREPARED, 4711)
         for happening in (
             event.TaskState("flow0", "jtraj", "ON", 0.0),
@@ -53,7 +53,7 @@ def test_actions_scroll_by_and_the_panel_shows_what_goes_on(screen):  # R-E11
 
 
 def test_before_the_run_it_says_that_it_prepares(screen):
-    with Live():
+    with LiveDisplay():
         pass
     assert "preparing" in screen.getvalue()
 
@@ -61,7 +61,7 @@ def test_before_the_run_it_says_that_it_prepares(screen):
 def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(screen, monkeypatch):  # R-A10
     answers = iter(["0.5 0.75", "me"])
     monkeypatch.setattr(room, "typed_line", lambda: next(answers))
-    with Live() as live:
+    with LiveDisplay() as live:
         assert live.answer(event.Asked("flow0", "gauge", "too low", ITEMS, 0.0)) == "0.5 0.75 me"
     text = screen.getvalue()
     assert "too low" in text
@@ -71,18 +71,18 @@ def test_each_value_is_asked_for_with_what_it_means_and_the_answers_are_joined(s
 
 def test_at_the_end_of_the_input_nobody_answers(screen, monkeypatch):  # R-A10
     monkeypatch.setattr(room, "typed_line", lambda: None)
-    with Live() as live:
+    with LiveDisplay() as live:
         assert live.answer(event.Asked("flow0", "gauge", "", ITEMS, 0.0)) is None
 
 
 def test_signs_that_mean_colours_elsewhere_are_shown_as_they_are(screen):
-    with Live() as live:
+    with LiveDisplay() as live:
         live.happens(event.Warned("flow0", "jtraj", "[red]danger[/red]", 0.0))
     assert "[red]danger[/red]" in screen.getvalue()
 
 
 def test_the_summary_comes_last(screen):  # R-E14
-    live = Live()
+    live = LiveDisplay()
     with live:
         live.begins(PREPARED, 4711)
     live.ended(Outcome("two_arms", result=RESULT), "picture: out.png")
@@ -104,7 +104,7 @@ class Keys:
 
 
 def test_keys_become_lines_of_steering(screen, monkeypatch):  # R-E07
-    with Live() as live:
+    with LiveDisplay() as live:
         live.begins(PREPARED, 4711)
         monkeypatch.setattr(live, "_keyboard", Keys("p", "1", "c"))
         assert live.can_steer
@@ -113,7 +113,7 @@ def test_keys_become_lines_of_steering(screen, monkeypatch):  # R-E07
 
 
 def test_a_line_is_shown_with_what_came_of_it(screen):  # R-E07, R-X03
-    with Live() as live:
+    with LiveDisplay() as live:
         live.begins(PREPARED, 4711)
         live.steered("pass", (Fault(Place("line"), "one", "two", "no"),), ())
         live.steered("skip 9", (Fault(Place("s", 2), "three", "four", "no"),), ())
@@ -129,7 +129,7 @@ def test_a_line_is_shown_with_what_came_of_it(screen):  # R-E07, R-X03
 def test_it_looks_where_the_flows_are_when_they_have_moved(screen, monkeypatch):  # R-E11
     now = [100.0]
     monkeypatch.setattr(room, "monotonic", lambda: now[0])
-    with Live() as live:
+    with LiveDisplay() as live:
         live.begins(PREPARED, 4711)
         assert not live.looks()
         live.happens(event.Moved("flow0", "running", 0, 0.0))

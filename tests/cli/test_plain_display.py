@@ -1,7 +1,7 @@
 import pytest
 
 from onika.cli import plain_display as room
-from onika.cli.plain_display import Plain
+from onika.cli.plain_display import PlainDisplay
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.outcome import Outcome
 from onika.store.site import open_site
@@ -14,7 +14,7 @@ ITEM = event.Item("level", "double", 2, "m", "how high", None, None, None)
 
 
 def test_a_run_is_told_line_by_line(capsys):  # R-E11
-    with Plain() as plain:
+    with PlainDisplay() as plain:
         plain.begins(PREPARED, 4711)
         plain.happens(event.Began(0, 0, 2, "jmoveC aside", 0.0))
         plain.happens(event.TaskState("flow0", "pd", "ON", 0.0))
@@ -35,17 +35,17 @@ def test_a_run_is_told_line_by_line(capsys):  # R-E11
 )
 def test_a_question_is_asked_and_one_line_read(capsys, monkeypatch, reason, line):  # R-A10
     monkeypatch.setattr(room, "typed_line", lambda: "0.5 0.75")
-    assert Plain().answer(event.Asked("flow0", "gauge", reason, (ITEM,), 0.0)) == "0.5 0.75"
+    assert PlainDisplay().answer(event.Asked("flow0", "gauge", reason, (ITEM,), 0.0)) == "0.5 0.75"
     assert capsys.readouterr().out == line + "\n"
 
 
 def test_at_the_end_of_the_input_nobody_answers(monkeypatch):  # R-A10
     monkeypatch.setattr(room, "typed_line", lambda: None)
-    assert Plain().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) is None
+    assert PlainDisplay().answer(event.Asked("flow0", "gauge", "", (ITEM,), 0.0)) is None
 
 
 def test_a_line_of_a_script_is_told_with_what_came_of_it(capsys):  # R-E07, R-X03
-    plain = Plain()
+    plain = PlainDisplay()
     plain.begins(PREPARED, None)
     plain.steered("pause", (), ())
     plain.steered("pass", (Fault(Place("s", 2), "one", "two", "no"),), ())

@@ -3,7 +3,7 @@ from typing import ClassVar
 import pytest
 
 from onika.cli import main, runtime as room
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 
 
 class Launched:
@@ -71,7 +71,7 @@ def test_how_long_a_holder_may_be_silent_and_where_all_is_written_down_is_said_t
 def test_a_runtime_that_does_not_start_says_why(sits, monkeypatch, capsys, words, code, sentence):
     class Stillborn(Launched):
         def __enter__(self):
-            raise LinkLost(Cause.CLOSED, "the runtime is gone: it ended")
+            raise LinkLost(LossCause.CLOSED, "the runtime is gone: it ended")
 
         def printed(self):
             return "--users: expected a file\n"

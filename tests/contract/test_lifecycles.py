@@ -29,7 +29,7 @@ class Machine:
     diagram: Callable[[], str] | None = None
 
 
-def drive_after(state: drive.Mode, event: drive.Happening) -> drive.Mode:
+def drive_after(state: drive.DriveMode, event: drive.DriveInput) -> drive.DriveMode:
     unit = drive.DriveUnit()
     unit.mode = state
     unit.feed(event)
@@ -50,8 +50,8 @@ MACHINES = [
         link.LinkState.APART, frozenset({link.LinkState.ENDED}), link.diagram,
     ),
     Machine(
-        "drive", drive.TABLE, drive.Mode, drive.Happening, drive_after, KeyError,
-        drive.Mode.HELD, frozenset(),
+        "drive", drive.TABLE, drive.DriveMode, drive.DriveInput, drive_after, KeyError,
+        drive.DriveMode.HELD, frozenset(),
     ),
 ]  # fmt: skip
 PAIRS = [(one, state, event) for one in MACHINES for state in one.states for event in one.events]

@@ -2,9 +2,9 @@ from kit import build
 from kit.flow_program import bottom, nested, program
 from kit.play_lines import JOB, NOOP
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.flow_router import Itinerary
+from onika.engine.flow_router import FlowRouter
 from onika.engine.orders import Began, Moved, Settle, Switch, Together
-from onika.engine.program import Program
+from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
 from onika.engine.step import steps
 from onika.wire.plan import Do, Halt
@@ -20,12 +20,12 @@ def begun(*flows):
         ranks = {"move": 0}
         triggers = {index: None if action.is_noop else "move" for index, action in enumerate(planned.actions)}
         ready = steps(planned, triggers, set(), ranks)
-        made.append(Progress(number, planned, Program(planned), ready, ranks, lambda _condition: False))
+        made.append(Progress(number, planned, FlowProgram(planned), ready, ranks, lambda _condition: False))
         made[-1].enter(FlowEvent.SPAWN)
         made[-1].crew.spawn()
         if planned.parent is not None:
             made[-1].enter(FlowEvent.COMPLETE)
-    return Itinerary(made, [f"arm{number}" for number in range(len(made))]), made
+    return FlowRouter(made, [f"arm{number}" for number in range(len(made))]), made
 
 
 def kinds(orders):

@@ -1,5 +1,5 @@
 from kit import build
-from onika.engine.flow_tasks import Crew
+from onika.engine.flow_tasks import FlowTasks
 from onika.engine.orders import Kill, Off, Spawn, Start, Switch
 from onika.engine.step import steps
 
@@ -12,7 +12,7 @@ def crew(*jobs, others=(), ranks=None):
     planned = build.plan(jobs).flows[0]
     ranks = ranks or {name: place for place, name in enumerate(build.names(jobs))}
     triggers = {index: job.trigger for index, job in enumerate(jobs)}
-    made = Crew(0, planned, ranks)
+    made = FlowTasks(0, planned, ranks)
     made.spawn()
     return made, steps(planned, triggers, set(others), ranks)
 

@@ -3,8 +3,8 @@ from hypothesis import given, settings, strategies as st
 from kit import build
 from kit.flow_program import bottom, branch, program, top
 from onika.engine.lookahead import ways
-from onika.engine.program import Program
-from onika.engine.walk import Value, walk
+from onika.engine.program import FlowProgram
+from onika.engine.walk import FinishValue, walk
 from onika.wire.plan import Do, Rest
 
 JOB = build.job("move", trigger="move")
@@ -14,7 +14,7 @@ NOTHING = frozenset()
 def made(script, noops=()):
     actions = 1 + max(instruction.action for instruction in script if isinstance(instruction, Do))
     jobs = [build.noop() if index in noops else JOB for index in range(actions)]
-    return Program(build.plan(build.flow(jobs, script)).flows[0])
+    return FlowProgram(build.plan(build.flow(jobs, script)).flows[0])
 
 
 def places(script, pc=1, leaving=NOTHING, noops=()):
@@ -111,7 +111,7 @@ def test_whatever_is_foreseen_comes_true_and_no_value_fits_two_ways(drawn, data)
     leaving = frozenset(data.draw(loops))
     whole = made(script, noops)
     pc = data.draw(st.integers(0, len(script) - 2))
-    value = Value(data.draw(st.integers(0, 4)), loop=data.draw(st.booleans()))
+    value = FinishValue(data.draw(st.integers(0, 4)), loop=data.draw(st.booleans()))
     fits = [
         way
         for choice, loop, way in ways(whole, pc, leaving)

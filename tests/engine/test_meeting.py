@@ -1,6 +1,6 @@
 from kit import build
 from onika.engine.meeting import Meetings
-from onika.engine.program import Program
+from onika.engine.program import FlowProgram
 from onika.wire.plan import Do, Halt, Meet
 
 FREE = build.job("a", trigger="a")
@@ -11,7 +11,7 @@ def meetings(*tags):
     programs = []
     for own in tags:
         script = [*(Meet(tag) for tag in own.split()), Do(0), Halt()]
-        programs.append(Program(build.plan(build.flow([FREE], script)).flows[0]))
+        programs.append(FlowProgram(build.plan(build.flow([FREE], script)).flows[0]))
     return Meetings(programs)
 
 

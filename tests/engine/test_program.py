@@ -2,7 +2,7 @@ import pytest
 
 from kit import build
 from kit.flow_program import bottom, branch, nested, program, top
-from onika.engine.program import Loop, Program, straight
+from onika.engine.program import FlowProgram, ProgramLoop, straight
 from onika.wire.plan import Again, Choose, Do, Fork, Halt, Join, Jump, Meet, Rest, Unless
 
 JOB = build.job("move", trigger="move")
@@ -10,14 +10,14 @@ JOB = build.job("move", trigger="move")
 
 def made(*script, actions=None):
     count = actions if actions is not None else sum(isinstance(instruction, Do) for instruction in script)
-    return Program(build.plan(build.flow([JOB] * count, script)).flows[0])
+    return FlowProgram(build.plan(build.flow([JOB] * count, script)).flows[0])
 
 
 def test_actions_without_a_program_follow_each_other_with_their_tags_and_breakpoints():
     jobs = [JOB, build.job("move", synch_tag="meet"), build.job("move", marker=True)]
     planned = build.plan(jobs).flows[0]
     expected = (Do(0), Meet("meet"), Do(1), Do(2), Rest(2), Halt())
-    assert straight(planned.actions) == Program(planned).instructions == expected
+    assert straight(planned.actions) == FlowProgram(planned).instructions == expected
     assert straight(()) == (Halt(),)
 
 
@@ -31,7 +31,7 @@ def test_the_breakpoints_behind_single_actions_are_known_with_their_conditions()
 
 def test_loops_are_known_from_their_first_to_their_last_instruction():
     script = program(bottom("outer", Do(0), top("inner", Do(1), Do(2))), Do(3))
-    assert set(made(*script).loops) == {Loop("outer", 0, 5), Loop("inner", 1, 4)}
+    assert set(made(*script).loops) == {ProgramLoop("outer", 0, 5), ProgramLoop("inner", 1, 4)}
 
 
 @pytest.mark.parametrize(

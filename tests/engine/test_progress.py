@@ -4,10 +4,10 @@ from kit import build
 from kit.flow_program import bottom, program, top
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.orders import Began, Done, Moved, Note, Start, Switch
-from onika.engine.program import Program
+from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
 from onika.engine.step import steps
-from onika.engine.walk import Value
+from onika.engine.walk import FinishValue
 from onika.wire.plan import Do, Halt
 
 REACH = build.job("move", "puma", trigger="move", arguments="1 2")
@@ -19,7 +19,7 @@ def progress(*jobs, others=(), script=(), parent=None, judge=lambda _condition: 
     planned = build.plan(build.flow(jobs, script, parent)).flows[0]
     ranks = {name: place for place, name in enumerate(build.names(jobs))}
     triggers = {index: job.trigger for index, job in enumerate(jobs)}
-    return Progress(0, planned, Program(planned), steps(planned, triggers, set(others), ranks), ranks, judge)
+    return Progress(0, planned, FlowProgram(planned), steps(planned, triggers, set(others), ranks), ranks, judge)
 
 
 def running(*jobs, others=(), script=(), judge=lambda _condition: False):
@@ -109,14 +109,14 @@ def test_messages_say_the_parameter_file_before_the_first_action_and_the_action_
 
 def test_the_value_of_an_action_leads_the_next_walk():
     flow = running(ALONE, ALONE, script=program(bottom("round", Do(0)), Do(1)))
-    assert flow.ends_with(Value(0, loop=True)) == Done(0, 0)
+    assert flow.ends_with(FinishValue(0, loop=True)) == Done(0, 0)
     flow.walk()
     assert flow.next == Do(0)
 
 
 def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there():  # decisions 21 and 22
     flow = running(ALONE, ALONE, ALONE, script=program(bottom("outer", Do(0), bottom("inner", Do(1))), Do(2)))
-    flow.ends_with(Value(0, loop=True))
+    flow.ends_with(FinishValue(0, loop=True))
     flow.leaving = frozenset({"outer", "inner"})
     flow.go(0)
     assert (flow.next, flow.leaving) == (Do(0), {"outer"})
@@ -126,7 +126,7 @@ def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there()
 
 def test_no_ops_on_the_way_are_told_and_what_is_on_still_belongs_to_the_job_before():  # R-D11
     flow = running(REACH, build.noop(), GRASP)
-    flow.ends_with(Value())
+    flow.ends_with(FinishValue())
     way, orders = flow.walk()
     assert orders == [Began(0, 1), Done(0, 1)]
     assert (way.passed, flow.current, flow.step.name) == ((1,), 1, "action 0")
@@ -150,7 +150,7 @@ def test_a_breakpoint_counts_always_or_while_its_condition_holds(condition, hold
 def test_whatever_changes_what_comes_next_changes_the_revision():
     flow = running(ALONE, ALONE, script=program(top("round", Do(0), Do(1))))
     before = flow.revision
-    flow.ends_with(Value())
+    flow.ends_with(FinishValue())
     assert flow.revision > before
     before = flow.revision
     flow.enter(FlowEvent.REST)

@@ -2,8 +2,8 @@ import pytest
 
 from kit import build
 from kit.flow_program import bottom, branch, program, top
-from onika.engine.program import Program
-from onika.engine.walk import NOOP, Value, walk
+from onika.engine.program import FlowProgram
+from onika.engine.walk import NOOP, FinishValue, walk
 from onika.wire.plan import Do, Fork, Halt, Join, Meet, Rest
 
 JOB = build.job("move", trigger="move")
@@ -13,7 +13,7 @@ NOTHING = frozenset()
 def way(script, noops=(), pc=0, value=None, leaving=NOTHING, holding=(), rests=()):
     actions = 1 + max(instruction.action for instruction in script if isinstance(instruction, Do))
     jobs = [build.noop() if index in noops else JOB for index in range(actions)]
-    made = Program(build.plan(build.flow(jobs, script)).flows[0])
+    made = FlowProgram(build.plan(build.flow(jobs, script)).flows[0])
     return walk(made, pc, value, frozenset(leaving), lambda action: action in holding, lambda action: action in rests)
 
 
@@ -38,9 +38,9 @@ def test_a_breakpoint_of_an_application_is_passed_unless_its_condition_holds(hol
 
 
 def test_no_ops_are_passed_and_return_true_and_flow_0():  # R-D11
-    end = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], value=Value(2))
+    end = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], value=FinishValue(2))
     assert (end.pc, end.passed, end.value) == (2, (0, 1), NOOP)
-    assert Value(0, loop=True) == NOOP
+    assert FinishValue(0, loop=True) == NOOP
 
 
 def test_a_flow_rests_behind_a_no_op_after_which_it_is_to_rest():  # decision 25
@@ -56,17 +56,17 @@ def test_without_a_value_flow_0_is_taken_and_loops_are_left():  # decisions 21 a
 
 def test_a_loop_that_was_left_need_not_be_left_again():  # R-E07
     script = program(bottom("round", Do(0)), Do(1))
-    end = way(script, pc=1, value=Value(0, loop=True), leaving={"round", "other"})
+    end = way(script, pc=1, value=FinishValue(0, loop=True), leaving={"round", "other"})
     assert (end.pc, end.left) == (2, {"other"})
-    assert way(script, pc=1, value=Value(0, loop=True)).pc == 0
+    assert way(script, pc=1, value=FinishValue(0, loop=True)).pc == 0
 
 
 def test_a_loop_that_ends_by_itself_need_not_be_left():  # R-E07
-    assert way(program(bottom("round", Do(0)), Do(1)), pc=1, value=Value(), leaving={"round"}).left == NOTHING
+    assert way(program(bottom("round", Do(0)), Do(1)), pc=1, value=FinishValue(), leaving={"round"}).left == NOTHING
 
 
 def test_a_top_test_loop_is_left_at_the_end_of_its_body_as_well():  # R-E07
-    end = way(program(top("round", Do(0), Do(1)), Do(2)), pc=3, value=Value(), leaving={"round"})
+    end = way(program(top("round", Do(0), Do(1)), Do(2)), pc=3, value=FinishValue(), leaving={"round"})
     assert (end.pc, end.left) == (4, NOTHING)
 
 
@@ -83,7 +83,7 @@ def test_a_loop_without_jobs_ends_when_its_condition_does_not_hold():
 
 
 def test_a_value_too_large_is_noted_with_the_number_of_flows():  # decision 20
-    end = way(program(branch([Do(0)], [Do(1)], name="sort")), value=Value(2))
+    end = way(program(branch([Do(0)], [Do(1)], name="sort")), value=FinishValue(2))
     assert (end.pc, end.notes) == (
         1,
         ("sort has 2 flows and the action before it asks for flow 2: flow 0 is taken",),
@@ -91,12 +91,12 @@ def test_a_value_too_large_is_noted_with_the_number_of_flows():  # decision 20
 
 
 def test_a_branch_without_a_name_is_called_the_branch():
-    assert way(program(branch([Do(0)], [Do(1)])), value=Value(2)).notes[0].startswith("the branch has 2 flows")
+    assert way(program(branch([Do(0)], [Do(1)])), value=FinishValue(2)).notes[0].startswith("the branch has 2 flows")
 
 
 def test_conditions_are_asked_in_their_order_and_no_further_than_needed():  # R-D13
     conditions = []
     script = program(branch([Do(0)], [Do(1)], [Do(2)], conditions=("X", "Y")))
-    made = Program(build.plan(build.flow([JOB] * 3, script)).flows[0])
+    made = FlowProgram(build.plan(build.flow([JOB] * 3, script)).flows[0])
     walk(made, 0, None, NOTHING, lambda condition: conditions.append(condition) or condition == "X", lambda _one: False)
     assert conditions == ["X"]

@@ -15,13 +15,13 @@ from onika.host.sessions.request_server import Gate
 from onika.host.units.virtual import VirtualDriver
 from onika.link.carrier import memory_pair
 from onika.link.connection import Connection
-from onika.link.link_events import Signalled
-from onika.link.link_terms import Terms
-from onika.link.sessions import Guests
+from onika.link.link_events import SignalReceived
+from onika.link.link_terms import LinkTerms
+from onika.link.sessions import Sessions
 from onika.store.site import open_site
 from onika.wire import event, request
 
-TERMS = Terms(beat_ns=10**9, suspect_ns=10**10, lost_ns=10**11, greeting_ns=10**10)
+TERMS = LinkTerms(beat_ns=10**9, suspect_ns=10**10, lost_ns=10**11, greeting_ns=10**10)
 
 
 class Journey:
@@ -31,7 +31,7 @@ class Journey:
         self.now = 0
         self.prepared = prepare_run(str(application), site)
         here, there = memory_pair()
-        gate = Gate(Guests("first life"), lambda: self.now)
+        gate = Gate(Sessions("first life"), lambda: self.now)
         gate.adopt(there, TERMS)
         rtpus = rtpus_of(self.prepared.plan)
         self.program = Program(gate, VirtualDriver(rtpus, gate.tell), DirectLoading(), rtpus)
@@ -50,7 +50,7 @@ class Journey:
         """Everything that is told, up to the result."""
         while True:
             for one in self.connection.poll(1.0):
-                if isinstance(one, Signalled):
+                if isinstance(one, SignalReceived):
                     told = event.decode(one.body)
                     yield told
                     if isinstance(told, event.Result):

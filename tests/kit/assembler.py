@@ -16,8 +16,8 @@ from onika.laws.arm import Arm
 from onika.laws.filter import Derivative
 from onika.laws.frames import Array, pose_of_nine
 from onika.laws.inverse import inverse_for
-from onika.laws.path import Line, joint_duration, quintic
-from onika.ring.device import Order
+from onika.laws.path import StraightLine, joint_duration, quintic
+from onika.ring.device import DeviceOrder
 from onika.workcell.boxes import BoxesWorld
 from onika.workcell.layout import LAYOUT_M
 from onika.workcell.table import TOP_M
@@ -52,8 +52,8 @@ class Assembler:
         measured = self._derivative.update(self.q)
         torque = self._law.bias(self.q, measured) + self._law.viscous * self.speed
         torque += puma560.KP * (self.reference - self.q) + puma560.KD * (self.speed - measured)
-        self.world.command(self.arm, self.epoch, Order.DRIVE, torque)
-        self.world.command(self.hand, self.epoch, Order.DRIVE, [self._signal])
+        self.world.command(self.arm, self.epoch, DeviceOrder.DRIVE, torque)
+        self.world.command(self.hand, self.epoch, DeviceOrder.DRIVE, [self._signal])
 
     def tick(self) -> None:
         """A command, and a step of the world."""
@@ -73,7 +73,7 @@ class Assembler:
 
     def go(self, pose: Array) -> None:
         """Straight to a pose."""
-        line = Line(self._law.forward(self.reference), pose)
+        line = StraightLine(self._law.forward(self.reference), pose)
         duration = line.duration(0.3, 1.0)
         for k in range(math.ceil(duration / DT)):
             q = self._near(line.at(quintic((k + 1) * DT, duration)[0]), self.reference)

@@ -8,8 +8,8 @@ from typing import Any
 
 from onika.engine.engine import Engine
 from onika.engine.meeting import Meetings
-from onika.engine.program import Program
-from onika.engine.step import Step
+from onika.engine.program import FlowProgram
+from onika.engine.step import ActionStep
 
 _FIXED = {"revision", "_ranks", "_places", "_names", "_parties", "_steps", "_spawn_order", "_passive", "program"}
 """What never changes, or only counts."""
@@ -66,13 +66,13 @@ def _parts(engine: Engine) -> Iterator[Any]:
 
 def _is_part(one: Any) -> bool:
     is_known = type(one).__module__.startswith("onika.engine") and hasattr(one, "__dict__")
-    return is_known and not isinstance(one, Program | Enum)
+    return is_known and not isinstance(one, FlowProgram | Enum)
 
 
 def _is_fixed(value: Any, parts: set[int]) -> bool:
     if isinstance(value, list | tuple) and value and id(value[0]) in parts:
         return True
-    return id(value) in parts or isinstance(value, FunctionType | Program)
+    return id(value) in parts or isinstance(value, FunctionType | FlowProgram)
 
 
 def _copied(value: Any) -> Any:
@@ -92,7 +92,7 @@ def _frozen(value: Any) -> Any:
         return tuple((key, _frozen(one)) for key, one in value.items())
     if isinstance(value, list | deque):
         return tuple(map(_frozen, value))
-    if isinstance(value, Step):
+    if isinstance(value, ActionStep):
         return id(value)
     return frozenset(value) if isinstance(value, set) else value
 

@@ -6,18 +6,18 @@ from enum import Enum
 from kit.sim_link import SimLink
 from onika.link.channel import Channel
 from onika.link.link_events import (
-    Asked,
     EpochChanged,
-    Failed,
     Fate,
     Greeted,
-    Happening,
-    Read,
-    Replied,
-    Signalled,
-    Turned,
+    LinkNotice,
+    LinkStateChanged,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    RequestReceived,
+    SignalReceived,
 )
-from onika.link.lost import Cause
+from onika.link.lost import LossCause
 from onika.link.state import LinkState
 from onika.wire.packet import Bye, Hello, Packet, Welcome
 
@@ -57,7 +57,7 @@ class Wanted:
     begin_by_ns: int
     cable: SimLink | None
     begun: int = 0
-    outcomes: list[Happening] = field(default_factory=list)
+    outcomes: list[LinkNotice] = field(default_factory=list)
     is_abandoned: bool = False
 
 
@@ -138,32 +138,32 @@ class LinkOracle:
 
     # -- what the programs are told
 
-    def heard(self, client: str, happening: Happening, asking: SimLink | None, stream: SimLink | None = None) -> None:
+    def heard(self, client: str, happening: LinkNotice, asking: SimLink | None, stream: SimLink | None = None) -> None:
         """An environment is told something by its link, whose channels have these connections."""
         stream = stream or asking
         match happening:
-            case Turned(_, why) if why is not None:
-                fine = why.cause in (Cause.CLOSED, Cause.SILENT)
+            case LinkStateChanged(_, why) if why is not None:
+                fine = why.cause in (LossCause.CLOSED, LossCause.SILENT)
                 self._unless(fine, f"an honest environment ended the connection: {why}")
             case EpochChanged(epoch):
                 self._epoch_changed(client, epoch, asking)
-            case Signalled():
+            case SignalReceived():
                 self._signalled(self._stories[client], happening)
-            case Replied(number) | Failed(number):
+            case ReplyReceived(number) | RequestFailed(number):
                 self._outcome(happening, client, number)
-            case Read(_, body) if stream is not None:
+            case ReadingReceived(_, body) if stream is not None:
                 self._unless(int(body) > stream.shown, f"reading {body!r} shown after {stream.shown}")
                 stream.shown = int(body)
 
-    def served(self, name: str, happening: Happening, cable: SimLink | None, now_ns: int) -> None:
+    def served(self, name: str, happening: LinkNotice, cable: SimLink | None, now_ns: int) -> None:
         """The runtime is told something by a session's link."""
         match happening:
-            case Turned(_, why) if why is not None:
-                fine = why.cause in (Cause.CLOSED, Cause.SILENT, Cause.HERE)
+            case LinkStateChanged(_, why) if why is not None:
+                fine = why.cause in (LossCause.CLOSED, LossCause.SILENT, LossCause.HERE)
                 self._unless(fine, f"an honest runtime ended the connection: {why}")
             case Greeted() if cable is not None and cable.channel.asks:
                 self._guests.setdefault(name, _Guest(now_ns)).is_there = True
-            case Asked():
+            case RequestReceived():
                 self._asked(happening, cable, now_ns)
 
     def given_up(self, name: str, now_ns: int, lost_ns: int) -> None:
@@ -207,7 +207,7 @@ class LinkOracle:
             if not wanted.is_abandoned:
                 self._unless(bool(wanted.outcomes), f"request {wanted.label} got neither answer nor failure")
             for outcome in wanted.outcomes:
-                if isinstance(outcome, Failed) and outcome.fate in (Fate.UNSENT, Fate.LATE):
+                if isinstance(outcome, RequestFailed) and outcome.fate in (Fate.UNSENT, Fate.LATE):
                     self._unless(not wanted.begun, f"request {wanted.label} was carried out, but: {outcome.fate.value}")
 
     def _epoch_changed(self, client: str, epoch: str, asking: SimLink | None) -> None:
@@ -217,7 +217,7 @@ class LinkOracle:
         self._unless(known == epoch, f"new beginning in epoch {epoch!r}, greeted in {known!r}")
         story.epoch, story.next = epoch, base + 1
 
-    def _signalled(self, story: _Story, happening: Signalled) -> None:
+    def _signalled(self, story: _Story, happening: SignalReceived) -> None:
         self.accepted += 1
         self._unless(happening.seq == story.next, f"signal {happening.seq} accepted, {story.next} was next")
         said = self._signals.get(story.epoch, [])
@@ -225,7 +225,7 @@ class LinkOracle:
         self._unless(fine, f"signal {happening.seq} of epoch {story.epoch!r} is not what was said")
         story.next = happening.seq + 1
 
-    def _asked(self, asked: Asked, cable: SimLink | None, now_ns: int) -> None:
+    def _asked(self, asked: RequestReceived, cable: SimLink | None, now_ns: int) -> None:
         self.begun += 1
         wanted = self._wanted.get(asked.body.partition(b" ")[0].decode())
         if wanted is None or wanted.body != asked.body:
@@ -239,11 +239,11 @@ class LinkOracle:
         same = not wanted.once or wanted.cable is cable
         self._unless(same, f"request {wanted.label} was said again on another connection")
 
-    def _outcome(self, outcome: Replied | Failed, client: str, number: int) -> None:
+    def _outcome(self, outcome: ReplyReceived | RequestFailed, client: str, number: int) -> None:
         wanted = self._numbers[client, number]
         wanted.outcomes.append(outcome)
         self._unless(len(wanted.outcomes) == 1, f"request {wanted.label} has outcomes {wanted.outcomes}")
-        if isinstance(outcome, Replied):
+        if isinstance(outcome, ReplyReceived):
             self._unless(wanted.begun == 1, f"request {wanted.label} was answered but never carried out")
             self._unless(outcome.body == b"re: " + wanted.body, f"request {wanted.label} got another's answer")
 

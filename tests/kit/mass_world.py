@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from onika.ring.device import DeviceSheet, Drive, DriveEvent, Order
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
 
 HOLD_NS = 50_000_000
 TRIP_NS = 250_000_000
@@ -48,8 +48,8 @@ class MassWorld:
         """Hold, and free the claim; of somebody else, or of the scale, nothing happens."""
         mass = self._masses.get(device)
         if mass is not None and mass.epoch == epoch:
-            if mass.drive is not Drive.PRESSED:
-                self._turn(mass, Drive.HELD, "released")
+            if mass.drive is not DriveState.PRESSED:
+                self._turn(mass, DriveState.HELD, "released")
             mass.epoch = None
 
     def fence(self, epoch: int) -> None:
@@ -57,7 +57,7 @@ class MassWorld:
         self._fenced.add(epoch)
         for mass in self._masses.values():
             if mass.epoch == epoch:
-                self._turn(mass, Drive.TRIPPED, "its writer died")
+                self._turn(mass, DriveState.TRIPPED, "its writer died")
                 mass.epoch = None
 
     def command(self, device: str, epoch: int, order: int, values: Sequence[float]) -> None:
@@ -66,13 +66,13 @@ class MassWorld:
         if mass.epoch != epoch or self._is_stopped:
             return
         mass.heard_ns = self.now_ns
-        if mass.drive is Drive.PRESSED:
+        if mass.drive is DriveState.PRESSED:
             return
-        if order == Order.CLEAR or (order == Order.HOLD and mass.drive is not Drive.TRIPPED):
-            self._turn(mass, Drive.HELD, Order(order).name)
-        elif order == Order.DRIVE and mass.drive is not Drive.TRIPPED:
+        if order == DeviceOrder.CLEAR or (order == DeviceOrder.HOLD and mass.drive is not DriveState.TRIPPED):
+            self._turn(mass, DriveState.HELD, DeviceOrder(order).name)
+        elif order == DeviceOrder.DRIVE and mass.drive is not DriveState.TRIPPED:
             mass.force = float(values[0])
-            self._turn(mass, Drive.DRIVEN, "DRIVE")
+            self._turn(mass, DriveState.DRIVEN, "DRIVE")
 
     def step(self, until_ns: int) -> None:
         """Whole steps up to `until_ns` at most."""
@@ -94,7 +94,7 @@ class MassWorld:
         """Hold everything and hear no more."""
         self._is_stopped = True
         for mass in self._masses.values():
-            self._turn(mass, Drive.HELD, "stop")
+            self._turn(mass, DriveState.HELD, "stop")
 
     def go_on(self) -> None:
         """Hear again; every drive holds until it is commanded."""
@@ -109,8 +109,8 @@ class MassWorld:
         if part != "panic" or value not in (0.0, 1.0):
             raise ValueError(f"expected 1 or 0 for panic, found {value:g} for {part!r}")
         for mass in self._masses.values():
-            if value or mass.drive is Drive.PRESSED:
-                self._turn(mass, Drive.PRESSED if value else Drive.TRIPPED, "pressed" if value else "let go")
+            if value or mass.drive is DriveState.PRESSED:
+                self._turn(mass, DriveState.PRESSED if value else DriveState.TRIPPED, "pressed" if value else "let go")
 
     def take_events(self) -> list[DriveEvent]:
         """Changes of drives since the last call."""
@@ -142,19 +142,19 @@ class MassWorld:
 
     def _listen(self, mass: "_Mass") -> None:
         silent = self.now_ns - mass.heard_ns
-        if mass.drive is Drive.DRIVEN and silent > HOLD_NS:
-            self._turn(mass, Drive.HELD, "silence")
+        if mass.drive is DriveState.DRIVEN and silent > HOLD_NS:
+            self._turn(mass, DriveState.HELD, "silence")
             mass.is_silent = True
         elif mass.is_silent and silent > TRIP_NS:
-            self._turn(mass, Drive.TRIPPED, "long silence")
+            self._turn(mass, DriveState.TRIPPED, "long silence")
 
-    def _turn(self, mass: "_Mass", drive: Drive, cause: str) -> None:
+    def _turn(self, mass: "_Mass", drive: DriveState, cause: str) -> None:
         mass.is_silent = False
         if drive is mass.drive:
             return
         mass.drive = drive
         mass.state[1] = drive
-        if drive is not Drive.DRIVEN:
+        if drive is not DriveState.DRIVEN:
             mass.state[3] = 0.0
         before = max(self.now_ns - self.step_ns, 0)
         self._events.append(DriveEvent(mass.sheet.name, drive, self.now_ns, before, mass.heard_ns, cause))
@@ -166,8 +166,8 @@ class _Mass:
     def __init__(self, name: str) -> None:
         self.sheet = DeviceSheet(name, ("time", "drive", "x", "v"), ("force",), {"KIND": "mass"})
         self.state = np.zeros(4)
-        self.state[1] = Drive.HELD
-        self.drive = Drive.HELD
+        self.state[1] = DriveState.HELD
+        self.drive = DriveState.HELD
         self.epoch: int | None = None
         self.heard_ns = -1
         self.force = 0.0
@@ -175,7 +175,7 @@ class _Mass:
 
     def move(self, dt: float) -> None:
         """One step of x'' = F, if the drive is driven: speed first, then position (semi-implicit Euler)."""
-        if self.drive is Drive.DRIVEN:
+        if self.drive is DriveState.DRIVEN:
             self.state[3] += dt * self.force
             self.state[2] += dt * self.state[3]
 

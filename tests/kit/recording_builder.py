@@ -15,24 +15,24 @@ from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.record import topics, value
 from onika.record.reader import Reader
-from onika.record.run import END, Run
+from onika.record.run import END, RunRecord
 from onika.record.writer import Writer
 from onika.wire import event, request
 from onika.words.shape import Shape
 
 
-def run(seed: int = 3, **other: Any) -> Run:
+def run(seed: int = 3, **other: Any) -> RunRecord:
     """A run of two actions in flow0."""
     goals = [action("mass", "servo", arguments=goal) for goal in ("1.0", "2.0")]
     prepare = request.Prepare(rail_tasks().plan(goals), ())
     settings = {"is_virtual": True, "is_fresh": True, **other}
-    return Run(prepare, request.Begin(seed=seed), ("rt0",), began="2026-01-02T03:04:05+00:00", **settings)
+    return RunRecord(prepare, request.Begin(seed=seed), ("rt0",), began="2026-01-02T03:04:05+00:00", **settings)
 
 
 class RecordingBuilder:
     """Times are seconds."""
 
-    def __init__(self, path: Path, recorded: Run | None = None) -> None:
+    def __init__(self, path: Path, recorded: RunRecord | None = None) -> None:
         self.path = path
         self._stream = path.open("wb")
         self._writer = Writer(self._stream)
@@ -52,7 +52,7 @@ class RecordingBuilder:
 
     def tell(self, at_s: float, one: event.Event, subsystem: str = "flow0") -> None:
         """An event."""
-        body = topics.encode(topics.Happened(subsystem, one))
+        body = topics.encode(topics.EventRecord(subsystem, one))
         self._writer.message(
             self._writer.channel(topics.EVENTS, topics.HAPPENED, topics.HAPPENED_SCHEMA), _ns(at_s), body
         )
@@ -61,7 +61,7 @@ class RecordingBuilder:
         """Something that was asked."""
         topic = topics.ANSWERS if isinstance(asked, request.Reply) else topics.COMMANDS
         channel = self._writer.channel(topic, topics.WANTED, topics.WANTED_SCHEMA)
-        self._writer.message(channel, _ns(at_s), topics.encode(topics.Wanted(turn, "me", asked)))
+        self._writer.message(channel, _ns(at_s), topics.encode(topics.RequestRecord(turn, "me", asked)))
 
     def show(self, at_s: float, topic: str, title: str, schema: bytes, body: bytes) -> None:
         """Any other message."""

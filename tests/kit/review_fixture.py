@@ -19,7 +19,7 @@ from kit.recording_builder import RecordingBuilder
 from kit.run_fixture import RunFixture
 from onika.desk.environment.runs.begin import ready
 from onika.record import foxglove, topics
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.wire import act, event, request
 from onika.wire.view import InstantView, RecordingView
 from onika.words.shape import Shape
@@ -57,7 +57,9 @@ class ReviewFixture(RunFixture):
         plan = ready(opened, self.site, syntax).plan if syntax is not None else None
         if plan is None:
             raise AssertionError(f"{doc} cannot be compiled")
-        run = Run(request.Prepare(plan, ()), request.Begin(), ("rt0",), is_virtual=True, is_fresh=True, began=BEGAN)
+        run = RunRecord(
+            request.Prepare(plan, ()), request.Begin(), ("rt0",), is_virtual=True, is_fresh=True, began=BEGAN
+        )
         return RecordingBuilder(self.base.path / f"{name}.mcap", run)
 
     def look(self, path: Path) -> RecordingView:

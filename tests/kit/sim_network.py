@@ -17,10 +17,10 @@ from kit.sim_link import SimCarrier, SimLink
 from kit.sim_programs import HONEST, Programs, SimEnvironment, SimProgram, SimRuntime
 from onika.link.caller import Caller, Role
 from onika.link.channel import THREE, Channel
-from onika.link.link_events import Asked
-from onika.link.link_terms import Terms
-from onika.link.session import Session
-from onika.link.session_channels import Bundle
+from onika.link.link_events import RequestReceived
+from onika.link.link_terms import LinkTerms
+from onika.link.session import EnvironmentSession
+from onika.link.session_channels import SessionChannels
 from onika.link.sessions import Introduction
 from onika.wire.packet import Bye, Hello, Packet, encode
 
@@ -53,7 +53,7 @@ class NetworkHistory:
         self._weather = NetFaults.draw(self._time.random)
         self._sky = FaultyNet(self._weather, self._time)
         self._programs = programs
-        self._terms = Terms(
+        self._terms = LinkTerms(
             beat_ns=400 * _MS,
             suspect_ns=900 * _MS,
             lost_ns=1_600 * _MS,
@@ -151,7 +151,7 @@ class NetworkHistory:
         one.bundle.request(body, self._clock(one), within_ns, once, urgent)
         self._serve(one)
 
-    def _answer(self, house: SimRuntime, session: Session, asked: Asked) -> None:
+    def _answer(self, house: SimRuntime, session: EnvironmentSession, asked: RequestReceived) -> None:
         if house is self._house:
             session.reply(asked.ticket, b"re: " + asked.body, self._clock(house))
             self._serve_session(session)
@@ -198,13 +198,13 @@ class NetworkHistory:
             self._time.after(self._time.uniform(1, 30), partial(self._dial, one, wanted))
         self._time.wake(one, one.bundle.due_ns(self._clock(one)), partial(self._serve, one))
 
-    def _serve_session(self, session: Session, cable: SimLink | None = None) -> None:
+    def _serve_session(self, session: EnvironmentSession, cable: SimLink | None = None) -> None:
         house = self._house
         if not house.is_up or session not in house.guests.sessions:
             return
         for happening in session.service(self._clock(house), cable.channel if cable is not None else None):
             self._witness.served(session.name, happening, cable, self.now_ns)
-            if isinstance(happening, Asked):
+            if isinstance(happening, RequestReceived):
                 self._time.after(self._time.uniform(0, 800), partial(self._answer, house, session, happening))
         self._time.wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))
 
@@ -283,7 +283,7 @@ class NetworkHistory:
         elif (session := self._session_at(plug)) is not None:
             self._serve_session(session, plug.cable)
 
-    def _admit(self, plug: SimCarrier, hello: Hello) -> Session | None:
+    def _admit(self, plug: SimCarrier, hello: Hello) -> EnvironmentSession | None:
         """What the porter and the gate do."""
         guests = self._house.guests
         caller = Caller("somebody", Role.OWNER, "elsewhere", False)
@@ -300,7 +300,7 @@ class NetworkHistory:
         self._house.plugs[session, cable.channel] = plug
         return session
 
-    def _session_at(self, plug: SimCarrier) -> Session | None:
+    def _session_at(self, plug: SimCarrier) -> EnvironmentSession | None:
         if not self._house.is_up:
             return None
         return next((one for (one, _), other in self._house.plugs.items() if other is plug), None)
@@ -314,7 +314,7 @@ class NetworkHistory:
 
     @property
     def _gone(self) -> SimEnvironment:
-        nobody = SimEnvironment(-1, "", Bundle("nobody"), 0)
+        nobody = SimEnvironment(-1, "", SessionChannels("nobody"), 0)
         nobody.is_up = False
         return nobody
 

@@ -8,9 +8,9 @@ from onika.link.channel import Channel
 from onika.link.client import ClientEnd
 from onika.link.runtime_port import MakeServer
 from onika.link.server import ServerEnd
-from onika.link.session import Session
-from onika.link.session_channels import Bundle, MakeClient
-from onika.link.sessions import Guests
+from onika.link.session import EnvironmentSession
+from onika.link.session_channels import MakeClient, SessionChannels
+from onika.link.sessions import Sessions
 
 MakeEpoch = Callable[[int], str]
 
@@ -26,8 +26,8 @@ class Programs:
 
     client: MakeClient = ClientEnd
     server: MakeServer = ServerEnd
-    bundle: type[Bundle] = Bundle
-    guests: type[Guests] = Guests
+    bundle: type[SessionChannels] = SessionChannels
+    guests: type[Sessions] = Sessions
     epoch: MakeEpoch = name_epoch
 
 
@@ -45,7 +45,7 @@ class SimProgram:
 class SimEnvironment(SimProgram):
     """An environment: its side of the session and its present connections."""
 
-    def __init__(self, number: int, name: str, bundle: Bundle, clock_ns: int) -> None:
+    def __init__(self, number: int, name: str, bundle: SessionChannels, clock_ns: int) -> None:
         super().__init__(clock_ns)
         self.number = number
         self.name = name
@@ -60,7 +60,7 @@ class SimEnvironment(SimProgram):
 class SimRuntime(SimProgram):
     """A runtime: its guests and their present connections."""
 
-    def __init__(self, guests: Guests, clock_ns: int) -> None:
+    def __init__(self, guests: Sessions, clock_ns: int) -> None:
         super().__init__(clock_ns)
         self.guests = guests
-        self.plugs: dict[tuple[Session, Channel], SimCarrier] = {}
+        self.plugs: dict[tuple[EnvironmentSession, Channel], SimCarrier] = {}

@@ -4,7 +4,17 @@ from kit.link_oracle import LinkOracle, Wanted, Who
 from kit.sim_link import SimLink
 from onika.link import lost
 from onika.link.channel import Channel
-from onika.link.link_events import Asked, EpochChanged, Failed, Fate, Greeted, Read, Replied, Signalled, Turned
+from onika.link.link_events import (
+    EpochChanged,
+    Fate,
+    Greeted,
+    LinkStateChanged,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    RequestReceived,
+    SignalReceived,
+)
 from onika.link.state import LinkState
 from onika.wire.packet import Ack, Bye, Hello, Signal, Welcome
 
@@ -42,7 +52,7 @@ def wanted(witness, where=None, once=False, begin_by_ns=0):
 
 
 def tell(witness, news, where, now_ns=0):
-    if isinstance(news, Asked):
+    if isinstance(news, RequestReceived):
         witness.served("me#1", news, where, now_ns)
     else:
         witness.heard("me", news, where)
@@ -56,12 +66,12 @@ def test_a_witness_finds_nothing_wrong_with_an_honest_story():
     witness.sent(RT, line, Signal(2, b"two"))
     wanted(witness)
     for news in (
-        Signalled(2, b"two"),
-        Signalled(3, b"three"),
-        Asked(1, "me", b"1 body"),
-        Replied(1, b"re: 1 body"),
-        Turned(LinkState.APART, lost.closed()),
-        Read("key", b"5"),
+        SignalReceived(2, b"two"),
+        SignalReceived(3, b"three"),
+        RequestReceived(1, "me", b"1 body"),
+        ReplyReceived(1, b"re: 1 body"),
+        LinkStateChanged(LinkState.APART, lost.closed()),
+        ReadingReceived("key", b"5"),
     ):
         tell(witness, news, line)
     witness.stands(9, 10)
@@ -73,19 +83,19 @@ def test_a_witness_finds_nothing_wrong_with_an_honest_story():
 @pytest.mark.parametrize(
     ("news", "fault"),
     [
-        ([Signalled(3, b"three")], "2 was next"),
-        ([Signalled(2, b"two"), Signalled(2, b"two")], "3 was next"),
-        ([Signalled(2, b"other")], "not what was said"),
+        ([SignalReceived(3, b"three")], "2 was next"),
+        ([SignalReceived(2, b"two"), SignalReceived(2, b"two")], "3 was next"),
+        ([SignalReceived(2, b"other")], "not what was said"),
         ([EpochChanged("e1")], "needless new beginning"),
         ([EpochChanged("e2")], "greeted in ''"),
-        ([Replied(1, b"re: 1 body")], "never carried out"),
-        ([Asked(1, "me", b"1 body"), Asked(2, "me", b"1 body")], "carried out 2 times"),
-        ([Asked(1, "you", b"1 body")], "came as one of you"),
-        ([Asked(1, "me", b"2 else")], "nobody wanted"),
-        ([Failed(1, Fate.LOST), Failed(1, Fate.LOST)], "has outcomes"),
-        ([Asked(1, "me", b"1 body"), Replied(1, b"other")], "another's answer"),
-        ([Turned(LinkState.APART, lost.garbage("x"))], "an honest environment"),
-        ([Read("key", b"5"), Read("key", b"4")], "shown after 5"),
+        ([ReplyReceived(1, b"re: 1 body")], "never carried out"),
+        ([RequestReceived(1, "me", b"1 body"), RequestReceived(2, "me", b"1 body")], "carried out 2 times"),
+        ([RequestReceived(1, "you", b"1 body")], "came as one of you"),
+        ([RequestReceived(1, "me", b"2 else")], "nobody wanted"),
+        ([RequestFailed(1, Fate.LOST), RequestFailed(1, Fate.LOST)], "has outcomes"),
+        ([RequestReceived(1, "me", b"1 body"), ReplyReceived(1, b"other")], "another's answer"),
+        ([LinkStateChanged(LinkState.APART, lost.garbage("x"))], "an honest environment"),
+        ([ReadingReceived("key", b"5"), ReadingReceived("key", b"4")], "shown after 5"),
     ],
 )
 def test_a_witness_finds_what_is_wrong(news, fault):
@@ -119,7 +129,7 @@ def test_a_witness_knows_what_belongs_on_which_channel():
 def test_a_witness_knows_late_and_repeated_motion():
     witness, first = watching(), cable()
     wanted(witness, first, once=True, begin_by_ns=10)
-    tell(witness, Asked(1, "me", b"1 body"), cable(), 11)
+    tell(witness, RequestReceived(1, "me", b"1 body"), cable(), 11)
     assert [fault.split(" ", 2)[2] for fault in witness.faults] == [
         "was carried out 1 ns too late",
         "was said again on another connection",
@@ -165,8 +175,8 @@ def test_a_witness_asks_at_the_end_for_what_is_missing():
 def test_a_request_said_not_to_be_carried_out_must_not_have_been():
     witness = watching()
     wanted(witness)
-    tell(witness, Asked(1, "me", b"1 body"), None)
-    tell(witness, Failed(1, Fate.LATE), None)
+    tell(witness, RequestReceived(1, "me", b"1 body"), None)
+    tell(witness, RequestFailed(1, Fate.LATE), None)
     witness.environment_ends("me")
     witness.final_requests()
     assert any("was carried out, but" in fault for fault in witness.faults)

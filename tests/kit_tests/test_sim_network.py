@@ -9,14 +9,14 @@ from kit.sim_network import NetworkHistory
 from kit.sim_programs import HONEST, Programs
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
-from onika.link.link_events import EpochChanged, Fate, Replied, Resumed, Signalled
+from onika.link.link_events import EpochChanged, Fate, ReplyReceived, Resumed, SignalReceived
 from onika.link.lost import LinkLost
-from onika.link.reply_log import Account, ReplyBook
+from onika.link.reply_log import ClientReplies, ReplyLog
 from onika.link.runtime_port import ServerPort
 from onika.link.server import ServerEnd
-from onika.link.session import Session
-from onika.link.session_channels import Bundle
-from onika.link.sessions import Guests, Introduction
+from onika.link.session import EnvironmentSession
+from onika.link.session_channels import SessionChannels
+from onika.link.sessions import Introduction, Sessions
 from onika.link.state import LinkEvent, LinkState
 from onika.wire.packet import Ack, Hello, Reply, Request, Signal, Welcome
 
@@ -58,7 +58,7 @@ class AcceptsGaps(ClientEnd):
 class AcceptsSignalsTwice(ClientEnd):
     def _signal(self, packet: Signal) -> None:
         if packet.seq <= self._accepted:
-            self._happenings.append(Signalled(packet.seq, packet.body))
+            self._happenings.append(SignalReceived(packet.seq, packet.body))
         super()._signal(packet)
 
 
@@ -115,7 +115,7 @@ class TellsTheAnswerTwice(ClientEnd):
     def _reply(self, packet: Reply) -> None:
         known = packet.number not in self._wishes and not packet.parts
         if known and not packet.late:
-            self._happenings.append(Replied(packet.number, packet.body))
+            self._happenings.append(ReplyReceived(packet.number, packet.body))
         super()._reply(packet)
 
 
@@ -167,19 +167,19 @@ class ForgetsAnswersAtACut(ServerEnd):
 
 
 class NeverRepeatsAnAnswer(ServerEnd):
-    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
         if request.number not in account.answers:
             super()._request(account, request, now_ns)
 
 
 class ForgetsWhatIsUnderWay(ServerEnd):
-    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
         account.under_way.clear()
         super()._request(account, request, now_ns)
 
 
 class CarriesOutLateRequests(ServerEnd):
-    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
         super()._request(account, request, 0)
 
 
@@ -208,44 +208,44 @@ class ShowsOldReadings(ServerEnd):
 # -- planted in a session, or in what keeps the sessions
 
 
-class SaysSignalsOnEveryChannel(Session):
+class SaysSignalsOnEveryChannel(EnvironmentSession):
     def _spoken_on(self, channel):
         return self._journal
 
 
-class GivesUpAtACut(Session):
+class GivesUpAtACut(EnvironmentSession):
     def is_lost(self, now_ns):
         return super().is_lost(now_ns + 10**12)
 
 
-class NeverGivesUp(Session):
+class NeverGivesUp(EnvironmentSession):
     def is_lost(self, now_ns):
         return False
 
 
-class GivesUpAgainAndAgain(Session):
+class GivesUpAgainAndAgain(EnvironmentSession):
     def leave(self):
         return self._is_present
 
 
-class BeginsSignalsWhereTheyAreNow(Session):
+class BeginsSignalsWhereTheyAreNow(EnvironmentSession):
     def attach(self, channel, carrier, now_ns):
         super().attach(channel, carrier, now_ns)
-        self._followers = ReplyBook()
+        self._followers = ReplyLog()
         if channel is Channel.SIGNAL:
-            self._ports[channel]._end._replies = ReplyBook()
+            self._ports[channel]._end._replies = ReplyLog()
 
 
-class SignalsOnlyToThoseWhoAreThere(Session):
+class SignalsOnlyToThoseWhoAreThere(EnvironmentSession):
     def signal(self, body, now_ns):
         if self.ports:
             super().signal(body, now_ns)
 
 
-class TakesASecondBookForEachConnection(Session):
+class TakesASecondBookForEachConnection(EnvironmentSession):
     def attach(self, channel, carrier, now_ns):
         self._ports.pop(channel, None)
-        self._replies = ReplyBook()
+        self._replies = ReplyLog()
         super().attach(channel, carrier, now_ns)
 
     def _open(self, channel):
@@ -254,7 +254,7 @@ class TakesASecondBookForEachConnection(Session):
         return port
 
 
-class OneSessionForEachUser(Guests):
+class OneSessionForEachUser(Sessions):
     def admit(self, new, carrier, now_ns):
         known = next((one for one in self.sessions if one.caller.user == new.caller.user), None)
         if known is not None:
@@ -262,7 +262,7 @@ class OneSessionForEachUser(Guests):
         return super().admit(new, carrier, now_ns)
 
 
-class ForgetsASessionAtACut(Guests):
+class ForgetsASessionAtACut(Sessions):
     def lost(self, now_ns):
         for session in self.sessions:
             if not session.ports:
@@ -270,33 +270,33 @@ class ForgetsASessionAtACut(Guests):
         return super().lost(now_ns)
 
 
-class GivesEveryLifeOfASessionTheSameName(Guests):
+class GivesEveryLifeOfASessionTheSameName(Sessions):
     @property
     def _life(self):
         return self._epoch
 
 
-class ServesANewProgramUnderAnOldNameAsTheOldOne(Guests):
+class ServesANewProgramUnderAnOldNameAsTheOldOne(Sessions):
     def admit(self, new, carrier, now_ns):
         known = self._by_client.get(new.client)
         epoch = known.epoch if known is not None and known.has_asked else new.epoch
         return super().admit(Introduction(new.channel, new.client, epoch, new.caller), carrier, now_ns)
 
 
-class LeavesTheOthersInTheOldEpoch(Bundle):
+class LeavesTheOthersInTheOldEpoch(SessionChannels):
     def _lead(self, now_ns):
         for strand in self._strands.values():
             if not strand.end.epoch:
                 strand.end.follow(self.epoch)
 
 
-class DoesNotTryAgain(Bundle):
+class DoesNotTryAgain(SessionChannels):
     def failed(self, channel, now_ns):
         super().failed(channel, now_ns)
         self._strands[channel].is_dialling = True
 
 
-class TellsOfEveryChannelsBeginning(Bundle):
+class TellsOfEveryChannelsBeginning(SessionChannels):
     def _gather(self, now_ns):
         for strand in self._strands.values():
             greeted = [one for one in strand.end._happenings if isinstance(one, Resumed)]
@@ -321,8 +321,8 @@ def same_epoch_in_every_life(_life: int) -> str:
     return "epoch"
 
 
-def guests_of(kind: type[Session]) -> type[Guests]:
-    class Kept(Guests):
+def guests_of(kind: type[EnvironmentSession]) -> type[Sessions]:
+    class Kept(Sessions):
         def __init__(self, *given, **named):
             super().__init__(*given, **named, session=kind)
 
@@ -358,7 +358,7 @@ SERVERS: tuple[type[ServerEnd], ...] = (
     ShowsOldReadings,
     AnswersOnTheChannelOfSignals,
 )
-SESSIONS: tuple[type[Session], ...] = (
+SESSIONS: tuple[type[EnvironmentSession], ...] = (
     SaysSignalsOnEveryChannel,
     GivesUpAtACut,
     NeverGivesUp,
@@ -367,13 +367,13 @@ SESSIONS: tuple[type[Session], ...] = (
     SignalsOnlyToThoseWhoAreThere,
     TakesASecondBookForEachConnection,
 )
-GUESTS: tuple[type[Guests], ...] = (
+GUESTS: tuple[type[Sessions], ...] = (
     OneSessionForEachUser,
     ForgetsASessionAtACut,
     GivesEveryLifeOfASessionTheSameName,
     ServesANewProgramUnderAnOldNameAsTheOldOne,
 )
-BUNDLES: tuple[type[Bundle], ...] = (
+BUNDLES: tuple[type[SessionChannels], ...] = (
     LeavesTheOthersInTheOldEpoch,
     DoesNotTryAgain,
     TellsOfEveryChannelsBeginning,

@@ -3,7 +3,7 @@
 import pytest
 
 from onika.model.lifecycle import State
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.store.site import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
@@ -26,22 +26,22 @@ def test_the_signal_goes_to_the_valves_and_the_fingers_come_back():
     assert bench["GRIP_MEZ"].tolist() == [0.06, 0.0, 12.0]
     bench["GRIP"] = -1.0
     bench.cycle()
-    assert (device.order, device.commands.tolist()) == (Order.DRIVE, [-1.0])
+    assert (device.order, device.commands.tolist()) == (DeviceOrder.DRIVE, [-1.0])
 
 
 def test_the_hand_holds_until_a_signal_comes():  # law 4
     device = hand()
     gripper(device).on().cycle(5)
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
 
 
 def test_a_tripped_hand_is_an_error_that_clear_mends():  # law 17
     device = hand()
     bench = gripper(device).on()
-    device.values[1] = Drive.TRIPPED
+    device.values[1] = DriveState.TRIPPED
     assert bench.cycle().state is State.ERROR
     bench.clear()
-    assert device.order == Order.CLEAR
+    assert device.order == DeviceOrder.CLEAR
 
 
 @pytest.mark.parametrize(("module", "signal"), [("opengrip", 1.0), ("closegrip", -1.0)])

@@ -7,7 +7,7 @@ import pytest
 
 from onika.laws import puma560
 from onika.model.lifecycle import State
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.store.site import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
@@ -68,7 +68,7 @@ def test_torques_are_clipped_to_what_the_motors_can_do():
     bench = puma(device, STEP="1e6").on()
     bench["TAU_REF"] = [1000, -1000, 1, -1, 0, 0]
     bench.cycle()
-    assert device.order == Order.DRIVE
+    assert device.order == DeviceOrder.DRIVE
     assert device.commands.tolist() == [97.6, -186.4, 1.0, -1.0, 0.0, 0.0]
 
 
@@ -80,7 +80,7 @@ def test_the_first_torques_after_a_hold_go_over_from_those_that_hold_the_arm(): 
     wanted = held + 0.5 * puma560.TAUMAX
     bench["TAU_REF"] = wanted
     bench.cycle(50)
-    assert device.order == Order.HOLD  # it may still come nearer
+    assert device.order == DeviceOrder.HOLD  # it may still come nearer
     given = [held]
     for _ in range(12):
         bench.cycle()
@@ -98,7 +98,7 @@ def test_a_jump_that_is_over_before_the_hold_is_none():  # law 33, R-X04
     bench.cycle(3)
     bench["TAU_REF"] = held + 1.0
     bench.cycle()
-    assert device.order == Order.DRIVE
+    assert device.order == DeviceOrder.DRIVE
     assert device.commands == pytest.approx(held + 1.0)
 
 
@@ -106,21 +106,21 @@ def test_what_would_tear_it_out_of_a_hold_is_refused():  # law 33, R-X04
     device = arm()
     bench = puma(device).on().cycle()
     bench["TAU_REF"] = [2000.0, 0, 0, 0, 0, 0]
-    assert bench.cycle(50).state is State.ON and device.order == Order.HOLD
+    assert bench.cycle(50).state is State.ON and device.order == DeviceOrder.HOLD
     assert bench.cycle().state is State.ERROR
     assert "TAU_REF[0] would step by 2000 N m: a cycle may change it by 9.76 N m, 0.1 s by 488 N m" in bench.why
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
 
 
 def test_the_drive_holds_until_torques_come_and_when_the_task_goes_off():  # laws 4 and 12
     device = arm()
     bench = puma(device).on().cycle(3)
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
     bench["TAU_REF"] = bench.task.module.held("TAU_REF") + np.ones(6)
     bench.cycle()
-    assert device.order == Order.DRIVE
+    assert device.order == DeviceOrder.DRIVE
     bench.off()
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
 
 
 def test_a_torque_that_is_no_number_is_an_error_and_a_hold():  # law 5
@@ -129,41 +129,41 @@ def test_a_torque_that_is_no_number_is_an_error_and_a_hold():  # law 5
     bench["TAU_REF"] = [np.nan, 0, 0, 0, 0, 0]
     bench.cycle()
     assert "NaN or infinity in TAU_REF" in bench.why
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
 
 
 def test_a_tripped_drive_is_an_error_that_clear_mends():  # law 17, R-C28
     device = arm()
     bench = puma(device).on()
-    device.values[1] = Drive.TRIPPED
+    device.values[1] = DriveState.TRIPPED
     bench.cycle()
     assert (bench.state, "the drive has tripped" in bench.why) == (State.ERROR, True)
     bench.clear()
-    assert device.order == Order.CLEAR
-    device.values[1] = Drive.HELD
+    assert device.order == DeviceOrder.CLEAR
+    device.values[1] = DriveState.HELD
     assert bench.on().cycle().state is State.ON
 
 
 def test_a_pressed_panic_button_is_an_error_that_clear_mends_once_it_is_let_go():  # R-K06, §4.5.2
     device = arm()
     bench = puma(device).on()
-    device.values[1] = Drive.PRESSED
+    device.values[1] = DriveState.PRESSED
     bench.cycle()
     assert (bench.state, "panic button pressed" in bench.why) == (State.ERROR, True)
     bench.clear()
     assert (bench.state, "let it go, then clear" in bench.why) == (State.ERROR, True)
-    device.values[1] = Drive.TRIPPED
+    device.values[1] = DriveState.TRIPPED
     device.publish(0)
     bench.clear()
-    assert (bench.state, device.order) == (State.OFF, Order.CLEAR)
-    device.values[1] = Drive.HELD
+    assert (bench.state, device.order) == (State.OFF, DeviceOrder.CLEAR)
+    device.values[1] = DriveState.HELD
     assert bench.on().cycle().state is State.ON
 
 
 def test_an_arm_whose_panic_button_is_pressed_does_not_come_on():  # R-K06
     device = arm()
     bench = puma(device)
-    device.values[1] = Drive.PRESSED
+    device.values[1] = DriveState.PRESSED
     assert "panic button pressed" in bench.on().why
 
 

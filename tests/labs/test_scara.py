@@ -8,7 +8,7 @@ import pytest
 from onika.laws import adept_one, puma560, reach
 from onika.laws.robot import published
 from onika.model.lifecycle import State
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.store.site import shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
@@ -58,11 +58,11 @@ def test_torques_are_clipped_to_what_the_motors_can_do():
 def test_a_tripped_drive_is_an_error_that_clear_mends():  # law 17, R-C28
     device = arm()
     bench = scara(device).on()
-    device.values[1] = Drive.TRIPPED
+    device.values[1] = DriveState.TRIPPED
     bench.cycle()
     assert (bench.state, "the drive has tripped" in bench.why) == (State.ERROR, True)
     bench.clear()
-    assert device.order == Order.CLEAR
+    assert device.order == DeviceOrder.CLEAR
 
 
 def test_targets_out_of_its_reach_are_named(constants):  # law 26, R-E09, R-K03

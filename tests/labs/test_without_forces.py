@@ -7,7 +7,7 @@ import pytest
 
 from onika.model.lifecycle import State
 from onika.model.port import PortKind
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.store.site import open_site, shipped
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
@@ -51,18 +51,18 @@ def test_the_reference_goes_to_the_device_as_it_is(lab, physical, name):  # R-K0
     device = device_of(name)
     bench = bench_of(lab, name, device).init().on()
     assert bench.state is State.ON, bench.why
-    assert bench.cycle() and device.order == Order.HOLD, "not before a reference is there (law 4)"
+    assert bench.cycle() and device.order == DeviceOrder.HOLD, "not before a reference is there (law 4)"
     wanted = np.linspace(0.001, 0.002, bench["NDOF"])  # near to where it is
     bench["Q_REF"] = wanted
     bench.cycle()
-    assert device.order == Order.DRIVE
+    assert device.order == DeviceOrder.DRIVE
     assert device.commands.tolist() == wanted.tolist()
     bench["Q_REF"] = wanted + 3.0
     bench.off().on().cycle()
     bench["Q_REF"] = wanted + 3.0
     bench.cycle(51)
     assert (bench.state, "Q_REF" in bench.why, "would step by" in bench.why) == (State.ERROR, True, True)
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
 
 
 @every_robot
@@ -76,7 +76,7 @@ def test_neither_drives_the_device_of_the_other(lab, physical, name):  # angles 
 def test_a_panic_button_stops_it_as_well(lab, physical, name):  # R-K06
     device = device_of(name)
     bench = bench_of(lab, name, device).init().on()
-    device.values[1] = Drive.PRESSED
+    device.values[1] = DriveState.PRESSED
     bench.cycle()
     assert (bench.state, "panic button pressed" in bench.why) == (State.ERROR, True)
     assert "let it go, then clear" in bench.clear().why

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.laws.frames import rotation_log, rotation_of_rpy
-from onika.laws.path import PEAK, Line, joint_duration, quintic
+from onika.laws.path import PEAK, StraightLine, joint_duration, quintic
 
 angles = st.floats(-3.0, 3.0)
 
@@ -49,7 +49,7 @@ poses = st.builds(_pose, angles, angles, angles, angles, angles, angles)
 @settings(max_examples=50, deadline=None)
 @given(poses, poses, st.floats(0.0, 1.0))
 def test_a_line_is_straight_and_turns_evenly(start, end, share):
-    line = Line(start, end)
+    line = StraightLine(start, end)
     assert np.allclose(line.at(0.0), start, atol=1e-9)
     assert np.allclose(line.at(1.0), end, atol=1e-7)
     there = line.at(share, np.empty((4, 4)))
@@ -63,10 +63,10 @@ def test_a_line_is_straight_and_turns_evenly(start, end, share):
 
 def test_a_line_without_a_turn_keeps_the_orientation_to_the_last_bit():
     start, end = _pose(0, 0, 0, 0.3, 0.2, 0.1), _pose(1, 0, 0, 0.3, 0.2, 0.1)
-    assert np.array_equal(Line(start, end).at(0.37)[:3, :3], start[:3, :3])
+    assert np.array_equal(StraightLine(start, end).at(0.37)[:3, :3], start[:3, :3])
 
 
 def test_the_slower_of_way_and_turn_decides_the_duration():
-    line = Line(_pose(0, 0, 0, 0, 0, 0), _pose(0.3, 0, 0, 0, 0, 1.0))
+    line = StraightLine(_pose(0, 0, 0, 0, 0, 0), _pose(0.3, 0, 0, 0, 0, 1.0))
     assert line.duration(0.3, 10.0) == pytest.approx(PEAK * 1.0)
     assert line.duration(3.0, 0.5) == pytest.approx(PEAK * 2.0)

@@ -1,7 +1,7 @@
 import pytest
 from hypothesis import given, settings, strategies as st
 
-from onika.link.body_parts import Gathering, split
+from onika.link.body_parts import BodyAssembly, split
 from onika.wire.packet import Part
 
 
@@ -11,7 +11,7 @@ def test_a_body_is_whole_again_whatever_the_order_of_its_parts(body, piece, rand
     parts, last = split(7, body, piece)
     assert all(len(part.body) == piece for part in parts)
     assert len(last) <= piece
-    gathering = Gathering(limit=100_000)
+    gathering = BodyAssembly(limit=100_000)
     heap = [*parts, *parts]
     random.shuffle(heap)
     for part in heap:
@@ -21,7 +21,7 @@ def test_a_body_is_whole_again_whatever_the_order_of_its_parts(body, piece, rand
 
 def test_a_body_with_a_missing_part_is_not_complete():
     parts, last = split(1, b"abcdef", 2)
-    gathering = Gathering(limit=1000)
+    gathering = BodyAssembly(limit=1000)
     gathering.put(parts[1])
     assert gathering.complete(1, 2, last) is None
     gathering.put(parts[0])
@@ -29,14 +29,14 @@ def test_a_body_with_a_missing_part_is_not_complete():
 
 
 def test_parts_without_end_are_refused_even_when_they_are_empty():
-    gathering = Gathering(limit=1000)
+    gathering = BodyAssembly(limit=1000)
     with pytest.raises(ValueError, match="at most"):
         for index in range(1000):
             gathering.put(Part(1, index, b""))
 
 
 def test_parts_that_were_let_go_make_room():
-    gathering = Gathering(limit=1000)
+    gathering = BodyAssembly(limit=1000)
     for number in range(50):
         gathering.put(Part(number, 0, bytes(500)))
         gathering.drop(number)

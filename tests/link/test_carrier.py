@@ -3,7 +3,7 @@ import socket
 import pytest
 
 from onika.link.carrier import SocketCarrier, memory_pair, socket_pair, wait_for
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 from onika.wire.frame import frame
 
 
@@ -56,9 +56,9 @@ def test_what_was_sent_before_the_end_arrives_and_then_the_end(pair):  # R-F01
     here.send(b"last")
     here.close()
     assert take(there, 1) == [b"last"]
-    assert end_of(there).cause is Cause.CLOSED
+    assert end_of(there).cause is LossCause.CLOSED
     there.send(b"into the void")
-    assert end_of(there).cause is Cause.CLOSED
+    assert end_of(there).cause is LossCause.CLOSED
 
 
 def test_a_carrier_that_was_closed_here_says_so(pair):
@@ -66,7 +66,7 @@ def test_a_carrier_that_was_closed_here_says_so(pair):
     here.close()
     with pytest.raises(LinkLost) as caught:
         here.receive()
-    assert caught.value.cause is Cause.HERE
+    assert caught.value.cause is LossCause.HERE
 
 
 def test_a_reader_that_stops_reading_is_cut_and_never_waited_for():
@@ -76,7 +76,7 @@ def test_a_reader_that_stops_reading_is_cut_and_never_waited_for():
         with pytest.raises(LinkLost) as caught:
             for _ in range(10_000):
                 here.send(bytes(100_000))
-        assert caught.value.cause is Cause.BEHIND
+        assert caught.value.cause is LossCause.BEHIND
         here.close()
         there.close()
 
@@ -104,7 +104,7 @@ def test_bytes_that_are_no_frames_are_garbage_after_what_was_good():
     assert take(carrier, 1) == [b"good"]
     raw.sendall(b"\xff\xff\xff\xffGET / HTTP/1.1")
     why = end_of(carrier)
-    assert (why.cause, "expected a frame" in str(why)) == (Cause.GARBAGE, True)
+    assert (why.cause, "expected a frame" in str(why)) == (LossCause.GARBAGE, True)
     raw.close()
     carrier.close()
 

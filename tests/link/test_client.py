@@ -2,14 +2,23 @@ import pytest
 
 from onika.link import lost
 from onika.link.client import ClientEnd
-from onika.link.link_events import EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
-from onika.link.link_terms import Terms
-from onika.link.lost import Cause
+from onika.link.link_events import (
+    EpochChanged,
+    Fate,
+    LinkStateChanged,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    Resumed,
+    SignalReceived,
+)
+from onika.link.link_terms import LinkTerms
+from onika.link.lost import LossCause
 from onika.link.state import LinkState
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
 
 ROOM = 1_000_000
-TERMS = Terms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4)
+TERMS = LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4)
 
 
 def welcome(epoch="e1", seq=0, resumed=False, clock_ns=0):
@@ -33,7 +42,7 @@ def packets(end, now_ns=0):
 
 
 def events(end):
-    return [news for news in end.take_happenings() if not isinstance(news, Turned)]
+    return [news for news in end.take_happenings() if not isinstance(news, LinkStateChanged)]
 
 
 def test_the_first_word_on_a_connection_says_who_and_how_far_and_is_all_until_the_welcome():  # R-F01
@@ -54,7 +63,7 @@ def test_only_the_very_next_signal_is_accepted_and_all_are_acknowledged_at_once(
     end = linked()
     for seq in (1, 3, 1, 2, 2):
         end.feed(Signal(seq, b"%d" % seq), 0)
-    assert events(end) == [Signalled(1, b"1"), Signalled(2, b"2")]
+    assert events(end) == [SignalReceived(1, b"1"), SignalReceived(2, b"2")]
     assert packets(end) == [Ack(2)]
     assert packets(end) == []
 
@@ -78,23 +87,23 @@ def test_a_new_epoch_voids_what_was_asked_of_the_old_one():  # R-F01
     end.cut(lost.closed())
     end.open(0)
     end.feed(welcome("e2", seq=3, resumed=True), 0)
-    assert events(end) == [Failed(1, Fate.LOST), EpochChanged("e2")]
+    assert events(end) == [RequestFailed(1, Fate.LOST), EpochChanged("e2")]
     assert packets(end) == [Hello(VERSION, "me", "e1", 0)]
     end.feed(Signal(4, b"new"), 0)
-    assert events(end) == [Signalled(4, b"new")]
+    assert events(end) == [SignalReceived(4, b"new")]
 
 
 def test_what_moves_a_robot_is_never_said_on_another_connection():  # R-X12
     end = linked()
     end.request(b"go", 0, once=True)
     end.cut(lost.closed())
-    assert events(end) == [Failed(1, Fate.LOST)]
+    assert events(end) == [RequestFailed(1, Fate.LOST)]
     end.request(b"go", 0, once=True)
-    assert events(end) == [Failed(2, Fate.UNSENT)]
+    assert events(end) == [RequestFailed(2, Fate.UNSENT)]
     greet(end, welcome(resumed=True))
     end.request(b"go", 0, once=True)
     end.open(0)
-    assert events(end) == [Failed(3, Fate.LOST)]
+    assert events(end) == [RequestFailed(3, Fate.LOST)]
 
 
 def test_an_answer_is_told_once_and_one_that_is_not_wanted_never():  # R-F07
@@ -109,7 +118,7 @@ def test_an_answer_is_told_once_and_one_that_is_not_wanted_never():  # R-F07
         Reply(9, False, 0, b""),
     ):
         end.feed(packet, 0)
-    assert events(end) == [Replied(1, b"A")]
+    assert events(end) == [ReplyReceived(1, b"A")]
 
 
 def test_a_request_names_the_first_number_that_is_not_settled():  # R-F07
@@ -134,7 +143,7 @@ def test_a_request_that_could_not_be_sent_in_time_is_not_sent():
     end.request(b"", 0, begin_within_ns=50)
     end.open(0)
     end.feed(welcome(), 51)
-    assert events(end) == [EpochChanged("e1"), Failed(1, Fate.UNSENT)]
+    assert events(end) == [EpochChanged("e1"), RequestFailed(1, Fate.UNSENT)]
     assert not any(isinstance(packet, Request) for packet in packets(end))
 
 
@@ -142,7 +151,7 @@ def test_a_request_refused_as_late_has_failed():
     end = linked()
     end.request(b"", 0, begin_within_ns=50)
     end.feed(Reply(1, True, 0, b""), 0)
-    assert events(end) == [Failed(1, Fate.LATE)]
+    assert events(end) == [RequestFailed(1, Fate.LATE)]
 
 
 def test_long_bodies_go_and_come_in_parts():  # R-F01
@@ -152,14 +161,14 @@ def test_long_bodies_go_and_come_in_parts():  # R-F01
     end.feed(Part(1, 0, b"1234"), 0)
     end.feed(Part(1, 1, b"5678"), 0)
     end.feed(Reply(1, False, 2, b"90"), 0)
-    assert events(end) == [Replied(1, b"1234567890")]
+    assert events(end) == [ReplyReceived(1, b"1234567890")]
 
 
 def test_an_overtaken_reading_is_not_shown():
     end = linked()
     for count, body in ((1, b"old"), (3, b"new"), (2, b"overtaken")):
         end.feed(Reading(count, "key", body), 0)
-    assert events(end) == [Read("key", b"old"), Read("key", b"new")]
+    assert events(end) == [ReadingReceived("key", b"old"), ReadingReceived("key", b"new")]
 
 
 @pytest.mark.parametrize("packet", [Hello(VERSION, "x", "", 0), Request(1, 1, 0, 0, b""), Ack(1)])
@@ -167,13 +176,13 @@ def test_what_only_an_environment_says_ends_the_connection(packet):
     end = linked()
     end.feed(packet, 0)
     (turned,) = end.take_happenings()
-    assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.GARBAGE)
+    assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.GARBAGE)
     (bye,) = packets(end)
     assert (bye.cause, type(packet).__name__ in bye.reason) == ("garbage", True)
 
 
 def test_parts_without_end_end_the_connection():
-    end = linked(Terms(body_limit=1000))
+    end = linked(LinkTerms(body_limit=1000))
     end.request(b"", 0)
     for index in range(20):
         end.feed(Part(1, index, bytes(100)), 0)
@@ -189,9 +198,9 @@ def test_another_version_ends_the_link_for_good(packet):  # R-B06
     end.open(0)
     end.feed(packet, 0)
     turned, failed = end.take_happenings()[1:]
-    assert (turned.state, turned.lost.cause) == (LinkState.ENDED, Cause.VERSION)
+    assert (turned.state, turned.lost.cause) == (LinkState.ENDED, LossCause.VERSION)
     assert "version 2" in str(turned.lost)
-    assert failed == Failed(1, Fate.LOST)
+    assert failed == RequestFailed(1, Fate.LOST)
 
 
 def test_a_good_bye_leaves_the_way_open_for_a_new_connection():
@@ -215,16 +224,16 @@ def test_a_closed_link_says_good_bye_and_fails_what_was_asked():
     end = linked()
     end.request(b"a", 0)
     end.close("enough")
-    assert events(end) == [Failed(1, Fate.LOST)]
+    assert events(end) == [RequestFailed(1, Fate.LOST)]
     assert packets(end) == [Bye("closed", "enough")]
     end.close()
     assert (end.take_happenings(), packets(end)) == ([], [])
     end.request(b"b", 0)
-    assert events(end) == [Failed(2, Fate.UNSENT)]
+    assert events(end) == [RequestFailed(2, Fate.UNSENT)]
 
 
 def test_on_a_carrier_that_loses_packets_everything_is_said_again():
-    end = ClientEnd("me", Terms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10))
+    end = ClientEnd("me", LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10))
     end.open(0)
     packets(end)
     end.tick(9)
@@ -241,4 +250,4 @@ def test_on_a_carrier_that_loses_packets_everything_is_said_again():
 
 def test_a_request_that_is_too_long_is_the_programmers_fault():
     with pytest.raises(ValueError, match="expected a request of 1000 bytes at most, found 1001"):
-        linked(Terms(body_limit=1000)).request(bytes(1001), 0)
+        linked(LinkTerms(body_limit=1000)).request(bytes(1001), 0)

@@ -2,14 +2,24 @@ import pytest
 
 from onika.link.carrier import memory_pair, socket_pair
 from onika.link.connection import Connection
-from onika.link.link_events import Asked, EpochChanged, Failed, Fate, Read, Replied, Resumed, Signalled, Turned
-from onika.link.link_terms import Terms
-from onika.link.lost import Cause, LinkLost
+from onika.link.link_events import (
+    EpochChanged,
+    Fate,
+    LinkStateChanged,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    RequestReceived,
+    Resumed,
+    SignalReceived,
+)
+from onika.link.link_terms import LinkTerms
+from onika.link.lost import LinkLost, LossCause
 from onika.link.runtime_port import ServerPort
-from onika.link.signal_journal import Journal
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 
-TERMS = Terms(beat_ns=100_000_000, suspect_ns=500_000_000, lost_ns=2_000_000_000, greeting_ns=3_000_000_000)
+TERMS = LinkTerms(beat_ns=100_000_000, suspect_ns=500_000_000, lost_ns=2_000_000_000, greeting_ns=3_000_000_000)
 
 
 class Runtime:
@@ -17,7 +27,7 @@ class Runtime:
 
     def __init__(self, epoch="e1"):
         self.now_ns = 0
-        self.port = ServerPort(Journal(epoch), terms=TERMS)
+        self.port = ServerPort(SignalJournal(epoch), terms=TERMS)
         self.is_mute = False
         self.asked = []
 
@@ -31,7 +41,7 @@ class Runtime:
 
     def serve(self):
         for news in self.port.service(self.now_ns):
-            if isinstance(news, Asked):
+            if isinstance(news, RequestReceived):
                 self.asked.append(news.body)
                 if news.body != b"think":
                     self.port.reply(news.ticket, b"re: " + news.body, self.now_ns)
@@ -46,7 +56,7 @@ class Runtime:
 
 
 def news_of(connection):
-    return [news for news in connection.poll() if not isinstance(news, Turned)]
+    return [news for news in connection.poll() if not isinstance(news, LinkStateChanged)]
 
 
 def test_a_request_gets_its_answer_and_news_is_kept_for_later():  # R-F01
@@ -58,7 +68,7 @@ def test_a_request_gets_its_answer_and_news_is_kept_for_later():  # R-F01
     assert connection.request(b"a") == b"re: a"
     runtime.port.reading("q", b"2", 0)
     assert connection.request(b"b") == b"re: b"
-    assert news_of(connection) == [EpochChanged("e1"), Signalled(1, b"s1"), Read("q", b"2")]
+    assert news_of(connection) == [EpochChanged("e1"), SignalReceived(1, b"s1"), ReadingReceived("q", b"2")]
 
 
 def test_the_first_request_may_come_before_the_greeting():
@@ -81,7 +91,7 @@ def test_a_request_that_waited_too_long_on_the_way_is_not_carried_out():  # R-X1
     number = connection.ask(b"go", begin_within_s=0.2, once=True)
     runtime.now_ns += 300_000_000
     runtime.serve()
-    assert connection.poll(1)[-1] == Failed(number, Fate.LATE)
+    assert connection.poll(1)[-1] == RequestFailed(number, Fate.LATE)
     assert runtime.asked == []
 
 
@@ -93,8 +103,8 @@ def test_a_silent_runtime_is_first_suspect_and_then_lost():  # R-F01
     runtime.is_mute = True
     with pytest.raises(LinkLost) as caught:
         connection.request(b"a", timeout_s=10)
-    assert caught.value.cause is Cause.SILENT
-    assert [news.state for news in connection.poll() if isinstance(news, Turned)] == [
+    assert caught.value.cause is LossCause.SILENT
+    assert [news.state for news in connection.poll() if isinstance(news, LinkStateChanged)] == [
         LinkState.SUSPECT,
         LinkState.APART,
     ]
@@ -127,10 +137,10 @@ def test_a_connection_resumes_where_it_was_cut():  # R-F01
     assert connection.readers() == []
     connection.reconnect(runtime.connect())
     connection.open()
-    assert connection.poll(1)[-2:] == [Resumed("e1"), Signalled(1, b"meanwhile")]
+    assert connection.poll(1)[-2:] == [Resumed("e1"), SignalReceived(1, b"meanwhile")]
     while not (news := news_of(connection)):
         runtime.wait(None, 0.1)
-    assert news == [Replied(number, b"re: a")]
+    assert news == [ReplyReceived(number, b"re: a")]
 
 
 def test_a_request_over_a_lost_link_fails_at_once():
@@ -154,7 +164,7 @@ def test_a_link_that_was_closed_here_says_good_bye_and_stays_closed():
     assert not runtime.port.is_open
     with pytest.raises(LinkLost) as caught:
         connection.reconnect(runtime.connect())
-    assert caught.value.cause is Cause.HERE
+    assert caught.value.cause is LossCause.HERE
     with pytest.raises(LinkLost):
         connection.request(b"a")
 
@@ -167,7 +177,7 @@ def test_polling_waits_for_the_first_news_only():
     assert connection.poll(0.3) == []
     assert runtime.now_ns >= 300_000_000
     runtime.port.signal(b"s", runtime.now_ns)
-    assert connection.poll(1000) == [Signalled(1, b"s")]
+    assert connection.poll(1000) == [SignalReceived(1, b"s")]
 
 
 def test_a_loop_of_ones_own_knows_what_to_wait_for_and_how_long():

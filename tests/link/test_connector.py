@@ -2,8 +2,8 @@ import threading
 
 from onika.link.carrier import memory_pair, wait_for
 from onika.link.channel import Channel
-from onika.link.connector import ThreadDialler
-from onika.link.lost import Cause, LinkLost
+from onika.link.connector import ThreadConnector
+from onika.link.lost import LinkLost, LossCause
 
 
 def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
@@ -11,10 +11,10 @@ def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
 
     def opening(channel):
         if channel is Channel.SIGNAL:
-            raise LinkLost(Cause.TOKEN, "wrong")
+            raise LinkLost(LossCause.TOKEN, "wrong")
         return here
 
-    dialler = ThreadDialler(opening)
+    dialler = ThreadConnector(opening)
     dialler.dial(Channel.SESSION)
     dialler.dial(Channel.SIGNAL)
     came = []
@@ -23,7 +23,7 @@ def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
         came += dialler.finished()
     results = dict(came)
     assert results[Channel.SESSION] is here
-    assert results[Channel.SIGNAL].cause is Cause.TOKEN
+    assert results[Channel.SIGNAL].cause is LossCause.TOKEN
     assert dialler.finished() == []
     dialler.close()
     dialler.close()
@@ -38,7 +38,7 @@ def test_what_comes_after_the_end_is_let_go():
         go.wait(5.0)
         return here
 
-    dialler = ThreadDialler(opening)
+    dialler = ThreadConnector(opening)
     dialler.dial(Channel.SESSION)
     dialler.close()
     go.set()
@@ -48,6 +48,6 @@ def test_what_comes_after_the_end_is_let_go():
     try:
         there.receive()
     except LinkLost as lost:
-        assert lost.cause is Cause.CLOSED
+        assert lost.cause is LossCause.CLOSED
     else:
         raise AssertionError("it was kept")

@@ -2,25 +2,25 @@ import socket
 
 import pytest
 
-from onika.link.heartbeat import EVERY_NS, LENGTH, PATIENCE_NS, Beater, Drum, Pact, name_in
+from onika.link.heartbeat import EVERY_NS, LENGTH, PATIENCE_NS, HeartbeatCounter, HeartbeatKey, HeartbeatSender, name_in
 
 
 def test_what_is_told_of_beats_is_understood_and_keys_are_not_shown():
-    pact = Pact.drawn(7994)
-    assert Pact.parse(pact.header()) == pact
+    pact = HeartbeatKey.drawn(7994)
+    assert HeartbeatKey.parse(pact.header()) == pact
     assert pact.key.hex() not in repr(pact)
-    assert Pact.drawn(7994) != Pact.drawn(7994)
+    assert HeartbeatKey.drawn(7994) != HeartbeatKey.drawn(7994)
 
 
 @pytest.mark.parametrize(
     "header", ["", "x", "7994", "7994 00", "7994 zz zz", "0 " + "00" * 8 + " " + "00" * 32, "1 00 00 00"]
 )
 def test_what_cannot_be_used_is_no_pact(header):
-    assert Pact.parse(header) is None
+    assert HeartbeatKey.parse(header) is None
 
 
 def test_a_beat_is_known_by_its_seal():  # R-X12
-    pact = Pact.drawn(7994)
+    pact = HeartbeatKey.drawn(7994)
     beat = pact.beat(7)
     assert (len(beat), name_in(beat), pact.count_in(beat)) == (LENGTH, pact.name, 7)
     for k in range(LENGTH):
@@ -31,8 +31,8 @@ def test_a_beat_is_known_by_its_seal():  # R-X12
 
 
 def test_a_beat_speaks_only_for_who_serves_the_connection():  # R-X12
-    pact = Pact.drawn(7994)
-    drum = Drum(pact)
+    pact = HeartbeatKey.drawn(7994)
+    drum = HeartbeatCounter(pact)
     assert drum.beat(0) is None
     drum.served(1000)
     assert [pact.count_in(drum.beat(1000 + k)) for k in (0, 1, PATIENCE_NS - 1)] == [1, 2, 3]
@@ -45,8 +45,8 @@ def test_beats_come_while_somebody_serves_and_end_with_the_connection():  # R-X1
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as there:
         there.bind(("127.0.0.1", 0))
         there.settimeout(10)
-        pact = Pact.drawn(there.getsockname()[1])
-        beater = Beater(pact, "127.0.0.1", socket.AF_INET)
+        pact = HeartbeatKey.drawn(there.getsockname()[1])
+        beater = HeartbeatSender(pact, "127.0.0.1", socket.AF_INET)
         beater.served()
         assert [pact.count_in(there.recv(100)) for _ in range(3)] == [1, 2, 3]
         beater.close()
@@ -60,7 +60,7 @@ def test_where_nobody_listens_beating_harms_nobody():
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as there:
         there.bind(("127.0.0.1", 0))
         port = there.getsockname()[1]
-    beater = Beater(Pact.drawn(port), "127.0.0.1", socket.AF_INET)
+    beater = HeartbeatSender(HeartbeatKey.drawn(port), "127.0.0.1", socket.AF_INET)
     beater.served()
     beater.close()
     beater.served()

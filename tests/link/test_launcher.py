@@ -12,26 +12,26 @@ from onika.link.carrier import wait_for
 from onika.link.connection import Connection
 from onika.link.launcher import launch
 from onika.link.link_terms import CHILD
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 
 RUNTIME = """
 import select, sys, time
-from onika.link.link_events import Asked
-from onika.link.signal_journal import Journal
+from onika.link.link_events import RequestReceived
+from onika.link.signal_journal import SignalJournal
 from onika.link.launcher import die_with_parent, inherit
 from onika.link.runtime_port import ServerPort
 from onika.link.link_terms import CHILD
 
 words = dict(zip(sys.argv[1::2], sys.argv[2::2]))
 die_with_parent(int(words["--parent"]))
-port = ServerPort(Journal("child"), terms=CHILD)
+port = ServerPort(SignalJournal("child"), terms=CHILD)
 port.attach(inherit(int(words["--link-fd"])), time.monotonic_ns())
 print("ready", words.get("--name", ""), flush=True)
 while port.is_open:
     due_ns = port.due_ns(time.monotonic_ns())
     select.select([port], [port] if port.want_write() else [], [], None if due_ns is None else due_ns / 1e9)
     for news in port.service(time.monotonic_ns()):
-        if isinstance(news, Asked):
+        if isinstance(news, RequestReceived):
             port.reply(news.ticket, news.body[::-1], time.monotonic_ns())
 sys.exit(7)
 """
@@ -60,7 +60,7 @@ def test_a_runtime_that_dies_is_noticed_at_once_and_says_why(tmp_path):  # R-F01
         connection = Connection(child.carrier, time.monotonic_ns, CHILD)
         with pytest.raises(LinkLost) as caught:
             connection.open(60)
-        assert caught.value.cause is Cause.CLOSED
+        assert caught.value.cause is LossCause.CLOSED
         assert child.wait(60) == 1
         assert child.tail() == "no such laboratory\n"
 

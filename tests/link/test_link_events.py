@@ -1,11 +1,11 @@
-from onika.link.link_events import Failed, Fate, Happening, Signalled, Turned
+from onika.link.link_events import Fate, LinkNotice, LinkStateChanged, RequestFailed, SignalReceived
 from onika.link.state import LinkState
 
 
 def test_equal_happenings_are_equal_values():
-    assert Signalled(1, b"x") == Signalled(1, b"x") != Signalled(2, b"x")
-    assert Turned(LinkState.LINKED) == Turned(LinkState.LINKED, None)
-    assert isinstance(Failed(1, Fate.LOST), Happening)
+    assert SignalReceived(1, b"x") == SignalReceived(1, b"x") != SignalReceived(2, b"x")
+    assert LinkStateChanged(LinkState.LINKED) == LinkStateChanged(LinkState.LINKED, None)
+    assert isinstance(RequestFailed(1, Fate.LOST), LinkNotice)
 
 
 def test_each_fate_says_whether_something_may_have_been_carried_out():

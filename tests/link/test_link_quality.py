@@ -1,9 +1,9 @@
-from onika.link.link_quality import Rhythm
+from onika.link.link_quality import LinkQuality
 from onika.wire.packet import Beat
 
 
 def test_only_datagrams_count_and_the_last_one_tells_the_way():  # R-X12
-    rhythm = Rhythm().after(Beat(1, 5), 10)
-    assert rhythm == Rhythm()
+    rhythm = LinkQuality().after(Beat(1, 5), 10)
+    assert rhythm == LinkQuality()
     rhythm = rhythm.after(Beat(1, 0, 900), 20).after(Beat(2, 0, 100), 30).after(Beat(9, 5), 40)
     assert (rhythm.beats, rhythm.last_ns, rhythm.round_trip_us) == (2, 30, 100)

@@ -1,5 +1,5 @@
 from onika.link import lost
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 
 
 def test_each_cause_says_distinctly_what_happened():  # R-F01
@@ -11,20 +11,27 @@ def test_each_cause_says_distinctly_what_happened():  # R-F01
         lost.behind("too many bytes"),
         lost.here(),
     ]
-    opening = {Cause.REFUSED, Cause.UNREACHABLE, Cause.TIMEOUT, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN}
-    assert {why.cause for why in sentences} == set(Cause) - opening
+    opening = {
+        LossCause.REFUSED,
+        LossCause.UNREACHABLE,
+        LossCause.TIMEOUT,
+        LossCause.CERTIFICATE,
+        LossCause.TOKEN,
+        LossCause.FORBIDDEN,
+    }
+    assert {why.cause for why in sentences} == set(LossCause) - opening
     assert len({str(why) for why in sentences}) == len(sentences)
 
 
 def test_what_trying_again_does_not_mend_is_final():
-    final = {cause for cause in Cause if LinkLost(cause, "").is_final}
-    assert final == {Cause.VERSION, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN}
+    final = {cause for cause in LossCause if LinkLost(cause, "").is_final}
+    assert final == {LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN}
 
 
 def test_a_good_bye_says_its_cause():
     assert (lost.link_lost("closed", "enough").cause, lost.link_lost("refused", "full").cause) == (
-        Cause.CLOSED,
-        Cause.REFUSED,
+        LossCause.CLOSED,
+        LossCause.REFUSED,
     )
     assert "full" in str(lost.link_lost("refused", "full"))
 

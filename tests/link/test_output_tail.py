@@ -1,11 +1,11 @@
 import os
 
-from onika.link.output_tail import Tail
+from onika.link.output_tail import OutputTail
 
 
 def piped(**bounds):
     read, write = os.pipe()
-    return Tail(read, **bounds), write
+    return OutputTail(read, **bounds), write
 
 
 def test_the_newest_output_is_kept_and_a_full_pipe_blocks_nobody():

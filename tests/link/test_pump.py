@@ -2,19 +2,19 @@ import pytest
 
 from onika.link.carrier import memory_pair, socket_pair
 from onika.link.client import ClientEnd
-from onika.link.link_events import Asked, Read, Signalled, Turned
+from onika.link.link_events import LinkStateChanged, ReadingReceived, RequestReceived, SignalReceived
 from onika.link.link_terms import NO_BEATS
-from onika.link.lost import Cause
+from onika.link.lost import LossCause
 from onika.link.pump import Pump
-from onika.link.reply_log import ReplyBook
+from onika.link.reply_log import ReplyLog
 from onika.link.server import ServerEnd
-from onika.link.signal_journal import Journal
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 
 
 @pytest.fixture(params=[memory_pair, socket_pair])
 def link(request):
-    client, server = ClientEnd("me", NO_BEATS), ServerEnd(Journal("e1"), ReplyBook(), NO_BEATS)
+    client, server = ClientEnd("me", NO_BEATS), ServerEnd(SignalJournal("e1"), ReplyLog(), NO_BEATS)
     pumps = Pump(client), Pump(server)
     here, there = request.param()
     pumps[1].attach(there, 0)
@@ -32,7 +32,7 @@ def serve(pumps, rounds=3):
 
 
 def lost(end):
-    return [news.lost.cause for news in end.take_happenings() if isinstance(news, Turned) and news.lost]
+    return [news.lost.cause for news in end.take_happenings() if isinstance(news, LinkStateChanged) and news.lost]
 
 
 def test_two_ends_find_together_and_speak(link):  # R-F01
@@ -41,8 +41,8 @@ def test_two_ends_find_together_and_speak(link):  # R-F01
     client.request(b"a", 0)
     server.signal(b"s", 0)
     serve(pumps)
-    assert Asked(1, "me", b"a") in server.take_happenings()
-    assert Signalled(1, b"s") in client.take_happenings()
+    assert RequestReceived(1, "me", b"a") in server.take_happenings()
+    assert SignalReceived(1, b"s") in client.take_happenings()
 
 
 def test_a_body_of_megabytes_arrives_whole(link):  # R-F01
@@ -50,15 +50,15 @@ def test_a_body_of_megabytes_arrives_whole(link):  # R-F01
     body = bytes(range(256)) * 20_000
     client.request(body, 0)
     serve(pumps, rounds=200)
-    assert Asked(1, "me", body) in server.take_happenings()
+    assert RequestReceived(1, "me", body) in server.take_happenings()
 
 
 def test_garbage_ends_the_connection_and_the_sender_is_told(link):
     client, server, pumps = link
     pumps[0].carrier.send(b"nonsense")
     serve(pumps)
-    assert lost(server) == [Cause.GARBAGE]
-    assert lost(client) == [Cause.GARBAGE]
+    assert lost(server) == [LossCause.GARBAGE]
+    assert lost(client) == [LossCause.GARBAGE]
     assert [pump.carrier for pump in pumps] == [None, None]
 
 
@@ -66,8 +66,8 @@ def test_the_other_side_learns_of_a_connection_let_go(link):
     client, server, pumps = link
     pumps[0].drop()
     serve(pumps)
-    assert lost(client) == [Cause.HERE]
-    assert lost(server) == [Cause.CLOSED]
+    assert lost(client) == [LossCause.HERE]
+    assert lost(server) == [LossCause.CLOSED]
 
 
 def test_a_new_connection_takes_the_place_of_the_old_one(link):  # R-F01
@@ -78,11 +78,11 @@ def test_a_new_connection_takes_the_place_of_the_old_one(link):  # R-F01
     server.signal(b"meanwhile", 0)
     pumps[0].attach(here, 0)
     serve(pumps)
-    assert Signalled(1, b"meanwhile") in client.take_happenings()
+    assert SignalReceived(1, b"meanwhile") in client.take_happenings()
 
 
 def test_a_reader_that_stops_reading_gets_no_readings_until_it_reads_again():
-    client, server = ClientEnd("me", NO_BEATS), ServerEnd(Journal("e1"), ReplyBook(), NO_BEATS)
+    client, server = ClientEnd("me", NO_BEATS), ServerEnd(SignalJournal("e1"), ReplyLog(), NO_BEATS)
     pumps = Pump(client), Pump(server)
     here, there = socket_pair()
     pumps[1].attach(there, 0)
@@ -95,11 +95,11 @@ def test_a_reader_that_stops_reading_gets_no_readings_until_it_reads_again():
     seq = server.signal(b"finish", 0)
     serve(pumps, rounds=100)
     news = client.take_happenings()
-    shown = [int(item.body.rstrip(b"\0")) for item in news if isinstance(item, Read)]
+    shown = [int(item.body.rstrip(b"\0")) for item in news if isinstance(item, ReadingReceived)]
     assert shown == sorted(set(shown))
     assert len(shown) < 1000
     assert shown[-1] == 999
-    assert Signalled(seq, b"finish") in news
+    assert SignalReceived(seq, b"finish") in news
     for pump in pumps:
         pump.drop()
 

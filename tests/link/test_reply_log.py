@@ -1,20 +1,20 @@
-from onika.link.reply_log import Answer, ReplyBook
+from onika.link.reply_log import ReplyLog, StoredReply
 
 
 def test_a_request_is_new_once():  # R-F07
-    account = ReplyBook().begin("me")
+    account = ReplyLog().begin("me")
     assert account.is_new(1)
     account.under_way.add(1)
     assert not account.is_new(1)
-    assert account.answer(1, Answer(b"yes"))
+    assert account.answer(1, StoredReply(b"yes"))
     assert not account.is_new(1)
-    assert account.answers == {1: Answer(b"yes")}
+    assert account.answers == {1: StoredReply(b"yes")}
 
 
 def test_answers_that_the_client_has_are_let_go_and_their_numbers_stay_old():
-    account = ReplyBook().begin("me")
+    account = ReplyLog().begin("me")
     for number in (1, 2, 3):
-        account.answer(number, Answer(b"%d" % number))
+        account.answer(number, StoredReply(b"%d" % number))
     account.settle(3)
     assert list(account.answers) == [3]
     assert not account.is_new(2)
@@ -23,15 +23,15 @@ def test_answers_that_the_client_has_are_let_go_and_their_numbers_stay_old():
 
 
 def test_an_answer_that_nobody_wants_any_more_is_not_kept():
-    account = ReplyBook().begin("me")
+    account = ReplyLog().begin("me")
     account.under_way.add(1)
     account.settle(2)
-    assert not account.answer(1, Answer(b"late"))
+    assert not account.answer(1, StoredReply(b"late"))
     assert account.answers == {}
 
 
 def test_the_client_that_has_been_away_longest_is_forgotten_first():
-    book = ReplyBook(keep=2)
+    book = ReplyLog(keep=2)
     first = book.begin("first")
     book.begin("second")
     book.renew("first")
@@ -41,7 +41,7 @@ def test_the_client_that_has_been_away_longest_is_forgotten_first():
 
 
 def test_a_client_that_begins_anew_or_leaves_has_no_past():
-    book = ReplyBook()
+    book = ReplyLog()
     old = book.begin("me")
     assert book.begin("me") is not old
     book.close("me")

@@ -2,17 +2,17 @@ import pytest
 
 from onika.link.carrier import memory_pair, socket_pair
 from onika.link.connection import Connection
-from onika.link.link_events import Asked, Greeted, Signalled, Turned
+from onika.link.link_events import Greeted, LinkStateChanged, RequestReceived, SignalReceived
 from onika.link.link_terms import NO_BEATS
-from onika.link.lost import Cause, LinkLost
-from onika.link.reply_log import ReplyBook
+from onika.link.lost import LinkLost, LossCause
+from onika.link.reply_log import ReplyLog
 from onika.link.runtime_port import ServerPort
-from onika.link.signal_journal import Journal
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 
 
 def linked(make_pair=memory_pair, port=None):
-    port = port or ServerPort(Journal("e1"), terms=NO_BEATS)
+    port = port or ServerPort(SignalJournal("e1"), terms=NO_BEATS)
     here, there = make_pair()
     port.attach(there, 0)
     connection = Connection(here, lambda: 0, NO_BEATS, client="me", wait=lambda *_: None)
@@ -22,18 +22,18 @@ def linked(make_pair=memory_pair, port=None):
 
 
 def test_a_port_tells_who_is_there_what_is_asked_and_when_nobody_is_there_any_more():  # R-F01
-    port = ServerPort(Journal("e1"), terms=NO_BEATS)
+    port = ServerPort(SignalJournal("e1"), terms=NO_BEATS)
     here, there = memory_pair()
     port.attach(there, 0)
     connection = Connection(here, lambda: 0, NO_BEATS, client="me")
     assert port.service(0)[-1] == Greeted("me", False)
     connection.poll()
     connection.ask(b"a")
-    assert port.service(0) == [Asked(1, "me", b"a")]
+    assert port.service(0) == [RequestReceived(1, "me", b"a")]
     here.close()
     (turned,) = port.service(0)
-    assert isinstance(turned, Turned)
-    assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.CLOSED)
+    assert isinstance(turned, LinkStateChanged)
+    assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.CLOSED)
     assert (port.is_open, port.fileno()) == (False, -1)
 
 
@@ -52,7 +52,7 @@ def test_a_port_waits_for_writing_only_while_something_waits():
         got += connection.poll()
         port.service(0)
     got += connection.poll()
-    seqs = [news.seq for news in got if isinstance(news, Signalled)]
+    seqs = [news.seq for news in got if isinstance(news, SignalReceived)]
     assert seqs == list(range(1, len(seqs) + 1))
     port.drop()
     connection.close()
@@ -70,12 +70,12 @@ def test_an_answer_goes_out_at_once():
 
 
 def test_two_ports_of_a_runtime_serve_two_environments():  # R-X12
-    journal, replies = Journal("e1"), ReplyBook()
+    journal, replies = SignalJournal("e1"), ReplyLog()
     ports = [ServerPort(journal, replies, NO_BEATS) for _ in range(2)]
     connections = [linked(port=port)[1] for port in ports]
     ports[0].signal(b"s", 0)
     ports[1].service(0)
-    assert [connection.poll() for connection in connections] == [[Signalled(1, b"s")]] * 2
+    assert [connection.poll() for connection in connections] == [[SignalReceived(1, b"s")]] * 2
 
 
 def test_a_closed_port_lets_the_last_words_out_and_then_the_connection():
@@ -83,7 +83,7 @@ def test_a_closed_port_lets_the_last_words_out_and_then_the_connection():
     port.signal(b"last", 0)
     port.close(0, "quitting")
     assert not port.is_open
-    assert connection.poll()[0] == Signalled(1, b"last")
+    assert connection.poll()[0] == SignalReceived(1, b"last")
     with pytest.raises(LinkLost, match="quitting"):
         connection.request(b"a")
 

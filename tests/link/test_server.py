@@ -1,17 +1,17 @@
 import pytest
 
 from onika.link import lost
-from onika.link.link_events import Asked, Greeted, Turned
-from onika.link.link_terms import Terms
-from onika.link.lost import Cause
-from onika.link.reply_log import ReplyBook
+from onika.link.link_events import Greeted, LinkStateChanged, RequestReceived
+from onika.link.link_terms import LinkTerms
+from onika.link.lost import LossCause
+from onika.link.reply_log import ReplyLog
 from onika.link.server import ServerEnd
-from onika.link.signal_journal import Journal
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Part, Reading, Reply, Request, Signal, Welcome
 
 ROOM = 1_000_000
-TERMS = Terms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4, window=3)
+TERMS = LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=1000, greeting_ns=1000, piece=4, window=3)
 
 
 def hello(client="me", epoch="e1", seq=0):
@@ -23,7 +23,7 @@ def request(number, body=b"", done_below=1, deadline_ns=0):
 
 
 def made(terms=TERMS, journal=None, replies=None):
-    return ServerEnd(journal or Journal("e1"), replies or ReplyBook(), terms)
+    return ServerEnd(journal or SignalJournal("e1"), replies or ReplyLog(), terms)
 
 
 def greet(end, packet=None):
@@ -39,11 +39,11 @@ def packets(end, now_ns=0):
 
 
 def requests(end):
-    return [news for news in end.take_happenings() if not isinstance(news, Turned)]
+    return [news for news in end.take_happenings() if not isinstance(news, LinkStateChanged)]
 
 
 def test_nothing_is_said_on_a_new_connection_before_the_greeting():  # R-F01
-    end = made(Terms(beat_ns=1))
+    end = made(LinkTerms(beat_ns=1))
     end.signal(b"x", 0)
     end.open(0)
     end.signal(b"y", 0)
@@ -97,7 +97,7 @@ def test_a_request_said_twice_is_handed_over_once_and_its_answer_repeated():  # 
     end = greet(made())
     end.feed(request(1, b"a"), 0)
     end.feed(request(1, b"a"), 0)
-    assert requests(end) == [Asked(1, "me", b"a")]
+    assert requests(end) == [RequestReceived(1, "me", b"a")]
     end.reply(1, b"A")
     assert packets(end) == [Reply(1, False, 0, b"A")]
     end.cut(lost.closed())
@@ -159,7 +159,7 @@ def test_a_ticket_is_good_for_one_answer():
 
 
 def test_two_ends_that_share_a_journal_say_the_same_signals():
-    journal, replies = Journal("e1"), ReplyBook()
+    journal, replies = SignalJournal("e1"), ReplyLog()
     ends = [greet(made(journal=journal, replies=replies), hello(client)) for client in ("one", "two")]
     ends[0].signal(b"x", 0)
     ends[1].tick(1)
@@ -167,14 +167,14 @@ def test_two_ends_that_share_a_journal_say_the_same_signals():
 
 
 def test_who_falls_behind_the_journal_is_cut_and_begins_anew():
-    end = greet(made(journal=Journal("e1", keep=4)))
+    end = greet(made(journal=SignalJournal("e1", keep=4)))
     for _ in range(5):
         end.signal(b"", 0)
     assert end.state is LinkState.LINKED
     for _ in range(5):
         end.signal(b"", 0)
     turned = end.take_happenings()[-1]
-    assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.BEHIND)
+    assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.BEHIND)
     assert packets(end) == [Bye("behind", "signal 4 is forgotten")]
     end.open(0)
     end.feed(hello(seq=3), 0)
@@ -190,7 +190,7 @@ def test_a_lost_welcome_is_said_again_unchanged():
 
 
 def test_on_a_carrier_that_loses_packets_signals_are_said_again():
-    end = greet(made(Terms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10)))
+    end = greet(made(LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=0, retry_ns=10)))
     end.signal(b"x", 0)
     assert packets(end) == [Signal(1, b"x")]
     end.tick(9)
@@ -217,7 +217,7 @@ def test_what_has_no_place_here_ends_the_connection(packet):
     end = greet(made())
     end.feed(packet, 0)
     (turned,) = end.take_happenings()
-    assert (turned.state, turned.lost.cause) == (LinkState.APART, Cause.GARBAGE)
+    assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.GARBAGE)
     assert [bye.cause for bye in packets(end)] == ["garbage"]
 
 
@@ -229,7 +229,7 @@ def test_who_does_not_greet_first_is_cut():
 
 
 def test_parts_without_end_end_the_connection():
-    end = greet(made(Terms(body_limit=1000)))
+    end = greet(made(LinkTerms(body_limit=1000)))
     for index in range(20):
         end.feed(Part(1, index, bytes(100)), 0)
     assert end.state is LinkState.APART
@@ -263,7 +263,7 @@ def test_long_bodies_come_and_go_in_parts():  # R-F01
     end = greet(made())
     end.feed(Part(1, 0, b"abcd"), 0)
     end.feed(Request(1, 1, 0, 1, b"ef"), 0)
-    assert requests(end) == [Asked(1, "me", b"abcdef")]
+    assert requests(end) == [RequestReceived(1, "me", b"abcdef")]
     end.reply(1, b"123456")
     assert packets(end) == [Part(1, 0, b"1234"), Reply(1, False, 1, b"56")]
 
@@ -306,4 +306,4 @@ def test_readings_are_for_those_who_are_there_now():
 )
 def test_what_is_too_long_is_the_programmers_fault(say, what):
     with pytest.raises(ValueError, match=f"expected a {what} of .0 bytes at most"):
-        say(greet(made(Terms(single=10, body_limit=20))))
+        say(greet(made(LinkTerms(single=10, body_limit=20))))

@@ -2,12 +2,12 @@ from onika.link.caller import PARENT
 from onika.link.carrier import memory_pair
 from onika.link.channel import THREE, Channel
 from onika.link.client import ClientEnd
-from onika.link.link_events import Asked, Read, Replied, Signalled
-from onika.link.link_quality import Rhythm
+from onika.link.link_events import ReadingReceived, ReplyReceived, RequestReceived, SignalReceived
+from onika.link.link_quality import LinkQuality
 from onika.link.link_terms import LOCAL
 from onika.link.pump import Pump
-from onika.link.session import Session
-from onika.link.signal_journal import Journal
+from onika.link.session import EnvironmentSession
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 from onika.wire.packet import Beat, encode
 
@@ -19,7 +19,7 @@ class Both:
 
     def __init__(self, channels=(Channel.ALL,), can_return=True):
         self.now = 0
-        self.session = Session("me#1", "me", PARENT, Journal("e1"), LOCAL, can_return)
+        self.session = EnvironmentSession("me#1", "me", PARENT, SignalJournal("e1"), LOCAL, can_return)
         self.ends = {channel: ClientEnd("me", LOCAL, channel) for channel in channels}
         self.pumps = {channel: Pump(end) for channel, end in self.ends.items()}
         for channel in channels:
@@ -38,7 +38,7 @@ class Both:
         for _ in range(3):
             for pump in self.pumps.values():
                 pump.service(self.now)
-            requests += [event for event in self.session.service(self.now) if isinstance(event, Asked)]
+            requests += [event for event in self.session.service(self.now) if isinstance(event, RequestReceived)]
         return requests
 
     def events_of(self, channel, kind):
@@ -54,9 +54,9 @@ def test_signals_answers_and_readings_go_their_own_ways():  # R-F01
     both.session.show("X", b"1", both.now)
     both.session.reply(request.ticket, b"done", both.now)
     both.talk()
-    assert both.events_of(Channel.SESSION, Replied) == [Replied(1, b"done")]
-    assert both.events_of(Channel.SIGNAL, Signalled) == [Signalled(1, b"event")]
-    assert both.events_of(Channel.STREAM, Read) == [Read("X", b"1")]
+    assert both.events_of(Channel.SESSION, ReplyReceived) == [ReplyReceived(1, b"done")]
+    assert both.events_of(Channel.SIGNAL, SignalReceived) == [SignalReceived(1, b"event")]
+    assert both.events_of(Channel.STREAM, ReadingReceived) == [ReadingReceived("X", b"1")]
 
 
 def test_what_was_said_before_the_signal_channel_is_there_is_heard_on_it():  # R-F01
@@ -65,7 +65,7 @@ def test_what_was_said_before_the_signal_channel_is_there_is_heard_on_it():  # R
     both.ends[Channel.SIGNAL] = ClientEnd("me", LOCAL, Channel.SIGNAL)
     both.pumps[Channel.SIGNAL] = Pump(both.ends[Channel.SIGNAL])
     both.connect(Channel.SIGNAL)
-    assert both.events_of(Channel.SIGNAL, Signalled) == [Signalled(1, b"early")]
+    assert both.events_of(Channel.SIGNAL, SignalReceived) == [SignalReceived(1, b"early")]
 
 
 def test_a_session_is_lost_once_after_silence_and_again_after_it_came_back():  # R-F01, R-X12
@@ -140,6 +140,6 @@ def test_beats_that_came_beside_the_connection_are_counted_until_it_is_another()
     both.pumps[Channel.ALL].carrier.send(encode(Beat(1, 0, 700)))
     both.now += 5
     both.session.service(both.now)
-    assert both.session.rhythm == Rhythm(1, 5, 700)
+    assert both.session.rhythm == LinkQuality(1, 5, 700)
     both.connect(Channel.ALL)
-    assert both.session.rhythm == Rhythm()
+    assert both.session.rhythm == LinkQuality()

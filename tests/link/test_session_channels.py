@@ -1,11 +1,18 @@
 from onika.link.caller import Caller, Role
 from onika.link.carrier import memory_pair
 from onika.link.channel import THREE, Channel
-from onika.link.link_events import Asked, EpochChanged, Replied, Resumed, Signalled, Turned
+from onika.link.link_events import (
+    EpochChanged,
+    LinkStateChanged,
+    ReplyReceived,
+    RequestReceived,
+    Resumed,
+    SignalReceived,
+)
 from onika.link.link_terms import LOCAL
-from onika.link.lost import Cause
-from onika.link.session_channels import Bundle
-from onika.link.sessions import Guests, Introduction
+from onika.link.lost import LossCause
+from onika.link.session_channels import SessionChannels
+from onika.link.sessions import Introduction, Sessions
 from onika.link.state import LinkState
 
 MS = 1_000_000
@@ -16,11 +23,11 @@ class Net:
 
     def __init__(self, channels=THREE):
         self.now = 0
-        self.bundle = Bundle("me", LOCAL, channels, jitter=lambda: 1.0)
+        self.bundle = SessionChannels("me", LOCAL, channels, jitter=lambda: 1.0)
         self.restart("first")
 
     def restart(self, life):
-        self.guests = Guests(life)
+        self.guests = Sessions(life)
         self.lines = {}
 
     def dial(self):
@@ -38,7 +45,9 @@ class Net:
             self.dial()
             self.bundle.service(self.now)
             for session in self.guests.sessions:
-                requests += [(session, event) for event in session.service(self.now) if isinstance(event, Asked)]
+                requests += [
+                    (session, event) for event in session.service(self.now) if isinstance(event, RequestReceived)
+                ]
         self.bundle.service(self.now)
         return requests
 
@@ -79,7 +88,7 @@ def test_answers_and_signals_come_out_of_one_bundle():  # R-F01
     session.signal(b"event", net.now)
     session.reply(request.ticket, b"done", net.now)
     net.talk()
-    assert net.events_of(Replied, Signalled) == [Replied(number, b"done"), Signalled(1, b"event")]
+    assert net.events_of(ReplyReceived, SignalReceived) == [ReplyReceived(number, b"done"), SignalReceived(1, b"event")]
 
 
 def test_a_cut_of_one_channel_is_mended_without_a_word():  # R-F01
@@ -93,7 +102,7 @@ def test_a_cut_of_one_channel_is_mended_without_a_word():  # R-F01
     net.now += 300 * MS
     net.talk()
     assert net.bundle.state is LinkState.LINKED
-    assert net.events_of(Signalled, Turned, EpochChanged) == [Signalled(1, b"meanwhile")]
+    assert net.events_of(SignalReceived, LinkStateChanged, EpochChanged) == [SignalReceived(1, b"meanwhile")]
 
 
 def test_in_a_new_life_of_the_runtime_all_channels_begin_anew():  # R-F01
@@ -123,9 +132,9 @@ def test_signals_of_an_old_life_are_not_told_in_a_new_one():  # R-F01
     net.bundle.service(net.now)
     net.now += 300 * MS
     net.talk()
-    events = net.events_of(EpochChanged, Signalled)
+    events = net.events_of(EpochChanged, SignalReceived)
     assert events[-1] == EpochChanged("second-1")
-    assert Signalled(1, b"old") not in events[events.index(EpochChanged("second-1")) :]
+    assert SignalReceived(1, b"old") not in events[events.index(EpochChanged("second-1")) :]
 
 
 def test_the_end_is_said_on_all_channels():
@@ -135,7 +144,7 @@ def test_the_end_is_said_on_all_channels():
     net.talk()
     assert net.bundle.state is LinkState.ENDED
     assert net.bundle.carriers == []
-    assert net.events_of(Turned)[-1].lost.cause is Cause.HERE
+    assert net.events_of(LinkStateChanged)[-1].lost.cause is LossCause.HERE
     assert net.guests.lost(net.now) == ["ann#1"]
 
 

@@ -6,7 +6,7 @@ from onika.link.channel import Channel
 from onika.link.client import ClientEnd
 from onika.link.link_terms import LOCAL
 from onika.link.pump import Pump
-from onika.link.sessions import Guests, Introduction
+from onika.link.sessions import Introduction, Sessions
 
 MINUTE = 60_000_000_000
 
@@ -14,7 +14,7 @@ MINUTE = 60_000_000_000
 class Inn:
     def __init__(self, **settings):
         self.now = 0
-        self.guests = Guests("life", **settings)
+        self.guests = Sessions("life", **settings)
         self.pumps = []
 
     def come(self, client, user="ann", channel=Channel.ALL, end=None, epoch=None):

@@ -7,7 +7,7 @@ from websockets.http11 import Request
 from websockets.server import ServerProtocol
 from websockets.uri import parse_uri
 
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket import WebSocketCarrier
 from onika.wire.frame import FRAME_LIMIT
 
@@ -68,7 +68,7 @@ def test_nobody_waits_for_a_slow_reader_until_too_much_waits():  # R-F01
     with pytest.raises(LinkLost) as lost:
         for _ in range(100):
             pair.carrier.send(b"x" * 100_000)
-    assert lost.value.cause is Cause.BEHIND
+    assert lost.value.cause is LossCause.BEHIND
     assert pair.carrier.pending > 1 << 20
     pair.close()
 
@@ -81,7 +81,7 @@ def test_what_came_before_the_end_is_still_given(pair):
     assert pair.carrier.receive() == [b"last"]
     with pytest.raises(LinkLost) as lost:
         pair.carrier.receive()
-    assert (lost.value.cause, "enough" in str(lost.value)) == (Cause.CLOSED, True)
+    assert (lost.value.cause, "enough" in str(lost.value)) == (LossCause.CLOSED, True)
 
 
 @pytest.mark.parametrize("data", [b"\xff\xff\xff\xff", b"\x81\x02hi", b"\x82\x7f" + b"\xff" * 8])
@@ -89,7 +89,7 @@ def test_what_is_no_message_of_ours_is_garbage(pair, data):  # R-F01
     pair.raw.sendall(data)
     with pytest.raises(LinkLost) as lost:
         pair.carrier.receive()
-    assert lost.value.cause is Cause.GARBAGE
+    assert lost.value.cause is LossCause.GARBAGE
 
 
 def test_a_ping_is_answered(pair):

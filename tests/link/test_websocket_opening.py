@@ -5,8 +5,8 @@ import pytest
 
 from onika.link.address import Address
 from onika.link.channel import Channel
-from onika.link.lost import Cause, LinkLost
-from onika.link.websocket_opening import Opening
+from onika.link.lost import LinkLost, LossCause
+from onika.link.websocket_opening import WebSocketOpening
 
 
 class Door:
@@ -33,18 +33,18 @@ class Door:
 @pytest.mark.parametrize(
     ("answer", "cause"),
     [
-        (b"HTTP/1.1 401 Unauthorized\r\nContent-Length: 5\r\n\r\nwrong", Cause.TOKEN),
-        (b"HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", Cause.FORBIDDEN),
-        (b"HTTP/1.1 429 Too Many\r\nContent-Length: 0\r\n\r\n", Cause.FORBIDDEN),
-        (b"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n", Cause.REFUSED),
-        (b"SSH-2.0-OpenSSH\r\n", Cause.GARBAGE),
-        (b"", Cause.GARBAGE),
+        (b"HTTP/1.1 401 Unauthorized\r\nContent-Length: 5\r\n\r\nwrong", LossCause.TOKEN),
+        (b"HTTP/1.1 403 Forbidden\r\nContent-Length: 0\r\n\r\n", LossCause.FORBIDDEN),
+        (b"HTTP/1.1 429 Too Many\r\nContent-Length: 0\r\n\r\n", LossCause.FORBIDDEN),
+        (b"HTTP/1.1 404 Not Found\r\nContent-Length: 0\r\n\r\n", LossCause.REFUSED),
+        (b"SSH-2.0-OpenSSH\r\n", LossCause.GARBAGE),
+        (b"", LossCause.GARBAGE),
     ],
 )
 def test_each_refusal_has_its_own_cause(answer, cause):  # R-F01
     door = Door(answer)
     with pytest.raises(LinkLost) as lost:
-        Opening(door.address, "s3cret")(Channel.SIGNAL)
+        WebSocketOpening(door.address, "s3cret")(Channel.SIGNAL)
     door.close()
     assert lost.value.cause is cause
     assert "s3cret" not in str(lost.value)
@@ -56,16 +56,16 @@ def test_where_nobody_listens_nobody_can_be_reached():
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
     with pytest.raises(LinkLost) as lost:
-        Opening(Address("127.0.0.1", port, False), "x")(Channel.ALL)
-    assert lost.value.cause is Cause.UNREACHABLE
+        WebSocketOpening(Address("127.0.0.1", port, False), "x")(Channel.ALL)
+    assert lost.value.cause is LossCause.UNREACHABLE
 
 
 def test_one_who_speaks_no_tls_is_not_trusted():
     door = Door(b"HTTP/1.1 400 Bad\r\n\r\n")
     with pytest.raises(LinkLost) as lost:
-        Opening(Address("127.0.0.1", door.address.port, True), "s3cret")(Channel.ALL)
+        WebSocketOpening(Address("127.0.0.1", door.address.port, True), "s3cret")(Channel.ALL)
     door.close()
-    assert lost.value.cause is Cause.CERTIFICATE
+    assert lost.value.cause is LossCause.CERTIFICATE
     assert b"s3cret" not in door.asked
 
 
@@ -73,5 +73,5 @@ def test_a_file_without_certificates_is_told(tmp_path):
     (tmp_path / "ca").write_text("nothing")
     door = Door(b"")
     with pytest.raises(LinkLost, match="holds no certificates"):
-        Opening(Address("127.0.0.1", door.address.port, True), "x", tmp_path / "ca")(Channel.ALL)
+        WebSocketOpening(Address("127.0.0.1", door.address.port, True), "x", tmp_path / "ca")(Channel.ALL)
     door.close()

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from onika.model.signal import Signal
-from onika.ring.device import Order
+from onika.ring.device import DeviceOrder
 
 Values = dict[str, Any]
 
@@ -17,7 +17,7 @@ class DeviceHandle:
     def __init__(self, published: Mapping[str, tuple[float, ...]], device: str) -> None:
         self._published = published
         self._device = device
-        self.order: tuple[Order, tuple[float, ...]] | None = None
+        self.order: tuple[DeviceOrder, tuple[float, ...]] | None = None
         self.is_holding = False
 
     def read(self) -> tuple[float, ...]:
@@ -32,11 +32,11 @@ class DeviceHandle:
             self.hold()
             raise ValueError("expected finite commands")
         else:
-            self.order = (Order.DRIVE, values)
+            self.order = (DeviceOrder.DRIVE, values)
 
     def hold(self) -> None:
         """Command a hold."""
-        self.order = (Order.HOLD, ())
+        self.order = (DeviceOrder.HOLD, ())
 
 
 @dataclass(slots=True)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from onika.ring.device import Order
+from onika.ring.device import DeviceOrder
 from oracle.law_task import DeviceHandle, LawTask, Traced
 
 PUBLISHED = {"m0": (0.5, 0.0, 1.0, 2.0)}
@@ -21,14 +21,14 @@ def test_the_newest_command_is_the_one_that_counts():  # law 1
     assert hand.order is None
     hand.hold()
     hand.write((2.0,))
-    assert hand.order == (Order.DRIVE, (2.0,))
+    assert hand.order == (DeviceOrder.DRIVE, (2.0,))
 
 
 def test_while_it_holds_every_command_is_a_hold():  # law 4
     hand = DeviceHandle(PUBLISHED, "m0")
     hand.is_holding = True
     hand.write((float("nan"),))
-    assert hand.order == (Order.HOLD, ())
+    assert hand.order == (DeviceOrder.HOLD, ())
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("-inf")])
@@ -36,7 +36,7 @@ def test_what_is_not_finite_is_a_hold_and_raises(bad):  # law 5
     hand = DeviceHandle(PUBLISHED, "m0")
     with pytest.raises(ValueError, match="finite"):
         hand.write((1.0, bad))
-    assert hand.order == (Order.HOLD, ())
+    assert hand.order == (DeviceOrder.HOLD, ())
 
 
 def test_records_are_values():

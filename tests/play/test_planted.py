@@ -12,27 +12,32 @@ from hypothesis.stateful import run_state_machine_as_test
 from onika.engine import progress, walk
 from onika.engine.engine import Engine
 from onika.engine.flow_control import FlowControl
-from onika.engine.flow_router import Itinerary
-from onika.engine.flow_tasks import Crew
+from onika.engine.flow_router import FlowRouter
+from onika.engine.flow_tasks import FlowTasks
 from onika.engine.meeting import Meetings
 from onika.engine.progress import Progress
-from onika.engine.recovery import Recovery
+from onika.engine.recovery import ErrorRecovery
 
 MISTAKES = {
     "any task ends an action": (Progress, "finished", "and task in step.triggers", ""),
-    "a trigger that is ON is not begun anew": (Crew, "change", "if task in step.triggers", "if False"),
-    "what is not wanted stays ON": (Crew, "change", "again + change.off", "again"),
-    "a failed task is believed to be ON": (Crew, "has_failed", "self._on.pop(task, None)", "pass"),
-    "a failed flow leaves its trigger ON": (Recovery, "_stop", "orders += flow.crew.rest", "flow.crew.rest"),
-    "a stopped flow has come to its tag": (Recovery, "_stop", "self._itinerary.meetings.withdraw(flow.flow)", "pass"),
+    "a trigger that is ON is not begun anew": (FlowTasks, "change", "if task in step.triggers", "if False"),
+    "what is not wanted stays ON": (FlowTasks, "change", "again + change.off", "again"),
+    "a failed task is believed to be ON": (FlowTasks, "has_failed", "self._on.pop(task, None)", "pass"),
+    "a failed flow leaves its trigger ON": (ErrorRecovery, "_stop", "orders += flow.crew.rest", "flow.crew.rest"),
+    "a stopped flow has come to its tag": (
+        ErrorRecovery,
+        "_stop",
+        "self._itinerary.meetings.withdraw(flow.flow)",
+        "pass",
+    ),
     "the step is not repeated": (
-        Recovery,
+        ErrorRecovery,
         "_when_cleared",
         "return flow.repeat()",
         "return self._itinerary.go_on([flow.flow])",
     ),
-    "nobody is cleared": (Recovery, "recover", "for task in sorted(flow.crew.in_error)", "for task in ()"),
-    "it goes on before all is cleared": (Recovery, "_when_cleared", "if flow.crew.in_error:", "if False:"),
+    "nobody is cleared": (ErrorRecovery, "recover", "for task in sorted(flow.crew.in_error)", "for task in ()"),
+    "it goes on before all is cleared": (ErrorRecovery, "_when_cleared", "if flow.crew.in_error:", "if False:"),
     "a paused flow has come to its tag": (
         FlowControl,
         "_pause",
@@ -52,9 +57,9 @@ MISTAKES = {
     ),
     "a meeting is not counted": (Meetings, "arrive", "self._visits[flow][tag] += 1", "self._visits[flow][tag] = 1"),
     "a nested application keeps its old meetings": (Meetings, "begin_anew", "visits.pop(tag, None)", "pass"),
-    "a nested application is not awaited": (Itinerary, "_not_done", "is not FlowState.DONE", "is FlowState.ENDED"),
-    "a pause outlives the flow": (Itinerary, "_complete", "flow.is_pausing = False", "pass"),
-    "a rest does not use the pause up": (Itinerary, "rest", "flow.is_pausing = False", "pass"),
+    "a nested application is not awaited": (FlowRouter, "_not_done", "is not FlowState.DONE", "is FlowState.ENDED"),
+    "a pause outlives the flow": (FlowRouter, "_complete", "flow.is_pausing = False", "pass"),
+    "a rest does not use the pause up": (FlowRouter, "rest", "flow.is_pausing = False", "pass"),
     "it begins before everybody is alive": (Engine, "_begin_when_spawned", "and flow.crew.is_spawned", ""),
     "nobody is killed at the end": (Engine, "_kill_all", "orders += flow.crew.kill()", "flow.crew.kill()"),
     "the end is said at once": (Engine, "_end_if_over", "if not all(", "if not any("),

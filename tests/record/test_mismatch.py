@@ -4,7 +4,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
 from kit.recording_builder import RecordingBuilder
-from onika.record.mismatch import strays
+from onika.record.mismatch import mismatches
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
 
@@ -43,7 +43,7 @@ def test_the_first_value_that_is_far_is_found_as_it_is_by_hand(tmp_path, ours, o
     courses = [sorted((float(k), value) for k, value in each.items()) for each in (ours, other)]
     both = [series(tmp_path / f"{n}.mcap", "double", each) for n, each in enumerate(courses)]
     tolerance, begin, end = Tolerance(room, 0.0, float(seconds)), at * NS, (at + 15) * NS
-    mismatches = strays(*both, tolerance, begin, end)
+    mismatches = mismatches(*both, tolerance, begin, end)
     plain = [[(round(k * NS), value) for k, value in each] for each in courses]
     assert [None if each is None else each.at_ns for each in mismatches] == [
         plainly(plain[0], plain[1], tolerance, begin, end),
@@ -57,30 +57,30 @@ def test_the_first_value_that_is_far_is_found_as_it_is_by_hand(tmp_path, ours, o
 )
 def test_values_are_told_as_what_they_are(tmp_path, type_, ours, other, value, near):
     both = [series(tmp_path / f"{n}.mcap", type_, [(1.0, each)]) for n, each in enumerate((ours, other))]
-    mine, its = strays(*both, Tolerance(), 0, 2 * NS)
+    mine, its = mismatches(*both, Tolerance(), 0, 2 * NS)
     assert (mine.at_ns, mine.place, mine.value, mine.near) == (NS, 0, value, near)
     assert (type(mine.value), its.value) == (type(value), near)
 
 
 def test_before_its_first_value_the_other_one_has_nothing(tmp_path):
     both = [series(tmp_path / f"{n}.mcap", "int", [(float(n), 1)]) for n in (0, 1)]
-    mine, its = strays(*both, Tolerance(), 0, 2 * NS)
+    mine, its = mismatches(*both, Tolerance(), 0, 2 * NS)
     assert (mine.near, its) == (None, None)
 
 
 def test_words_are_compared_too(tmp_path):
     first = series(tmp_path / "a.mcap", "char", [(0.0, 65), (1.0, 66), (2.0, 67)])
     other = series(tmp_path / "b.mcap", "char", [(0.0, 65), (1.25, 66), (2.0, 67)])
-    assert strays(first, other, Tolerance(), 0, 9 * NS)[0].at_ns == NS
-    assert strays(first, other, Tolerance(seconds=0.25), 0, 9 * NS) == (None, None)
-    assert strays(first, other, Tolerance(), 2 * NS, 9 * NS) == (None, None)
+    assert mismatches(first, other, Tolerance(), 0, 9 * NS)[0].at_ns == NS
+    assert mismatches(first, other, Tolerance(seconds=0.25), 0, 9 * NS) == (None, None)
+    assert mismatches(first, other, Tolerance(), 2 * NS, 9 * NS) == (None, None)
 
 
 def test_of_several_values_in_one_instant_each_is_like_itself(tmp_path):  # R-X05
     both = [(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)]
     ours, other = series(tmp_path / "a", "double", both), series(tmp_path / "b", "double", [*both, (2.0, 4.0)])
-    mismatches = strays(ours, other, Tolerance(), 0, 3 * NS)
+    mismatches = mismatches(ours, other, Tolerance(), 0, 3 * NS)
     assert [each and (each.at_ns, each.value) for each in mismatches] == [None, (2 * NS, 4.0)]
     words = [(0.0, b"left"), (0.0, b"right"), (1.0, b"up")]
     ours, other = series(tmp_path / "a", "string", words), series(tmp_path / "b", "string", [*words, (2.0, b"down")])
-    assert [each and each.at_ns for each in strays(ours, other, Tolerance(), 0, 3 * NS)] == [None, 2 * NS]
+    assert [each and each.at_ns for each in mismatches(ours, other, Tolerance(), 0, 3 * NS)] == [None, 2 * NS]

@@ -3,7 +3,7 @@ from msgspec import structs
 
 from kit.recording_builder import RecordingBuilder, run
 from onika.record.reader import Reader
-from onika.record.run import Run, ending
+from onika.record.run import RunRecord, ending
 from onika.record.writer import Writer
 from onika.wire import steer
 from onika.wire.event import Result
@@ -13,7 +13,7 @@ from onika.wire.request import Recorded, encode
 def test_a_run_comes_back_as_it_was_with_its_code(tmp_path):  # law 29
     begin = structs.replace(run().begin, answers=(("a", "b", "1 2"),), repeat=(Recorded(5, 1, encode(steer.Who())),))
     given = structs.replace(run(), begin=begin, options=("--shake", "3"))
-    copy = Run.read(RecordingBuilder(tmp_path / "run.mcap", given).end())
+    copy = RunRecord.read(RecordingBuilder(tmp_path / "run.mcap", given).end())
     assert copy == given
     assert copy.prepare.plan.code[0].source
 
@@ -35,7 +35,7 @@ def test_a_file_without_a_run_is_refused(tmp_path):  # R-E01
     with path.open("wb") as stream:
         Writer(stream).finish()
     with pytest.raises(ValueError, match="expected a recording of a run"):
-        Run.read(Reader(path))
+        RunRecord.read(Reader(path))
 
 
 def test_how_a_run_ended_is_noted():  # R-X05
@@ -52,4 +52,4 @@ def test_a_file_that_was_cut_before_its_run_began_says_so(tmp_path, part):  # R-
     data = tape.path.read_bytes()
     tape.path.write_bytes(data[: max(9, int(part * data.index(b"class Servo(Module)")))])
     with pytest.raises(ValueError, match="cut short before anything was run"):
-        Run.read(Reader(tape.path))
+        RunRecord.read(Reader(tape.path))

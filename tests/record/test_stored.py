@@ -1,12 +1,12 @@
 import pytest
 
-from onika.record.stored import Stored
+from onika.record.stored import StoredFile
 
 
 @pytest.fixture
 def stored(tmp_path):
     (tmp_path / "file").write_bytes(b"0123456789")
-    return Stored(tmp_path / "file")
+    return StoredFile(tmp_path / "file")
 
 
 def test_any_part_of_it_is_read(stored):

@@ -5,19 +5,19 @@ from onika.wire import event, live, request
 
 
 def test_an_event_comes_back_as_it_was():  # R-X05
-    message = topics.Happened("flow0", event.Began(0, 1, 3, "go", 1.25))
+    message = topics.EventRecord("flow0", event.Began(0, 1, 3, "go", 1.25))
     assert topics.decode_happened(topics.encode(message)) == message
 
 
 def test_a_request_comes_back_as_it_was():  # law 29
     for order in (request.Reply("flow0", "gauge", '0.5 "two"'), live.Touch("boxes", "panic", 1.0), request.Abort("x")):
-        message = topics.Wanted(2, "me", order)
+        message = topics.RequestRecord(2, "me", order)
         assert topics.decode_wanted(topics.encode(message)) == message
 
 
 def test_what_json_does_not_know_is_written_all_the_same():
     failed = event.Failed("s", "t", "x", "p", 1, "", 0.0, "cycle", {"X": math.nan, "Y": object})
-    assert topics.decode_happened(topics.encode(topics.Happened("s", failed))).event.values["X"] is None
+    assert topics.decode_happened(topics.encode(topics.EventRecord("s", failed))).event.values["X"] is None
 
 
 def test_topics_are_named_by_what_they_tell():

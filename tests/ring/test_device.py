@@ -2,12 +2,17 @@ import dataclasses
 
 import pytest
 
-from onika.ring.device import DeviceSheet, Drive, DriveEvent, Order
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent, DriveState
 
 
 def test_the_numbers_on_the_bus_are_fixed():
-    assert [int(order) for order in (Order.HOLD, Order.DRIVE, Order.CLEAR)] == [0, 1, 2]
-    assert [int(state) for state in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED, Drive.PRESSED)] == [0, 1, 2, 3]
+    assert [int(order) for order in (DeviceOrder.HOLD, DeviceOrder.DRIVE, DeviceOrder.CLEAR)] == [0, 1, 2]
+    assert [int(state) for state in (DriveState.DRIVEN, DriveState.HELD, DriveState.TRIPPED, DriveState.PRESSED)] == [
+        0,
+        1,
+        2,
+        3,
+    ]
 
 
 def test_sheets_and_events_are_values():

@@ -6,7 +6,7 @@ from kit.executive_rig import ExecutiveRig
 from kit.module_source import COUNTER, module
 from onika.model.lifecycle import State
 from onika.runtime import news
-from onika.runtime.binding_guard import Containment
+from onika.runtime.binding_guard import BindingGuard
 from onika.runtime.running_task import CHECKED_EVERY
 
 MS = 1_000_000
@@ -72,4 +72,4 @@ def test_a_module_that_does_nothing_of_the_kind_is_left_alone():
     )
     rig.switch(on=["one"]).run(3000 * MS)
     assert rig.task("one").state is State.ON
-    assert Containment(rig.task("one").module).faults() == []
+    assert BindingGuard(rig.task("one").module).faults() == []

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kit.mass_world import MassWorld
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.binding import attach
@@ -105,7 +105,7 @@ def test_the_newest_command_is_delivered_once(bus, segment):
     claimed_device.write([2.0])
     bus.deliver()
     bus.deliver()
-    assert results == [("m0", 1, Order.DRIVE, [2.0])]
+    assert results == [("m0", 1, DeviceOrder.DRIVE, [2.0])]
 
 
 def test_a_command_from_before_the_claim_is_not_delivered(bus, segment):
@@ -126,7 +126,7 @@ def test_a_release_delivers_the_last_command_and_leaves_the_drive_in_hold(bus, s
     claimed_device.write([1.0])
     bus.step(2 * MS)
     assert claimed_device.read().tolist() == [0.0, 0.0]
-    assert bus.world.state("m0")[1] == Drive.HELD
+    assert bus.world.state("m0")[1] == DriveState.HELD
 
 
 def test_a_late_release_of_a_dead_writer_leaves_its_heir_alone(bus, segment):  # law 17

@@ -3,7 +3,7 @@
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.runtime.binding import attach
 from onika.runtime.device import Device
 from onika.testing.bench_device import SEGMENT, BenchDevice
@@ -42,7 +42,7 @@ def test_a_device_says_who_it_is(near):
 def test_a_command_arrives_as_it_was_written(values):  # law 16
     far = BenchDevice(("x",), ("force", "brake"))
     attach(far.grant(), {SEGMENT: far.view}).write(values)
-    assert (far.order, far.commands.tolist()) == (Order.DRIVE, values)
+    assert (far.order, far.commands.tolist()) == (DeviceOrder.DRIVE, values)
 
 
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), float("-inf")])
@@ -53,13 +53,13 @@ def test_nan_and_infinity_never_reach_an_actuator_and_the_drive_holds(far, near,
     values[place] = bad
     with pytest.raises(ValueError, match="expected finite commands for bench"):
         near.write(values)
-    assert (far.order, far.commands.tolist()) == (Order.HOLD, [0.0, 0.0])
+    assert (far.order, far.commands.tolist()) == (DeviceOrder.HOLD, [0.0, 0.0])
 
 
 def test_infinities_that_would_cancel_are_found_too(far, near):  # law 5
     with pytest.raises(ValueError, match="finite"):
         near.write([float("inf"), float("-inf")])
-    assert far.order == Order.HOLD
+    assert far.order == DeviceOrder.HOLD
 
 
 def test_a_command_of_another_length_is_refused(near):
@@ -70,15 +70,15 @@ def test_a_command_of_another_length_is_refused(near):
 def test_while_inputs_are_not_fresh_every_command_is_a_hold(far, near):  # law 4
     near.holding(True)
     near.write([1.0, float("nan")])
-    assert (far.order, far.commands.tolist()) == (Order.HOLD, [0.0, 0.0])
+    assert (far.order, far.commands.tolist()) == (DeviceOrder.HOLD, [0.0, 0.0])
     near.holding(False)
     near.write([1.0, 2.0])
-    assert far.order == Order.DRIVE
+    assert far.order == DeviceOrder.DRIVE
 
 
 def test_the_drive_is_seen_as_of_the_last_read(far, near):  # law 17
     seen = []
-    for drive in (Drive.DRIVEN, Drive.HELD, Drive.TRIPPED, Drive.PRESSED):
+    for drive in (DriveState.DRIVEN, DriveState.HELD, DriveState.TRIPPED, DriveState.PRESSED):
         far.values[1] = drive
         far.publish(0)
         near.read()
@@ -87,7 +87,7 @@ def test_the_drive_is_seen_as_of_the_last_read(far, near):  # law 17
 
 
 def tripped(far, near):
-    far.values[1] = Drive.TRIPPED
+    far.values[1] = DriveState.TRIPPED
     far.publish(0)
     near.read()
 
@@ -98,15 +98,15 @@ def test_a_clear_stays_the_newest_command_until_the_device_has_heard_it(far, nea
     near.clear()
     for later in (near.hold, lambda: near.write([1.0, 1.0])):
         later()
-        assert far.order == Order.CLEAR
+        assert far.order == DeviceOrder.CLEAR
         assert not near.is_tripped
-    far.values[1] = Drive.HELD
+    far.values[1] = DriveState.HELD
     far.publish(1)
     far.publish(2)
     near.hold()
-    assert far.order == Order.HOLD
+    assert far.order == DeviceOrder.HOLD
     near.write([1.0, 1.0])
-    assert far.order == Order.DRIVE
+    assert far.order == DeviceOrder.DRIVE
 
 
 def test_a_device_that_does_not_come_back_is_tripped_again(far, near):  # law 17
@@ -123,7 +123,7 @@ def test_a_device_that_does_not_come_back_is_tripped_again(far, near):  # law 17
 def test_a_clear_of_a_drive_that_has_not_tripped_holds(far, near):
     near.write([1.0, 1.0])
     near.clear()
-    assert far.order == Order.HOLD
+    assert far.order == DeviceOrder.HOLD
 
 
 def test_a_device_that_only_publishes_takes_no_commands(far):  # law 16

@@ -6,7 +6,7 @@ from kit.executive_rig import HOME, ExecutiveRig
 from kit.mass_world import MassWorld
 from kit.module_source import HEAD, module
 from onika.model.lifecycle import State
-from onika.ring.device import Drive
+from onika.ring.device import DriveState
 from onika.runtime import command, news
 
 MS = 1_000_000
@@ -130,7 +130,7 @@ def test_a_tripped_drive_is_cleared_though_the_task_comes_on_at_once():  # law 1
     source = source.partition("    def error")[0] + "    def clear(self):\n        self.device.clear()\n"
     rig = ExecutiveRig(MassWorld()).spawn("arm", source, device="m0").spawn("force", FORCE, rank=1)
     rig.switch(on=["arm", "force"]).run(100 * MS)
-    rig.bus.world._turn(rig.bus.world._masses["m0"], Drive.TRIPPED, "planted")
+    rig.bus.world._turn(rig.bus.world._masses["m0"], DriveState.TRIPPED, "planted")
     rig.run(130 * MS)
     assert rig.task("arm").state is State.ERROR
     rig.do(command.Clear(HOME, "arm")).switch(on=["arm"]).run(300 * MS)

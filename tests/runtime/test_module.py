@@ -8,7 +8,7 @@ from kit.executive_rig import ExecutiveRig
 from kit.module_source import module
 from onika.model.lifecycle import State
 from onika.module import Input, InVar, Local, Module, ModuleError, OutVar
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 
@@ -154,7 +154,7 @@ def test_a_robot_publishes_what_it_states_before_a_run(arm):  # law 26
 
 
 @pytest.mark.parametrize(
-    ("drive", "why"), [(Drive.TRIPPED, "the drive has tripped"), (Drive.PRESSED, "panic button pressed")]
+    ("drive", "why"), [(DriveState.TRIPPED, "the drive has tripped"), (DriveState.PRESSED, "panic button pressed")]
 )
 def test_a_drive_that_does_not_follow_is_an_error(arm, device, drive, why):  # law 17, R-K06
     device.values[1] = drive
@@ -162,17 +162,17 @@ def test_a_drive_that_does_not_follow_is_an_error(arm, device, drive, why):  # l
     assert (arm.state, why in arm.why) == (State.ERROR, True)
 
 
-@pytest.mark.parametrize("drive", [Drive.DRIVEN, Drive.HELD])
+@pytest.mark.parametrize("drive", [DriveState.DRIVEN, DriveState.HELD])
 def test_a_drive_that_holds_may_follow_again(arm, device, drive):  # law 4
     device.values[1] = drive
     assert arm.cycle().state is State.ON
 
 
 def test_a_drive_is_cleared_only_after_its_button_was_let_go(arm, device):  # R-K06
-    device.values[1] = Drive.PRESSED
+    device.values[1] = DriveState.PRESSED
     arm.cycle().clear()
     assert (arm.state, "let it go, then clear" in arm.why) == (State.ERROR, True)
-    device.values[1] = Drive.TRIPPED
+    device.values[1] = DriveState.TRIPPED
     device.publish(0)
     arm.clear()
-    assert (arm.state, device.order) == (State.OFF, Order.CLEAR)
+    assert (arm.state, device.order) == (State.OFF, DeviceOrder.CLEAR)

@@ -8,7 +8,7 @@ from kit.module_source import COUNTER, cycle, module
 from onika.model.lifecycle import State
 from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
-from onika.runtime.prepared_switches import Preparations, lines
+from onika.runtime.prepared_switches import PreparedSwitches, lines
 
 MS = 1_000_000
 GOAL = module("    G = Input('double', 'm', 'goal')\n    def on(self, inputs):\n        self.goal = inputs.G")
@@ -30,7 +30,7 @@ def case(number, choice=None, loop=None, on=("next",), off=("beside",)):
 
 
 def prepared(*cases, task="end", activation=7):
-    return command.Prepared(HOME, task, activation, cases or (case(1),))
+    return command.PreparedSwitch(HOME, task, activation, cases or (case(1),))
 
 
 def rig_of(source=ENDS, **given):
@@ -136,7 +136,7 @@ def test_what_it_names_and_is_still_to_come_comes_on_when_it_is_there():  # law 
 @pytest.mark.parametrize(
     "order",
     [
-        command.Prepared(HOME, "end", 7, ()),
+        command.PreparedSwitch(HOME, "end", 7, ()),
         switch(),
         command.Together((switch(),)),
         command.Kill(HOME, "next"),
@@ -181,7 +181,7 @@ def test_a_task_that_switches_itself_off_takes_with_it_what_was_prepared():  # R
 
 
 def test_that_nothing_is_prepared_any_more_is_told_behind_what_was_carried_out():
-    rig = rig_of().do(prepared()).run(20 * MS).do(command.Prepared(HOME, "end", 7, ()))
+    rig = rig_of().do(prepared()).run(20 * MS).do(command.PreparedSwitch(HOME, "end", 7, ()))
     assert rig.heard(news.Finished)[0].switched == 1
     assert rig.news[-1][1] == news.Unprepared(HOME)
 
@@ -197,7 +197,7 @@ def test_a_trigger_that_fails_on_its_way_out_leads_to_nothing():  # R-A09
 
 
 def test_one_is_held_for_each_subsystem_and_given_once():
-    held, finish = Preparations(), Signal(SignalKind.FINISH)
+    held, finish = PreparedSwitches(), Signal(SignalKind.FINISH)
     held.keep(prepared(case(1)))
     held.keep(prepared(case(2)))
     held.keep(structs.replace(prepared(case(3)), subsystem="other"))

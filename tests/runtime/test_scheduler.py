@@ -2,11 +2,11 @@
 
 from hypothesis import given, settings, strategies as st
 
-from onika.runtime.scheduler import Agenda, Slot
+from onika.runtime.scheduler import Scheduler, TaskSlot
 
 
 def slot(name="a", period=10, crit=0, rank=0):
-    return Slot((-crit, rank, name), period)
+    return TaskSlot((-crit, rank, name), period)
 
 
 def run_all(agenda, now):
@@ -19,13 +19,13 @@ def run_all(agenda, now):
 
 
 def test_nothing_is_due_on_an_empty_agenda():
-    agenda = Agenda()
+    agenda = Scheduler()
     assert agenda.next_release() is None
     assert agenda.next_due(10**12) is None
 
 
 def test_a_slot_is_due_at_once_and_then_on_the_common_grid():  # law 13
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.enter(task_slot, 7)
     releases = []
     for _ in range(4):
@@ -38,7 +38,7 @@ def test_a_slot_is_due_at_once_and_then_on_the_common_grid():  # law 13
 
 def test_slots_that_enter_together_are_due_together_and_none_is_late():  # law 2
     """The `on` of the second took until 25: the first is not late by it."""
-    agenda, first, second = Agenda(), slot("b"), slot("a")
+    agenda, first, second = Scheduler(), slot("b"), slot("a")
     agenda.enter(first, 0)
     agenda.enter(second, 25)
     assert agenda.next_release() == 0
@@ -47,7 +47,7 @@ def test_slots_that_enter_together_are_due_together_and_none_is_late():  # law 2
 
 
 def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  # law 1
-    agenda = Agenda()
+    agenda = Scheduler()
     slots = [slot("slow", 20), slot("b"), slot("a"), slot("c", rank=-1), slot("crit", rank=9, crit=1)]
     for task_slot in slots:
         agenda.enter(task_slot, 0)
@@ -57,7 +57,7 @@ def test_slots_due_at_one_instant_run_by_deadline_criticality_rank_and_name():  
 @settings(deadline=None, max_examples=50)
 @given(st.permutations([slot(name, 10 * (1 + n % 2), n % 3, n % 2) for n, name in enumerate("abcdef")]))
 def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  # law 1
-    agenda = Agenda()
+    agenda = Scheduler()
     for task_slot in slots:
         agenda.enter(task_slot, 0)
     run_all(agenda, 0)
@@ -67,7 +67,7 @@ def test_the_order_at_one_instant_does_not_depend_on_what_came_before(slots):  #
 
 
 def test_a_late_slot_skips_whole_periods_and_runs_for_the_one_that_is_open():  # law 2
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     assert agenda.next_due(45) is task_slot
@@ -75,7 +75,7 @@ def test_a_late_slot_skips_whole_periods_and_runs_for_the_one_that_is_open():  #
 
 
 def test_a_slot_that_runs_within_its_period_has_missed_nothing():  # law 2
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     assert agenda.next_due(19) is task_slot
@@ -83,7 +83,7 @@ def test_a_slot_that_runs_within_its_period_has_missed_nothing():  # law 2
 
 
 def test_a_slot_at_its_very_deadline_runs_for_the_next_period_and_only_once():  # law 2
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     assert run_all(agenda, 20) == ["a"]
@@ -91,7 +91,7 @@ def test_a_slot_at_its_very_deadline_runs_for_the_next_period_and_only_once():  
 
 
 def test_a_late_slot_takes_its_place_by_its_new_deadline():  # laws 1, 2
-    agenda, late, fresh = Agenda(), slot("late", 10), slot("fresh", 48)
+    agenda, late, fresh = Scheduler(), slot("late", 10), slot("fresh", 48)
     agenda.enter(late, 0)
     run_all(agenda, 0)
     agenda.enter(fresh, 45)
@@ -99,7 +99,7 @@ def test_a_late_slot_takes_its_place_by_its_new_deadline():  # laws 1, 2
 
 
 def test_what_has_left_is_not_due_and_may_come_back():
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     for is_in_already in (False, True):
         agenda.enter(task_slot, 0)
         if is_in_already:
@@ -112,7 +112,7 @@ def test_what_has_left_is_not_due_and_may_come_back():
 
 
 def test_what_leaves_while_others_wait_their_turn_hides_nobody():
-    agenda, slots = Agenda(), [slot(name, period=100) for name in "abc"]
+    agenda, slots = Scheduler(), [slot(name, period=100) for name in "abc"]
     for task_slot in slots:
         agenda.enter(task_slot, 0)
     run_all(agenda, 0)
@@ -125,7 +125,7 @@ def test_what_leaves_while_others_wait_their_turn_hides_nobody():
 
 def test_a_new_slot_of_an_old_name_is_another_one():
     """A task that is killed and spawned again within a period: its old entries are still in the queue."""
-    agenda = Agenda()
+    agenda = Scheduler()
     for start in (0, 5, 7):
         task_slot = slot("same")
         agenda.enter(task_slot, start)
@@ -139,7 +139,7 @@ def test_a_new_slot_of_an_old_name_is_another_one():
 
 
 def test_another_period_keeps_the_common_grid():  # R-A04
-    agenda, task_slot = Agenda(), slot(period=10)
+    agenda, task_slot = Scheduler(), slot(period=10)
     agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     agenda.change(task_slot, 4, 5)
@@ -149,7 +149,7 @@ def test_another_period_keeps_the_common_grid():  # R-A04
 
 
 def test_a_release_that_is_due_survives_a_change_of_the_period():  # R-A04
-    agenda, task_slot = Agenda(), slot(period=10)
+    agenda, task_slot = Scheduler(), slot(period=10)
     agenda.enter(task_slot, 0)
     run_all(agenda, 0)
     agenda.change(task_slot, 25, 10)
@@ -158,7 +158,7 @@ def test_a_release_that_is_due_survives_a_change_of_the_period():  # R-A04
 
 
 def test_a_change_of_the_period_of_what_is_not_listed_lists_nothing():  # R-A04
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.change(task_slot, 20, 0)
     assert agenda.next_release() is None
     agenda.enter(task_slot, 3)
@@ -169,7 +169,7 @@ def test_a_change_of_the_period_of_what_is_not_listed_lists_nothing():  # R-A04
 @given(st.lists(st.tuples(st.integers(0, 2), st.integers(-3, 3)), max_size=8), st.integers(0, 60))
 def test_another_rank_changes_the_order_and_loses_no_release(changes, at):  # law 1
     """Ranks that change between any two cycles: every slot runs once a period all the same, in the order of ranks."""
-    agenda = Agenda()
+    agenda = Scheduler()
     slots = [slot(name, rank=n) for n, name in enumerate("abc")]
     for task_slot in slots:
         agenda.enter(task_slot, 0)
@@ -190,7 +190,7 @@ def test_another_rank_changes_the_order_and_loses_no_release(changes, at):  # la
 
 
 def test_another_rank_of_what_is_due_already_counts_at_once():  # law 1
-    agenda, first, second, third = Agenda(), slot("a", rank=0), slot("b", rank=1), slot("c", rank=2)
+    agenda, first, second, third = Scheduler(), slot("a", rank=0), slot("b", rank=1), slot("c", rank=2)
     for task_slot in (first, second, third):
         agenda.enter(task_slot, 0)
     assert agenda.next_due(0) is first
@@ -200,7 +200,7 @@ def test_another_rank_of_what_is_due_already_counts_at_once():  # law 1
 
 
 def test_another_rank_of_what_is_not_listed_is_taken_over_when_it_enters():  # law 1
-    agenda, task_slot, other = Agenda(), slot("a", rank=0), slot("b", rank=1)
+    agenda, task_slot, other = Scheduler(), slot("a", rank=0), slot("b", rank=1)
     agenda.rekey(task_slot, (0, 5, "a"))
     agenda.enter(task_slot, 0)
     agenda.enter(other, 0)
@@ -208,7 +208,7 @@ def test_another_rank_of_what_is_not_listed_is_taken_over_when_it_enters():  # l
 
 
 def test_a_slot_that_resumes_is_due_at_the_next_point_of_its_grid():  # R-F04
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.enter(task_slot, 7)
     assert agenda.next_due(7) is task_slot
     agenda.leave(task_slot)
@@ -218,7 +218,7 @@ def test_a_slot_that_resumes_is_due_at_the_next_point_of_its_grid():  # R-F04
 
 
 def test_a_slot_that_resumes_twice_or_was_to_enter_is_due_once():
-    agenda, task_slot = Agenda(), slot()
+    agenda, task_slot = Scheduler(), slot()
     agenda.enter(task_slot, 3)
     agenda.resume(task_slot, 3)
     agenda.resume(task_slot, 4)

@@ -8,7 +8,7 @@ from onika.model.lifecycle import State
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
 from onika.ring.segment import Segment
 from onika.runtime.sheet import sheet_of
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import wire
 from onika.words.shape import Shape
@@ -41,7 +41,7 @@ def arm():
 
 
 def subsystem(table, tasks, constants=None):
-    return Subsystem("0", table, tasks, {task_.name: "control" for task_ in tasks}, constants)
+    return RunningSubsystem("0", table, tasks, {task_.name: "control" for task_ in tasks}, constants)
 
 
 def write_constant(table, name, value):

@@ -7,14 +7,14 @@ import pytest
 from kit.executive_rig import HOME, ExecutiveRig
 from kit.module_source import COUNTER, module
 from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import Unit
+from onika.runtime.unit import ProcessingUnit
 
 MS = 1_000_000
 
 
 @pytest.fixture
 def unit():
-    return Unit("rt0", {})
+    return ProcessingUnit("rt0", {})
 
 
 def task(rig, name, source=COUNTER, **given):

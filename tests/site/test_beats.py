@@ -14,7 +14,7 @@ import pytest
 
 from onika.desk.run.runtime import connect
 from onika.link import websocket_opening
-from onika.link.heartbeat import EVERY_NS, Beater
+from onika.link.heartbeat import EVERY_NS, HeartbeatSender
 from onika.wire import event, holding, live, request
 
 pytestmark = pytest.mark.site
@@ -85,7 +85,7 @@ def test_where_none_gets_through_it_counts_after_a_second(there, monkeypatch):  
         assert 1.0 <= silent_s(lost(watcher, "slow")[0]) < 1.75
 
 
-class Eavesdropper(Beater):
+class Eavesdropper(HeartbeatSender):
     """Keeps what is sent, and says it again whenever it is asked."""
 
     def __init__(self, pact, host, family):
@@ -95,7 +95,7 @@ class Eavesdropper(Beater):
 
 
 def test_beats_that_were_overheard_or_forged_keep_nobody_alive(there, monkeypatch):  # R-X12
-    monkeypatch.setattr(websocket_opening, "Beater", Eavesdropper)
+    monkeypatch.setattr(websocket_opening, "HeartbeatSender", Eavesdropper)
     with session(there) as watcher, session(there) as holder:
         thief = Eavesdropper.last
         assert holder.ask(live.Take("robbed")) == request.Done()

@@ -19,8 +19,8 @@ from kit.plan_builder import PlanBuilder, action
 from onika.desk.run.runtime import Runtime, connect
 from onika.link.address import Address
 from onika.link.channel import Channel
-from onika.link.lost import Cause, LinkLost
-from onika.link.websocket_opening import Opening
+from onika.link.lost import LinkLost, LossCause
+from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request, steer
 from onika.wire.packet import Hello, Request, encode
 
@@ -96,7 +96,7 @@ def status(port, *lines, path="/", source="127.0.0.1"):
 
 def raw_client(reachable, name):
     """A connection for everything whose other side is this test, frame by frame."""
-    carrier = Opening(Address.parse(reachable.url), reachable.token)(Channel.ALL)
+    carrier = WebSocketOpening(Address.parse(reachable.url), reachable.token)(Channel.ALL)
     carrier.send(encode(Hello(2, name, "", 0)))
     return carrier
 
@@ -129,15 +129,15 @@ def test_a_client_is_told_distinctly_what_is_wrong(reachable):
     there = reachable("--virtual")
     with pytest.raises(LinkLost) as wrong, connect(there.url, "wrong"):
         pass
-    assert wrong.value.cause is Cause.TOKEN
+    assert wrong.value.cause is LossCause.TOKEN
     assert "wrong" not in there.said
     with socket.socket() as unused:
         unused.bind(("127.0.0.1", 0))
         port = unused.getsockname()[1]
     with pytest.raises(LinkLost) as nobody, connect(f"ws://127.0.0.1:{port}", "x"):
         pass
-    assert nobody.value.cause is Cause.UNREACHABLE
-    carrier = Opening(Address.parse(there.url), there.token)(Channel.ALL)
+    assert nobody.value.cause is LossCause.UNREACHABLE
+    carrier = WebSocketOpening(Address.parse(there.url), there.token)(Channel.ALL)
     carrier.send(encode(Hello(1, "old", "", 0)))
     heard = b""
     while b"version" not in heard:
@@ -290,7 +290,7 @@ def test_over_tls_a_user_is_known_by_his_token_and_has_his_role(reachable, tmp_p
         assert not isinstance(runtime.ask(request.Stop("everybody may")), request.Refused)
     with pytest.raises(LinkLost) as untrusted, connect(url, token):
         pass
-    assert untrusted.value.cause is Cause.CERTIFICATE
+    assert untrusted.value.cause is LossCause.CERTIFICATE
     assert token not in users.read_text()
 
 

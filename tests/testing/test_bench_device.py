@@ -1,6 +1,6 @@
 """The device on a bench."""
 
-from onika.ring.device import Order
+from onika.ring.device import DeviceOrder
 from onika.testing.bench import Bench
 from onika.testing.bench_device import BenchDevice
 
@@ -37,10 +37,10 @@ def test_a_module_reads_what_the_device_publishes(tmp_path):
 def test_a_hardware_module_holds_until_its_inputs_are_fresh(tmp_path):  # law 4
     device = BenchDevice(["place"], ["force"])
     bench = bench_of(tmp_path, device).init().on().cycle(3)
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
     bench["PUSH"] = 7.0
     bench.cycle()
-    assert device.order == Order.DRIVE
+    assert device.order == DeviceOrder.DRIVE
     assert device.commands.tolist() == [7.0]
 
 
@@ -49,7 +49,7 @@ def test_off_leaves_the_device_in_hold(tmp_path):  # law 12
     bench = bench_of(tmp_path, device).init().on()
     bench["PUSH"] = 7.0
     bench.cycle().off()
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD
 
 
 def test_a_device_that_only_publishes_takes_no_commands(tmp_path):
@@ -58,4 +58,4 @@ def test_a_device_that_only_publishes_takes_no_commands(tmp_path):
     bench["PUSH"] = 7.0
     bench.cycle()
     assert "takes no commands" in bench.why
-    assert device.order == Order.HOLD
+    assert device.order == DeviceOrder.HOLD

@@ -7,8 +7,8 @@ import pytest
 from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
 from onika.web.app import application
-from onika.web.hub import Hall
-from onika.web.login import Door
+from onika.web.hub import Hub
+from onika.web.login import Login
 from onika.web.server import addresses, bound, serve
 
 
@@ -27,8 +27,8 @@ class Served:
         self.sitting = EnvironmentFixture(folder, (Task("a", "a", outvar=("Q",), frequency=1.0),))
         listening = bound(0)
         self.address = addresses(listening)[0]
-        self.door = Door(addresses(listening))
-        self.hall = Hall(self.sitting.environment, Nothing())
+        self.door = Login(addresses(listening))
+        self.hall = Hub(self.sitting.environment, Nothing())
         self._app = application(self.door, self.hall, static)
         self._listening = listening
         self._ready = threading.Event()

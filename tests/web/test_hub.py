@@ -5,7 +5,7 @@ import pytest
 
 from kit.environment_fixture import EnvironmentFixture
 from onika.model.task import Task
-from onika.web.hub import Hall
+from onika.web.hub import Hub
 from onika.wire import act, page
 
 TASKS = (Task("a", "a", outvar=("Q",), frequency=1.0),)
@@ -49,7 +49,7 @@ class Talk:
 
 @pytest.fixture
 def hall(tmp_path):
-    hub = Hall(EnvironmentFixture(tmp_path, TASKS).environment, Values(), lambda: 12.5)
+    hub = Hub(EnvironmentFixture(tmp_path, TASKS).environment, Values(), lambda: 12.5)
     with asyncio.Runner() as hub.runner:  # what waits for something belongs to one loop
         yield hub
 

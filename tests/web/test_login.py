@@ -1,13 +1,13 @@
 import pytest
 
-from onika.web.login import COOKIE, Door
+from onika.web.login import COOKIE, Login
 
 HOST = "127.0.0.1:8420"
 
 
 def test_a_key_works_once_and_the_next_is_told():  # R-X11
     names = []
-    door = Door((HOST,), names.append)
+    door = Login((HOST,), names.append)
     first = door.key
     cookie = door.enter(first)
     assert door.knows({COOKIE: cookie})
@@ -17,20 +17,20 @@ def test_a_key_works_once_and_the_next_is_told():  # R-X11
 
 @pytest.mark.parametrize("key", ["", "x", "é"])
 def test_any_other_key_opens_nothing(key):
-    assert Door((HOST,)).enter(key) is None
+    assert Login((HOST,)).enter(key) is None
 
 
 @pytest.mark.parametrize("cookies", [{}, {COOKIE: ""}, {COOKIE: "x"}, {"other": "x"}])
 def test_an_unknown_cookie_is_nobodys(cookies):
-    door = Door((HOST,))
+    door = Login((HOST,))
     door.enter(door.key)
     assert not door.knows(cookies)
 
 
 @pytest.mark.parametrize("headers", [{}, {"host": "evil.example:8420"}, {"host": "127.0.0.1:1"}])
 def test_a_foreign_name_is_not_ours(headers):
-    assert not Door((HOST,)).is_ours(headers)
-    assert Door((HOST,)).is_ours({"host": HOST})
+    assert not Login((HOST,)).is_ours(headers)
+    assert Login((HOST,)).is_ours({"host": HOST})
 
 
 @pytest.mark.parametrize(
@@ -45,10 +45,10 @@ def test_a_foreign_name_is_not_ours(headers):
     ],
 )
 def test_only_a_page_that_came_from_here_may_talk(headers):
-    assert not Door((HOST,)).is_own_page(headers)
-    assert Door((HOST,)).is_own_page({"host": HOST, "origin": f"http://{HOST}"})
+    assert not Login((HOST,)).is_own_page(headers)
+    assert Login((HOST,)).is_own_page({"host": HOST, "origin": f"http://{HOST}"})
 
 
 def test_a_page_of_another_of_our_names_may_not_talk():
-    door = Door((HOST, "localhost:8420"))
+    door = Login((HOST, "localhost:8420"))
     assert not door.is_own_page({"host": HOST, "origin": "http://localhost:8420"})

@@ -4,7 +4,7 @@ import pytest
 
 from onika.laws.arm import Arm
 from onika.workcell.arm import arm
-from onika.workcell.gripper import Gripper
+from onika.workcell.gripper import GripperPart
 from onika.workcell.layout import KINDS, base
 from onika.workcell.paint import paints
 from onika.workcell.part import ARMS, document
@@ -13,7 +13,7 @@ every_kind = pytest.mark.parametrize("kind", KINDS.values(), ids=KINDS)
 
 
 def _world(kind, side="left", drawn=False):
-    part = arm(kind, "arm", base(side), ARMS[0], Gripper("hand"), drawn)
+    part = arm(kind, "arm", base(side), ARMS[0], GripperPart("hand"), drawn)
     model = mujoco.MjModel.from_xml_string(document("arm", [paints(), part] if drawn else [part]))
     return model, mujoco.MjData(model)
 

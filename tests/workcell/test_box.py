@@ -1,14 +1,14 @@
 import mujoco
 import pytest
 
-from onika.workcell.box import FEET_M, GLOWS, MASS_KG, SIGNS, SIZE_M, Box
+from onika.workcell.box import FEET_M, GLOWS, MASS_KG, SIGNS, SIZE_M, AssemblyBox
 from onika.workcell.paint import paints
 from onika.workcell.part import document
 
 
 def _model(sign, drawn=False):
     parts = [paints()] if drawn else []
-    return mujoco.MjModel.from_xml_string(document("box", [*parts, Box(sign, 0.1, 0.2, 0.3).part(drawn)]))
+    return mujoco.MjModel.from_xml_string(document("box", [*parts, AssemblyBox(sign, 0.1, 0.2, 0.3).part(drawn)]))
 
 
 @pytest.mark.parametrize("sign", SIGNS)

@@ -6,7 +6,7 @@ import pytest
 from kit.assembler import DT, GRASP_M, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
@@ -35,7 +35,7 @@ def test_twenty_four_actions_light_the_lamp(seed, side):  # R-K01, R-K02
     assert lit(world)
     assert world.lit == ("lamp",)
     assert assembler.worst < 0.01
-    assert [event.state for event in world.take_events()] == [Drive.DRIVEN, Drive.DRIVEN]
+    assert [event.state for event in world.take_events()] == [DriveState.DRIVEN, DriveState.DRIVEN]
 
 
 def test_a_forgotten_close_leaves_it_dark():  # R-K01
@@ -148,7 +148,7 @@ def test_an_arm_comes_between_two_steps_and_nothing_else_notices():  # law 18
     assert len(world.poses()) == len(bodies) + 10
     assert np.allclose(world.poses()[: len(bodies)], bodies, atol=2e-3)  # poses are those of the step before
     assert np.array_equal(world.state("arm_left"), alone.state("arm_left"))
-    assert world.state("arm_left")[1] == Drive.DRIVEN
+    assert world.state("arm_left")[1] == DriveState.DRIVEN
     for _ in range(100):
         first.tick()
         other.tick()
@@ -159,42 +159,42 @@ def test_an_arm_comes_between_two_steps_and_nothing_else_notices():  # law 18
 
 def test_a_released_device_holds_and_is_free_again():
     world = claimed("arm_left")
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
     world.release("arm_left", 2)
-    assert world.state("arm_left")[1] == Drive.DRIVEN
+    assert world.state("arm_left")[1] == DriveState.DRIVEN
     world.release("arm_left", 1)
-    assert world.state("arm_left")[1] == Drive.HELD
+    assert world.state("arm_left")[1] == DriveState.HELD
     world.step(400 * MS)
-    assert world.state("arm_left")[1] == Drive.HELD
+    assert world.state("arm_left")[1] == DriveState.HELD
     world.claim("arm_left", 2)
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
-    assert world.state("arm_left")[1] == Drive.HELD
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
+    assert world.state("arm_left")[1] == DriveState.HELD
 
 
 def test_only_the_present_writer_keeps_a_device_driven():
     world = claimed("arm_left", epoch=2)
-    world.command("arm_left", 2, Order.DRIVE, np.zeros(6))
+    world.command("arm_left", 2, DeviceOrder.DRIVE, np.zeros(6))
     for _ in range(30):
-        world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+        world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
         world.step(world.now_ns + 2 * MS)
-    assert world.state("arm_left")[1] == Drive.HELD
+    assert world.state("arm_left")[1] == DriveState.HELD
 
 
 def test_a_dead_writers_devices_trip_and_its_late_commands_are_ignored():  # law 17
     world = claimed("arm_left", "gripper_left")
     world.claim("arm_right", 2)
     for device, epoch in (("arm_left", 1), ("arm_right", 2)):
-        world.command(device, epoch, Order.DRIVE, np.zeros(6))
+        world.command(device, epoch, DeviceOrder.DRIVE, np.zeros(6))
     world.fence(1)
     states = [world.state(name)[1] for name in ("arm_left", "gripper_left", "arm_right")]
-    assert states == [Drive.TRIPPED, Drive.TRIPPED, Drive.DRIVEN]
-    world.command("arm_left", 1, Order.CLEAR, ())
-    assert world.state("arm_left")[1] == Drive.TRIPPED
+    assert states == [DriveState.TRIPPED, DriveState.TRIPPED, DriveState.DRIVEN]
+    world.command("arm_left", 1, DeviceOrder.CLEAR, ())
+    assert world.state("arm_left")[1] == DriveState.TRIPPED
     with pytest.raises(ValueError, match="died"):
         world.claim("arm_left", 1)
     world.claim("arm_left", 3)
-    world.command("arm_left", 3, Order.DRIVE, np.zeros(6))
-    assert world.state("arm_left")[1] == Drive.TRIPPED
-    world.command("arm_left", 3, Order.CLEAR, ())
-    world.command("arm_left", 3, Order.DRIVE, np.zeros(6))
-    assert world.state("arm_left")[1] == Drive.DRIVEN
+    world.command("arm_left", 3, DeviceOrder.DRIVE, np.zeros(6))
+    assert world.state("arm_left")[1] == DriveState.TRIPPED
+    world.command("arm_left", 3, DeviceOrder.CLEAR, ())
+    world.command("arm_left", 3, DeviceOrder.DRIVE, np.zeros(6))
+    assert world.state("arm_left")[1] == DriveState.DRIVEN

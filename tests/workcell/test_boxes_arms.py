@@ -7,7 +7,7 @@ from kit.assembler import DT, Assembler
 from onika.laws import adept_one, puma560
 from onika.laws.arm import Arm
 from onika.laws.filter import Derivative
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
@@ -32,7 +32,7 @@ def scara_at(world, q):
     for _ in range(500):
         speed = derivative.update(state[2:])
         torque = law.bias(state[2:], speed) + adept_one.KP * (q - state[2:]) - adept_one.KD * speed
-        world.command("scara_left", 1, Order.DRIVE, torque)
+        world.command("scara_left", 1, DeviceOrder.DRIVE, torque)
         world.step(world.now_ns + world.step_ns)
     return state[2:]
 
@@ -41,7 +41,7 @@ def test_a_scara_stands_where_it_is_claimed_with_the_same_hand():  # R-K03
     world = claimed("scara_left", "gripper_left")
     goal = np.add(adept_one.HOME, [0.1, -0.1, 0.05, 0.1])
     assert scara_at(world, goal) == pytest.approx(goal, abs=2e-3)
-    world.command("gripper_left", 1, Order.DRIVE, [1.0])
+    world.command("gripper_left", 1, DeviceOrder.DRIVE, [1.0])
     world.step(world.now_ns + 400 * MS)
     assert world.state("gripper_left")[2] > 0.11
 
@@ -89,7 +89,7 @@ def test_the_world_goes_on_where_it_was_when_its_forces_are_taken_and_given_back
     world.step(world.now_ns + 100 * MS)
     assert world.state("arm_left_kin")[2:] == pytest.approx(there, abs=1e-3)
     assert np.allclose(world.poses()[1:5], boxes, atol=1e-3)
-    world.command("arm_left_kin", 2, Order.DRIVE, there + 0.05)
+    world.command("arm_left_kin", 2, DeviceOrder.DRIVE, there + 0.05)
     world.step(world.now_ns + 40 * MS)
     world.release("arm_left_kin", 2)
     there = world.state("arm_left_kin")[2:].copy()
@@ -102,30 +102,30 @@ def test_a_tripped_drive_stays_tripped_whatever_arm_is_plugged_in():  # law 17
     world = claimed("arm_left")
     world.fence(1)
     world.claim("scara_left_kin", 2)
-    assert shown(world, "scara_left_kin") is Drive.TRIPPED
-    world.command("scara_left_kin", 2, Order.CLEAR, ())
-    assert shown(world, "scara_left_kin") is Drive.HELD
+    assert shown(world, "scara_left_kin") is DriveState.TRIPPED
+    world.command("scara_left_kin", 2, DeviceOrder.CLEAR, ())
+    assert shown(world, "scara_left_kin") is DriveState.HELD
 
 
 def test_the_panic_button_belongs_to_the_place():  # R-K06
     world = claimed("arm_left_kin")
     goal = puma560.HOME + 0.5
-    world.command("arm_left_kin", 1, Order.DRIVE, goal)
+    world.command("arm_left_kin", 1, DeviceOrder.DRIVE, goal)
     world.step(world.now_ns + 20 * MS)
     world.touch("panic_left", 1)
     at = world.state("arm_left_kin")[2:].copy()
-    world.command("arm_left_kin", 1, Order.DRIVE, goal)
+    world.command("arm_left_kin", 1, DeviceOrder.DRIVE, goal)
     world.step(world.now_ns + 100 * MS)
-    assert shown(world, "arm_left_kin") is Drive.PRESSED
+    assert shown(world, "arm_left_kin") is DriveState.PRESSED
     assert np.array_equal(world.state("arm_left_kin")[2:], at)
     world.release("arm_left_kin", 1)
     world.claim("scara_left", 2)
-    assert shown(world, "scara_left") is Drive.PRESSED
+    assert shown(world, "scara_left") is DriveState.PRESSED
 
 
 def test_reset_puts_a_world_without_forces_back_too():
     world, fresh = claimed("arm_left_kin"), claimed("arm_left_kin")
-    world.command("arm_left_kin", 1, Order.DRIVE, puma560.HOME + 0.1)
+    world.command("arm_left_kin", 1, DeviceOrder.DRIVE, puma560.HOME + 0.1)
     world.step(40 * MS)
     world.reset()
     assert np.array_equal(world.poses(), fresh.poses())
@@ -135,4 +135,4 @@ def test_reset_puts_a_world_without_forces_back_too():
 
 
 def shown(world, device="arm_left"):
-    return Drive(int(world.state(device)[1]))
+    return DriveState(int(world.state(device)[1]))

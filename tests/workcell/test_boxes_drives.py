@@ -8,7 +8,7 @@ import pytest
 from kit.assembler import DT, Assembler
 from onika.laws import puma560
 from onika.laws.path import quintic
-from onika.ring.device import Drive, DriveEvent, Order
+from onika.ring.device import DeviceOrder, DriveEvent, DriveState
 from onika.workcell.boxes import BoxesWorld
 
 MS = 1_000_000
@@ -27,13 +27,13 @@ def claimed(*names, epoch=1):
 def test_silence_holds_at_the_first_step_beyond_fifty_and_trips_beyond_two_hundred_and_fifty():  # law 17
     world = claimed("arm_left")
     world.step(100 * MS)
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
     world.step(600 * MS)
     last = 100 * MS
     assert world.take_events() == [
-        DriveEvent("arm_left", Drive.DRIVEN, 100 * MS, 98 * MS, -1, "commanded to follow"),
-        DriveEvent("arm_left", Drive.HELD, 152 * MS, 150 * MS, last, "no command for 50 ms"),
-        DriveEvent("arm_left", Drive.TRIPPED, 352 * MS, 350 * MS, last, "no command for 250 ms"),
+        DriveEvent("arm_left", DriveState.DRIVEN, 100 * MS, 98 * MS, -1, "commanded to follow"),
+        DriveEvent("arm_left", DriveState.HELD, 152 * MS, 150 * MS, last, "no command for 50 ms"),
+        DriveEvent("arm_left", DriveState.TRIPPED, 352 * MS, 350 * MS, last, "no command for 250 ms"),
     ]
     assert world.take_events() == []
 
@@ -41,9 +41,9 @@ def test_silence_holds_at_the_first_step_beyond_fifty_and_trips_beyond_two_hundr
 def test_commands_that_keep_coming_keep_it_driven():
     world = claimed("arm_left")
     for _ in range(20):
-        world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+        world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
         world.step(world.now_ns + 50 * MS)
-    assert [event.state for event in world.take_events()] == [Drive.DRIVEN]
+    assert [event.state for event in world.take_events()] == [DriveState.DRIVEN]
 
 
 def test_a_commanded_hold_does_not_trip_and_the_arm_stays_where_it_was():
@@ -51,9 +51,9 @@ def test_a_commanded_hold_does_not_trip_and_the_arm_stays_where_it_was():
     assembler = Assembler(world)
     assembler.turn(np.add(puma560.HOME, [0.3, 0.4, 0.3, 0.2, 0.5, 0.1]))
     there = assembler.q.copy()
-    world.command("arm_left", 1, Order.HOLD, ())
+    world.command("arm_left", 1, DeviceOrder.HOLD, ())
     world.step(world.now_ns + 1000 * MS)
-    assert world.state("arm_left")[1] == Drive.HELD
+    assert world.state("arm_left")[1] == DriveState.HELD
     assert np.allclose(assembler.q, there, atol=2e-3)
 
 
@@ -64,9 +64,9 @@ def test_a_command_that_is_not_finite_is_never_applied_and_trips(device, bad, dr
     world = claimed(device)
     count = 6 if device == "arm_left" else 1
     if driven:
-        world.command(device, 1, Order.DRIVE, np.zeros(count))
-    world.command(device, 1, Order.DRIVE, np.full(count, bad))
-    assert world.state(device)[1] == Drive.TRIPPED
+        world.command(device, 1, DeviceOrder.DRIVE, np.zeros(count))
+    world.command(device, 1, DeviceOrder.DRIVE, np.full(count, bad))
+    assert world.state(device)[1] == DriveState.TRIPPED
     world.step(100 * MS)
     assert np.isfinite(world.state(device)).all()
     assert np.allclose(world.state("arm_left")[2:], puma560.HOME, atol=2e-3)
@@ -75,16 +75,16 @@ def test_a_command_that_is_not_finite_is_never_applied_and_trips(device, bad, dr
 
 def test_a_stop_is_latched_until_reset_or_until_it_goes_on():  # law 27
     world = claimed("arm_left", "gripper_left")
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
     world.stop()
-    for order in (Order.CLEAR, Order.DRIVE):
+    for order in (DeviceOrder.CLEAR, DeviceOrder.DRIVE):
         world.command("arm_left", 1, order, np.zeros(6))
-        assert world.state("arm_left")[1] == Drive.HELD
+        assert world.state("arm_left")[1] == DriveState.HELD
     world.step(500 * MS)
     assert [event.cause for event in world.take_events()] == ["commanded to follow", "stop"]
     world.go_on()
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
-    assert world.state("arm_left")[1] == Drive.DRIVEN
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
+    assert world.state("arm_left")[1] == DriveState.DRIVEN
 
 
 def test_reset_puts_everything_back_and_clears_latches_and_time_goes_on():
@@ -107,7 +107,7 @@ def test_reset_puts_everything_back_and_clears_latches_and_time_goes_on():
 
 
 def shown(world, device="arm_left"):
-    return Drive(int(world.state(device)[1]))
+    return DriveState(int(world.state(device)[1]))
 
 
 def test_a_pressed_panic_button_holds_its_arm_where_it_is_and_no_other():  # R-K06
@@ -126,9 +126,9 @@ def test_a_pressed_panic_button_holds_its_arm_where_it_is_and_no_other():  # R-K
         left.command()
         right.tick()
     assert (shown(world), shown(world, "gripper_left"), shown(world, "arm_right")) == (
-        Drive.PRESSED,
-        Drive.DRIVEN,
-        Drive.DRIVEN,
+        DriveState.PRESSED,
+        DriveState.DRIVEN,
+        DriveState.DRIVEN,
     )
     assert np.abs(left.q - at).max() < 0.05  # it brakes
     assert np.abs(left.q - target).max() > 0.1
@@ -137,17 +137,17 @@ def test_a_pressed_panic_button_holds_its_arm_where_it_is_and_no_other():  # R-K
 
 def test_a_pressed_panic_button_is_cleared_only_after_it_was_let_go():  # R-K06
     world = claimed("arm_left")
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
     world.touch("panic_left", 1.0)
-    for order in (Order.CLEAR, Order.HOLD, Order.DRIVE):
+    for order in (DeviceOrder.CLEAR, DeviceOrder.HOLD, DeviceOrder.DRIVE):
         world.command("arm_left", 1, order, np.zeros(6))
-        assert shown(world) is Drive.PRESSED
+        assert shown(world) is DriveState.PRESSED
     world.touch("panic_left", 0.0)
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
-    assert shown(world) is Drive.TRIPPED
-    world.command("arm_left", 1, Order.CLEAR, ())
-    world.command("arm_left", 1, Order.DRIVE, np.zeros(6))
-    assert shown(world) is Drive.DRIVEN
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
+    assert shown(world) is DriveState.TRIPPED
+    world.command("arm_left", 1, DeviceOrder.CLEAR, ())
+    world.command("arm_left", 1, DeviceOrder.DRIVE, np.zeros(6))
+    assert shown(world) is DriveState.DRIVEN
 
 
 @pytest.mark.parametrize("leave", [BoxesWorld.go_on, BoxesWorld.reset], ids=["go on", "reset"])
@@ -155,9 +155,9 @@ def test_a_button_stays_pressed_over_a_stop_and_over_its_end(leave):  # R-K06, l
     world = claimed("arm_left")
     world.stop()
     world.touch("panic_left", 1.0)
-    assert shown(world) is Drive.HELD
+    assert shown(world) is DriveState.HELD
     leave(world)
-    assert shown(world) is Drive.PRESSED
+    assert shown(world) is DriveState.PRESSED
 
 
 def test_a_part_that_is_not_there_is_refused_with_those_that_are():
@@ -173,11 +173,11 @@ def test_a_part_that_is_not_there_is_refused_with_those_that_are():
 def test_commands_of_the_wrong_shape_are_faults():
     world = claimed("arm_left", "gripper_left", "lamp")
     for device, order, values in (
-        ("arm_left", Order.DRIVE, [0.0]),
-        ("gripper_left", Order.DRIVE, [0.0, 0.0]),
+        ("arm_left", DeviceOrder.DRIVE, [0.0]),
+        ("gripper_left", DeviceOrder.DRIVE, [0.0, 0.0]),
         ("arm_left", 9, ()),
-        ("lamp", Order.DRIVE, [1.0]),
-        ("lamp", Order.HOLD, ()),
+        ("lamp", DeviceOrder.DRIVE, [1.0]),
+        ("lamp", DeviceOrder.HOLD, ()),
     ):
         with pytest.raises(ValueError, match=r"expected|9"):
             world.command(device, 1, order, values)
@@ -187,6 +187,6 @@ def test_commands_of_the_wrong_shape_are_faults():
 def test_nobody_drives_what_nobody_claims():
     world = BoxesWorld()
     for epoch in (-1, 0, 1):
-        world.command("arm_left", epoch, Order.DRIVE, np.zeros(6))
-    assert world.state("arm_left")[1] == Drive.HELD
+        world.command("arm_left", epoch, DeviceOrder.DRIVE, np.zeros(6))
+    assert world.state("arm_left")[1] == DriveState.HELD
     assert not world.take_events()

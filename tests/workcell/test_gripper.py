@@ -3,13 +3,13 @@ import numpy as np
 import pytest
 
 from onika.laws import puma560
-from onika.workcell.gripper import CLOSED_M, FORCE_N, TRAVEL_M, Gripper
-from onika.workcell.part import ARMS, Part, document
+from onika.workcell.gripper import CLOSED_M, FORCE_N, TRAVEL_M, GripperPart
+from onika.workcell.part import ARMS, WorldPart, document
 
 
 def _hand():
-    hand = Gripper("hand")
-    part = Part(
+    hand = GripperPart("hand")
+    part = WorldPart(
         bodies=f"<body>{hand.body(ARMS[0], False)}</body>",
         actuators=hand.actuators(),
         equalities=hand.equalities(),

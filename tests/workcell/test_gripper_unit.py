@@ -3,7 +3,7 @@ import math
 import mujoco
 import pytest
 
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.workcell.boxes import BoxesWorld
 from onika.workcell.gripper import CLOSED_M, TRAVEL_M
 from onika.workcell.gripper_unit import GripperUnit
@@ -64,7 +64,7 @@ def test_opening_and_speed_are_those_of_both_fingers():
 def test_in_hold_and_tripped_it_keeps_its_pressure():  # law 17
     world = BoxesWorld()
     world.claim("gripper_left", 1)
-    world.command("gripper_left", 1, Order.DRIVE, [1.0])
+    world.command("gripper_left", 1, DeviceOrder.DRIVE, [1.0])
     world.step(1_000_000_000)
-    assert world.state("gripper_left")[1] == Drive.TRIPPED
+    assert world.state("gripper_left")[1] == DriveState.TRIPPED
     assert world.state("gripper_left")[2] == pytest.approx(CLOSED_M + 2 * TRAVEL_M, abs=2e-3)

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.workcell.arm_unit import ArmUnit
-from onika.workcell.drive import Happening
+from onika.workcell.drive import DriveInput
 from onika.workcell.layout import base
 from onika.workcell.panic_button import PanicButton
 
@@ -13,8 +13,8 @@ def button():
 
 def test_it_stays_as_it_was_put(button):  # R-K06
     assert (button.name, button.is_pressed) == ("panic_right", False)
-    assert (button.put(1), button.is_pressed) == (Happening.PRESS, True)
-    assert (button.put(0.0), button.is_pressed) == (Happening.LET_GO, False)
+    assert (button.put(1), button.is_pressed) == (DriveInput.PRESS, True)
+    assert (button.put(0.0), button.is_pressed) == (DriveInput.LET_GO, False)
 
 
 @pytest.mark.parametrize("value", [0.5, -1.0, 2.0, float("nan")])

@@ -3,7 +3,7 @@ import numpy as np
 import pytest
 
 from onika.laws.frames import rotation_of_rpy
-from onika.workcell.part import ARMS, STEP_S, THINGS, Part, document, placed
+from onika.workcell.part import ARMS, STEP_S, THINGS, WorldPart, document, placed
 
 
 def _meet(first, two):
@@ -21,7 +21,7 @@ def test_arms_touch_things_and_each_other_and_not_themselves():
 
 
 def test_a_document_of_parts_is_a_world_with_the_settings_that_stack_boxes():
-    part = Part(bodies='<body><geom size="0.1"/></body>')
+    part = WorldPart(bodies='<body><geom size="0.1"/></body>')
     model = mujoco.MjModel.from_xml_string(document("world", [part, part]))
     assert model.nbody == 3
     assert model.opt.timestep == STEP_S
@@ -34,7 +34,7 @@ def test_a_document_of_parts_is_a_world_with_the_settings_that_stack_boxes():
 def test_a_pose_is_written_so_that_mujoco_reads_it_back():
     pose = np.eye(4)
     pose[:3, :3], pose[:3, 3] = rotation_of_rpy(0.3, -0.4, 2.0), (0.1, 0.2, 0.3)
-    part = Part(bodies=f'<body {placed(pose)}><geom size="0.1"/></body>')
+    part = WorldPart(bodies=f'<body {placed(pose)}><geom size="0.1"/></body>')
     model = mujoco.MjModel.from_xml_string(document("world", [part]))
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)

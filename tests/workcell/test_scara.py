@@ -2,7 +2,7 @@ import mujoco
 import numpy as np
 
 from onika.workcell.arm import SHOULDER_M, arm
-from onika.workcell.gripper import Gripper
+from onika.workcell.gripper import GripperPart
 from onika.workcell.layout import base, boxes, text
 from onika.workcell.part import ARMS, document
 from onika.workcell.plant import Plant
@@ -10,7 +10,7 @@ from onika.workcell.scara import SCARA
 
 
 def _model():
-    part = arm(SCARA, "arm", base("left"), ARMS[0], Gripper("hand"), drawn=False)
+    part = arm(SCARA, "arm", base("left"), ARMS[0], GripperPart("hand"), drawn=False)
     return mujoco.MjModel.from_xml_string(document("arm", [part]))
 
 

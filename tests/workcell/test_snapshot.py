@@ -2,9 +2,9 @@ import numpy as np
 import pytest
 
 from onika.workcell.boxes import BoxesWorld
-from onika.workcell.snapshot import Snapshot, decode, encode
+from onika.workcell.snapshot import WorldSnapshot, decode, encode
 
-SNAPSHOT = Snapshot("<mujoco/>", (0.1, -2.5), 3.5, True)
+SNAPSHOT = WorldSnapshot("<mujoco/>", (0.1, -2.5), 3.5, True)
 
 
 def test_a_snapshot_survives_its_bytes():

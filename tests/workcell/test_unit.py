@@ -1,13 +1,13 @@
 import numpy as np
 
-from onika.ring.device import DeviceSheet, Drive
-from onika.workcell.unit import Unit, row_of
+from onika.ring.device import DeviceSheet, DriveState
+from onika.workcell.unit import DeviceUnit, row_of
 
 
 def test_a_unit_starts_unclaimed_and_in_hold_and_publishes_the_time():
-    unit = Unit(DeviceSheet("thing", ("time", "drive", "x"), ("u",), {}))
+    unit = DeviceUnit(DeviceSheet("thing", ("time", "drive", "x"), ("u",), {}))
     assert (unit.epoch, unit.follows, unit.count) == (None, None, 1)
-    assert unit.state[1] == Drive.HELD
+    assert unit.state[1] == DriveState.HELD
     unit.refresh(1.5)
     assert unit.state.tolist() == [1.5, 1.0, 0.0]
 

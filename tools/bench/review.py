@@ -22,7 +22,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests"))
 from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.initial_model import opened
 from onika.record.reader import Reader
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.record.topics import EVENTS
 from onika.record.writer import Writer
 from onika.store.site import open_site
@@ -100,7 +100,7 @@ def _stretched(path: Path, long: Path, seconds: float) -> Path:
     reader = Reader(path)
     with long.open("wb") as stream:
         writer = Writer(stream)
-        Run.read(reader).write(writer)
+        RunRecord.read(reader).write(writer)
         numbers = {
             topic: writer.channel(topic, topic, b'{"type":"object"}', one.metadata)
             for topic, one in reader.channels.items()

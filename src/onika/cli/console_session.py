@@ -5,7 +5,7 @@ import sys
 import time
 from pathlib import Path
 
-from onika.cli.conversation import Desk, converse, run_batch, serve
+from onika.cli.conversation import LineDesk, converse, run_batch, serve
 from onika.cli.orderly_exit import in_order
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
@@ -15,7 +15,7 @@ from onika.desk.console.session import Runtime, Session
 from onika.store.site import Site
 
 
-class _Wire:
+class _RemoteRuntime:
     """A face that is chosen once the console, which completes what is typed, is there."""
 
     def __init__(self) -> None:
@@ -31,7 +31,7 @@ def sit_down(
     runtime: Runtime, site: Site, script: Path | None, *, has_console: bool = True, addresses: tuple[str, ...] = ()
 ) -> int:
     """Hold the conversation, or carry out the script alone, or only serve; the exit code."""
-    wire = _Wire()
+    wire = _RemoteRuntime()
     session = Session(runtime, site, wire, time.monotonic, addresses=addresses)
     console = Console(session)
     with in_order(), _desk(console) if has_console else PlainConsole() as desk:
@@ -47,7 +47,7 @@ def sit_down(
         return serve(console) if script is None else run_batch(console, desk, script)
 
 
-def _welcome(session: Session, desk: Desk) -> None:
+def _welcome(session: Session, desk: LineDesk) -> None:
     standing = session.standing()
     units = ", ".join(rtpu.name for rtpu in standing.rtpus)
     time_kind = "virtual" if standing.is_virtual else "wall"

@@ -15,7 +15,7 @@ _LOOK_S = 0.05
 _SERVED_S = 0.5
 
 
-class Desk(Face, Protocol):
+class LineDesk(Face, Protocol):
     """Where lines come from and go to."""
 
     is_person: bool
@@ -29,7 +29,7 @@ class Desk(Face, Protocol):
         ...
 
 
-def converse(console: Console, desk: Desk, script: Path | None) -> int:
+def converse(console: Console, desk: LineDesk, script: Path | None) -> int:
     """Carry out the script, then the lines of the desk, to their end; the exit code.
 
     A person goes on after a line that failed. Lines from a file or a pipe are a script: the first that fails ends them.
@@ -64,7 +64,7 @@ def serve(console: Console) -> int:
     return 0
 
 
-def _talk(console: Console, desk: Desk, interruption: Interruption, numbers: Iterator[int]) -> int | None:
+def _talk(console: Console, desk: LineDesk, interruption: Interruption, numbers: Iterator[int]) -> int | None:
     """Lines up to the end, and the exit code; None after a Ctrl-C, so that only two in a row end everything."""
     while not console.is_over:
         console.session.hear()
@@ -85,7 +85,7 @@ def _talk(console: Console, desk: Desk, interruption: Interruption, numbers: Ite
     return 0
 
 
-def _end(console: Console, desk: Desk) -> int:
+def _end(console: Console, desk: LineDesk) -> int:
     """After the last line; who is no person waits for the outcome of a run."""
     console.session.hear()
     faults = () if desk.is_person else _guarded(console.session, console.finish)
@@ -107,7 +107,7 @@ def _guarded(session: Session, act: Callable[[], Faults]) -> Faults:
         return (*faults, *session.interrupt()) if interruption.is_new() else faults
 
 
-def _interrupted(session: Session, desk: Desk) -> None:
+def _interrupted(session: Session, desk: LineDesk) -> None:
     """Ctrl-C at the prompt: stop where something may move, else only forget what was typed."""
     desk.drop()
     moves = session.running or any(

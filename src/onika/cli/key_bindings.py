@@ -20,7 +20,7 @@ _TYPED = {"b": "break ", ":": ""}
 
 
 @dataclass(slots=True)
-class Wheel:
+class KeyBindings:
     """Which flow is chosen (all, where none is), and what is being typed."""
 
     flows: tuple[str, ...] = ()

@@ -25,7 +25,7 @@ _LOOK_S = 0.2
 _STYLES = {event.Failed: "red", event.Explained: "red", event.Warned: "yellow", event.Moved: "bright_black"}
 
 
-class Live:
+class LiveDisplay:
     """Actions scroll by; the panel at the bottom shows every flow, the time, every task's state and the keys.
 
     can_steer   whether somebody is at the keyboard
@@ -43,7 +43,7 @@ class Live:
             console=self._console, refresh_per_second=12, get_renderable=self._panel.draw, transient=True
         )
 
-    def __enter__(self) -> "Live":
+    def __enter__(self) -> "LiveDisplay":
         self._keyboard.__enter__()
         self._screen.start()
         return self

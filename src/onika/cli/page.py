@@ -10,7 +10,7 @@ from pathlib import Path
 from onika.cli.runtime import add_base, unit
 from onika.cli.search_path import site_here
 from onika.link.token import read_token
-from onika.web.program import Program, Wishes
+from onika.web.program import EnvironmentProgram, Wishes
 from onika.web.server import bound
 
 PORT = 8420
@@ -64,7 +64,7 @@ def carry_out(given: argparse.Namespace) -> int:
         has_diary=not given.no_diary,
         is_upper_only=given.upper,
     )
-    program = Program(site_here(given.base), wishes, state_directory())
+    program = EnvironmentProgram(site_here(given.base), wishes, state_directory())
     shows = not given.no_browser and _has_screen()
     answers: list[str] = []
 

@@ -9,7 +9,7 @@ from rich.progress_bar import ProgressBar
 from rich.table import Table
 from rich.text import Text
 
-from onika.cli.key_bindings import KEYS, Wheel
+from onika.cli.key_bindings import KEYS, KeyBindings
 from onika.desk.plan.flow_index import Cast
 from onika.desk.run.flow_tracker import Spot, Whereabouts
 from onika.desk.run.positions import waits
@@ -50,7 +50,7 @@ class Panel:
     name: str = ""
     cast: Cast = field(default_factory=lambda: Cast(()))
     where: Whereabouts = field(default_factory=lambda: Whereabouts(Cast(())))
-    wheel: Wheel = field(default_factory=Wheel)
+    wheel: KeyBindings = field(default_factory=KeyBindings)
     has_keys: bool = False
     since: float = field(default_factory=monotonic)
     _positions: dict[str, Position] = field(default_factory=dict)
@@ -59,7 +59,7 @@ class Panel:
     def begins(self, name: str, cast: Cast) -> None:
         """A run of these flows begins."""
         self.name, self.cast, self.where = name, cast, Whereabouts(cast)
-        self.wheel = Wheel(cast.subsystems)
+        self.wheel = KeyBindings(cast.subsystems)
         self.since = monotonic()
 
     def happens(self, happening: event.Event) -> None:

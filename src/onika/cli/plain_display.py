@@ -13,14 +13,14 @@ from onika.wire.steer import Position
 from onika.words.fault import Fault
 
 
-class Plain:
+class PlainDisplay:
     """Writes to standard output."""
 
     def __init__(self) -> None:
         self._total = 0
         self._cast = Cast(())
 
-    def __enter__(self) -> "Plain":
+    def __enter__(self) -> "PlainDisplay":
         return self
 
     def __exit__(

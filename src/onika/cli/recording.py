@@ -11,7 +11,7 @@ from onika.desk.run.run_review import Review
 from onika.record import columns
 from onika.record.difference import first_difference
 from onika.record.reader import UNREADABLE, Reader, complaint
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.record.tolerance import usual
 
 
@@ -47,12 +47,12 @@ def carry_out(given: argparse.Namespace) -> int:
                 return _table(given)
             case _:
                 return _compare(given)
-    except _Spoilt as wrong:
+    except _UnreadableRecording as wrong:
         print(wrong, file=sys.stderr)
         return 2
 
 
-class _Spoilt(Exception):
+class _UnreadableRecording(Exception):
     """A file is no recording, or what was asked is not in it."""
 
 
@@ -63,7 +63,7 @@ def _reading(path: Path) -> Iterator[None]:
     except BrokenPipeError:
         raise
     except UNREADABLE as wrong:
-        raise _Spoilt(complaint(path, wrong)) from None
+        raise _UnreadableRecording(complaint(path, wrong)) from None
 
 
 def _show(path: Path) -> int:
@@ -87,18 +87,18 @@ def _table(given: argparse.Namespace) -> int:
         names = {*review.series, *(variable.name for variable in series)}
         strange = [name for name in wanted if name not in names]
         if strange:
-            raise _Spoilt(f"{path}: expected one of {', '.join(review.series)}, found {strange[0]!r}")
+            raise _UnreadableRecording(f"{path}: expected one of {', '.join(review.series)}, found {strange[0]!r}")
         if output is None:
             with _reading(path):
                 columns.write(sys.stdout, series)
             _tell_cut(review)
             return 0
         if output.exists() and output.samefile(path):
-            raise _Spoilt(f"{output}: expected another file than the recording itself; nothing is written")
+            raise _UnreadableRecording(f"{output}: expected another file than the recording itself; nothing is written")
         try:
             stream = output.open("w", newline="", encoding="utf-8")
         except OSError as wrong:
-            raise _Spoilt(complaint(output, wrong)) from None
+            raise _UnreadableRecording(complaint(output, wrong)) from None
         with stream, _reading(path):
             rows = columns.write(stream, series)
     print(f"{_counted(rows, 'row')} of {_counted(len(series), 'variable')}: {output}")
@@ -117,7 +117,7 @@ def _compare(given: argparse.Namespace) -> int:
     for path in (given.one, given.other):
         with _reading(path):
             readers.append(Reader(path))
-            is_virtual &= Run.read(readers[-1]).is_virtual
+            is_virtual &= RunRecord.read(readers[-1]).is_virtual
     tolerance = usual(is_virtual, given.tolerance, given.part, given.time)
     difference = None
     with _reading(given.one):  # a part that is spoilt tells its own file

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TextIO
 
 from onika.cli.json_lines import JsonLines
-from onika.cli.live_display import Live
+from onika.cli.live_display import LiveDisplay
 from onika.cli.orderly_exit import in_order
-from onika.cli.plain_display import Plain
+from onika.cli.plain_display import PlainDisplay
 from onika.cli.runtime import script_file
 from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
@@ -99,9 +99,9 @@ def carry_out(given: argparse.Namespace) -> int:
     if given.at is not None and given.source is None:
         given.complain("expected --from a recording together with --at")
     if given.json:
-        watcher: JsonLines | Live | Plain = JsonLines()
+        watcher: JsonLines | LiveDisplay | PlainDisplay = JsonLines()
     else:
-        watcher = Live() if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb" else Plain()
+        watcher = LiveDisplay() if _is_terminal(sys.stdout) and os.environ.get("TERM") != "dumb" else PlainDisplay()
     settings = RunSettings(
         name=given.application,
         is_virtual=given.virtual or given.scale is not None or given.source is not None,

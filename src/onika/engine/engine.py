@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping, Set
 
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_control import FlowControl
-from onika.engine.flow_router import Itinerary
+from onika.engine.flow_router import FlowRouter
 from onika.engine.news import (
     Abort,
     Asked,
@@ -29,11 +29,11 @@ from onika.engine.news import (
     TurnedOn,
 )
 from onika.engine.orders import Case, End, Note, Order
-from onika.engine.program import Program
+from onika.engine.program import FlowProgram
 from onika.engine.progress import Progress
-from onika.engine.recovery import Recovery
+from onika.engine.recovery import ErrorRecovery
 from onika.engine.step import steps
-from onika.engine.walk import Value
+from onika.engine.walk import FinishValue
 from onika.wire.plan import Plan
 from onika.wire.steer import Position, Steering
 
@@ -73,10 +73,10 @@ class Engine:
             others = {task for number, task in other_triggers if number == flow}
             ready = steps(planned, own_triggers, others, own_ranks)
             judged = _judge_of(judge, flow)
-            self._flows.append(Progress(flow, planned, Program(planned), ready, own_ranks, judged))
+            self._flows.append(Progress(flow, planned, FlowProgram(planned), ready, own_ranks, judged))
         names = [planned.subsystem for planned in plan.flows]
-        self._itinerary = Itinerary(self._flows, names)
-        self._recovery = Recovery(self._itinerary, stands_still)
+        self._itinerary = FlowRouter(self._flows, names)
+        self._recovery = ErrorRecovery(self._itinerary, stands_still)
         self._numbers = {name: flow for flow, name in enumerate(names)}
         self._control = FlowControl(self._itinerary, self._recovery)
 
@@ -198,7 +198,7 @@ class Engine:
     def _finished(self, flow: Progress, news: Finished) -> list[Order]:
         if not flow.finished(news.task):
             return [Note(flow.flow, f"{flow.where(news.task)} has finished, which ends no action now: ignored")]
-        done = flow.ends_with(Value(news.choice, news.loop))
+        done = flow.ends_with(FinishValue(news.choice, news.loop))
         if not news.switched and flow.rests_after(flow.current):
             return [done, *self._itinerary.rest(flow)]
         return [done, *self._itinerary.go_on([flow.flow], number=news.switched)]

@@ -1,10 +1,10 @@
 """Flow control: decides what the user may do with a flow, and does it (requirements E07, E13, §5.9.2)."""
 
 from onika.engine.flow import FlowState
-from onika.engine.flow_router import Itinerary
+from onika.engine.flow_router import FlowRouter
 from onika.engine.orders import Note, Order
 from onika.engine.progress import Progress
-from onika.engine.recovery import Recovery
+from onika.engine.recovery import ErrorRecovery
 from onika.wire.plan import Join
 from onika.wire.steer import Leave, Mark, Pass, Pause, Recover, Resume, Skip, Steering, Step
 
@@ -23,7 +23,7 @@ _SENT_FROM = (FlowState.RUNNING, FlowState.WAITING, FlowState.PAUSED, FlowState.
 class FlowControl:
     """Refuses or carries out the steering messages for the flows of one plan."""
 
-    def __init__(self, itinerary: Itinerary, recovery: Recovery) -> None:
+    def __init__(self, itinerary: FlowRouter, recovery: ErrorRecovery) -> None:
         self._itinerary = itinerary
         self._recovery = recovery
 

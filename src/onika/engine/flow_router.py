@@ -14,7 +14,7 @@ _MOST_STEPS = 100_000
 """Steps without time at one instant; flows that make more go round together for ever."""
 
 
-class Itinerary:
+class FlowRouter:
     """Moves flows on, as far as they go without anything having to happen. `names` are their subsystems."""
 
     def __init__(self, flows: Sequence[Progress], names: Sequence[str]) -> None:

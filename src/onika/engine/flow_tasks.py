@@ -3,12 +3,12 @@
 from collections.abc import Mapping
 
 from onika.engine.orders import Kill, Off, Order, Spawn, Switch
-from onika.engine.step import Step
+from onika.engine.step import ActionStep
 from onika.model.rules.reconfiguration import difference
 from onika.wire.plan import PlannedFlow
 
 
-class Crew:
+class FlowTasks:
     """What it is told it writes down, what it is bidden it answers with orders."""
 
     def __init__(self, flow: int, planned: PlannedFlow, ranks: Mapping[str, int]) -> None:
@@ -65,7 +65,7 @@ class Crew:
 
     # Switches
 
-    def change(self, step: Step, number: int = 0, finished: str = "") -> Switch:
+    def change(self, step: ActionStep, number: int = 0, finished: str = "") -> Switch:
         """What has to be switched for a step, as if `finished` had gone off; nothing is written down yet.
 
         Its triggers come on anew even when they are ON still: a new action is a new activation.
@@ -79,14 +79,14 @@ class Crew:
         starts = tuple(step.start(task) for task in change.on)
         return Switch(self._flow, again + change.off, starts, kept_rates, number)
 
-    def carry_out(self, step: Step, switch: Switch) -> None:
+    def carry_out(self, step: ActionStep, switch: Switch) -> None:
         """The switch is ordered: from now on who is to be ON is what the step says."""
         started = {start.task for start in switch.on}
         wanted = [task for task in step.tasks if task not in self._broken]
         self._on = {task: task not in started and self._on.get(task, False) for task in wanted}
         self._rates.update(step.rates)
 
-    def bring_back(self, step: Step | None) -> list[Order]:
+    def bring_back(self, step: ActionStep | None) -> list[Order]:
         """The tasks that had failed come on again where the flow does not repeat a step; a trigger does not:
 
         its action is over, and nothing moves while the flow waits.

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
-from onika.engine.program import Program
-from onika.engine.walk import Value, Way, walk
+from onika.engine.program import FlowProgram
+from onika.engine.walk import FinishValue, WalkResult, walk
 from onika.wire.plan import Choose
 
 _MOST_CHOICES = 4
@@ -34,7 +34,9 @@ class _Open:
         return self._loop
 
 
-def ways(program: Program, pc: int, leaving: frozenset[str]) -> Iterator[tuple[int | None, bool | None, Way]]:
+def ways(
+    program: FlowProgram, pc: int, leaving: frozenset[str]
+) -> Iterator[tuple[int | None, bool | None, WalkResult]]:
     """The way from `pc` on for every value of (choice, loop) that makes a difference; none: whatever it is.
 
     Nothing where a condition decides, or too many ways lead on.
@@ -43,9 +45,9 @@ def ways(program: Program, pc: int, leaving: frozenset[str]) -> Iterator[tuple[i
 
 
 def _ways(
-    program: Program, pc: int, leaving: frozenset[str], choice: int | None, loop: bool | None
-) -> Iterator[tuple[int | None, bool | None, Way]]:
-    open_value: Value = _Open(choice, loop)  # type: ignore[assignment]  # it has what a walk looks at
+    program: FlowProgram, pc: int, leaving: frozenset[str], choice: int | None, loop: bool | None
+) -> Iterator[tuple[int | None, bool | None, WalkResult]]:
+    open_value: FinishValue = _Open(choice, loop)  # type: ignore[assignment]  # it has what a walk looks at
     try:
         way = walk(program, pc, open_value, leaving, _nobody_knows, lambda _action: False)
     except _Unforeseen as unforeseen:
@@ -64,7 +66,7 @@ def _nobody_knows(_condition: str) -> bool:
     raise _Unforeseen("condition")
 
 
-def _widest(program: Program) -> int:
+def _widest(program: FlowProgram) -> int:
     return max(
         (len(instruction.to) for instruction in program.instructions if isinstance(instruction, Choose)), default=0
     )

@@ -7,13 +7,13 @@ there; who paused at the tag, or stopped there, has not come yet.
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 
-from onika.engine.program import Program
+from onika.engine.program import FlowProgram
 
 
 class Meetings:
     """Counts who came where how often, and who waits."""
 
-    def __init__(self, programs: Sequence[Program]) -> None:
+    def __init__(self, programs: Sequence[FlowProgram]) -> None:
         parties: dict[str, list[int]] = {}
         for number, program in enumerate(programs):
             for tag in program.tags:

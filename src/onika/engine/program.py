@@ -20,7 +20,7 @@ from onika.wire.plan import (
 )
 
 
-class Loop(NamedTuple):
+class ProgramLoop(NamedTuple):
     """A loop and the places of its first and its last instruction."""
 
     name: str
@@ -28,7 +28,7 @@ class Loop(NamedTuple):
     last: int
 
 
-class Program:
+class FlowProgram:
     """Raises ValueError for instructions that lead nowhere or name actions that are not there."""
 
     def __init__(self, planned: PlannedFlow) -> None:
@@ -49,7 +49,7 @@ class Program:
         ]
         self._parallel = tuple(self._parallels())
 
-    def loops_at(self, place: int) -> list[Loop]:
+    def loops_at(self, place: int) -> list[ProgramLoop]:
         """The loops around a place, outermost first."""
         around = [loop for loop in self.loops if loop.first <= place <= loop.last]
         return sorted(around, key=lambda loop: (loop.first, -loop.last))
@@ -89,11 +89,11 @@ class Program:
             raise ValueError(f"expected a Do for each of {actions} actions, found {len(entries)}")
         return entries
 
-    def _loops(self) -> list[Loop]:
+    def _loops(self) -> list[ProgramLoop]:
         loops = []
         for place, instruction in enumerate(self.instructions):
             if isinstance(instruction, Again) or (isinstance(instruction, Jump) and instruction.loop):
-                loops.append(Loop(instruction.loop, instruction.to, place))
+                loops.append(ProgramLoop(instruction.loop, instruction.to, place))
         return loops
 
     def _parallels(self) -> list[tuple[int, int]]:

@@ -3,12 +3,12 @@
 from collections.abc import Callable, Mapping
 
 from onika.engine.flow import FlowEvent, FlowState, after
-from onika.engine.flow_tasks import Crew
+from onika.engine.flow_tasks import FlowTasks
 from onika.engine.lookahead import ways
 from onika.engine.orders import Began, Case, Done, Moved, Note, Order
-from onika.engine.program import Program
-from onika.engine.step import Step
-from onika.engine.walk import Value, Way, walk
+from onika.engine.program import FlowProgram
+from onika.engine.step import ActionStep
+from onika.engine.walk import FinishValue, WalkResult, walk
 from onika.wire.plan import Do, Instruction, PlannedFlow
 
 
@@ -19,19 +19,19 @@ class Progress:
         self,
         flow: int,
         planned: PlannedFlow,
-        program: Program,
-        steps: tuple[Step, ...],
+        program: FlowProgram,
+        steps: tuple[ActionStep, ...],
         ranks: Mapping[str, int],
         judge: Callable[[str], bool],
     ) -> None:
         self.flow = flow
         self.parent = planned.parent
         self.program = program
-        self.crew = Crew(flow, planned, ranks)
+        self.crew = FlowTasks(flow, planned, ranks)
         self.state = FlowState.READY
         self.current = -1
         """The action that runs, or ran last; a no-op too."""
-        self.step: Step | None = None
+        self.step: ActionStep | None = None
         """The same, but never a no-op: what is ON belongs to it."""
         self.is_pausing = False
         """Whether it rests after its current action."""
@@ -45,7 +45,7 @@ class Progress:
         self._judge = judge
         self._steps = steps
         self._pc = 0 if planned.parent is None else program.end
-        self._value: Value | None = None
+        self._value: FinishValue | None = None
 
     @property
     def next(self) -> Instruction:
@@ -88,13 +88,13 @@ class Progress:
         around = {loop.name for loop in self.program.loops_at(place)}
         self.leaving &= around
 
-    def ends_with(self, value: Value) -> Done:
+    def ends_with(self, value: FinishValue) -> Done:
         """The current action has ended, and with what."""
         self._value = value
         self.revision += 1
         return Done(self.flow, self.current)
 
-    def walk(self) -> tuple[Way, list[Order]]:
+    def walk(self) -> tuple[WalkResult, list[Order]]:
         """To the next instruction that takes time or needs others; what is to be told of the way."""
         way = walk(self.program, self._pc, self._value, self.leaving, self._judge, self.rests_after)
         self._pc, self._value, self.leaving = way.pc, way.value, way.left

@@ -1,15 +1,15 @@
 """Errors in a flow: it stops, its failed tasks are cleared, the step is repeated (requirement E08, §5.9.2)."""
 
 from onika.engine.flow import FlowEvent, FlowState
-from onika.engine.flow_router import Itinerary
+from onika.engine.flow_router import FlowRouter
 from onika.engine.orders import Clear, Order
 from onika.engine.progress import Progress
 
 
-class Recovery:
+class ErrorRecovery:
     """Stops flows and brings them back. `stands_still`: whether anybody is there to decide."""
 
-    def __init__(self, itinerary: Itinerary, stands_still: bool) -> None:
+    def __init__(self, itinerary: FlowRouter, stands_still: bool) -> None:
         self._itinerary = itinerary
         self.stands_still = stands_still
         self._elsewhere: set[int] = set()

@@ -9,7 +9,7 @@ from onika.words.fault import Place
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
+class ActionStep:
     """What a flow switches to."""
 
     name: str
@@ -33,7 +33,7 @@ def steps(
     triggers: Mapping[int, str | None],
     other_triggers: Set[str],
     ranks: Mapping[str, int],
-) -> tuple[Step, ...]:
+) -> tuple[ActionStep, ...]:
     """The actions of a flow; raises KeyError where a trigger, rank or task that an action needs is not given."""
     usual = {task.name: task.frequency for task in planned.tasks}
     return tuple(
@@ -47,11 +47,11 @@ def _step(
     other_triggers: Set[str],
     ranks: Mapping[str, int],
     usual: Mapping[str, float | None],
-) -> Step:
+) -> ActionStep:
     if trigger is not None and trigger not in action.tasks:
         raise ValueError(f"{action.place}: expected a trigger out of {action.tasks}, found {trigger}")
     others = (task for task in action.tasks if task in other_triggers and task != trigger)
-    return Step(
+    return ActionStep(
         name=action.name,
         place=f"{Place(action.place, action.line)} ({action.name})" if action.line else action.place,
         tasks=tuple(sorted(action.tasks, key=ranks.__getitem__)),

@@ -1,13 +1,13 @@
 """The walk of a flow from one action to the next: what tests, branches and no-ops on the way decide (Table 9).
 
-It changes nothing. `Way.pc` is the next instruction that takes time or needs others: a Do of a job, Meet, Fork, Join,
+It changes nothing. `WalkResult.pc` is the next instruction that takes time or needs others: a Do of a job, Meet, Fork, Join,
 Rest or Halt; or the one behind a no-op after which the flow is to rest.
 """
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from onika.engine.program import Program
+from onika.engine.program import FlowProgram
 from onika.wire.plan import Again, Choose, Do, Jump, Rest, Unless
 
 Judge = Callable[[str], bool]
@@ -15,23 +15,23 @@ Judge = Callable[[str], bool]
 
 
 @dataclass(frozen=True, slots=True)
-class Value:
+class FinishValue:
     """What the last action returned."""
 
     choice: int = 0
     loop: bool = False
 
 
-NOOP = Value(0, loop=True)
+NOOP = FinishValue(0, loop=True)
 """What a no-op returns (requirement D11)."""
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class WalkResult:
     """Where a walk leads."""
 
     pc: int
-    value: Value | None
+    value: FinishValue | None
     left: frozenset[str]
     """The loops that were to be left and have not been."""
     passed: tuple[int, ...] = ()
@@ -44,13 +44,13 @@ class Way:
 
 
 def walk(
-    program: Program,
+    program: FlowProgram,
     pc: int,
-    value: Value | None,
+    value: FinishValue | None,
     leaving: frozenset[str],
     judge: Judge,
     rests_after: Callable[[int], bool],
-) -> Way:
+) -> WalkResult:
     """From instruction `pc` on; without a value every loop is left and flow 0 is taken (decisions 21 and 22).
 
     leaving      the loops that are to be left at their next test
@@ -58,11 +58,11 @@ def walk(
     """
     passed: list[int] = []
     notes: list[str] = []
-    seen: set[tuple[int, Value | None, frozenset[str]]] = set()
+    seen: set[tuple[int, FinishValue | None, frozenset[str]]] = set()
     while True:
         instruction = program.instructions[pc]
         if (pc, value, leaving) in seen:
-            return Way(pc, value, leaving, tuple(passed), tuple(notes), is_endless=True)
+            return WalkResult(pc, value, leaving, tuple(passed), tuple(notes), is_endless=True)
         seen.add((pc, value, leaving))
         match instruction:
             case Do() if program.is_noop[instruction.action]:
@@ -70,7 +70,7 @@ def walk(
                 value = NOOP
                 pc += 1
                 if rests_after(instruction.action):
-                    return Way(pc, value, leaving, tuple(passed), tuple(notes), rests=True)
+                    return WalkResult(pc, value, leaving, tuple(passed), tuple(notes), rests=True)
             case Rest() if instruction.action >= 0 or (instruction.condition and not judge(instruction.condition)):
                 pc += 1
             case Choose():
@@ -86,16 +86,16 @@ def walk(
                     (pc + 1, leaving - {instruction.loop}) if instruction.loop in leaving else (instruction.to, leaving)
                 )
             case _:
-                return Way(pc, value, leaving, tuple(passed), tuple(notes))
+                return WalkResult(pc, value, leaving, tuple(passed), tuple(notes))
 
 
-def _goes_on(instruction: Again | Unless, value: Value | None, judge: Judge) -> bool:
+def _goes_on(instruction: Again | Unless, value: FinishValue | None, judge: Judge) -> bool:
     if instruction.condition:
         return judge(instruction.condition)
     return value is not None and value.loop
 
 
-def _choice(choose: Choose, value: Value | None, judge: Judge) -> tuple[int, str]:
+def _choice(choose: Choose, value: FinishValue | None, judge: Judge) -> tuple[int, str]:
     """Which way, and what is worth saying of it (decision 20)."""
     if choose.conditions:
         last = len(choose.to) - 1

@@ -26,7 +26,7 @@ from onika.host.units.virtual import VirtualDriver
 from onika.host.units.wall import WallDriver
 from onika.host.units.world_registry import open_world
 from onika.link.launcher import die_with_parent, inherit
-from onika.link.sessions import Guests
+from onika.link.sessions import Sessions
 from onika.wire import event
 
 _SLICE_NS = 20_000_000
@@ -45,7 +45,7 @@ def main(words: list[str]) -> None:
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
     inquiry = Inquiry(loader)
-    gate = Gate(Guests(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
+    gate = Gate(Sessions(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
     if audit is not None:
         _watch(gate, audit)
     if given.link_fd is not None:

@@ -22,7 +22,7 @@ from onika.host.subsystems import Stage, Tell
 from onika.host.units.driver import Driver
 from onika.host.units.process_socket import Post
 from onika.link.caller import Role
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event, holding, live, request, steer
 
 
@@ -126,7 +126,7 @@ class Program:
             rtpus = {task.name: self.stage.unit(task.rtpu) for task in flow.tasks}
             known = prepared.constants[number]
             table = self.stage.table(flow.subsystem)
-            subsystems[number] = Subsystem(flow.subsystem, table, prepared.flows[number], rtpus, known)
+            subsystems[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus, known)
         if not self.stage.performances:
             self._driver.begin()
         tell: Tell

@@ -30,7 +30,7 @@ def joint_duration(start: Numbers, end: Numbers, speed: Numbers) -> float:
     return PEAK * max([abs(last - first) / limit for first, last, limit in zip(*rows, strict=True)], default=0.0)
 
 
-class Line:
+class StraightLine:
     """The straight line from one pose to another, turning about one fixed axis at an even share.
 
     p(s) = p0 + s (p1 - p0), R(s) = R0 exp(s log(R0^T R1)), s = 0..1. A turn of exactly pi goes either way round.

@@ -10,7 +10,7 @@ def split(number: int, body: bytes, piece: int) -> tuple[list[Part], bytes]:
     return parts, body[last * piece :]
 
 
-class Gathering:
+class BodyAssembly:
     """Parts received on one connection, by number, until the packet comes that completes them."""
 
     def __init__(self, limit: int) -> None:

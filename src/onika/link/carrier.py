@@ -19,7 +19,7 @@ _TURN = 2 * 1024 * 1024
 """Bytes read in one call at most, so that a fast sender starves nobody."""
 
 
-class Source(Protocol):
+class PayloadSource(Protocol):
     """What can be waited for."""
 
     @property
@@ -30,7 +30,7 @@ class Source(Protocol):
         """The file descriptor to wait for, -1 when there is none."""
 
 
-class Carrier(Source, Protocol):
+class Carrier(PayloadSource, Protocol):
     """What the link needs of a connection. One carrier is one connection; a new connection is a new carrier."""
 
     @property
@@ -220,7 +220,7 @@ def socket_pair(frame_limit: int = FRAME_LIMIT) -> tuple[SocketCarrier, SocketCa
     return SocketCarrier(here, frame_limit), SocketCarrier(there, frame_limit)
 
 
-def wait_for(sources: Sequence[Source], timeout_s: float | None) -> None:
+def wait_for(sources: Sequence[PayloadSource], timeout_s: float | None) -> None:
     """Wait until something came, what waits can be sent on, or the time is over (None: never)."""
     poller = select.poll()
     for source in sources:

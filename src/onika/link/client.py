@@ -3,13 +3,22 @@
 from dataclasses import dataclass
 
 from onika.link import lost
-from onika.link.body_parts import Gathering, split
+from onika.link.body_parts import BodyAssembly, split
 from onika.link.channel import Channel
-from onika.link.link_events import EpochChanged, Failed, Fate, Happening, Read, Replied, Resumed, Signalled
-from onika.link.link_terms import LOCAL, Terms
-from onika.link.liveness import Pulse
+from onika.link.link_events import (
+    EpochChanged,
+    Fate,
+    LinkNotice,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    Resumed,
+    SignalReceived,
+)
+from onika.link.link_terms import LOCAL, LinkTerms
+from onika.link.liveness import Liveness
 from onika.link.readings import Readings
-from onika.link.send_queues import Lanes
+from onika.link.send_queues import SendQueues
 from onika.link.state import LinkEvent, LinkState
 from onika.wire.packet import (
     VERSION,
@@ -28,7 +37,7 @@ from onika.wire.packet import (
 
 
 @dataclass(slots=True)
-class _Wish:
+class _PendingRequest:
     """A request that is not answered yet."""
 
     body: bytes
@@ -46,16 +55,16 @@ class ClientEnd:
     was meant for the old one is said.
     """
 
-    def __init__(self, client: str, terms: Terms = LOCAL, channel: Channel = Channel.ALL) -> None:
+    def __init__(self, client: str, terms: LinkTerms = LOCAL, channel: Channel = Channel.ALL) -> None:
         self.epoch = ""
         self._client = client
         self._terms = terms
         self._channel = channel
-        self._happenings: list[Happening] = []
-        self._pulse = Pulse(terms, self._happenings)
-        self._lanes = Lanes(Readings())
-        self._gathering = Gathering(terms.body_limit)
-        self._wishes: dict[int, _Wish] = {}
+        self._happenings: list[LinkNotice] = []
+        self._pulse = Liveness(terms, self._happenings)
+        self._lanes = SendQueues(Readings())
+        self._gathering = BodyAssembly(terms.body_limit)
+        self._wishes: dict[int, _PendingRequest] = {}
         self.asked = 0
         self._accepted = 0
         self._ack_due = False
@@ -79,7 +88,7 @@ class ClientEnd:
         """The connection is gone or unusable."""
         if self.state not in (LinkState.APART, LinkState.ENDED):
             self._end(LinkEvent.CUT, why)
-            if why.cause is lost.Cause.GARBAGE:
+            if why.cause is lost.LossCause.GARBAGE:
                 self._lanes.last(Bye("garbage", str(why)[:1000]))
 
     def follow(self, epoch: str) -> None:
@@ -108,7 +117,7 @@ class ClientEnd:
             raise ValueError(f"expected a request of {self._terms.body_limit} bytes at most, found {len(body)}")
         self.asked += 1
         begin_by_ns = now_ns + begin_within_ns if begin_within_ns else 0
-        self._wishes[self.asked] = _Wish(body, once, urgent, begin_by_ns)
+        self._wishes[self.asked] = _PendingRequest(body, once, urgent, begin_by_ns)
         if self._pulse.is_linked:
             self._send(self.asked, now_ns)
         elif once or self.state is LinkState.ENDED:
@@ -150,7 +159,7 @@ class ClientEnd:
             self._lanes.signal(Ack(self._accepted))
         return self._lanes.take(room, now_ns)
 
-    def take_happenings(self) -> list[Happening]:
+    def take_happenings(self) -> list[LinkNotice]:
         """What the owner has not been told yet, in order."""
         taken = self._happenings.copy()
         self._happenings.clear()
@@ -215,7 +224,7 @@ class ClientEnd:
         # only the very next one: a gap means that what lies between was never said on this connection
         if packet.seq == self._accepted + 1:
             self._accepted = packet.seq
-            self._happenings.append(Signalled(packet.seq, packet.body))
+            self._happenings.append(SignalReceived(packet.seq, packet.body))
         self._ack_due = True
 
     def _reply(self, packet: Reply) -> None:
@@ -225,8 +234,8 @@ class ClientEnd:
         if body is None:
             return
         del self._wishes[packet.number]
-        late = Failed(packet.number, Fate.LATE)
-        self._happenings.append(late if packet.late else Replied(packet.number, body))
+        late = RequestFailed(packet.number, Fate.LATE)
+        self._happenings.append(late if packet.late else ReplyReceived(packet.number, body))
 
     def _part(self, packet: Part) -> None:
         if packet.number not in self._wishes:
@@ -239,7 +248,7 @@ class ClientEnd:
     def _read(self, packet: Reading) -> None:
         if packet.count > self._reading:
             self._reading = packet.count
-            self._happenings.append(Read(packet.key, packet.body))
+            self._happenings.append(ReadingReceived(packet.key, packet.body))
 
     def _bye(self, packet: Bye) -> None:
         if packet.cause == "version":
@@ -283,7 +292,7 @@ class ClientEnd:
     def _fail(self, fate: Fate, numbers: list[int]) -> None:
         for number in numbers:
             del self._wishes[number]
-            self._happenings.append(Failed(number, fate))
+            self._happenings.append(RequestFailed(number, fate))
 
     def _end(self, event: LinkEvent, why: lost.LinkLost) -> None:
         self._drop_connection()

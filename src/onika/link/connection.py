@@ -5,23 +5,23 @@ from collections import deque
 from collections.abc import Callable, Sequence
 from typing import Protocol
 
-from onika.link.carrier import Beating, Carrier, Source, wait_for
+from onika.link.carrier import Beating, Carrier, PayloadSource, wait_for
 from onika.link.channel import THREE, Channel
-from onika.link.link_events import Failed, Fate, Happening, Read, Replied, Turned
-from onika.link.link_terms import LOCAL, Terms
+from onika.link.link_events import Fate, LinkNotice, LinkStateChanged, ReadingReceived, ReplyReceived, RequestFailed
+from onika.link.link_terms import LOCAL, LinkTerms
 from onika.link.lost import LinkLost, closed, here
-from onika.link.session_channels import Bundle
+from onika.link.session_channels import SessionChannels
 from onika.link.state import LinkState
 
 Clock = Callable[[], int]
 """A clock that never goes back, in ns (`time.monotonic_ns`)."""
 
 
-Wait = Callable[[Sequence[Source], float | None], None]
+Wait = Callable[[Sequence[PayloadSource], float | None], None]
 """Wait until one of these can be served or the seconds are over; a test lets the other side work meanwhile."""
 
 
-class Dialler(Source, Protocol):
+class Connector(PayloadSource, Protocol):
     """Opens connections for channels without letting anybody wait; readable when something has finished."""
 
     def dial(self, channel: Channel) -> None:
@@ -41,20 +41,20 @@ class Connection:
         self,
         carrier: Carrier | None,
         clock: Clock,
-        terms: Terms = LOCAL,
+        terms: LinkTerms = LOCAL,
         client: str | None = None,
         wait: Wait = wait_for,
-        dialler: Dialler | None = None,
+        dialler: Connector | None = None,
     ) -> None:
         self._clock = clock
         self._wait = wait
         self._dialler = dialler
         channels = (Channel.ALL,) if dialler is None else THREE
-        self._bundle = Bundle(client or secrets.token_hex(16), terms, channels)
+        self._bundle = SessionChannels(client or secrets.token_hex(16), terms, channels)
         self._awaited: set[int] = set()
-        self._outcomes: dict[int, Replied | Failed] = {}
-        self._news: deque[Happening] = deque()
-        self._readings: dict[str, Read] = {}
+        self._outcomes: dict[int, ReplyReceived | RequestFailed] = {}
+        self._news: deque[LinkNotice] = deque()
+        self._readings: dict[str, ReadingReceived] = {}
         self._lost: LinkLost | None = None
         self._refusal: LinkLost | None = None
         if carrier is not None:
@@ -135,16 +135,16 @@ class Connection:
             self._bundle.forget(number)
 
     def ask(self, body: bytes, begin_within_s: float | None = None, once: bool = False, urgent: bool = False) -> int:
-        """Ask without waiting; `poll` tells of the answer (Replied or Failed) under the number given back."""
+        """Ask without waiting; `poll` tells of the answer (ReplyReceived or RequestFailed) under the number given back."""
         within_ns = round(begin_within_s * 1e9) if begin_within_s is not None else 0
         number = self._bundle.request(body, self._clock(), within_ns, once, urgent)
         self._sort()
         return number
 
-    def poll(self, timeout_s: float = 0.0) -> list[Happening]:
+    def poll(self, timeout_s: float = 0.0) -> list[LinkNotice]:
         """The news since the last call, signals in order, then the newest readings; waits for the first one.
 
-        Never raises LinkLost: the end of the link is news too (Turned), and where it does not come back there is
+        Never raises LinkLost: the end of the link is news too (LinkStateChanged), and where it does not come back there is
         nothing to wait for after it.
         """
         until_ns = self._clock() + round(timeout_s * 1e9)
@@ -194,7 +194,7 @@ class Connection:
             if isinstance(carrier, Beating):
                 carrier.served()
 
-    def _sources(self) -> list[Source]:
+    def _sources(self) -> list[PayloadSource]:
         return [*self._bundle.carriers, *([] if self._dialler is None else [self._dialler])]
 
     def _serve(self) -> None:
@@ -219,21 +219,21 @@ class Connection:
 
     def _sort(self) -> None:
         for happening in self._bundle.take_happenings():
-            if isinstance(happening, Replied | Failed) and happening.number in self._awaited:
+            if isinstance(happening, ReplyReceived | RequestFailed) and happening.number in self._awaited:
                 self._outcomes[happening.number] = happening
-            elif isinstance(happening, Read):
+            elif isinstance(happening, ReadingReceived):
                 self._readings[happening.key] = happening
             else:
                 self._news.append(happening)
-                if isinstance(happening, Turned):
+                if isinstance(happening, LinkStateChanged):
                     self._lost = happening.lost
 
     def _raise_if_gone(self) -> None:
         if self._is_gone:
             raise self._lost or closed()
 
-    def _outcome(self, outcome: Replied | Failed, timeout_s: float) -> bytes:
-        if isinstance(outcome, Replied):
+    def _outcome(self, outcome: ReplyReceived | RequestFailed, timeout_s: float) -> bytes:
+        if isinstance(outcome, ReplyReceived):
             return outcome.body
         if outcome.fate is Fate.LOST:
             raise self._lost or closed("it may or may not have been carried out")

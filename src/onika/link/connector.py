@@ -10,7 +10,7 @@ from onika.link.channel import Channel
 from onika.link.lost import LinkLost
 
 
-class ThreadDialler:
+class ThreadConnector:
     """One thread for each opening under way; readable when one has finished."""
 
     pending = 0

@@ -25,7 +25,7 @@ LENGTH = _NAME + _COUNT + _SEAL
 
 
 @dataclass(frozen=True, slots=True)
-class Pact:
+class HeartbeatKey:
     """What both ends of one connection know of its beats."""
 
     port: int
@@ -34,15 +34,15 @@ class Pact:
 
     def __repr__(self) -> str:
         """Without the key."""
-        return f"Pact(port={self.port}, name={self.name.hex()})"
+        return f"HeartbeatKey(port={self.port}, name={self.name.hex()})"
 
     @classmethod
-    def drawn(cls, port: int) -> "Pact":
+    def drawn(cls, port: int) -> "HeartbeatKey":
         """For a new connection."""
         return cls(port, secrets.token_bytes(_NAME), secrets.token_bytes(_KEY))
 
     @classmethod
-    def parse(cls, header: str) -> "Pact | None":
+    def parse(cls, header: str) -> "HeartbeatKey | None":
         """What the other end has told; None: it tells nothing that could be used."""
         words = header.split()
         try:
@@ -74,10 +74,10 @@ def name_in(datagram: bytes) -> bytes:
     return datagram[:_NAME] if len(datagram) == LENGTH else b""
 
 
-class Drum:
+class HeartbeatCounter:
     """What is beaten beside one connection, and when no more. No I/O, no clock."""
 
-    def __init__(self, pact: Pact) -> None:
+    def __init__(self, pact: HeartbeatKey) -> None:
         self._pact = pact
         self._count = 0
         self._served_ns: int | None = None
@@ -94,11 +94,11 @@ class Drum:
         return self._pact.beat(self._count)
 
 
-class Beater:
+class HeartbeatSender:
     """Sends the beats of one connection to the machine where that ends; where none gets through, nothing is lost."""
 
-    def __init__(self, pact: Pact, host: str, family: int) -> None:
-        self._drum = Drum(pact)
+    def __init__(self, pact: HeartbeatKey, host: str, family: int) -> None:
+        self._drum = HeartbeatCounter(pact)
         self._over = threading.Event()
         self._socket = socket.socket(family, socket.SOCK_DGRAM)
         self._socket.setblocking(False)

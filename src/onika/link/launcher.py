@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from types import TracebackType
 
 from onika.link.carrier import SocketCarrier
-from onika.link.output_tail import Tail
+from onika.link.output_tail import OutputTail
 from onika.wire.frame import FRAME_LIMIT
 
 RUNTIME = (sys.executable, "-m", "onika.host")
@@ -22,10 +22,10 @@ ONE_THREAD = dict.fromkeys(("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_
 _PR_SET_PDEATHSIG = 1
 
 
-class Child:
+class RuntimeProcess:
     """A runtime that was launched: its connection, its life and the last it printed."""
 
-    def __init__(self, process: "subprocess.Popen[bytes]", carrier: SocketCarrier, tail: Tail) -> None:
+    def __init__(self, process: "subprocess.Popen[bytes]", carrier: SocketCarrier, tail: OutputTail) -> None:
         self.carrier = carrier
         self._process = process
         self._tail = tail
@@ -69,7 +69,7 @@ class Child:
         code = self.wait(grace_s)
         return self.kill() if code is None else code
 
-    def __enter__(self) -> "Child":
+    def __enter__(self) -> "RuntimeProcess":
         return self
 
     def __exit__(
@@ -78,7 +78,9 @@ class Child:
         self.close()
 
 
-def launch(arguments: Sequence[str] = (), command: Sequence[str] = RUNTIME, frame_limit: int = FRAME_LIMIT) -> Child:
+def launch(
+    arguments: Sequence[str] = (), command: Sequence[str] = RUNTIME, frame_limit: int = FRAME_LIMIT
+) -> RuntimeProcess:
     """Start a runtime: the command, `--link-fd N --parent PID`, the arguments. Raises OSError when it cannot start.
 
     The child inherits its end of the link under the number N and nothing else; its input is empty.
@@ -102,7 +104,7 @@ def launch(arguments: Sequence[str] = (), command: Sequence[str] = RUNTIME, fram
     finally:
         theirs.close()
         os.close(child_output)
-    return Child(process, SocketCarrier(ours, frame_limit), Tail(output))
+    return RuntimeProcess(process, SocketCarrier(ours, frame_limit), OutputTail(output))
 
 
 def inherit(descriptor: int, frame_limit: int = FRAME_LIMIT) -> SocketCarrier:

@@ -8,7 +8,7 @@ from onika.link.state import LinkState
 
 
 @dataclass(frozen=True, slots=True)
-class Turned:
+class LinkStateChanged:
     """The link changed its state; `lost` says why where a connection ended."""
 
     state: LinkState
@@ -30,7 +30,7 @@ class Resumed:
 
 
 @dataclass(frozen=True, slots=True)
-class Signalled:
+class SignalReceived:
     """To the environment: the next signal; `seq` is one more than that of the one before in this epoch."""
 
     seq: int
@@ -38,7 +38,7 @@ class Signalled:
 
 
 @dataclass(frozen=True, slots=True)
-class Replied:
+class ReplyReceived:
     """To the environment: the answer to its request."""
 
     number: int
@@ -54,7 +54,7 @@ class Fate(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Failed:
+class RequestFailed:
     """To the environment: this request gets no answer any more."""
 
     number: int
@@ -62,7 +62,7 @@ class Failed:
 
 
 @dataclass(frozen=True, slots=True)
-class Read:
+class ReadingReceived:
     """To the environment: the newest value under a key."""
 
     key: str
@@ -78,7 +78,7 @@ class Greeted:
 
 
 @dataclass(frozen=True, slots=True)
-class Asked:
+class RequestReceived:
     """To the runtime: carry this out, once, and reply under the ticket."""
 
     ticket: int
@@ -86,4 +86,14 @@ class Asked:
     body: bytes
 
 
-Happening = Turned | EpochChanged | Resumed | Signalled | Replied | Failed | Read | Greeted | Asked
+LinkNotice = (
+    LinkStateChanged
+    | EpochChanged
+    | Resumed
+    | SignalReceived
+    | ReplyReceived
+    | RequestFailed
+    | ReadingReceived
+    | Greeted
+    | RequestReceived
+)

@@ -6,7 +6,7 @@ from onika.wire.packet import Beat
 
 
 @dataclass(frozen=True, slots=True)
-class Rhythm:
+class LinkQuality:
     """Of one connection; nothing where no datagram gets through."""
 
     beats: int = 0
@@ -15,8 +15,8 @@ class Rhythm:
     round_trip_us: int = -1
     """The shortest round trip of the connection; -1: it was not told."""
 
-    def after(self, beat: Beat, now_ns: int) -> "Rhythm":
+    def after(self, beat: Beat, now_ns: int) -> "LinkQuality":
         """With one more; those that came over the connection do not count."""
         if beat.round_trip_us < 0:
             return self
-        return Rhythm(self.beats + 1, now_ns, beat.round_trip_us)
+        return LinkQuality(self.beats + 1, now_ns, beat.round_trip_us)

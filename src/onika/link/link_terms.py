@@ -6,7 +6,7 @@ _MS = 1_000_000
 
 
 @dataclass(frozen=True, slots=True)
-class Terms:
+class LinkTerms:
     """Times in ns (0: never), amounts in pieces or bytes. The two ends need not have the same."""
 
     beat_ns: int = 250 * _MS
@@ -30,17 +30,17 @@ class Terms:
     """A reading that could not be sent for so long is dropped."""
 
 
-LOCAL = Terms()
+LOCAL = LinkTerms()
 """Environment and runtime on one machine or a quiet network."""
 
-CHILD = Terms(suspect_ns=2000 * _MS, lost_ns=30_000 * _MS, greeting_ns=60_000 * _MS)
+CHILD = LinkTerms(suspect_ns=2000 * _MS, lost_ns=30_000 * _MS, greeting_ns=60_000 * _MS)
 """A runtime as a child process: its death closes the connection, so silence means a pause; it starts slowly."""
 
-REMOTE = Terms(beat_ns=100 * _MS, lost_ns=5000 * _MS, greeting_ns=10_000 * _MS)
+REMOTE = LinkTerms(beat_ns=100 * _MS, lost_ns=5000 * _MS, greeting_ns=10_000 * _MS)
 """The environment's terms over a network: a runtime that is busy with a plan may be silent for some seconds.
 
 It beats ten times a second, for who holds something is there as long as he is heard.
 """
 
-NO_BEATS = Terms(beat_ns=0, suspect_ns=0, lost_ns=0, greeting_ns=60_000 * _MS, reading_age_ns=0)
+NO_BEATS = LinkTerms(beat_ns=0, suspect_ns=0, lost_ns=0, greeting_ns=60_000 * _MS, reading_age_ns=0)
 """Virtual time: nobody is ever late; only a closed connection ends the link."""

@@ -1,8 +1,8 @@
 """The pulse of an end: its state, its own beats and how long the other side has been silent."""
 
 from onika.link import lost
-from onika.link.link_events import Happening, Turned
-from onika.link.link_terms import Terms
+from onika.link.link_events import LinkNotice, LinkStateChanged
+from onika.link.link_terms import LinkTerms
 from onika.link.state import LinkEvent, LinkState, follow
 from onika.wire.packet import Beat
 
@@ -10,10 +10,10 @@ _NEVER = 2**63
 _ALIVE = (LinkState.LINKED, LinkState.SUSPECT)
 
 
-class Pulse:
+class Liveness:
     """Judges silence by the clock of this side only; tells every change of state to `happenings`."""
 
-    def __init__(self, terms: Terms, happenings: list[Happening]) -> None:
+    def __init__(self, terms: LinkTerms, happenings: list[LinkNotice]) -> None:
         self.state = LinkState.APART
         self._terms = terms
         self._happenings = happenings
@@ -30,7 +30,7 @@ class Pulse:
         """Follow the table."""
         old, self.state = self.state, follow(self.state, event)
         if self.state is not old or event is LinkEvent.OPENED:
-            self._happenings.append(Turned(self.state, why))
+            self._happenings.append(LinkStateChanged(self.state, why))
 
     def opened(self, now_ns: int) -> None:
         """A new connection; its greeting must be complete in time."""

@@ -3,7 +3,7 @@
 from enum import Enum
 
 
-class Cause(Enum):
+class LossCause(Enum):
     """What ended a connection."""
 
     CLOSED = "closed"
@@ -35,48 +35,48 @@ class Cause(Enum):
 class LinkLost(Exception):
     """The connection is no more; `cause` says which kind, the text says it in words."""
 
-    def __init__(self, cause: Cause, text: str) -> None:
+    def __init__(self, cause: LossCause, text: str) -> None:
         super().__init__(text)
         self.cause = cause
 
     @property
     def is_final(self) -> bool:
         """Whether trying again as it stands mends nothing."""
-        return self.cause in (Cause.VERSION, Cause.CERTIFICATE, Cause.TOKEN, Cause.FORBIDDEN)
+        return self.cause in (LossCause.VERSION, LossCause.CERTIFICATE, LossCause.TOKEN, LossCause.FORBIDDEN)
 
 
 def closed(detail: str = "") -> LinkLost:
     """The other side closed the connection or ceased to be."""
-    return LinkLost(Cause.CLOSED, "the other side closed the connection" + (f": {detail}" if detail else ""))
+    return LinkLost(LossCause.CLOSED, "the other side closed the connection" + (f": {detail}" if detail else ""))
 
 
 def silent(seconds: float) -> LinkLost:
     """The other side said nothing for so long."""
-    return LinkLost(Cause.SILENT, f"the other side has been silent for {seconds:.1f} s")
+    return LinkLost(LossCause.SILENT, f"the other side has been silent for {seconds:.1f} s")
 
 
 def version(mine: int, theirs: int) -> LinkLost:
     """The other side speaks another version."""
-    return LinkLost(Cause.VERSION, f"the other side speaks version {theirs} of the link, this side version {mine}")
+    return LinkLost(LossCause.VERSION, f"the other side speaks version {theirs} of the link, this side version {mine}")
 
 
 def garbage(detail: str) -> LinkLost:
     """The other side sent something that is no packet."""
-    return LinkLost(Cause.GARBAGE, f"garbage was received: {detail}")
+    return LinkLost(LossCause.GARBAGE, f"garbage was received: {detail}")
 
 
 def link_lost(cause: str, reason: str) -> LinkLost:
     """What the other side's good-bye says."""
     if cause == "closed":
         return closed(reason)
-    return LinkLost(Cause(cause), f"the other side ended the connection: {reason}")
+    return LinkLost(LossCause(cause), f"the other side ended the connection: {reason}")
 
 
 def behind(detail: str) -> LinkLost:
     """A reader was too slow."""
-    return LinkLost(Cause.BEHIND, f"the reader fell too far behind: {detail}")
+    return LinkLost(LossCause.BEHIND, f"the reader fell too far behind: {detail}")
 
 
 def here(detail: str = "closed") -> LinkLost:
     """This side closed the connection itself."""
-    return LinkLost(Cause.HERE, f"this side ended the connection: {detail}")
+    return LinkLost(LossCause.HERE, f"this side ended the connection: {detail}")

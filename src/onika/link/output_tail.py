@@ -5,7 +5,7 @@ import select
 import threading
 
 
-class Tail:
+class OutputTail:
     """Reads a pipe in a thread of its own until its end or until `close`; owns the descriptor from now on."""
 
     def __init__(self, descriptor: int, keep: int = 64 * 1024) -> None:

@@ -11,7 +11,7 @@ LOW_WATER = 128 * 1024
 """Bytes under way beyond which only signals and beats are added."""
 
 
-class End(Protocol):
+class LinkEnd(Protocol):
     """What the two ends of the link have in common; see `ClientEnd` and `ServerEnd`."""
 
     @property
@@ -40,7 +40,7 @@ class End(Protocol):
 class Pump:
     """Serves one end over one carrier at a time."""
 
-    def __init__(self, end: End) -> None:
+    def __init__(self, end: LinkEnd) -> None:
         self._end = end
         self._carrier: Carrier | None = None
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
-class Answer:
+class StoredReply:
     """What was answered; late: refused because its deadline had passed."""
 
     body: bytes
@@ -12,13 +12,13 @@ class Answer:
 
 
 @dataclass(slots=True, eq=False)
-class Account:
+class ClientReplies:
     """One client's requests: those under way, those answered but perhaps not received; all below `settled` are over."""
 
     client: str
     settled: int = 1
     under_way: set[int] = field(default_factory=set)
-    answers: dict[int, Answer] = field(default_factory=dict)
+    answers: dict[int, StoredReply] = field(default_factory=dict)
 
     def settle(self, done_below: int) -> None:
         """The client has what it wants of all numbers below this one."""
@@ -30,7 +30,7 @@ class Account:
         """Whether this request was never seen."""
         return number >= self.settled and number not in self.under_way and number not in self.answers
 
-    def answer(self, number: int, answer: Answer) -> bool:
+    def answer(self, number: int, answer: StoredReply) -> bool:
         """Note the answer; False when the client does not want it any more."""
         self.under_way.discard(number)
         if number < self.settled:
@@ -39,23 +39,23 @@ class Account:
         return True
 
 
-class ReplyBook:
+class ReplyLog:
     """The accounts of the latest clients; the one that has been away longest is forgotten first."""
 
     def __init__(self, keep: int = 64) -> None:
         self._keep = keep
-        self._accounts: dict[str, Account] = {}
+        self._accounts: dict[str, ClientReplies] = {}
 
-    def find(self, client: str) -> Account | None:
+    def find(self, client: str) -> ClientReplies | None:
         """The account of a client that is known."""
         return self._accounts.get(client)
 
-    def begin(self, client: str) -> Account:
+    def begin(self, client: str) -> ClientReplies:
         """A new, empty account for a client, in place of any it had."""
         self._accounts.pop(client, None)
         while len(self._accounts) >= self._keep:
             del self._accounts[next(iter(self._accounts))]
-        self._accounts[client] = account = Account(client)
+        self._accounts[client] = account = ClientReplies(client)
         return account
 
     def renew(self, client: str) -> None:

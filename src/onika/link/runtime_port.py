@@ -4,16 +4,16 @@ from collections.abc import Callable
 
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.link_events import Happening
-from onika.link.link_quality import Rhythm
-from onika.link.link_terms import LOCAL, Terms
+from onika.link.link_events import LinkNotice
+from onika.link.link_quality import LinkQuality
+from onika.link.link_terms import LOCAL, LinkTerms
 from onika.link.pump import Pump
-from onika.link.reply_log import ReplyBook
+from onika.link.reply_log import ReplyLog
 from onika.link.server import ServerEnd
-from onika.link.signal_journal import Journal
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 
-MakeServer = Callable[[Journal, ReplyBook, Terms, Channel], ServerEnd]
+MakeServer = Callable[[SignalJournal, ReplyLog, LinkTerms, Channel], ServerEnd]
 """Makes the end that decides."""
 
 
@@ -25,13 +25,13 @@ class ServerPort:
 
     def __init__(
         self,
-        journal: Journal,
-        replies: ReplyBook | None = None,
-        terms: Terms = LOCAL,
+        journal: SignalJournal,
+        replies: ReplyLog | None = None,
+        terms: LinkTerms = LOCAL,
         channel: Channel = Channel.ALL,
         make: MakeServer = ServerEnd,
     ) -> None:
-        self._end = make(journal, replies or ReplyBook(), terms, channel)
+        self._end = make(journal, replies or ReplyLog(), terms, channel)
         self._pump = Pump(self._end)
 
     @property
@@ -50,7 +50,7 @@ class ServerPort:
         return self._end.heard_ns
 
     @property
-    def rhythm(self) -> Rhythm:
+    def rhythm(self) -> LinkQuality:
         """Its beats that came as datagrams."""
         return self._end.rhythm
 
@@ -75,7 +75,7 @@ class ServerPort:
         """Serve this connection from now on, in place of any old one."""
         self._pump.attach(carrier, now_ns)
 
-    def service(self, now_ns: int) -> list[Happening]:
+    def service(self, now_ns: int) -> list[LinkNotice]:
         """Take in, let time pass, send; what happened, in order: Greeted, Asked, Turned. Never raises LinkLost."""
         self._pump.service(now_ns)
         return self._end.take_happenings()

@@ -12,7 +12,7 @@ from onika.wire.packet import Packet, Part, Reply, Request
 _OVERHEAD = 32
 
 
-class Lanes:
+class SendQueues:
     """Greeting, signals, acknowledgements and beats; requests and replies; readings."""
 
     def __init__(self, readings: Readings) -> None:

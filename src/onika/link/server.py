@@ -3,23 +3,23 @@
 from dataclasses import dataclass
 
 from onika.link import lost
-from onika.link.body_parts import Gathering, split
+from onika.link.body_parts import BodyAssembly, split
 from onika.link.channel import Channel
-from onika.link.link_events import Asked, Greeted, Happening
-from onika.link.link_quality import Rhythm
-from onika.link.link_terms import LOCAL, Terms
-from onika.link.liveness import Pulse
+from onika.link.link_events import Greeted, LinkNotice, RequestReceived
+from onika.link.link_quality import LinkQuality
+from onika.link.link_terms import LOCAL, LinkTerms
+from onika.link.liveness import Liveness
 from onika.link.readings import Readings
-from onika.link.reply_log import Account, Answer, ReplyBook
-from onika.link.send_queues import Lanes
-from onika.link.signal_journal import Journal
+from onika.link.reply_log import ClientReplies, ReplyLog, StoredReply
+from onika.link.send_queues import SendQueues
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkEvent, LinkState
 from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Packet, Part, Reply, Request, Signal, Welcome
 
 
 @dataclass(frozen=True, slots=True)
 class _Ticket:
-    account: Account
+    account: ClientReplies
     number: int
 
 
@@ -32,25 +32,25 @@ class ServerEnd:
     """
 
     def __init__(
-        self, journal: Journal, replies: ReplyBook, terms: Terms = LOCAL, channel: Channel = Channel.ALL
+        self, journal: SignalJournal, replies: ReplyLog, terms: LinkTerms = LOCAL, channel: Channel = Channel.ALL
     ) -> None:
         self._journal = journal
         self._replies = replies
         self._terms = terms
         self._channel = channel
-        self._happenings: list[Happening] = []
-        self._pulse = Pulse(terms, self._happenings)
+        self._happenings: list[LinkNotice] = []
+        self._pulse = Liveness(terms, self._happenings)
         self._readings = Readings(terms.reading_age_ns)
-        self._lanes = Lanes(self._readings)
-        self._gathering = Gathering(terms.body_limit)
-        self._account: Account | None = None
+        self._lanes = SendQueues(self._readings)
+        self._gathering = BodyAssembly(terms.body_limit)
+        self._account: ClientReplies | None = None
         self._welcome: Welcome | None = None
         self._tickets: dict[int, _Ticket] = {}
         self._last_ticket = 0
         self._sent_to = 0
         self._acked = 0
         self._progress_ns = 0
-        self.rhythm = Rhythm()
+        self.rhythm = LinkQuality()
         """Of the present connection, or the last one."""
 
     @property
@@ -66,14 +66,14 @@ class ServerEnd:
     def open(self, now_ns: int) -> None:
         """There is a new connection, in place of any old one; the environment speaks first."""
         self._drop_connection()
-        self.rhythm = Rhythm()
+        self.rhythm = LinkQuality()
         self._pulse.opened(now_ns)
 
     def cut(self, why: lost.LinkLost) -> None:
         """The connection is gone or unusable."""
         if self.state not in (LinkState.APART, LinkState.ENDED):
             self._end(LinkEvent.CUT, why)
-            if why.cause is lost.Cause.GARBAGE:
+            if why.cause is lost.LossCause.GARBAGE:
                 self._lanes.last(Bye("garbage", str(why)[:1000]))
 
     def close(self, reason: str = "closed") -> None:
@@ -97,7 +97,7 @@ class ServerEnd:
         if len(body) > self._terms.body_limit:
             raise ValueError(f"expected a reply of {self._terms.body_limit} bytes at most, found {len(body)}")
         request = self._tickets.pop(ticket)
-        self._answer(request.account, request.number, Answer(body))
+        self._answer(request.account, request.number, StoredReply(body))
 
     def reading(self, key: str, body: bytes, now_ns: int) -> None:
         """Show the newest value under a key, if there is somebody to see it and room on the way."""
@@ -134,7 +134,7 @@ class ServerEnd:
         """What is to be sent now, where the connection has room for about so many bytes."""
         return self._lanes.take(room, now_ns)
 
-    def take_happenings(self) -> list[Happening]:
+    def take_happenings(self) -> list[LinkNotice]:
         """What the owner has not been told yet, in order."""
         taken = self._happenings.copy()
         self._happenings.clear()
@@ -149,7 +149,7 @@ class ServerEnd:
             case _:
                 self._garbage(f"an environment does not begin with {type(packet).__name__}")
 
-    def _feed_linked(self, account: Account, packet: Packet, now_ns: int) -> None:
+    def _feed_linked(self, account: ClientReplies, packet: Packet, now_ns: int) -> None:
         if not self._channel.carries(packet):
             self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
             return
@@ -190,14 +190,14 @@ class ServerEnd:
         self._happenings.append(Greeted(hello.client, resumed))
         self._say(now_ns)
 
-    def _hello_again(self, account: Account, hello: Hello) -> None:
+    def _hello_again(self, account: ClientReplies, hello: Hello) -> None:
         if hello.client != account.client:
             self._garbage("a second greeting by somebody else")
         elif self._welcome is not None:
             # it may have been lost: the same once more, for what was said since goes on from there
             self._lanes.signal(self._welcome)
 
-    def _request(self, account: Account, request: Request, now_ns: int) -> None:
+    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
         account.settle(request.done_below)
         if len(account.under_way) + len(account.answers) >= self._terms.unsettled and account.is_new(request.number):
             self._garbage(f"more than {self._terms.unsettled} requests that are not settled")
@@ -211,22 +211,22 @@ class ServerEnd:
             return
         account.under_way.add(request.number)
         if request.deadline_ns and now_ns > request.deadline_ns:
-            self._answer(account, request.number, Answer(b"", late=True))
+            self._answer(account, request.number, StoredReply(b"", late=True))
             return
         self._last_ticket += 1
         self._tickets[self._last_ticket] = _Ticket(account, request.number)
-        self._happenings.append(Asked(self._last_ticket, account.client, body))
+        self._happenings.append(RequestReceived(self._last_ticket, account.client, body))
 
-    def _answer(self, account: Account, number: int, answer: Answer) -> None:
+    def _answer(self, account: ClientReplies, number: int, answer: StoredReply) -> None:
         if account.answer(number, answer) and account is self._account and self._pulse.is_linked:
             self._repeat(account, number)
 
-    def _repeat(self, account: Account, number: int) -> None:
+    def _repeat(self, account: ClientReplies, number: int) -> None:
         answer = account.answers[number]
         parts, last = split(number, answer.body, self._terms.piece)
         self._lanes.session(parts, Reply(number, answer.late, len(parts), last))
 
-    def _part(self, account: Account, part: Part) -> None:
+    def _part(self, account: ClientReplies, part: Part) -> None:
         if not account.is_new(part.number):
             return
         try:

@@ -3,19 +3,19 @@
 from onika.link.caller import Caller
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.link_events import Asked, Greeted, Happening
-from onika.link.link_quality import Rhythm
-from onika.link.link_terms import Terms
-from onika.link.reply_log import ReplyBook
+from onika.link.link_events import Greeted, LinkNotice, RequestReceived
+from onika.link.link_quality import LinkQuality
+from onika.link.link_terms import LinkTerms
+from onika.link.reply_log import ReplyLog
 from onika.link.runtime_port import MakeServer, ServerPort
 from onika.link.server import ServerEnd
-from onika.link.signal_journal import Journal
+from onika.link.signal_journal import SignalJournal
 from onika.link.state import LinkState
 
 _LINKED = (LinkState.LINKED, LinkState.SUSPECT)
 
 
-class Session:
+class EnvironmentSession:
     """One environment over one connection or three, and over many one after another.
 
     It is lost when its asking channel said good-bye or was silent for too long, each time once; one that cannot come
@@ -27,8 +27,8 @@ class Session:
         name: str,
         client: str,
         caller: Caller,
-        journal: Journal,
-        terms: Terms,
+        journal: SignalJournal,
+        terms: LinkTerms,
         can_return: bool = True,
         make: MakeServer = ServerEnd,
     ) -> None:
@@ -42,8 +42,8 @@ class Session:
         self._make = make
         self._ports: dict[Channel, ServerPort] = {}
         self._asking: ServerPort | None = None
-        self._replies = ReplyBook()
-        self._followers = ReplyBook()
+        self._replies = ReplyLog()
+        self._followers = ReplyLog()
         self._has_greeted = False
         self._is_present = False
         self.has_requested = False
@@ -71,9 +71,9 @@ class Session:
         return 0 if self._asking is None else self._asking.heard_ns
 
     @property
-    def rhythm(self) -> Rhythm:
+    def rhythm(self) -> LinkQuality:
         """Its beats that came as datagrams, beside its asking channel."""
-        return Rhythm() if self._asking is None else self._asking.rhythm
+        return LinkQuality() if self._asking is None else self._asking.rhythm
 
     @property
     def is_linked(self) -> bool:
@@ -94,14 +94,14 @@ class Session:
             self._followers.begin(self.client)
         self._ports[channel].attach(carrier, now_ns)
 
-    def service(self, now_ns: int, channel: Channel | None = None) -> list[Happening]:
+    def service(self, now_ns: int, channel: Channel | None = None) -> list[LinkNotice]:
         """Take in, let time pass, send, on this channel (None: on all); what happened."""
-        happenings: list[Happening] = []
+        happenings: list[LinkNotice] = []
         self._has_shown = False
         for port in self._ports.values() if channel is None else (self._ports[channel],):
             for happening in port.service(now_ns):
                 happenings.append(happening)
-                if isinstance(happening, Asked):
+                if isinstance(happening, RequestReceived):
                     self.has_requested = True
                 elif isinstance(happening, Greeted) and port is self._asking:
                     self.client = happening.client
@@ -171,6 +171,6 @@ class Session:
             return port
         return ServerPort(self._spoken_on(channel), self._followers, self._terms, channel, self._make)
 
-    def _spoken_on(self, channel: Channel) -> Journal:
+    def _spoken_on(self, channel: Channel) -> SignalJournal:
         """Signals are said on one channel only; the others just need the epoch."""
-        return self._journal if channel in (Channel.ALL, Channel.SIGNAL) else Journal(self._journal.epoch)
+        return self._journal if channel in (Channel.ALL, Channel.SIGNAL) else SignalJournal(self._journal.epoch)

@@ -10,8 +10,8 @@ from onika.link import lost
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
 from onika.link.client import ClientEnd
-from onika.link.link_events import EpochChanged, Happening, Resumed, Turned
-from onika.link.link_terms import LOCAL, Terms
+from onika.link.link_events import EpochChanged, LinkNotice, LinkStateChanged, Resumed
+from onika.link.link_terms import LOCAL, LinkTerms
 from onika.link.lost import LinkLost
 from onika.link.pump import Pump
 from onika.link.state import LinkState
@@ -21,11 +21,11 @@ _FIRST_NS = 250 * _MS
 _LONGEST_NS = 2_000 * _MS
 _THERE = (LinkState.LINKED, LinkState.SUSPECT)
 
-MakeClient = Callable[[str, Terms, Channel], ClientEnd]
+MakeClient = Callable[[str, LinkTerms, Channel], ClientEnd]
 """Makes the end that decides."""
 
 
-class _Strand:
+class _ChannelEnd:
     """One channel: its end, its connection, and when to try for another one."""
 
     def __init__(self, end: ClientEnd) -> None:
@@ -45,21 +45,21 @@ class _Strand:
         self.wait_ns = min(2 * self.wait_ns, _LONGEST_NS)
 
 
-class Bundle:
+class SessionChannels:
     """One session with one runtime; what it promises is what `ClientEnd` promises."""
 
     def __init__(
         self,
         client: str,
-        terms: Terms = LOCAL,
+        terms: LinkTerms = LOCAL,
         channels: Sequence[Channel] = (Channel.ALL,),
         make: MakeClient = ClientEnd,
         jitter: Callable[[], float] = random,
     ) -> None:
         self._jitter = jitter
-        self._strands = {channel: _Strand(make(client, terms, channel)) for channel in channels}
+        self._strands = {channel: _ChannelEnd(make(client, terms, channel)) for channel in channels}
         (self._first,) = (strand for channel, strand in self._strands.items() if channel.asks)
-        self._happenings: list[Happening] = []
+        self._happenings: list[LinkNotice] = []
 
     @property
     def state(self) -> LinkState:
@@ -163,7 +163,7 @@ class Bundle:
             strand.end.cut(why)
             strand.pump.drop()
 
-    def take_happenings(self) -> list[Happening]:
+    def take_happenings(self) -> list[LinkNotice]:
         """What the owner has not been told yet; signals in order."""
         taken = self._happenings.copy()
         self._happenings.clear()
@@ -176,16 +176,16 @@ class Bundle:
                     strand.wait_ns = _FIRST_NS
                     if strand is self._first:
                         self._lead(now_ns)
-                elif isinstance(happening, Turned) and happening.lost is not None:
+                elif isinstance(happening, LinkStateChanged) and happening.lost is not None:
                     strand.rest(now_ns, self._jitter())
                 if self._is_news(channel, happening):
                     self._happenings.append(happening)
 
-    def _is_news(self, channel: Channel, happening: Happening) -> bool:
+    def _is_news(self, channel: Channel, happening: LinkNotice) -> bool:
         """The asking channel speaks for all; another one tells of what it carries, and of a gap in it."""
         if channel.asks:
             return True
-        return not isinstance(happening, Turned | Resumed)
+        return not isinstance(happening, LinkStateChanged | Resumed)
 
     def _lead(self, now_ns: int) -> None:
         """The others follow into the epoch of the first, or go on in it; what is of an older one is void."""

@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from onika.link.caller import PARENT, Caller
 from onika.link.carrier import Carrier
 from onika.link.channel import Channel
-from onika.link.link_terms import CHILD, LOCAL, Terms
+from onika.link.link_terms import CHILD, LOCAL, LinkTerms
 from onika.link.runtime_port import MakeServer
 from onika.link.server import ServerEnd
-from onika.link.session import Session
-from onika.link.signal_journal import Journal
+from onika.link.session import EnvironmentSession
+from onika.link.signal_journal import SignalJournal
 
 _FORGET_NS = 600 * 1_000_000_000
 _KEEP = 32
@@ -27,17 +27,17 @@ class Introduction:
     caller: Caller
 
 
-class Guests:
+class Sessions:
     """Sessions by name; a slow, dead or talkative one costs the others nothing but its share."""
 
     def __init__(
         self,
         epoch: str,
-        terms: Terms = LOCAL,
+        terms: LinkTerms = LOCAL,
         keep: int = _KEEP,
         forget_ns: int = _FORGET_NS,
         make: MakeServer = ServerEnd,
-        session: type[Session] = Session,
+        session: type[EnvironmentSession] = EnvironmentSession,
     ) -> None:
         self._epoch = epoch
         self._terms = terms
@@ -46,24 +46,24 @@ class Guests:
         self._make = make
         self._session = session
         self._count = 0
-        self._sessions: dict[str, Session] = {}
-        self._by_client: dict[str, Session] = {}
+        self._sessions: dict[str, EnvironmentSession] = {}
+        self._by_client: dict[str, EnvironmentSession] = {}
         self._turned_away: list[str] = []
 
     @property
-    def sessions(self) -> list[Session]:
+    def sessions(self) -> list[EnvironmentSession]:
         """All that are known, here or not."""
         return list(self._sessions.values())
 
-    def find(self, name: str) -> Session | None:
+    def find(self, name: str) -> EnvironmentSession | None:
         """The session of that name."""
         return self._sessions.get(name)
 
-    def adopt(self, carrier: Carrier, now_ns: int, terms: Terms = CHILD) -> Session:
+    def adopt(self, carrier: Carrier, now_ns: int, terms: LinkTerms = CHILD) -> EnvironmentSession:
         """The session of the program that launched this one, which ends with its connection."""
         self._count += 1
         name = f"{PARENT.user}#{self._count}"
-        session = self._session(name, "", PARENT, Journal(self._life), terms, False, self._make)
+        session = self._session(name, "", PARENT, SignalJournal(self._life), terms, False, self._make)
         self._sessions[name] = session
         session.attach(Channel.ALL, carrier, now_ns)
         return session
@@ -101,7 +101,7 @@ class Guests:
     def _life(self) -> str:
         return f"{self._epoch}-{self._count}"
 
-    def _begins_anew(self, session: Session, new: Introduction) -> bool:
+    def _begins_anew(self, session: EnvironmentSession, new: Introduction) -> bool:
         """Whether a program that knows nothing of its session has come under the old name.
 
         Not if nothing was asked: then the same program may have missed the first welcome.
@@ -109,10 +109,10 @@ class Guests:
         is_other = session.has_requested or not session.fits(new.channel)
         return new.channel.asks and is_other and new.epoch != session.epoch
 
-    def _begin(self, new: Introduction) -> Session:
+    def _begin(self, new: Introduction) -> EnvironmentSession:
         self._count += 1
         name = f"{new.caller.user}#{self._count}"
-        journal = Journal(self._life, keep_bytes=_SIGNALS)
+        journal = SignalJournal(self._life, keep_bytes=_SIGNALS)
         session = self._session(name, new.client, new.caller, journal, self._terms, True, self._make)
         self._sessions[name] = self._by_client[new.client] = session
         return session
@@ -126,12 +126,12 @@ class Guests:
             self._part(min(away, key=lambda session: session.heard_ns))
         return bool(away)
 
-    def _part(self, session: Session) -> None:
+    def _part(self, session: EnvironmentSession) -> None:
         session.drop()
         if session.leave():
             self._turned_away.append(session.name)
         self._forget(session)
 
-    def _forget(self, session: Session) -> None:
+    def _forget(self, session: EnvironmentSession) -> None:
         self._sessions.pop(session.name, None)
         self._by_client.pop(session.client, None)

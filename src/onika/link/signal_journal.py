@@ -1,7 +1,7 @@
 """The journal: the numbered signals of one life (epoch) of a runtime, kept so that they can be said again."""
 
 
-class Journal:
+class SignalJournal:
     """Signals 1, 2, 3 … of one epoch; keeps the newest within bounds and forgets the oldest, never blocks.
 
     A reader that needs a forgotten one cannot be served any more and has to begin anew.

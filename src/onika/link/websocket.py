@@ -10,8 +10,8 @@ from websockets.protocol import State
 
 from onika.link import lost
 from onika.link.carrier import BUFFER_LIMIT
-from onika.link.heartbeat import Beater
-from onika.link.websocket_messages import Messages
+from onika.link.heartbeat import HeartbeatSender
+from onika.link.websocket_messages import WebSocketMessages
 
 _CHUNK = 64 * 1024
 _TURN = 1024 * 1024
@@ -26,13 +26,13 @@ class WebSocketCarrier:
         connected: socket.socket,
         protocol: ClientProtocol,
         buffer_limit: int = BUFFER_LIMIT,
-        beater: Beater | None = None,
+        beater: HeartbeatSender | None = None,
     ) -> None:
         self._socket = connected
         self._beater = beater
         self._protocol = protocol
         self._buffer_limit = buffer_limit
-        self._messages = Messages()
+        self._messages = WebSocketMessages()
         self._held: deque[bytes] = deque()
         self._waiting = bytearray()
         self._end: lost.LinkLost | None = None

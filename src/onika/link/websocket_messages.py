@@ -10,7 +10,7 @@ SILENT = logging.getLogger("onika.websocket")
 SILENT.disabled = True
 
 
-class Messages:
+class WebSocketMessages:
     """Frames in, payloads out; raises ValueError for a text, and the protocol itself for everything too long."""
 
     def __init__(self) -> None:

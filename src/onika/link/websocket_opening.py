@@ -15,8 +15,8 @@ from websockets.uri import parse_uri
 
 from onika.link.address import Address
 from onika.link.channel import Channel
-from onika.link.heartbeat import HEADER, Beater, Pact
-from onika.link.lost import Cause, LinkLost
+from onika.link.heartbeat import HEADER, HeartbeatKey, HeartbeatSender
+from onika.link.lost import LinkLost, LossCause
 from onika.link.websocket import WebSocketCarrier
 from onika.link.websocket_messages import SILENT
 from onika.wire.frame import FRAME_LIMIT
@@ -27,14 +27,14 @@ OPEN_S = 5.0
 """How long the whole opening may take."""
 
 _REFUSED = {
-    401: (Cause.TOKEN, "the token is wrong or missing"),
-    403: (Cause.FORBIDDEN, "not allowed"),
-    429: (Cause.FORBIDDEN, "too many wrong tokens came from here"),
+    401: (LossCause.TOKEN, "the token is wrong or missing"),
+    403: (LossCause.FORBIDDEN, "not allowed"),
+    429: (LossCause.FORBIDDEN, "too many wrong tokens came from here"),
 }
 
 
 @dataclass(frozen=True, slots=True)
-class Opening:
+class WebSocketOpening:
     """Where to, with which token, and whose certificates are trusted beside the system's (None: only those)."""
 
     address: Address
@@ -47,9 +47,11 @@ class Opening:
         try:
             connected = socket.create_connection((self.address.host, self.address.port), CONNECT_S)
         except TimeoutError:
-            raise LinkLost(Cause.TIMEOUT, f"{self.address} did not answer within {CONNECT_S:g} s") from None
+            raise LinkLost(LossCause.TIMEOUT, f"{self.address} did not answer within {CONNECT_S:g} s") from None
         except OSError as fault:
-            raise LinkLost(Cause.UNREACHABLE, f"nobody can be reached at {self.address}: {fault.strerror}") from None
+            raise LinkLost(
+                LossCause.UNREACHABLE, f"nobody can be reached at {self.address}: {fault.strerror}"
+            ) from None
         try:
             return self._open(connected, channel, until)
         except BaseException:
@@ -68,13 +70,13 @@ class Opening:
             self._shake(private, protocol, until)
         except ssl.SSLCertVerificationError as fault:
             text = f"the certificate of {self.address} is not trusted: {fault.verify_message}"
-            raise LinkLost(Cause.CERTIFICATE, text) from None
+            raise LinkLost(LossCause.CERTIFICATE, text) from None
         except TimeoutError:
-            raise LinkLost(Cause.TIMEOUT, f"{self.address} did not open a link within {OPEN_S:g} s") from None
+            raise LinkLost(LossCause.TIMEOUT, f"{self.address} did not open a link within {OPEN_S:g} s") from None
         except ssl.SSLError as fault:
-            raise LinkLost(Cause.CERTIFICATE, f"no private link with {self.address}: {fault.reason}") from None
+            raise LinkLost(LossCause.CERTIFICATE, f"no private link with {self.address}: {fault.reason}") from None
         except OSError as fault:
-            raise LinkLost(Cause.UNREACHABLE, f"{self.address} ended the opening: {fault.strerror}") from None
+            raise LinkLost(LossCause.UNREACHABLE, f"{self.address} ended the opening: {fault.strerror}") from None
         return WebSocketCarrier(private, protocol, beater=_beater(private, protocol))
 
     def _secure(self, connected: socket.socket) -> socket.socket:
@@ -86,7 +88,7 @@ class Opening:
             try:
                 context.load_verify_locations(self.authority)
             except (OSError, ssl.SSLError) as fault:
-                raise LinkLost(Cause.CERTIFICATE, f"{self.authority} holds no certificates: {fault}") from None
+                raise LinkLost(LossCause.CERTIFICATE, f"{self.authority} holds no certificates: {fault}") from None
         return context.wrap_socket(connected, server_hostname=self.address.host)
 
     def _shake(self, connected: socket.socket, protocol: ClientProtocol, until: float) -> None:
@@ -98,19 +100,19 @@ class Opening:
         fault = protocol.handshake_exc
         if isinstance(fault, InvalidStatus):
             status = fault.response.status_code
-            cause, text = _REFUSED.get(status, (Cause.REFUSED, "no link there"))
+            cause, text = _REFUSED.get(status, (LossCause.REFUSED, "no link there"))
             body = bytes(fault.response.body or b"").decode("utf-8", "replace").strip()[:500]
             raise LinkLost(cause, f"{self.address} refused ({status}): {body or text}")
         if fault is not None:
-            raise LinkLost(Cause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
+            raise LinkLost(LossCause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
 
 
-def _beater(connected: socket.socket, protocol: ClientProtocol) -> Beater | None:
+def _beater(connected: socket.socket, protocol: ClientProtocol) -> HeartbeatSender | None:
     """What beats beside the connection, where the runtime has told how."""
     answers = [event for event in protocol.events if isinstance(event, Response)]
-    pact = Pact.parse(answers[0].headers.get(HEADER, "")) if answers else None
-    return None if pact is None else Beater(pact, connected.getpeername()[0], connected.family)
+    pact = HeartbeatKey.parse(answers[0].headers.get(HEADER, "")) if answers else None
+    return None if pact is None else HeartbeatSender(pact, connected.getpeername()[0], connected.family)
 
 
 Open = Callable[[Channel], WebSocketCarrier]
-"""What opens a connection: an `Opening`, or a test's."""
+"""What opens a connection: a `WebSocketOpening`, or a test's."""

@@ -8,7 +8,7 @@ from typing import Any
 import msgspec
 
 from onika.record import topics
-from onika.record.mismatch import strays
+from onika.record.mismatch import mismatches
 from onika.record.reader import Reader
 from onika.record.series import Series
 from onika.record.tolerance import Tolerance
@@ -130,7 +130,7 @@ def _strays(
     name: str, ours: Series, theirs: Series, tolerance: Tolerance, begin_ns: int, end_ns: int
 ) -> Iterator[Difference]:
     """The first value that the other one does not take on near that time, of each of the two."""
-    for is_swapped, mismatch in enumerate(strays(ours, theirs, tolerance, begin_ns, end_ns)):
+    for is_swapped, mismatch in enumerate(mismatches(ours, theirs, tolerance, begin_ns, end_ns)):
         if mismatch is not None:
             label = name.rpartition("/")[0] + "/" + ours.labels[mismatch.place]
             value, other = _show(mismatch.value), _show(mismatch.near)

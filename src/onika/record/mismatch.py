@@ -16,7 +16,7 @@ _EXACT = 4
 
 
 @dataclass(frozen=True, slots=True)
-class Stray:
+class Mismatch:
     """When, which element, its value, and what the other one has there: None, nothing yet."""
 
     at_ns: int
@@ -24,14 +24,14 @@ class Stray:
     value: Any
     near: Any
 
-    def whole(self) -> "Stray":
+    def whole(self) -> "Mismatch":
         """The same of whole numbers."""
         return replace(self, value=int(self.value), near=None if self.near is None else int(self.near))
 
 
-def strays(
+def mismatches(
     series: Series, other: Series, tolerance: Tolerance, begin_ns: int, end_ns: int
-) -> tuple[Stray | None, Stray | None]:
+) -> tuple[Mismatch | None, Mismatch | None]:
     """Of each of two, the first value from a time to before another that is far from all of the other about that time.
 
     What is the same in both files is not looked into.
@@ -74,7 +74,7 @@ def _between(some: Samples, begin_ns: int, end_ns: int) -> Samples:
 
 def _first(
     ours: Samples, theirs: Samples, tolerance: Tolerance, slack: int, left_out: NDArray[np.bool_]
-) -> Stray | None:
+) -> Mismatch | None:
     if not len(ours.at_ns):
         return None
     last = np.searchsorted(theirs.at_ns, ours.at_ns + slack, side="right") - 1
@@ -96,7 +96,7 @@ def _first(
     row = int(rows.argmax())
     place = int(bad[row].argmax())
     near = float(theirs.values[last[row], place]) if is_there[row] else None
-    return Stray(int(ours.at_ns[row]), place, float(ours.values[row, place]), near)
+    return Mismatch(int(ours.at_ns[row]), place, float(ours.values[row, place]), near)
 
 
 def _first_in_force(times: NDArray[np.int64], at_ns: NDArray[np.int64]) -> NDArray[np.intp]:
@@ -148,7 +148,7 @@ def _words(some: Told, series: Series) -> _Words:
     return [(at, flat(body, series.shape)) for times, bodies in some for at, body in zip(times, bodies, strict=True)]
 
 
-def _first_word(ours: _Words, theirs: _Words, slack: int, begin_ns: int, end_ns: int) -> Stray | None:
+def _first_word(ours: _Words, theirs: _Words, slack: int, begin_ns: int, end_ns: int) -> Mismatch | None:
     first = last = 0
     for at, values in ours:
         while last < len(theirs) and theirs[last][0] <= at + slack:
@@ -158,8 +158,8 @@ def _first_word(ours: _Words, theirs: _Words, slack: int, begin_ns: int, end_ns:
         if not begin_ns <= at < end_ns:
             continue
         if first >= last:
-            return Stray(at, 0, values[0], None)
+            return Mismatch(at, 0, values[0], None)
         for place, value in enumerate(values):
             if value not in [each[place] for _, each in theirs[first:last]]:
-                return Stray(at, place, value, theirs[last - 1][1][place])
+                return Mismatch(at, place, value, theirs[last - 1][1][place])
     return None

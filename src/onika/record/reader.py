@@ -20,7 +20,7 @@ from mcap.opcode import Opcode
 from mcap.records import Attachment, Channel, Metadata
 from msgspec import MsgspecError
 
-from onika.record.stored import Stored
+from onika.record.stored import StoredFile
 from onika.record.writer import MAGIC
 
 _RECORD = Struct("<BQ")
@@ -76,7 +76,7 @@ class Reader:
         """Bytes at the end of a file cut short that make no whole chunk."""
         self._chunks: list[_Chunk] = []
         self._attachments: dict[str, tuple[int, int]] = {}
-        self._stored = Stored(path)
+        self._stored = StoredFile(path)
         if self._stored.size < len(MAGIC) or self._stored.read(0, len(MAGIC)) != MAGIC:
             raise ValueError(f"{path}: expected a recording (MCAP), found something else")
         self._scan()

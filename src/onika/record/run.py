@@ -18,7 +18,7 @@ _TOO_SHORT = "expected a recording of a run, found one that was cut short before
 _PLAN, _BEGIN, _CODE = "plan.json", "begin.json", "code.json"
 
 
-class Run(Struct, frozen=True):
+class RunRecord(Struct, frozen=True):
     """What was run, how it was begun, and where."""
 
     prepare: Prepare
@@ -63,7 +63,7 @@ class Run(Struct, frozen=True):
             writer.attach(_file(file.digest), "text/x-python", file.source.encode())
 
     @classmethod
-    def read(cls, reader: Reader) -> "Run":
+    def read(cls, reader: Reader) -> "RunRecord":
         """Raises ValueError where the file says nothing of a run, or nothing that can be understood."""
         note = reader.notes.get(NOTE)
         plan, begin, code_list = (reader.attachment(name) for name in (_PLAN, _BEGIN, _CODE))

@@ -9,7 +9,7 @@ import weakref
 from pathlib import Path
 
 
-class Stored:
+class StoredFile:
     """Raises OSError where it cannot be read, ValueError where it is no file; may be read in several threads."""
 
     def __init__(self, path: Path) -> None:

@@ -53,14 +53,14 @@ def shapes(world: str) -> str:
     return f"worlds/{world}.json"
 
 
-class Happened(Struct, frozen=True):
+class EventRecord(Struct, frozen=True):
     """An event; `subsystem` is whom it is about, empty: everybody."""
 
     subsystem: str
     event: event.Event
 
 
-class Wanted(Struct, frozen=True):
+class RequestRecord(Struct, frozen=True):
     """A request that may change the course of the run: after so many turns of the clock at its instant."""
 
     turn: int
@@ -79,5 +79,5 @@ HAPPENED_SCHEMA = _schema(HAPPENED, subsystem=_TEXT, event=_MESSAGE)
 WANTED_SCHEMA = _schema(WANTED, turn={"type": "integer"}, session=_TEXT, request=_MESSAGE)
 
 encode = msgspec.json.Encoder(enc_hook=str).encode
-decode_happened = msgspec.json.Decoder(Happened).decode
-decode_wanted = msgspec.json.Decoder(Wanted).decode
+decode_happened = msgspec.json.Decoder(EventRecord).decode
+decode_wanted = msgspec.json.Decoder(RequestRecord).decode

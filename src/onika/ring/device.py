@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from enum import IntEnum
 
 
-class Order(IntEnum):
+class DeviceOrder(IntEnum):
     """What a command asks of a device's drive."""
 
     HOLD = 0
@@ -13,7 +13,7 @@ class Order(IntEnum):
     CLEAR = 2
 
 
-class Drive(IntEnum):
+class DriveState(IntEnum):
     """The state of a device's drive; the number stands in `state[1]` of every device."""
 
     DRIVEN = 0

@@ -10,11 +10,11 @@ from onika.runtime.module import Module
 _FLAGS = ("trigger", "passive", "hardware", "crit")
 
 
-class Strayed(LawBroken):
+class BindingChanged(LawBroken):
     """A module has changed what it is bound to, or writes what is no port."""
 
 
-class Containment:
+class BindingGuard:
     """Remembers an instance as it was bound; `known` are the variables of its subsystem, as they come to be known."""
 
     def __init__(self, instance: Module) -> None:
@@ -26,10 +26,10 @@ class Containment:
         self.known: Collection[str] = ()
 
     def check(self) -> None:
-        """Raises Strayed with everything that is wrong."""
+        """Raises BindingChanged with everything that is wrong."""
         faults = self.faults()
         if faults:
-            raise Strayed("; ".join(faults))
+            raise BindingChanged("; ".join(faults))
 
     def faults(self) -> list[str]:
         """Everything that is wrong by now, as sentences."""

@@ -82,7 +82,7 @@ class Case(Struct, frozen=True):
     switch: Switch
 
 
-class Prepared(Struct, frozen=True, tag=True):
+class PreparedSwitch(Struct, frozen=True, tag=True):
     """When this task finishes in this activation, carry out the switch of the first case that fits, at once.
 
     One is held for each subsystem, the last that came; without cases what was prepared is forgotten, and Unprepared
@@ -200,7 +200,7 @@ Command = (
     Spawn
     | Switch
     | Together
-    | Prepared
+    | PreparedSwitch
     | Rank
     | Reinit
     | Rebind

@@ -8,17 +8,17 @@ from msgspec import structs
 from onika.model.lifecycle import State
 from onika.runtime import command, news
 from onika.runtime.code import compiled
-from onika.runtime.module_exchange import Exchange
+from onika.runtime.module_exchange import ModuleExchange
 from onika.runtime.running_task import RunningTask
-from onika.runtime.task_lifecycle import Life
-from onika.runtime.unit import Address, Unit
+from onika.runtime.task_lifecycle import TaskLifecycle
+from onika.runtime.unit import Address, ProcessingUnit
 from onika.words.fault import Fault
 
 PATIENCE_NS = 2_000_000_000
 """After so long without a gap that is large enough there will be none."""
 
 
-class Piece:
+class DeferredPiece:
     """What is put aside: the module is compiled, loaded, initialised; what came for its task waits behind it."""
 
     def __init__(self, order: command.Spawn | command.Swap, now: int) -> None:
@@ -56,14 +56,14 @@ CarryOut = Callable[[command.Command, int], None]
 """Told what waited behind a piece that is through."""
 
 
-class Postponed:
+class DeferredCommands:
     """Pieces in the order in which they came."""
 
-    def __init__(self, unit: Unit, life: Life, exchange: Exchange) -> None:
+    def __init__(self, unit: ProcessingUnit, life: TaskLifecycle, exchange: ModuleExchange) -> None:
         self._unit = unit
         self._life = life
         self._exchange = exchange
-        self._pieces: list[Piece] = []
+        self._pieces: list[DeferredPiece] = []
 
     def __bool__(self) -> bool:
         return bool(self._pieces)
@@ -107,17 +107,17 @@ class Postponed:
 
     # Inner
 
-    def _need_ns(self, piece: Piece) -> int:
+    def _need_ns(self, piece: DeferredPiece) -> int:
         return piece.need_ns(self._unit.tasks.get(piece.address))
 
-    def _coming(self, subsystem: str, task: str) -> Piece | None:
+    def _coming(self, subsystem: str, task: str) -> DeferredPiece | None:
         """The spawn of this task that waits."""
         return next(
             (piece for piece in self._pieces if piece.address == (subsystem, task) and piece.word == "spawn"), None
         )
 
     def _sift_piece(self, order: command.Spawn | command.Swap, now: int) -> command.Command | None:
-        piece = Piece(order, now)
+        piece = DeferredPiece(order, now)
         coming = self._coming(*piece.address)
         if coming is not None and piece.word == "spawn":
             self._unit.refuse(piece.address, "spawn", "a task of this name is on its way already")
@@ -175,7 +175,7 @@ class Postponed:
             self._unit.refuse(piece.address, piece.word, "this unit was stopped")
         self._pieces.clear()
 
-    def _advance(self, piece: Piece, now: int, carry_out: CarryOut) -> None:
+    def _advance(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:
         """Compile, load, initialise: each is a step of its own."""
         spawn = piece.spawn
         piece.since, piece.largest_gap = now, 0
@@ -193,17 +193,17 @@ class Postponed:
             self._life.initialise(piece.task, now)
         self._end(piece, now, carry_out)
 
-    def _make(self, piece: Piece) -> RunningTask | None:
+    def _make(self, piece: DeferredPiece) -> RunningTask | None:
         if isinstance(piece.order, command.Swap):
             return self._exchange.make(piece.order, piece.code)
         return self._life.make(piece.order, code=piece.code)
 
-    def _give_up(self, piece: Piece, now: int, carry_out: CarryOut) -> None:
+    def _give_up(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:
         needs, largest = self._need_ns(piece) / 1e6, piece.largest_gap / 1e6
         self._unit.refuse(piece.address, piece.word, f"needs {needs:.3g} ms; the largest gap here is {largest:.3g} ms")
         self._end(piece, now, carry_out)
 
-    def _end(self, piece: Piece, now: int, carry_out: CarryOut) -> None:
+    def _end(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:
         self._pieces.remove(piece)
         for order in piece.behind:
             carry_out(order, now)

@@ -6,15 +6,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from onika.ring.device import DeviceSheet, Drive, Order
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveState
 from onika.ring.slots import Ring
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-_HOLD, _DRIVE = float(Order.HOLD), float(Order.DRIVE)
+_HOLD, _DRIVE = float(DeviceOrder.HOLD), float(DeviceOrder.DRIVE)
 _DRIVEN, _TRIPPED, _PRESSED = (
-    int(state) for state in (Drive.DRIVEN, Drive.TRIPPED, Drive.PRESSED)
+    int(state) for state in (DriveState.DRIVEN, DriveState.TRIPPED, DriveState.PRESSED)
 )  # plain numbers compare quicker than names
 _HEADER = 2  # world time and drive state before the values; writer's epoch and order before a command's values
 _HEARD_AFTER = 2  # publications: the first may have been under way when the command was written
@@ -99,7 +99,7 @@ class Device:
         """Command the drive to hold by itself; harmless for a device that takes no commands."""
         self._fetch()
         is_tripped = self._flat[1] == _TRIPPED
-        self._plain(Order.CLEAR if self._still_clears() and is_tripped else Order.HOLD)
+        self._plain(DeviceOrder.CLEAR if self._still_clears() and is_tripped else DeviceOrder.HOLD)
 
     def clear(self) -> None:
         """Bring a tripped drive back to hold. Whatever is commanded next waits until the device has heard of it."""
@@ -130,7 +130,7 @@ class Device:
             self._is_clearing = False
         return self._is_clearing
 
-    def _plain(self, order: Order) -> None:
+    def _plain(self, order: DeviceOrder) -> None:
         if self._send is not None:
             self._order[1] = order
             self._order[_HEADER:] = 0.0

@@ -5,21 +5,21 @@ from collections.abc import Callable
 from onika.model.lifecycle import Step
 from onika.model.signal import Signal
 from onika.runtime import news
-from onika.runtime.binding_guard import Strayed
+from onika.runtime.binding_guard import BindingChanged
 from onika.runtime.code import showable, traceback_text, where
 from onika.runtime.error import AskAgain, LawBroken
 from onika.runtime.running_task import RunningTask
 from onika.runtime.statistics import values_of
-from onika.runtime.unit import Unit
+from onika.runtime.unit import ProcessingUnit
 
 RAISED = (Exception, SystemExit, KeyboardInterrupt)
 """What a module's code may raise without harm to anybody else; a module that exits is as wrong as any other."""
 
 
-class Calls:
+class EntryPoints:
     """Runs code of modules on a unit. `watch` is told the task before its code runs; the executive says "" after."""
 
-    def __init__(self, unit: Unit, watch: Callable[[str], None] | None = None) -> None:
+    def __init__(self, unit: ProcessingUnit, watch: Callable[[str], None] | None = None) -> None:
         self._unit = unit
         self.is_watched = watch is not None
         self.watch: Callable[[str], None] = watch or (lambda _task: None)
@@ -104,7 +104,7 @@ class Calls:
 
     def _source_of(self, task: RunningTask, wrong: LawBroken) -> str:
         """The task on this unit that first wrote what is not finite, in the order of data flow; empty if none did."""
-        if isinstance(wrong, Strayed):
+        if isinstance(wrong, BindingChanged):
             return ""
         home = task.spawn.subsystem
         others = [other for other in self._unit.tasks.values() if other.spawn.subsystem == home and other is not task]

@@ -9,15 +9,15 @@ from collections.abc import Callable, Sequence
 from onika.model.signal import Signal
 from onika.runtime import command, news
 from onika.runtime.binding import Views
-from onika.runtime.binding_guard import Strayed
-from onika.runtime.deferred import Postponed
-from onika.runtime.entry_points import RAISED, Calls
-from onika.runtime.module_exchange import Exchange
+from onika.runtime.binding_guard import BindingChanged
+from onika.runtime.deferred import DeferredCommands
+from onika.runtime.entry_points import RAISED, EntryPoints
+from onika.runtime.module_exchange import ModuleExchange
 from onika.runtime.running_task import RunningTask
 from onika.runtime.statistics import load_of, status_of
-from onika.runtime.task_commands import Alterations
-from onika.runtime.task_lifecycle import Life
-from onika.runtime.unit import Address, Unit
+from onika.runtime.task_commands import TaskCommands
+from onika.runtime.task_lifecycle import TaskLifecycle
+from onika.runtime.unit import Address, ProcessingUnit
 
 _NOTHING: Sequence[news.News] = ()
 
@@ -26,12 +26,12 @@ class Executive:
     """Tasks of any subsystems on one processing unit. `watch` is told the task before its code runs, "" after."""
 
     def __init__(self, rtpu: str, views: Views, watch: Callable[[str], None] | None = None) -> None:
-        self._unit = Unit(rtpu, views)
-        self._calls = Calls(self._unit, watch)
-        self._life = Life(self._unit, self._calls)
-        self._alterations = Alterations(self._unit, self._calls)
-        self._exchange = Exchange(self._unit, self._calls, self._life)
-        self._postponed = Postponed(self._unit, self._life, self._exchange)
+        self._unit = ProcessingUnit(rtpu, views)
+        self._calls = EntryPoints(self._unit, watch)
+        self._life = TaskLifecycle(self._unit, self._calls)
+        self._alterations = TaskCommands(self._unit, self._calls)
+        self._exchange = ModuleExchange(self._unit, self._calls, self._life)
+        self._postponed = DeferredCommands(self._unit, self._life, self._exchange)
         self._busy_since_ns = 0
 
     @property
@@ -158,7 +158,7 @@ class Executive:
         match order:
             case command.Spawn():
                 self._life.spawn(order, now)
-            case command.Prepared():
+            case command.PreparedSwitch():
                 self._life.prepare(order)
             case command.Answer():
                 self._life.answer(order, now)
@@ -208,7 +208,7 @@ class Executive:
             self._unit.tell(news.Cycled(*task.address, now, task.activation))
         try:
             task.no_strays()
-        except Strayed as wrong:
+        except BindingChanged as wrong:
             self._calls.fail(task, "check", wrong, now)
 
     def _statuses(self, now: int) -> news.Statuses:

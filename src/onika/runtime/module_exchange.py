@@ -8,20 +8,20 @@ from msgspec import structs
 
 from onika.model.lifecycle import State, Step, refusal
 from onika.runtime import command, news
-from onika.runtime.entry_points import RAISED, Calls
+from onika.runtime.entry_points import RAISED, EntryPoints
 from onika.runtime.module import Module
 from onika.runtime.running_task import RunningTask
-from onika.runtime.task_lifecycle import Life
-from onika.runtime.unit import Unit
+from onika.runtime.task_lifecycle import TaskLifecycle
+from onika.runtime.unit import ProcessingUnit
 from onika.words.fault import Fault
 
 _SWAP = "swap"
 
 
-class Exchange:
+class ModuleExchange:
     """Until the exchange itself nothing is seen of the new module: whatever fails, the old one goes on as it was."""
 
-    def __init__(self, unit: Unit, calls: Calls, life: Life) -> None:
+    def __init__(self, unit: ProcessingUnit, calls: EntryPoints, life: TaskLifecycle) -> None:
         self._unit = unit
         self._calls = calls
         self._life = life

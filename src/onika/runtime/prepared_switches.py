@@ -3,19 +3,19 @@
 from collections.abc import Iterable
 
 from onika.model.signal import Signal
-from onika.runtime.command import Case, Prepared
+from onika.runtime.command import Case, PreparedSwitch
 
 
-class Preparations:
+class PreparedSwitches:
     """At most one for each subsystem; what was dropped never counts again."""
 
     def __init__(self) -> None:
-        self._held: dict[str, Prepared] = {}
+        self._held: dict[str, PreparedSwitch] = {}
 
     def __len__(self) -> int:
         return len(self._held)
 
-    def keep(self, order: Prepared) -> None:
+    def keep(self, order: PreparedSwitch) -> None:
         """In the place of the one before it; one without cases only forgets that."""
         self._held.pop(order.subsystem, None)
         if order.cases:

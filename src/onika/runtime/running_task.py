@@ -9,7 +9,7 @@ from msgspec import structs
 from onika.model.lifecycle import State, Step, after
 from onika.model.signal import Signal, off
 from onika.runtime.binding import Binding, Views, give_locals, instantiate, locals_of
-from onika.runtime.binding_guard import Containment
+from onika.runtime.binding_guard import BindingGuard
 from onika.runtime.command import BoundPort, Spawn
 from onika.runtime.counters import Counters
 from onika.runtime.device import Device
@@ -17,9 +17,9 @@ from onika.runtime.error import ModuleError
 from onika.runtime.module import Module
 from onika.runtime.partner.partner import Partner
 from onika.runtime.period import SLOWEST_GRID_NS, period_of
-from onika.runtime.scheduler import Slot
+from onika.runtime.scheduler import TaskSlot
 from onika.runtime.sheet import sheet_of
-from onika.runtime.transfer.input_guard import Intake
+from onika.runtime.transfer.input_guard import InputGuard
 from onika.runtime.user_input import UserInput
 
 CHECKED_EVERY = 1023
@@ -37,12 +37,12 @@ class RunningTask:
         self.state = State.WAITING
         self.module = instantiate(cls, spawn, views)
         self.binding = Binding(self.module, spawn, views)
-        self.containment = Containment(self.module)
+        self.containment = BindingGuard(self.module)
         self.hardware = cls.hardware
         self.passive = cls.passive
         self.trigger = cls.trigger
         self.period_ns = SLOWEST_GRID_NS if spawn.frequency is None else period_of(spawn.frequency)
-        self.slot = Slot(self.key, self.period_ns)
+        self.slot = TaskSlot(self.key, self.period_ns)
         self.counters, self.last_profile = Counters(), Counters()
         self.is_first = False
         self.goes_on = False
@@ -156,7 +156,7 @@ class RunningTask:
             spawn = structs.replace(spawn, local=local)
         parameters = locals_of(type(self.module), dict(spawn.local))
         self.binding = Binding(self.module, spawn, self._views, self.binding)
-        former, self.containment = self.containment.known, Containment(self.module)
+        former, self.containment = self.containment.known, BindingGuard(self.module)
         self.containment.known = former
         if local is not None:
             give_locals(self.module, parameters)
@@ -300,9 +300,9 @@ class RunningTask:
 
     # Inner
 
-    def _make_intake(self) -> Intake:
+    def _make_intake(self) -> InputGuard:
         table = self._views[f"table:{self.spawn.subsystem}"]
-        intake = Intake(self.spawn.subsystem, self.spawn.task, self.module, self.period_ns, table)
+        intake = InputGuard(self.spawn.subsystem, self.spawn.task, self.module, self.period_ns, table)
         intake.bind(self.binding)
         return intake
 

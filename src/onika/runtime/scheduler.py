@@ -1,6 +1,6 @@
 """What is due: a release queue and a ready queue, earliest deadline first; sans-I/O (laws 1, 2).
 
-A task on the agenda is a mutable `Slot`. Released slots wait by (deadline, criticality, rank, name), which fixes the
+A task on the agenda is a mutable `TaskSlot`. Released slots wait by (deadline, criticality, rank, name), which fixes the
 order at one instant whatever came before. A slot whose deadline has passed before it could run is late: the periods
 it is late by are counted and skipped, and it runs once for the period that is open.
 """
@@ -8,7 +8,7 @@ it is late by are counted and skipped, and it runs once for the period that is o
 from heapq import heappop, heappush, heapreplace
 
 
-class Slot:
+class TaskSlot:
     """A task's place on the agenda. `key` sorts tasks with the same deadline: (-criticality, rank, name)."""
 
     __slots__ = ("deadline", "epoch", "is_listed", "key", "missed", "period", "release")
@@ -29,16 +29,16 @@ class Slot:
         self.deadline = self.release + self.period
 
 
-class Agenda:
+class Scheduler:
     """Slots by release time, then by deadline; time is handed in as integer nanoseconds."""
 
     def __init__(self) -> None:
-        self._releases: list[tuple[int, int, int, int, str, int, Slot]] = []
-        self._ready: list[tuple[int, int, int, str, int, Slot]] = []
+        self._releases: list[tuple[int, int, int, int, str, int, TaskSlot]] = []
+        self._ready: list[tuple[int, int, int, str, int, TaskSlot]] = []
         self._epoch = 0
-        self._coming: dict[Slot, int] = {}
+        self._coming: dict[TaskSlot, int] = {}
 
-    def enter(self, slot: Slot, now: int) -> None:
+    def enter(self, slot: TaskSlot, now: int) -> None:
         """Due at once, then on the common grid of multiples of the period.
 
         What enters waits outside until `next_due` is asked, and then enters with the time of that: tasks that come on
@@ -48,7 +48,7 @@ class Agenda:
         slot.is_listed = False
         self._coming[slot] = now
 
-    def resume(self, slot: Slot, now: int) -> None:
+    def resume(self, slot: TaskSlot, now: int) -> None:
         """Due at the next point of the common grid, and no sooner."""
         self._coming.pop(slot, None)
         self._renew(slot)
@@ -57,13 +57,13 @@ class Agenda:
         slot.deadline = slot.release + slot.period
         heappush(self._releases, (slot.release, slot.deadline, *slot.key, slot.epoch, slot))
 
-    def leave(self, slot: Slot) -> None:
+    def leave(self, slot: TaskSlot) -> None:
         """Not due any more; what still lies in the queues is stale by its epoch."""
         self._renew(slot)
         slot.is_listed = False
         self._coming.pop(slot, None)
 
-    def change(self, slot: Slot, period_ns: int, now: int) -> None:
+    def change(self, slot: TaskSlot, period_ns: int, now: int) -> None:
         """Another period from now on; a release that is due already stays due, later ones lie on the new grid."""
         slot.period = period_ns
         if slot.is_listed:
@@ -73,14 +73,14 @@ class Agenda:
             slot.deadline = _next_on_grid(slot.release, period_ns)
             heappush(self._releases, (slot.release, slot.deadline, *slot.key, slot.epoch, slot))
 
-    def rekey(self, slot: Slot, key: tuple[int, int, str]) -> None:
+    def rekey(self, slot: TaskSlot, key: tuple[int, int, str]) -> None:
         """Another place among tasks with the same deadline; what was released stays so."""
         slot.key = key
         if slot.is_listed:
             self._renew(slot)
             heappush(self._releases, (slot.release, slot.deadline, *key, slot.epoch, slot))
 
-    def next_due(self, now: int) -> Slot | None:
+    def next_due(self, now: int) -> TaskSlot | None:
         """The slot to run now, or None; call `done` after its cycle."""
         releases, ready = self._releases, self._ready
         if self._coming:
@@ -100,14 +100,14 @@ class Agenda:
                 heappush(ready, (slot.deadline, crit, rank, name, epoch, slot))
         return None
 
-    def done(self, slot: Slot) -> None:
+    def done(self, slot: TaskSlot) -> None:
         """A cycle is over: the next release is its deadline."""
         slot.release = release = slot.deadline
         slot.deadline = deadline = release + slot.period
         crit, rank, name = slot.key
         heappush(self._releases, (release, deadline, crit, rank, name, slot.epoch, slot))
 
-    def after(self, slot: Slot, now: int) -> Slot | None:
+    def after(self, slot: TaskSlot, now: int) -> TaskSlot | None:
         """As `done`, then `next_due`: in one step where the next slot was released at this very instant."""
         releases = self._releases
         if self._ready or self._coming or not releases or releases[0][0] != now:
@@ -141,7 +141,7 @@ class Agenda:
             heappush(self._releases, (now, slot.deadline, *slot.key, slot.epoch, slot))
         self._coming.clear()
 
-    def _renew(self, slot: Slot) -> None:
+    def _renew(self, slot: TaskSlot) -> None:
         """Make all entries of the slot stale. Epochs are never given twice, so that two entries never compare equal."""
         self._epoch += 1
         slot.epoch = self._epoch

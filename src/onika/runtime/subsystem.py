@@ -26,7 +26,7 @@ class Member:
         self.is_sent = False
 
 
-class Subsystem:
+class RunningSubsystem:
     """Owned by the runner; tasks themselves live on RTPUs.
 
     `known` are constants that robot modules state before they live: a supplier's own shapes may depend on them.

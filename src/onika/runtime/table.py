@@ -17,7 +17,7 @@ SIZE = 1 << 26
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class TableEntry:
     """Where a variable lies in its table, and its resolved shape."""
 
     name: str
@@ -34,35 +34,35 @@ class Table:
 
     def __init__(self, segment: Segment) -> None:
         self.segment = segment
-        self.entries: dict[str, Entry] = {}
+        self.entries: dict[str, TableEntry] = {}
         self._rings: dict[str, Ring] = {}
         self._end = HEAD
         self._free: dict[int, list[int]] = {}
 
-    def entry(self, name: str, shape: Shape) -> Entry:
+    def entry(self, name: str, shape: Shape) -> TableEntry:
         """The entry of a variable, made zeroed at first; raises ValueError where the shape differs from the entry's."""
         entry = self.entries.get(name)
         if entry is not None:
             if entry.shape != shape:
                 raise ValueError(f"{name} is {entry.shape} in this subsystem, found {shape}")
             return entry
-        entry = Entry(name, shape, self._room(name, shape))
+        entry = TableEntry(name, shape, self._room(name, shape))
         self.entries[name] = entry
         self._rings[name] = Ring(self.segment.view, entry.offset, shape.size)
         self._rings[name].arm()
         return entry
 
-    def drop(self, name: str) -> Entry:
+    def drop(self, name: str) -> TableEntry:
         """Forget a variable; its memory stays as it is until it is freed, for tasks that are bound to it still."""
         del self._rings[name]
         return self.entries.pop(name)
 
-    def put_back(self, entry: Entry) -> None:
+    def put_back(self, entry: TableEntry) -> None:
         """Know a dropped variable again, whose memory was not freed."""
         self.entries[entry.name] = entry
         self._rings[entry.name] = Ring(self.segment.view, entry.offset, entry.shape.size)
 
-    def free(self, entry: Entry) -> None:
+    def free(self, entry: TableEntry) -> None:
         """Give the memory of a dropped entry back, zeroed; nobody is bound to it any more."""
         need = Ring.footprint(entry.shape.size)
         self.segment.view[entry.offset : entry.offset + need] = bytes(need)

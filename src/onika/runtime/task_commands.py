@@ -5,15 +5,15 @@ from msgspec import structs
 from onika.model.lifecycle import State, Step, refusal
 from onika.runtime import command, news
 from onika.runtime.code import traceback_text
-from onika.runtime.entry_points import RAISED, Calls
+from onika.runtime.entry_points import RAISED, EntryPoints
 from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import Address, Unit
+from onika.runtime.unit import Address, ProcessingUnit
 
 
-class Alterations:
+class TaskCommands:
     """Carries out the commands that are neither its birth, its coming on and going off, nor its end."""
 
-    def __init__(self, unit: Unit, calls: Calls) -> None:
+    def __init__(self, unit: ProcessingUnit, calls: EntryPoints) -> None:
         self._unit = unit
         self._calls = calls
 

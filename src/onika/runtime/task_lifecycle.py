@@ -9,20 +9,20 @@ from onika.model.signal import Signal, SignalKind
 from onika.runtime import command, news
 from onika.runtime.code import load, traceback_text
 from onika.runtime.cycle_result import signal_of
-from onika.runtime.entry_points import RAISED, Calls
+from onika.runtime.entry_points import RAISED, EntryPoints
 from onika.runtime.error import AskAgain, ModuleError
 from onika.runtime.prepared_switches import lines
 from onika.runtime.running_task import RunningTask
-from onika.runtime.unit import Address, Unit
+from onika.runtime.unit import Address, ProcessingUnit
 from onika.words.fault import Fault
 
 _ON, _OFF = State.ON.value, State.OFF.value
 
 
-class Life:
+class TaskLifecycle:
     """Carries out the commands that change what a task is in; what it led to is told to the unit."""
 
-    def __init__(self, unit: Unit, calls: Calls) -> None:
+    def __init__(self, unit: ProcessingUnit, calls: EntryPoints) -> None:
         self._unit = unit
         self._calls = calls
 
@@ -111,7 +111,7 @@ class Life:
             for launch in order.on:
                 self._on((order.subsystem, launch.task), launch, now)
 
-    def prepare(self, order: command.Prepared) -> None:
+    def prepare(self, order: command.PreparedSwitch) -> None:
         """Hold switches for a finish; the argument lines of what may come on are read now, as far as they can be."""
         self._unit.prepared.keep(order)
         if not order.cases:

@@ -6,29 +6,29 @@ from collections.abc import MutableMapping
 from onika.ring.slots import Ring
 from onika.runtime import news
 from onika.runtime.binding import Views
-from onika.runtime.prepared_switches import Preparations
+from onika.runtime.prepared_switches import PreparedSwitches
 from onika.runtime.running_task import RunningTask
-from onika.runtime.scheduler import Agenda, Slot
+from onika.runtime.scheduler import Scheduler, TaskSlot
 from onika.runtime.transfer.bumpless_transfer import WATCHED_NS
 
 Address = tuple[str, str]
 """Subsystem and task."""
 
 
-class Unit:
+class ProcessingUnit:
     """Shared by all that changes the lives of its tasks; none of this runs a module's code but `fileno`."""
 
     def __init__(self, rtpu: str, views: Views) -> None:
         self.rtpu = rtpu
         self.views = views
         self.tasks: dict[Address, RunningTask] = {}
-        self.agenda = Agenda()
-        self.slots: MutableMapping[Slot, RunningTask] = {}
+        self.agenda = Scheduler()
+        self.slots: MutableMapping[TaskSlot, RunningTask] = {}
         self.events: dict[int, Address] = {}
         self.speaking: dict[Address, RunningTask] = {}
         """What is ON and has an outside partner."""
         self.news: list[news.News] = []
-        self.prepared = Preparations()
+        self.prepared = PreparedSwitches()
         self.is_stopped = False
         self._rings: dict[str, dict[str, Ring]] = {}
         self._last_tid = 0

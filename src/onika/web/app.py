@@ -12,8 +12,8 @@ from starlette.staticfiles import StaticFiles
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from onika.web.headers import StrictHeaders
-from onika.web.hub import Hall
-from onika.web.login import COOKIE, Door
+from onika.web.hub import Hub
+from onika.web.login import COOKIE, Login
 
 STATIC = Path(__file__).parent / "static"
 """The page as it was built."""
@@ -24,7 +24,7 @@ _WRONG_MESSAGE = 1007
 _NOT_ALLOWED = 1008
 
 
-def application(door: Door, hall: Hall, static: Path = STATIC) -> Starlette:
+def application(door: Login, hall: Hub, static: Path = STATIC) -> Starlette:
     """The application; nothing but a refusal is told to whoever has no key."""
 
     async def page(request: Request) -> Response:
@@ -56,7 +56,7 @@ def application(door: Door, hall: Hall, static: Path = STATIC) -> Starlette:
     return Starlette(routes=routes, middleware=[Middleware(StrictHeaders)])
 
 
-async def _converse(socket: WebSocket, hall: Hall) -> None:
+async def _converse(socket: WebSocket, hall: Hub) -> None:
     """Until the browser leaves, or sends what is no act: that closes its own connection and no other."""
     guest = hall.come()
 

@@ -18,7 +18,7 @@ _REMEMBERED = 200
 """Lines of the log that a browser is told when it comes."""
 
 
-class Watched(Protocol):
+class WatchedValues(Protocol):
     """Whatever has the newest values of the running system."""
 
     def watch(self, variables: frozenset[str], worlds: frozenset[str], figures: bool, hz: float) -> None:
@@ -30,7 +30,7 @@ class Watched(Protocol):
         ...
 
 
-class Guest:
+class BrowserClient:
     """One browser."""
 
     def __init__(self, name: str, snapshot: Callable[[], bytes]) -> None:
@@ -39,17 +39,19 @@ class Guest:
         self.watch = act.Watch()
 
 
-class Hall:
+class Hub:
     """Brings acts to the environment, and its answers, patches, lines and frames to the browsers.
 
     clock   seconds since 1970
     """
 
-    def __init__(self, environment: Environment, watched: Watched, clock: Callable[[], float] = time.time) -> None:
+    def __init__(
+        self, environment: Environment, watched: WatchedValues, clock: Callable[[], float] = time.time
+    ) -> None:
         self._clock = clock
         self._environment = environment
         self._watched = watched
-        self._guests: list[Guest] = []
+        self._guests: list[BrowserClient] = []
         self._came = 0
         self._remembered: deque[bytes] = deque(maxlen=_REMEMBERED)
         environment.listeners.append(self)
@@ -59,24 +61,24 @@ class Hall:
         """Whether anybody wants frames."""
         return any(client.watch.variables or client.watch.worlds or client.watch.figures for client in self._guests)
 
-    def come(self) -> Guest:
+    def come(self) -> BrowserClient:
         """A browser comes in; the first it is sent is a snapshot."""
         self._came += 1
         name = f"browser {self._came}"
-        guest = Guest(name, lambda: self._snapshot(name))
+        guest = BrowserClient(name, lambda: self._snapshot(name))
         for message in self._remembered:
             guest.outbox.put(message)
         self._guests.append(guest)
         self._count()
         return guest
 
-    def leave(self, guest: Guest) -> None:
+    def leave(self, guest: BrowserClient) -> None:
         """A browser is gone."""
         self._guests.remove(guest)
         self._rewatch()
         self._count()
 
-    def take(self, guest: Guest, body: str | bytes) -> None:
+    def take(self, guest: BrowserClient, body: str | bytes) -> None:
         """Carry out what a browser sends; raises ValueError for what is no act."""
         ordered = page.decode(body)
         if isinstance(ordered.act, act.Watch):
@@ -119,7 +121,7 @@ class Hall:
             if made[key]:
                 guest.outbox.frame(made[key])
 
-    def _answer(self, guest: Guest, cid: int, given: Answer) -> None:
+    def _answer(self, guest: BrowserClient, cid: int, given: Answer) -> None:
         revision = self._environment.revision
         no = given.no
         message = (

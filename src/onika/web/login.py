@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 COOKIE = "onika"
 
 
-class Door:
+class Login:
     """Keeps the key and the cookies of one environment, and knows the addresses at which it is reached.
 
     addresses   as in `127.0.0.1:8420`: what a browser must have in its `Host`

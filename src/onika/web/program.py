@@ -27,8 +27,8 @@ from onika.desk.environment.runtime_thread import Station
 from onika.desk.environment.state.model import Model
 from onika.store.site import Site
 from onika.web.app import application
-from onika.web.hub import Hall
-from onika.web.login import Door
+from onika.web.hub import Hub
+from onika.web.login import Login
 from onika.web.server import addresses, serve
 from onika.wire import act, page
 
@@ -64,7 +64,7 @@ class Wishes:
     is_upper_only: bool = False
 
 
-class Program:
+class EnvironmentProgram:
     """One environment from its beginning to its end; `state` is where diary and recovery are kept."""
 
     def __init__(self, site: Site, wishes: Wishes, state: Path) -> None:
@@ -93,9 +93,9 @@ class Program:
         disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
         environment = Environment(model, HANDLERS, surroundings, station)
-        hall = Hall(environment, station)
+        hall = Hub(environment, station)
         hall.remember(says)
-        door = Door(addresses(listening), lambda key: on_ready(_address(listening, key)))
+        door = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))
         kept, autosave = self._recovery(environment), Autosave()
         station.begin(environment)
         self._open(environment)
@@ -169,7 +169,7 @@ class Program:
                 connect, _NAME, lambda given: report(given) if first in environment.model.documents else None
             )
 
-    async def _show(self, hall: Hall) -> None:
+    async def _show(self, hall: Hub) -> None:
         """The newest values, to those who watch."""
         while True:
             await asyncio.sleep(_FRAME_S if hall.is_watching else 0.1)

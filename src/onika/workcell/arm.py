@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from onika.laws.chain import Link, kinds_of, links, text_of
 from onika.laws.frames import Array
 from onika.laws.robot import Robot
-from onika.workcell.gripper import Gripper
-from onika.workcell.part import Part, Touch, placed
+from onika.workcell.gripper import GripperPart
+from onika.workcell.part import TouchSpot, WorldPart, placed
 
 SHOULDER_M = 0.6718
 """Height of frame 0 above the floor."""
@@ -21,12 +21,12 @@ class ArmKind:
     """
 
     robot: Robot
-    touching: Callable[[Touch], tuple[str, ...]]
+    touching: Callable[[TouchSpot], tuple[str, ...]]
     drawn: Callable[[], tuple[str, ...]]
-    column: Callable[[bool, Touch], str]
+    column: Callable[[bool, TouchSpot], str]
 
 
-def arm(kind: ArmKind, name: str, base: Array, touch: Touch, hand: Gripper, drawn: bool) -> Part:
+def arm(kind: ArmKind, name: str, base: Array, touch: TouchSpot, hand: GripperPart, drawn: bool) -> WorldPart:
     """An arm with joints `name.joint1` ..., frame 0 at `base` (pose in the world), carrying `hand`."""
     robot = kind.robot
     inner = hand.body(touch, drawn)
@@ -36,8 +36,8 @@ def arm(kind: ArmKind, name: str, base: Array, touch: Touch, hand: Gripper, draw
         inner = _body(robot, name, k, chain[k], shapes[k] + inner)
     bodies = f'<body name="{name}.base" {placed(base)}>{kind.column(drawn, touch)}{inner}</body>'
     if drawn:
-        return Part(bodies)
-    return Part(
+        return WorldPart(bodies)
+    return WorldPart(
         bodies,
         actuators="".join(_motor(robot, name, k) for k in range(robot.NDOF)) + hand.actuators(),
         equalities=hand.equalities(),

@@ -10,10 +10,10 @@ from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
 from onika.workcell.layout import KINDS, STANDARD
 from onika.workcell.plant import Plant
-from onika.workcell.unit import Unit, row_of
+from onika.workcell.unit import DeviceUnit, row_of
 
 
-class ArmUnit(Unit):
+class ArmUnit(DeviceUnit):
     """An arm whose command is a torque for each joint (N m; N where it slides), whose state its angles (rad; m).
 
     `kind` is one of `layout.KINDS`; its body in the world and the device are called by it and the side.

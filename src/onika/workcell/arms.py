@@ -10,7 +10,7 @@ from itertools import combinations
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.kinematic_unit import KinematicUnit
 from onika.workcell.layout import KINDS, SIDES, STANDARD, base
-from onika.workcell.unit import Unit
+from onika.workcell.unit import DeviceUnit
 
 
 class Arms:
@@ -52,7 +52,7 @@ class Arms:
                 modes = f"{first.sheet.name!r} is {_MODES[first.mode]}, {other.sheet.name!r} is {_MODES[other.mode]}"
                 yield f"{modes}; all arms of a world are of one mode"
 
-    def remarks(self, devices: Sequence[str], hands: Sequence[Unit]) -> Iterator[str]:
+    def remarks(self, devices: Sequence[str], hands: Sequence[DeviceUnit]) -> Iterator[str]:
         """Hands of which none is borne by an arm of these devices."""
         arms = [unit for unit in self.units if unit.sheet.name in devices]
         if arms and not {unit.side for unit in arms} & {unit.side for unit in hands}:

@@ -8,7 +8,7 @@ import math
 from dataclasses import dataclass
 from itertools import pairwise
 
-from onika.workcell.part import THINGS, Part
+from onika.workcell.part import THINGS, WorldPart
 
 SIZE_M = (0.0762, 0.1270, 0.0508)
 """Width along x (the side the hand takes), depth along y, height with feet."""
@@ -38,7 +38,7 @@ _Stroke = tuple[tuple[float, float], ...]
 
 
 @dataclass(frozen=True, slots=True)
-class Box:
+class AssemblyBox:
     """One box by its sign, standing with the middle of its foot print at x, y on a table whose top is at z (metres)."""
 
     sign: str
@@ -51,7 +51,7 @@ class Box:
         """The name of its body and of its free joint."""
         return f"box_{self.sign}"
 
-    def part(self, drawn: bool) -> Part:
+    def part(self, drawn: bool) -> WorldPart:
         """The box with a free joint; shapes `box_x.slab` and `box_x.foot_pp` ... touch."""
         width, depth, height = (size / 2 for size in SIZE_M)
         lift, thick = _OUT_M / 2, height - _OUT_M / 2
@@ -64,9 +64,9 @@ class Box:
             f'<inertial pos="0 0 0" mass="{MASS_KG}" diaginertia="{inertia}"/>{shapes}</body>'
         )
         if drawn or self.sign == SIGNS[-1]:
-            return Part(bodies)
+            return WorldPart(bodies)
         touch = (f"{self.name}.patch_{tag}" for tag, _, _ in METAL)
-        return Part(bodies, sensors="".join(f'<touch name="{patch}" site="{patch}"/>' for patch in touch))
+        return WorldPart(bodies, sensors="".join(f'<touch name="{patch}" site="{patch}"/>' for patch in touch))
 
     def _touching(self, slab: str, height: float) -> str:
         feel = 'condim="4" friction="0.6 0.01 0.001" solref="0.005 1" solimp="0.95 0.99 0.001"'

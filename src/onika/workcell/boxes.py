@@ -9,11 +9,11 @@ import numpy.typing as npt
 from mujoco import mj_step
 
 from onika.laws.frames import Array
-from onika.ring.device import DeviceSheet, DriveEvent, Order
+from onika.ring.device import DeviceOrder, DeviceSheet, DriveEvent
 from onika.workcell import layout
 from onika.workcell.arm_unit import ArmUnit
 from onika.workcell.arms import Arms
-from onika.workcell.drive import NEVER_NS, Happening, Mode, happening_of
+from onika.workcell.drive import NEVER_NS, DriveInput, DriveMode, input_of
 from onika.workcell.gripper_unit import GripperUnit
 from onika.workcell.kinematics import Kinematics
 from onika.workcell.lamp_unit import LampUnit
@@ -22,11 +22,11 @@ from onika.workcell.panic_button import PanicButton
 from onika.workcell.part import STEP_S
 from onika.workcell.plant import Plant
 from onika.workcell.scene import Shape3d, shapes
-from onika.workcell.snapshot import Snapshot, encode
-from onika.workcell.unit import Unit
+from onika.workcell.snapshot import WorldSnapshot, encode
+from onika.workcell.unit import DeviceUnit
 
 _SENSE_NS = 20_000_000  # how often touch is felt: at the pads of hands and in the lamp's circuit
-_DRIVE = int(Order.DRIVE)  # plain numbers compare quicker than names
+_DRIVE = int(DeviceOrder.DRIVE)  # plain numbers compare quicker than names
 
 
 class BoxesWorld:
@@ -45,8 +45,8 @@ class BoxesWorld:
         self._lamp = LampUnit()
         self._arms = Arms()
         self._hands = {side: GripperUnit(side) for side in SIDES}
-        everything: list[Unit] = [*self._arms.units, *self._hands.values(), self._lamp]
-        self._units: dict[str, Unit] = {unit.sheet.name: unit for unit in everything}
+        everything: list[DeviceUnit] = [*self._arms.units, *self._hands.values(), self._lamp]
+        self._units: dict[str, DeviceUnit] = {unit.sheet.name: unit for unit in everything}
         self._buttons = {arm.name: arm for arm in map(PanicButton, self._arms)}
         self._sides: tuple[str, ...] = ()
         self._fenced: set[int] = set()
@@ -90,7 +90,7 @@ class BoxesWorld:
         """Put the device into hold and free the claim; another writer's wish changes nothing."""
         unit = self._unit(device)
         if unit.epoch == epoch:
-            self._feed(unit, Happening.RELEASE)
+            self._feed(unit, DriveInput.RELEASE)
             unit.epoch = None
 
     def fence(self, epoch: int) -> None:
@@ -98,13 +98,13 @@ class BoxesWorld:
         self._fenced.add(epoch)
         for unit in self._acting:
             if unit.epoch == epoch:
-                self._feed(unit, Happening.FENCE)
+                self._feed(unit, DriveInput.FENCE)
                 unit.epoch = None
 
     def command(self, device: str, epoch: int, order: int, values: Sequence[float] | Array) -> None:
         """A fresh command, which acts from the next step on; one from a writer without the claim is ignored.
 
-        `values` are as the device's sheet says and are used with Order.DRIVE alone: doubles in an array or memoryview
+        `values` are as the device's sheet says and are used with DeviceOrder.DRIVE alone: doubles in an array or memoryview
         (quickest), a list or a tuple. Raises ValueError for a wrong number of values, an unknown order or a device that
         takes none, KeyError for an unknown device.
         """
@@ -112,7 +112,7 @@ class BoxesWorld:
         if epoch == unit.follows and order == _DRIVE:
             unit.drive.last_ns = self.now_ns
             if not unit.follow(values):
-                self._feed(unit, Happening.UNSOUND)
+                self._feed(unit, DriveInput.UNSOUND)
         elif epoch == unit.epoch:
             self._obey(unit, order, values)
 
@@ -141,19 +141,19 @@ class BoxesWorld:
     def stop(self) -> None:
         """Hold every drive and let no command through until `reset` or `go_on`."""
         for unit in self._acting:
-            self._feed(unit, Happening.STOP)
+            self._feed(unit, DriveInput.STOP)
 
     def go_on(self) -> None:
         """Leave a stop without moving anything: drives hold until they are commanded, pressed buttons stay."""
         for unit in self._acting:
-            if unit.drive.mode is Mode.STOPPED:
-                self._feed(unit, Happening.RESET)
+            if unit.drive.mode is DriveMode.STOPPED:
+                self._feed(unit, DriveInput.RESET)
         self._press_again()
 
     def reset(self) -> None:
         """Boxes and arms back to their start, at rest; all drives hold. Time, claims and pressed buttons go on."""
         for unit in self._acting:
-            self._feed(unit, Happening.RESET)
+            self._feed(unit, DriveInput.RESET)
         self._press_again()
         mujoco.mj_resetData(self._plant.model, self._plant.data)
         for unit in self._present:
@@ -194,38 +194,38 @@ class BoxesWorld:
     def snapshot(self) -> bytes:
         """This instant for `onika.workcell.picture`."""
         qpos = tuple(self._plant.data.qpos.tolist())
-        return encode(Snapshot(self._text(drawn=True), qpos, self.now_ns * 1e-9, self._lamp.lit))
+        return encode(WorldSnapshot(self._text(drawn=True), qpos, self.now_ns * 1e-9, self._lamp.lit))
 
     def fingerprint(self) -> bytes:
         """Time, positions and speeds, byte for byte: equal runs have equal fingerprints."""
         data = self._plant.data
         return b"".join((self.now_ns.to_bytes(8, "little"), data.qpos.tobytes(), data.qvel.tobytes()))
 
-    def _unit(self, device: str) -> Unit:
+    def _unit(self, device: str) -> DeviceUnit:
         unit = self._units.get(device)
         if unit is None:
             raise ValueError(f"expected one of {', '.join(self._units)}, found {device!r}")
         return unit
 
-    def _obey(self, unit: Unit, order: int, values: Sequence[float] | Array) -> None:
+    def _obey(self, unit: DeviceUnit, order: int, values: Sequence[float] | Array) -> None:
         """A command that may change the drive's mode."""
         if not unit.count:
             raise ValueError(f"expected a device that takes commands, found {unit.sheet.name!r}")
-        happening = happening_of(order)
-        if happening is Happening.DRIVE and len(values) != unit.count:
+        happening = input_of(order)
+        if happening is DriveInput.DRIVE and len(values) != unit.count:
             raise ValueError(f"expected {unit.count} values for {unit.sheet.name!r}, found {len(values)}")
-        if happening is Happening.DRIVE and not np.isfinite(values).all():
-            happening = Happening.UNSOUND
+        if happening is DriveInput.DRIVE and not np.isfinite(values).all():
+            happening = DriveInput.UNSOUND
         self._feed(unit, happening)
         unit.drive.last_ns = self.now_ns
-        if unit.drive.mode is Mode.DRIVEN and happening is Happening.DRIVE:
+        if unit.drive.mode is DriveMode.DRIVEN and happening is DriveInput.DRIVE:
             unit.follow(values)
         self._due_ns = min(self._due_ns, unit.drive.due_ns)
 
     def _press_again(self) -> None:
         for button in self._buttons.values():
             if button.is_pressed:
-                self._feed(button.unit, Happening.PRESS)
+                self._feed(button.unit, DriveInput.PRESS)
 
     def _listen(self, now: int) -> None:
         for unit in self._acting:
@@ -234,13 +234,13 @@ class BoxesWorld:
                 self._feed(unit, happening)
         self._due_ns = min(unit.drive.due_ns for unit in self._acting)
 
-    def _feed(self, unit: Unit, happening: Happening) -> None:
+    def _feed(self, unit: DeviceUnit, happening: DriveInput) -> None:
         """Something happened to a drive: move it, hold where it stops following, report what others see of it."""
         if unit is self._lamp:
             return
         before, was = unit.drive.shown, unit.drive.mode
         unit.drive.feed(happening)
-        if was is Mode.DRIVEN and unit.drive.mode is not Mode.DRIVEN:
+        if was is DriveMode.DRIVEN and unit.drive.mode is not DriveMode.DRIVEN:
             unit.capture()
         after = unit.drive.shown
         if after is not before:
@@ -248,12 +248,12 @@ class BoxesWorld:
             last = max(self.now_ns - self.step_ns, 0)
             event = DriveEvent(unit.sheet.name, int(after), self.now_ns, last, unit.drive.last_ns, happening.value)
             self._events.append(event)
-        unit.follows = unit.epoch if unit.drive.mode is Mode.DRIVEN else None
+        unit.follows = unit.epoch if unit.drive.mode is DriveMode.DRIVEN else None
         self._holding = [
-            present for present in self._present if present.holds and present.drive.mode is not Mode.DRIVEN
+            present for present in self._present if present.holds and present.drive.mode is not DriveMode.DRIVEN
         ]
 
-    def _admit(self, unit: Unit) -> None:
+    def _admit(self, unit: DeviceUnit) -> None:
         """Make room for a device: its arm may be new in the world, of another kind or in the other mode."""
         acting = set(self._present)
         changed = isinstance(unit, ArmUnit) and self._arms.admit(unit)
@@ -277,14 +277,16 @@ class BoxesWorld:
 
     def _bind(self) -> None:
         arms = self._arms.acting
-        self._acting: list[Unit] = [unit for side in SIDES for unit in (arms[side], self._hands[side])] + [self._lamp]
-        self._present: list[Unit] = [unit for unit in self._acting if unit.side in ("", *self._sides)]
+        self._acting: list[DeviceUnit] = [unit for side in SIDES for unit in (arms[side], self._hands[side])] + [
+            self._lamp
+        ]
+        self._present: list[DeviceUnit] = [unit for unit in self._acting if unit.side in ("", *self._sides)]
         for button in self._buttons.values():
             button.unit = arms[button.unit.side]
         for unit in self._present:
             unit.bind(self._plant)
         self._holding = [
-            present for present in self._present if present.holds and present.drive.mode is not Mode.DRIVEN
+            present for present in self._present if present.holds and present.drive.mode is not DriveMode.DRIVEN
         ]
         self._due_ns = min(unit.drive.due_ns for unit in self._acting)
 

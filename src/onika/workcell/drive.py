@@ -12,7 +12,7 @@ Everything that can happen in every state stands in TABLE. A device reports four
 
 from enum import Enum
 
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 
 SILENCE_NS = 50_000_000
 """Longer than this without a command, a driven device holds by itself."""
@@ -24,7 +24,7 @@ NEVER_NS = 1 << 62
 """An instant that does not come."""
 
 
-class Mode(Enum):
+class DriveMode(Enum):
     """The six states of a drive from within."""
 
     DRIVEN = "driven"
@@ -35,7 +35,7 @@ class Mode(Enum):
     STOPPED = "stopped"
 
 
-class Happening(Enum):
+class DriveInput(Enum):
     """What can happen to a drive; the value is the cause that is reported."""
 
     DRIVE = "commanded to follow"
@@ -52,21 +52,28 @@ class Happening(Enum):
     LET_GO = "panic button let go"
 
 
-_ORDERS = {Order.DRIVE: Happening.DRIVE, Order.HOLD: Happening.HOLD, Order.CLEAR: Happening.CLEAR}
+_ORDERS = {DeviceOrder.DRIVE: DriveInput.DRIVE, DeviceOrder.HOLD: DriveInput.HOLD, DeviceOrder.CLEAR: DriveInput.CLEAR}
 
 _SHOWN = {
-    Mode.DRIVEN: Drive.DRIVEN,
-    Mode.HELD: Drive.HELD,
-    Mode.SILENT: Drive.HELD,
-    Mode.TRIPPED: Drive.TRIPPED,
-    Mode.PRESSED: Drive.PRESSED,
-    Mode.STOPPED: Drive.HELD,
+    DriveMode.DRIVEN: DriveState.DRIVEN,
+    DriveMode.HELD: DriveState.HELD,
+    DriveMode.SILENT: DriveState.HELD,
+    DriveMode.TRIPPED: DriveState.TRIPPED,
+    DriveMode.PRESSED: DriveState.PRESSED,
+    DriveMode.STOPPED: DriveState.HELD,
 }
 
-_D, _H, _S, _T, _P, _X = Mode.DRIVEN, Mode.HELD, Mode.SILENT, Mode.TRIPPED, Mode.PRESSED, Mode.STOPPED
+_D, _H, _S, _T, _P, _X = (
+    DriveMode.DRIVEN,
+    DriveMode.HELD,
+    DriveMode.SILENT,
+    DriveMode.TRIPPED,
+    DriveMode.PRESSED,
+    DriveMode.STOPPED,
+)
 
-TABLE: dict[Mode, dict[Happening, Mode]] = {
-    state: dict(zip(Happening, row, strict=True))
+TABLE: dict[DriveMode, dict[DriveInput, DriveMode]] = {
+    state: dict(zip(DriveInput, row, strict=True))
     for state, row in {
         #   DRIVE HOLD CLEAR UNSOUND SILENCE LONG FENCE RELEASE STOP RESET PRESS LET_GO
         _D: (_D, _H, _D, _T, _S, _S, _T, _H, _X, _H, _P, _D),
@@ -85,32 +92,32 @@ class DriveUnit:
     __slots__ = ("last_ns", "mode")
 
     def __init__(self) -> None:
-        self.mode = Mode.HELD
+        self.mode = DriveMode.HELD
         self.last_ns = -1
 
     @property
-    def shown(self) -> Drive:
+    def shown(self) -> DriveState:
         """The state that the device reports."""
         return _SHOWN[self.mode]
 
     @property
     def due_ns(self) -> int:
         """The last instant at which silence is still allowed."""
-        if self.mode is Mode.DRIVEN:
+        if self.mode is DriveMode.DRIVEN:
             return self.last_ns + SILENCE_NS
-        return self.last_ns + TRIP_NS if self.mode is Mode.SILENT else NEVER_NS
+        return self.last_ns + TRIP_NS if self.mode is DriveMode.SILENT else NEVER_NS
 
-    def silence(self, now_ns: int) -> Happening | None:
+    def silence(self, now_ns: int) -> DriveInput | None:
         """What silence makes happen at a step at `now_ns`, or None; changes nothing."""
         if now_ns <= self.due_ns:
             return None
-        return Happening.SILENCE if self.mode is Mode.DRIVEN else Happening.LONG_SILENCE
+        return DriveInput.SILENCE if self.mode is DriveMode.DRIVEN else DriveInput.LONG_SILENCE
 
-    def feed(self, happening: Happening) -> None:
+    def feed(self, happening: DriveInput) -> None:
         """Move as the table says."""
         self.mode = TABLE[self.mode][happening]
 
 
-def happening_of(order: int) -> Happening:
+def input_of(order: int) -> DriveInput:
     """What a command with finite numbers is; raises ValueError for an unknown order."""
-    return _ORDERS[Order(order)]
+    return _ORDERS[DeviceOrder(order)]

@@ -7,7 +7,7 @@ is 130 mm beyond the flange, where the arm's TOOL is.
 from dataclasses import dataclass
 
 from onika.laws import puma560
-from onika.workcell.part import Touch
+from onika.workcell.part import TouchSpot
 
 CLOSED_M = 0.060
 """Distance of the pads with the hand closed; a finger at position 0."""
@@ -26,12 +26,12 @@ _PAD = (0.014, 0.002, 0.015)  # half sizes: 28 mm along x, 4 mm thick, 30 mm alo
 
 
 @dataclass(frozen=True, slots=True)
-class Gripper:
+class GripperPart:
     """One hand by name; joints `name.finger1` (towards +y) and `name.finger2`."""
 
     name: str
 
-    def body(self, touch: Touch, drawn: bool) -> str:
+    def body(self, touch: TouchSpot, drawn: bool) -> str:
         """The hand as a body to stand in the arm's last link."""
         shapes = _drawn_palm() if drawn else f'<geom type="box" size="0.03 0.062 0.02" pos="0 0 0.034" {touch}/>'
         fingers = self._finger(1, touch, drawn) + self._finger(2, touch, drawn)
@@ -56,7 +56,7 @@ class Gripper:
         """How hard each pad is pressed."""
         return "".join(f'<touch name="{self.name}.touch{k}" site="{self.name}.pad{k}"/>' for k in (1, 2))
 
-    def _finger(self, k: int, touch: Touch, drawn: bool) -> str:
+    def _finger(self, k: int, touch: TouchSpot, drawn: bool) -> str:
         side = 1 if k == 1 else -1
         face = side * CLOSED_M / 2
         shapes = _drawn_finger(side, face) if drawn else self._touching_finger(k, side, face, touch)
@@ -68,7 +68,7 @@ class Gripper:
             f'solreflimit="0.004 1" solimplimit="0.95 0.99 0.001" damping="150" armature="0.1"/>{shapes}</body>'
         )
 
-    def _touching_finger(self, k: int, side: int, face: float, touch: Touch) -> str:
+    def _touching_finger(self, k: int, side: int, face: float, touch: TouchSpot) -> str:
         x, y, z = _PAD
         pad = f'pos="0 {face + side * y} {_TIP}"'
         return (

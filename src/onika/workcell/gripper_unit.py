@@ -9,10 +9,10 @@ from onika.laws.frames import Array
 from onika.ring.device import DeviceSheet
 from onika.workcell.gripper import CLOSED_M
 from onika.workcell.plant import Plant
-from onika.workcell.unit import Unit, row_of
+from onika.workcell.unit import DeviceUnit, row_of
 
 
-class GripperUnit(Unit):
+class GripperUnit(DeviceUnit):
     """A hand whose command is one number (above 0 open, below 0 close) and whose valves keep the last signal."""
 
     def __init__(self, side: str) -> None:

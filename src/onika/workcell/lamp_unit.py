@@ -1,19 +1,19 @@
 """The lamp as a device: it only publishes which contacts of its circuit are closed."""
 
-from onika.ring.device import DeviceSheet, Drive
+from onika.ring.device import DeviceSheet, DriveState
 from onika.workcell.box import SIGNS
 from onika.workcell.circuit import CONTACTS, Circuit
 from onika.workcell.plant import Plant
-from onika.workcell.unit import Unit
+from onika.workcell.unit import DeviceUnit
 
 
-class LampUnit(Unit):
+class LampUnit(DeviceUnit):
     """The lamp, which only publishes: the six contacts of its circuit, judged every 10 ms."""
 
     def __init__(self) -> None:
         names = tuple(f"contact{k}" for k in range(1, CONTACTS + 1))
         super().__init__(DeviceSheet("lamp", ("time", "drive", *names), (), {"BOXES": " ".join(SIGNS)}))
-        self.state[1] = Drive.DRIVEN  # it has no drive that could hold or trip
+        self.state[1] = DriveState.DRIVEN  # it has no drive that could hold or trip
         self.flags = self.state[2:]
         self._circuit: Circuit
 

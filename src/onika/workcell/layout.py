@@ -6,10 +6,10 @@ import numpy as np
 
 from onika.laws.frames import Array
 from onika.workcell.arm import ArmKind, arm
-from onika.workcell.box import SIGNS, Box
-from onika.workcell.gripper import Gripper
+from onika.workcell.box import SIGNS, AssemblyBox
+from onika.workcell.gripper import GripperPart
 from onika.workcell.paint import paints
-from onika.workcell.part import ARMS, Part, document
+from onika.workcell.part import ARMS, WorldPart, document
 from onika.workcell.puma import PUMA
 from onika.workcell.scara import SCARA
 from onika.workcell.table import TOP_M, floor, table
@@ -43,16 +43,18 @@ def base(side: str) -> Array:
     return pose
 
 
-def boxes(seed: int, offsets_m: float) -> tuple[Box, ...]:
+def boxes(seed: int, offsets_m: float) -> tuple[AssemblyBox, ...]:
     """The four boxes, each moved by up to plus or minus `offsets_m` on x and y, drawn from `seed`."""
     moved = np.random.default_rng(seed).uniform(-offsets_m, offsets_m, (len(SIGNS), 2)).tolist()
     return tuple(
-        Box(sign, LAYOUT_M[sign][0] + dx, LAYOUT_M[sign][1] + dy, TOP_M)
+        AssemblyBox(sign, LAYOUT_M[sign][0] + dx, LAYOUT_M[sign][1] + dy, TOP_M)
         for sign, (dx, dy) in zip(SIGNS, moved, strict=True)
     )
 
 
-def text(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool, kinds: Mapping[str, str] | None = None) -> str:
+def text(
+    stack: Iterable[AssemblyBox], sides: tuple[str, ...], drawn: bool, kinds: Mapping[str, str] | None = None
+) -> str:
     """The MJCF document of these boxes and the arms of these sides, to be stepped or to be drawn.
 
     `kinds` says by its side which arm is of another kind than the standard one.
@@ -60,7 +62,9 @@ def text(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool, kinds: Mappi
     return document("boxes", _parts(stack, sides, drawn, kinds or {}), LOOK if drawn else "")
 
 
-def _parts(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool, kinds: Mapping[str, str]) -> Iterator[Part]:
+def _parts(
+    stack: Iterable[AssemblyBox], sides: tuple[str, ...], drawn: bool, kinds: Mapping[str, str]
+) -> Iterator[WorldPart]:
     if drawn:
         yield paints()
         yield view(len(sides))
@@ -70,4 +74,4 @@ def _parts(stack: Iterable[Box], sides: tuple[str, ...], drawn: bool, kinds: Map
         yield box.part(drawn)
     for side in sides:
         kind, touch = kinds.get(side, STANDARD), ARMS[SIDES.index(side)]
-        yield arm(KINDS[kind], f"{kind}_{side}", base(side), touch, Gripper(f"gripper_{side}"), drawn)
+        yield arm(KINDS[kind], f"{kind}_{side}", base(side), touch, GripperPart(f"gripper_{side}"), drawn)

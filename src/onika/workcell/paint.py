@@ -1,6 +1,6 @@
 """The colours of a workcell: warm paper, cream arms with orange joints, blue boxes with white signs."""
 
-from onika.workcell.part import Part
+from onika.workcell.part import WorldPart
 
 # red, green, blue, opacity; share of reflected light; shine
 _PAINTS = {
@@ -29,9 +29,9 @@ _TILES = (
 )
 
 
-def paints() -> Part:
+def paints() -> WorldPart:
     """All colours as materials, by name."""
-    return Part(
+    return WorldPart(
         assets=_TILES
         + "".join(
             f'<material name="{name}" rgba="{" ".join(map(str, rgba))}" specular="{specular}" shininess="{shine}"'

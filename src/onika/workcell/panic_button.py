@@ -1,7 +1,7 @@
 """The panic button of an arm: pressed, its drive holds; let go, it has tripped and has to be cleared (§4.5.2)."""
 
-from onika.workcell.drive import Happening
-from onika.workcell.unit import Unit
+from onika.workcell.drive import DriveInput
+from onika.workcell.unit import DeviceUnit
 
 PRESSED, LET_GO = 1.0, 0.0
 
@@ -11,14 +11,14 @@ class PanicButton:
 
     takes = "1 pressed, 0 let go"
 
-    def __init__(self, unit: Unit) -> None:
+    def __init__(self, unit: DeviceUnit) -> None:
         self.name = f"panic_{unit.side}"
         self.unit = unit
         self.is_pressed = False
 
-    def put(self, value: float) -> Happening:
+    def put(self, value: float) -> DriveInput:
         """Press it (1) or let it go (0): what then happens to the drive. Raises ValueError for any other number."""
         if value not in (PRESSED, LET_GO):
             raise ValueError(f"expected {self.takes} for {self.name}, found {value:g}")
         self.is_pressed = value == PRESSED
-        return Happening.PRESS if self.is_pressed else Happening.LET_GO
+        return DriveInput.PRESS if self.is_pressed else DriveInput.LET_GO

@@ -19,7 +19,7 @@ GRAVITY = 9.81
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class WorldPart:
     """Elements to stand in the world body, among the assets, the actuators, the equalities and the sensors."""
 
     bodies: str = ""
@@ -30,7 +30,7 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Touch:
+class TouchSpot:
     """Which shapes touch: two meet where one's `kinds` share a bit with the other's `meets`."""
 
     kinds: int
@@ -40,12 +40,12 @@ class Touch:
         return f'contype="{self.kinds}" conaffinity="{self.meets}"'
 
 
-THINGS = Touch(1, 1)
-ARMS = (Touch(2, 5), Touch(4, 3))
+THINGS = TouchSpot(1, 1)
+ARMS = (TouchSpot(2, 5), TouchSpot(4, 3))
 """Tables and boxes touch everything; an arm touches things and the other arm, not itself."""
 
 
-def document(name: str, parts: Iterable[Part], look: str = "") -> str:
+def document(name: str, parts: Iterable[WorldPart], look: str = "") -> str:
     """The MJCF document of a world of parts; `look` holds elements that only a picture needs."""
     rows = list(parts)
     return (

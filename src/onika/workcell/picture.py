@@ -15,7 +15,7 @@ import numpy as np
 import numpy.typing as npt
 
 from onika.workcell.box import GLOWS
-from onika.workcell.snapshot import Snapshot, decode
+from onika.workcell.snapshot import WorldSnapshot, decode
 from onika.workcell.view import CAMERA
 
 SIZE = (1440, 960)
@@ -62,14 +62,14 @@ def _probe() -> int:
     if _WAY not in os.environ:
         return _in_a_child("--probe", b"")
     try:
-        draw(Snapshot(_EMPTY, (), 0.0, False), (64, 48))
+        draw(WorldSnapshot(_EMPTY, (), 0.0, False), (64, 48))
     # whatever a graphics driver or its loader raises means the same here
     except Exception as fault:
         return _say(f"{MISSING} ({os.environ[_WAY]}: {fault})", 3)
     return _say(f"drawn with {os.environ[_WAY]}", 0)
 
 
-def draw(snapshot: Snapshot, size: tuple[int, int] = SIZE) -> Pixels:
+def draw(snapshot: WorldSnapshot, size: tuple[int, int] = SIZE) -> Pixels:
     """The picture as uint8[height,width,3]; MUJOCO_GL must name a way to draw before MuJoCo is imported."""
     import mujoco  # it looks for OpenGL when imported, so not before it is told where
 

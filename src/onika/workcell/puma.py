@@ -2,12 +2,12 @@
 
 from onika.laws import puma560
 from onika.workcell.arm import SHOULDER_M, ArmKind, capsule, rod
-from onika.workcell.part import Touch
+from onika.workcell.part import TouchSpot
 
 _HUB, _WIDE = 0.075, 0.055  # radii of the drawn upper arm at its ends and of the forearm
 
 
-def _column(drawn: bool, touch: Touch) -> str:
+def _column(drawn: bool, touch: TouchSpot) -> str:
     if not drawn:
         half = (SHOULDER_M - 0.08) / 2
         return f'<geom type="cylinder" size="0.09 {half}" pos="0 0 {-0.08 - half}" {touch}/>'
@@ -20,7 +20,7 @@ def _column(drawn: bool, touch: Touch) -> str:
     )
 
 
-def _touching(touch: Touch) -> tuple[str, ...]:
+def _touching(touch: TouchSpot) -> tuple[str, ...]:
     """The shapes of each link that touch, in the frame of the link: capsules round the long ones."""
     d4 = float(puma560.DH[3, 2])
     return (

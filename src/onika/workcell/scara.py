@@ -2,7 +2,7 @@
 
 from onika.laws import adept_one
 from onika.workcell.arm import SHOULDER_M, ArmKind, capsule, rod
-from onika.workcell.part import Touch
+from onika.workcell.part import TouchSpot
 
 _INNER, _OUTER = float(adept_one.DH[0, 0]), float(adept_one.DH[1, 0])
 _PLANE_M = float(adept_one.DH[0, 2])
@@ -12,7 +12,7 @@ _QUILL_M = 0.52
 """Length of the quill; drawn up, it stands out above the arm."""
 
 
-def _column(drawn: bool, touch: Touch) -> str:
+def _column(drawn: bool, touch: TouchSpot) -> str:
     """From the floor to under the first arm."""
     if not drawn:
         half = (SHOULDER_M + _PLANE_M - 0.07) / 2
@@ -26,7 +26,7 @@ def _column(drawn: bool, touch: Touch) -> str:
     )
 
 
-def _touching(touch: Touch) -> tuple[str, ...]:
+def _touching(touch: TouchSpot) -> tuple[str, ...]:
     """The shapes of each link that touch, in the frame of the link."""
     return (
         f'<geom type="capsule" size="0.06" fromto="{-_INNER} 0 0 0 0 0" {touch}/>',

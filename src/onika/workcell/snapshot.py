@@ -3,7 +3,7 @@
 import msgspec
 
 
-class Snapshot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
+class WorldSnapshot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     """The drawn world's document, the positions of all its joints, its time and whether the lamp is lit."""
 
     mjcf: str
@@ -12,11 +12,11 @@ class Snapshot(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     lit: bool
 
 
-def encode(snapshot: Snapshot) -> bytes:
+def encode(snapshot: WorldSnapshot) -> bytes:
     """As msgpack."""
     return msgspec.msgpack.encode(snapshot)
 
 
-def decode(data: bytes) -> Snapshot:
+def decode(data: bytes) -> WorldSnapshot:
     """From msgpack; raises ValueError that says what is wrong with the bytes."""
-    return msgspec.msgpack.decode(data, type=Snapshot)
+    return msgspec.msgpack.decode(data, type=WorldSnapshot)

@@ -1,7 +1,7 @@
 """The floor and the table as parts: the table's top is where all heights of the assembly are counted from."""
 
 from onika.workcell.arm import SHOULDER_M
-from onika.workcell.part import THINGS, Part
+from onika.workcell.part import THINGS, WorldPart
 
 TOP_M = -0.36
 """Height of the table's top in the world, whose origin is the left arm's shoulder."""
@@ -9,10 +9,10 @@ TOP_M = -0.36
 _MIDDLE, _HALF, _THICK = 0.65, (0.35, 0.50), 0.02
 
 
-def floor(drawn: bool) -> Part:
+def floor(drawn: bool) -> WorldPart:
     """An endless floor."""
     look = 'material="paper"' if drawn else str(THINGS)
-    return Part(bodies=f'<geom name="floor" type="plane" size="0 0 0.05" pos="0 0 {-SHOULDER_M}" {look}/>')
+    return WorldPart(bodies=f'<geom name="floor" type="plane" size="0 0 0.05" pos="0 0 {-SHOULDER_M}" {look}/>')
 
 
 def top_at(x: float, y: float) -> float:
@@ -21,14 +21,14 @@ def top_at(x: float, y: float) -> float:
     return TOP_M if on_it else -SHOULDER_M
 
 
-def table(drawn: bool) -> Part:
+def table(drawn: bool) -> WorldPart:
     """A table of 0.7 by 1.0 m between the arms."""
     look = 'material="wood"' if drawn else f'friction="0.6 0.01 0.001" condim="4" {THINGS}'
     top = (
         f'<geom name="table" type="box" size="{_HALF[0]} {_HALF[1]} {_THICK}" '
         f'pos="{_MIDDLE} 0 {TOP_M - _THICK}" {look}/>'
     )
-    return Part(bodies=top + (_drawn_legs() if drawn else ""))
+    return WorldPart(bodies=top + (_drawn_legs() if drawn else ""))
 
 
 def _drawn_legs() -> str:

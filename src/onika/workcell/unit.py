@@ -14,7 +14,7 @@ from onika.workcell.drive import DriveUnit
 from onika.workcell.plant import Plant
 
 
-class Unit:
+class DeviceUnit:
     """What all devices have; a device does what is said here unless it says otherwise.
 
     `side` is the arm it belongs to ("" for none), `holds` says that holding needs a servo at each step.

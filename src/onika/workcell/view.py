@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws.chain import text_of
-from onika.workcell.part import Part
+from onika.workcell.part import WorldPart
 
 CAMERA = "picture"
 """Name of the camera."""
@@ -29,9 +29,9 @@ _LIGHTS = (
 )
 
 
-def view(arms: int) -> Part:
+def view(arms: int) -> WorldPart:
     """The paper behind everything, two lights and a camera that sees `arms` arms and the table."""
-    return Part(
+    return WorldPart(
         assets='<texture type="skybox" builtin="gradient" rgb1="0.965 0.955 0.932" rgb2="0.972 0.963 0.942" '
         'width="64" height="384"/>',
         bodies=_LIGHTS + _camera(*(_TWO_ARMS if arms > 1 else _ONE_ARM)),

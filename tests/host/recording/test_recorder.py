@@ -9,7 +9,7 @@ from onika.desk.run.recorded_run import inputs_of
 from onika.host.units.realtime_factor import FASTEST, SLOWEST, Pace
 from onika.record import topics
 from onika.record.reader import Reader
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.record.series import Series
 from onika.wire import event, live, request, steer
 
@@ -32,7 +32,7 @@ def test_a_run_is_recorded_with_all_that_law_29_asks_for(path):  # R-X05, law 29
     desk = begun(path, seed=5)
     result = desk.to_the_end()
     reader = Reader(path)
-    run = Run.read(reader)
+    run = RunRecord.read(reader)
     assert (run.prepare.plan, run.begin.seed, run.is_virtual, run.is_fresh) == (PLAN, 5, True, True)
     assert reader.notes["end"]["hash"] == result.hash
     assert Series.all_of(reader)["flow0/X"].at(10**12) == pytest.approx(result.values.get("X", [2.0, 0.0]), abs=0.05)
@@ -71,7 +71,7 @@ def test_one_run_is_recorded_at_a_time_and_a_later_one_knows_that_it_is_not_the_
     desk.ask(request.Prepare(PLAN, ()))
     assert desk.ask(request.Begin(record=str(tmp_path / "c.mcap"))) == request.Done()
     desk.to_the_end()
-    assert not Run.read(Reader(tmp_path / "c.mcap")).is_fresh
+    assert not RunRecord.read(Reader(tmp_path / "c.mcap")).is_fresh
 
 
 def test_a_file_that_cannot_be_made_refuses_the_run(tmp_path):  # R-E01
@@ -100,7 +100,7 @@ def test_a_subsystem_that_is_only_held_does_not_keep_a_run_from_being_the_first(
     desk.ask(request.Prepare(PLAN, ()))
     assert desk.ask(request.Begin(record=str(path))) == request.Done()
     desk.to_the_end()
-    assert Run.read(Reader(path)).is_fresh
+    assert RunRecord.read(Reader(path)).is_fresh
 
 
 def test_what_is_repeated_goes_as_fast_as_it_can_and_the_rest_as_the_wall_lets_it(path):  # R-X05, A16

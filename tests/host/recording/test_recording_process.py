@@ -13,7 +13,7 @@ from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
 from onika.record import topics
 from onika.record.reader import Reader
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.record.series import Series
 from onika.ring.segment import Segment
 from onika.runtime.table import Table
@@ -67,7 +67,7 @@ def test_it_looks_by_itself_until_the_run_is_over(tmp_path):  # law 29
     assert beside.word() == recording_process.Ended(0, "")
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
-    assert Run.read(reader) == run()
+    assert RunRecord.read(reader) == run()
     assert [one for _, one in Series.all_of(reader)["flow0/X"].values()] == [7]
     assert reader.is_whole
 
@@ -77,7 +77,7 @@ def test_when_the_runtime_is_gone_it_writes_what_it_has_seen(tmp_path):  # R-X05
     beside.word()
     beside.close()
     reader = Reader(tmp_path / "run.mcap")
-    assert (Run.read(reader), reader.is_whole) == (run(), False)
+    assert (RunRecord.read(reader), reader.is_whole) == (run(), False)
 
 
 def test_poses_come_straight_from_whoever_steps_the_world_and_stand_at_their_own_times(tmp_path):  # law 29, K03

@@ -108,7 +108,7 @@ def test_worlds_are_drawn_once_and_again_when_a_lamp_shines(desk):  # K03
 
 
 def test_what_was_said_stands_there_and_is_out_at_every_flush(desk):  # R-X05: kill -9
-    body = topics.encode(topics.Happened("flow0", event.Done(0, 1, 0.5)))
+    body = topics.encode(topics.EventRecord("flow0", event.Done(0, 1, 0.5)))
     desk.scribe.take(Tell(topics.EVENTS, 5 * MS, body))
     desk.scribe.flush()
     assert list(Reader(desk.path).messages(topics.EVENTS)) == [(5 * MS, body)]
@@ -118,7 +118,7 @@ def test_what_was_said_stands_there_and_is_out_at_every_flush(desk):  # R-X05: k
 
 
 def test_a_file_that_is_deleted_or_cut_meanwhile_is_told(desk):  # R-X05: else it would be missed after the run
-    body = topics.encode(topics.Happened("flow0", event.Done(0, 1, 0.5)))
+    body = topics.encode(topics.EventRecord("flow0", event.Done(0, 1, 0.5)))
     desk.scribe.take(Tell(topics.EVENTS, 5 * MS, body))
     desk.scribe.flush()
     with desk.path.open("r+b") as file:

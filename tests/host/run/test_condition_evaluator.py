@@ -2,7 +2,7 @@ import pytest
 
 from onika.host.run.condition_evaluator import Judge
 from onika.ring.segment import Segment
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.words.shape import Shape
 
@@ -12,7 +12,7 @@ def subsystem(name, **values):
     for svar, (shape, data) in values.items():
         entry = table.entry(svar, Shape.parse(shape).resolve({}))
         table.ring(entry.name).write(data)
-    return Subsystem(name, table, (), {})
+    return RunningSubsystem(name, table, (), {})
 
 
 @pytest.fixture

@@ -12,7 +12,7 @@ from onika.host.run.switch_dispatch import Switchboard
 from onika.model.lifecycle import State
 from onika.ring.segment import Segment
 from onika.runtime import command
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.wire import steer
 
@@ -43,7 +43,7 @@ class View:
         plan = shop.plan([action("go", "bell"), action("go", "ring"), action("go", "bell")])
         prepared = prepare(plan, (), DirectLoading())
         rtpus = dict(zip(("go", "bell", "ring"), homes, strict=True))
-        self.subsystem = Subsystem("flow0", Table(Segment.create("table", SIZE)), prepared.flows[0], rtpus)
+        self.subsystem = RunningSubsystem("flow0", Table(Segment.create("table", SIZE)), prepared.flows[0], rtpus)
         ranks = {(0, name): rank for name, rank in self.subsystem.ranks.items()}
         self.engine = Engine(plan, prepared.triggers, frozenset(), ranks)
         self.units = Units()
@@ -64,7 +64,7 @@ class View:
 
 
 def test_the_next_switch_is_prepared_as_soon_as_everybody_is_on():
-    (prepared,) = View().units.take(command.Prepared)
+    (prepared,) = View().units.take(command.PreparedSwitch)
     assert (prepared.subsystem, prepared.task) == ("flow0", "bell")
     (case,) = prepared.cases
     assert (case.choice, case.loop, case.number) == (None, None, 1)
@@ -72,12 +72,12 @@ def test_the_next_switch_is_prepared_as_soon_as_everybody_is_on():
 
 
 def test_nothing_is_prepared_for_tasks_on_several_units():  # law 3: only one unit keeps the order by itself
-    assert View(("rt0", "rt0", "rt1")).units.take(command.Prepared) == []
+    assert View(("rt0", "rt0", "rt1")).units.take(command.PreparedSwitch) == []
 
 
 def test_what_was_carried_out_is_not_ordered_again():
     view = View()
-    view.units.take(command.Prepared)
+    view.units.take(command.PreparedSwitch)
     switches = [one for one in view.feed(said.Finished(0, "bell", switched=1)) if isinstance(one, orders.Switch)]
     assert [one.number for one in switches] == [1]
     assert view.outlook.switched(0, switches[0]) is None
@@ -91,12 +91,12 @@ def test_what_was_missing_in_it_is_still_to_be_done():
 
 def test_the_user_waits_until_nothing_is_prepared():  # R-E07
     view = View()
-    view.units.take(command.Prepared)
+    view.units.take(command.PreparedSwitch)
     done = []
     view.outlook.when_free(0, lambda: done.append("pause"))
     view.outlook.when_free(0, lambda: done.append("again"))
     assert done == []
-    assert [one.cases for one in view.units.take(command.Prepared)] == [()]  # asked to forget once
+    assert [one.cases for one in view.units.take(command.PreparedSwitch)] == [()]  # asked to forget once
     view.outlook.freed(0)
     assert done == ["pause", "again"]
     view.outlook.when_free(0, lambda: done.append("at once"))
@@ -106,20 +106,20 @@ def test_the_user_waits_until_nothing_is_prepared():  # R-E07
 def test_nothing_is_prepared_while_the_user_waits():
     view = View()
     view.outlook.when_free(0, lambda: None)
-    view.units.take(command.Prepared)
+    view.units.take(command.PreparedSwitch)
     view.outlook.look()
-    assert view.units.take(command.Prepared) == []
+    assert view.units.take(command.PreparedSwitch) == []
     view.outlook.freed(0)
     view.outlook.look()
-    assert len(view.units.take(command.Prepared)) == 1
+    assert len(view.units.take(command.PreparedSwitch)) == 1
 
 
 def test_a_flow_that_is_to_pause_has_nothing_prepared():  # R-E07
     view = View()
     view.outlook.freed(0)
-    view.units.take(command.Prepared)
+    view.units.take(command.PreparedSwitch)
     view.feed(steer.Pause("flow0"))
-    assert view.units.take(command.Prepared) == []
+    assert view.units.take(command.PreparedSwitch) == []
 
 
 @pytest.mark.parametrize("end", ["free_all", "finished"])

@@ -6,7 +6,7 @@ from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.ring.segment import Segment
 from onika.runtime import command, news
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.runtime.user_input import AskedItem
 from onika.wire import event, steer
@@ -75,7 +75,7 @@ class Bench:
         for number, flow in enumerate(prepared.plan.flows):
             table = self.tables[flow.subsystem] = Table(Segment.create("table", SIZE))
             rtpus = {task.name: task.rtpu for task in flow.tasks}
-            subsystems[number] = Subsystem(flow.subsystem, table, prepared.flows[number], rtpus)
+            subsystems[number] = RunningSubsystem(flow.subsystem, table, prepared.flows[number], rtpus)
         self.units = units or Units()
         self.told = []
         self.runner = Runner(prepared, begin or Begin(settle_s=0.5), subsystems, self.units, self.told.append)
@@ -368,7 +368,7 @@ def test_flows_that_meet_begin_by_one_command_where_they_share_a_unit():  # R-E0
 
 def test_the_switch_that_was_prepared_is_not_sent_again():
     bench = Bench([action("bell"), action("bell", "show")]).start().born("bell", "show").on("bell")
-    ((_, prepared),) = bench.units.take(command.Prepared)
+    ((_, prepared),) = bench.units.take(command.PreparedSwitch)
     assert [one.task for one in prepared.cases[0].switch.on] == ["bell", "show"]
     bench.units.take(command.Switch)
     bench.hear(news.Finished("flow0", "bell", 0, False, bench.now, prepared.activation, 1))
@@ -397,7 +397,7 @@ def test_a_failed_task_is_cleared_and_the_step_repeated_where_somebody_decides()
 
 def test_a_failure_counts_however_late_it_is_heard():  # R-E08
     bench = Bench([action("bell"), action("bell")], begin=Begin(on_error="wait")).start().born("bell").on("bell")
-    ((_, prepared),) = bench.units.take(command.Prepared)
+    ((_, prepared),) = bench.units.take(command.PreparedSwitch)
     bench.runner.steer(steer.Skip("flow0", 1), bench.now, lambda _refusal: None)
     bench.hear(news.Unprepared("flow0"))
     bench.hear(news.Failed("flow0", "bell", "off", "no", "", 0, "", bench.now, prepared.activation))

@@ -7,7 +7,7 @@ from onika.host.run.spawner import Births
 from onika.model.lifecycle import State
 from onika.ring.segment import Segment
 from onika.runtime import command
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 
 
@@ -31,7 +31,9 @@ class Ward:
     def __init__(self, refuses=""):
         prepared = prepare(rail_tasks().plan([action("mass", "servo", arguments="1")]), (), YardLoading())
         table = Table(Segment.create("table", SIZE))
-        self.subsystem = Subsystem("flow0", table, prepared.flows[0], {"mass": "rt0", "servo": "rt1"}, {"SIDES": 2})
+        self.subsystem = RunningSubsystem(
+            "flow0", table, prepared.flows[0], {"mass": "rt0", "servo": "rt1"}, {"SIDES": 2}
+        )
         self.units = Units(refuses)
         self.refused = []
         self.births = Births({0: self.subsystem}, prepared.code, self.units, 0, lambda *what: self.refused.append(what))

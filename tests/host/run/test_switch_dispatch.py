@@ -6,7 +6,7 @@ from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
 from onika.host.run.switch_dispatch import Switchboard
 from onika.ring.segment import Segment
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 
 HOMES = {"a": "rt0", "b": "rt1", "c": "rt0", "d": "rt1", "e": "rt2"}
@@ -38,7 +38,7 @@ def board(units):
     flow = [action(*HOMES)]
     prepared = prepare(shop.plan(flow, flow), (), DirectLoading())
     subsystems = {
-        number: Subsystem(f"flow{number}", Table(Segment.create("table", SIZE)), prepared.flows[number], HOMES)
+        number: RunningSubsystem(f"flow{number}", Table(Segment.create("table", SIZE)), prepared.flows[number], HOMES)
         for number in range(2)
     }
     return Switchboard(subsystems, units)

@@ -11,7 +11,7 @@ from onika.host.run.switches import Switching
 from onika.model.lifecycle import State
 from onika.ring.segment import Segment
 from onika.runtime import command
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 
 WRITER = "from onika.module import Module, OutVar\nclass {}(Module):\n    trigger = True\n    A = OutVar('double')\n"
@@ -41,7 +41,7 @@ class Switcher:
         prepared = prepare(plan, (), DirectLoading())
         homes = {"one": "rt0", "two": "rt0"}
         self.subsystems = {
-            n: Subsystem(f"flow{n}", Table(Segment.create("table", SIZE)), flow, homes)
+            n: RunningSubsystem(f"flow{n}", Table(Segment.create("table", SIZE)), flow, homes)
             for n, flow in enumerate(prepared.flows)
         }
         self.sent, self.refused, self.outlook = [], [], Outlook()

@@ -13,7 +13,7 @@ from onika.link.channel import Channel
 from onika.link.lost import LinkLost
 from onika.link.sessions import Introduction
 from onika.link.token import digest
-from onika.link.websocket_opening import Opening
+from onika.link.websocket_opening import WebSocketOpening
 from onika.wire.packet import Hello, encode
 
 HELLO = encode(Hello(2, "me", "e", 3))
@@ -27,7 +27,7 @@ def listening(port=0):
 def test_whom_it_lets_in_the_program_is_given_with_an_end_of_the_connection():  # R-F01
     porter = Porter(listening())
     address = Address.parse(porter.open())
-    outside = Opening(address, "anns")(Channel.STREAM)
+    outside = WebSocketOpening(address, "anns")(Channel.STREAM)
     outside.send(HELLO)
     select.select([porter.post], [], [], 10.0)
     ((new, connected),) = porter.arrivals()

@@ -8,9 +8,9 @@ from onika.link.caller import Caller, Role
 from onika.link.carrier import SocketCarrier, memory_pair
 from onika.link.channel import Channel
 from onika.link.connection import Connection
-from onika.link.link_events import Read, Signalled
+from onika.link.link_events import ReadingReceived, SignalReceived
 from onika.link.link_terms import CHILD
-from onika.link.sessions import Guests, Introduction
+from onika.link.sessions import Introduction, Sessions
 from onika.wire import event, live, request
 
 SECOND = 1_000_000_000
@@ -43,7 +43,7 @@ class House:
     def __init__(self, accepts_code=False):
         self.now = 0
         self.road = Road()
-        self.guests = Guests("life")
+        self.guests = Sessions("life")
         self.connections: list[Connection] = []
         self.gate = Gate(self.guests, lambda: self.now, self.road, accepts_code)
         self.calls: list[Call] = []
@@ -93,7 +93,7 @@ def ask(connection, asked):
 
 
 def heard(connection):
-    return [event.decode(one.body) for one in connection.poll() if isinstance(one, Signalled)]
+    return [event.decode(one.body) for one in connection.poll() if isinstance(one, SignalReceived)]
 
 
 def test_a_request_comes_out_with_its_session_and_its_response_goes_back(house):  # R-F01, R-F07
@@ -154,8 +154,8 @@ def test_a_reading_is_shown_to_one_session_and_only_the_newest(house):
     house.gate.show("nobody", "X", b"3")
     assert house.gate.due_s() == 0
     house.serve()
-    assert [one for one in near.poll() if isinstance(one, Read)] == [Read("X", b"2")]
-    assert [one for one in far.poll() if isinstance(one, Read)] == []
+    assert [one for one in near.poll() if isinstance(one, ReadingReceived)] == [ReadingReceived("X", b"2")]
+    assert [one for one in far.poll() if isinstance(one, ReadingReceived)] == []
 
 
 def test_it_is_open_until_the_launching_program_goes(house):  # R-E10

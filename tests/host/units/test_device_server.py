@@ -11,7 +11,7 @@ from onika.host.units import device_server as room
 from onika.host.units.device_server import DeviceServer
 from onika.host.units.heartbeat import SIZE, Heartbeat
 from onika.host.units.process_socket import Post
-from onika.ring.device import Drive, Order
+from onika.ring.device import DeviceOrder, DriveState
 from onika.ring.segment import Segment
 from onika.ring.slots import Ring
 from onika.runtime.bus import SEGMENT_SIZE
@@ -60,7 +60,7 @@ class Server:
     def claim(self, epoch=1):
         return self.ask(room.Claim("yard:m0", epoch), room.Granted).grant
 
-    def command(self, grant, *values, order=Order.DRIVE):
+    def command(self, grant, *values, order=DeviceOrder.DRIVE):
         data = np.array([grant.epoch, order, *values])
         Ring(self.bus.view, grant.command_offset, data.nbytes).write(data.tobytes())
 
@@ -132,9 +132,9 @@ def test_a_part_is_touched_and_an_unknown_one_denied(server):  # R-K06
     server.open()
     grant = server.claim()
     server.command(grant, 1.0)
-    assert server.hear(room.Driven).state == Drive.DRIVEN
+    assert server.hear(room.Driven).state == DriveState.DRIVEN
     assert server.ask(room.Touch("yard", "panic", 1.0), room.Touched) == room.Touched()
-    assert server.hear(room.Driven).state == Drive.PRESSED
+    assert server.hear(room.Driven).state == DriveState.PRESSED
     assert "found 1 for 'bell'" in server.ask(room.Touch("yard", "bell", 1.0), room.Denied).reason
 
 

@@ -114,7 +114,7 @@ def test_a_prepared_switch_and_what_it_led_to_come_in_one_datagram(unit):  # law
     spawn_all(unit, ("count", "b", "c"))
     follows = command.Switch("flow0", (), (), (command.Launch("b", "", None, 2), command.Launch("c", "", None, 3)))
     unit.say(command.Switch("flow0", (), (), (command.Launch("count", "", None, 1),)))
-    unit.say(command.Prepared("flow0", "count", 1, (command.Case(0, None, 4, follows),)))
+    unit.say(command.PreparedSwitch("flow0", "count", 1, (command.Case(0, None, 4, follows),)))
     unit.hear(news.Cycled)
     told, later = unit.told(2)
     finished = told[0]

@@ -11,7 +11,7 @@ from onika.host.run.runner import Runner
 from onika.host.units.realtime_factor import Pace
 from onika.host.units.virtual import VirtualDriver
 from onika.ring.segment import Segment
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.testing.fake_partner import FakePartner
 from onika.wire import event
@@ -41,7 +41,7 @@ class Run:
             table = Table(Segment.create("table", SIZE))
             self.driver.share(f"table:{flow.subsystem}", table.segment)
             on = {task.name: task.rtpu if task.rtpu in rtpus else "rt0" for task in flow.tasks}
-            subsystems[number] = Subsystem(
+            subsystems[number] = RunningSubsystem(
                 flow.subsystem, table, prepared.flows[number], on, prepared.constants[number]
             )
         self.runner = Runner(prepared, begin, subsystems, self.driver, self.told.append)

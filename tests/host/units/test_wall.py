@@ -10,7 +10,7 @@ from onika.host.loading.plan_preparation import prepare
 from onika.host.run.runner import Runner
 from onika.host.units.wall import DEVICES, WallDriver
 from onika.ring.segment import Segment
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.runtime.table import SIZE, Table
 from onika.store.site import shipped
 from onika.wire import event
@@ -38,7 +38,7 @@ class Run:
         table = Table(Segment.create("table", SIZE))
         self.driver.share("table:flow0", table.segment)
         on = {"gripper": rtpus[0], "opengrip": rtpus[-1]}
-        subsystems = {0: Subsystem("flow0", table, prepared.flows[0], on)}
+        subsystems = {0: RunningSubsystem("flow0", table, prepared.flows[0], on)}
         self.runner = Runner(prepared, Begin(watch=("GRIP_MEZ",)), subsystems, self.driver, self.told.append)
         self.driver.listen(self.runner)
         self.driver.begin()

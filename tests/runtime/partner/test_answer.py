@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from onika.runtime.error import ModuleError
-from onika.runtime.partner.answer import Answer
+from onika.runtime.partner.answer import PartnerAnswer
 
 ANYTHING = st.recursive(
     st.none() | st.booleans() | st.floats() | st.integers() | st.text(),
@@ -15,7 +15,7 @@ ANYTHING = st.recursive(
 
 
 def test_numbers_of_the_right_shape_are_an_array():  # R-F04
-    answer = Answer({"via": [[1, 2.5], [3, 4]], "one": 7, "none": []})
+    answer = PartnerAnswer({"via": [[1, 2.5], [3, 4]], "one": 7, "none": []})
     assert answer.numbers("via", (None, 2)).tolist() == [[1.0, 2.5], [3.0, 4.0]]
     assert answer.number("one") == 7.0
     assert answer.numbers("none", (None, 6)).shape == (0, 6)
@@ -30,11 +30,11 @@ def test_numbers_of_the_right_shape_are_an_array():  # R-F04
 )
 def test_a_wrong_shape_and_what_is_no_finite_number_is_refused(value):  # R-F04
     with pytest.raises(ModuleError, match="expected q, 2 finite numbers, found"):
-        Answer({"q": value}).numbers("q", (2,))
+        PartnerAnswer({"q": value}).numbers("q", (2,))
 
 
 def test_bounds_hold_for_each_element():  # R-F04
-    answer = Answer({"q": [0.5, 2.0]})
+    answer = PartnerAnswer({"q": [0.5, 2.0]})
     assert answer.numbers("q", (2,), np.array([0.0, 0.0]), np.array([1.0, 3.0])).tolist() == [0.5, 2.0]
     with pytest.raises(ModuleError, match="expected q within"):
         answer.numbers("q", (2,), 0.0, 1.0)
@@ -44,20 +44,20 @@ def test_bounds_hold_for_each_element():  # R-F04
 
 def test_a_field_that_is_not_there_is_named_with_those_that_are():
     with pytest.raises(ModuleError, match="expected via in the answer, found id, points"):
-        Answer({"id": 1, "points": []}).numbers("via", (None,))
+        PartnerAnswer({"id": 1, "points": []}).numbers("via", (None,))
 
 
 def test_a_text_is_a_text_of_some_length():
-    assert Answer({"name": "here"}).text("name") == "here"
+    assert PartnerAnswer({"name": "here"}).text("name") == "here"
     for value in (3, "x" * 300):
         with pytest.raises(ModuleError, match="a text of up to 255 characters"):
-            Answer({"name": value}).text("name")
+            PartnerAnswer({"name": value}).text("name")
 
 
 @given(value=ANYTHING, shape=st.sampled_from([(), (2,), (None,), (None, 3), (2, 2)]))
 def test_whatever_is_answered_numbers_are_finite_and_of_the_shape_or_refused(value, shape):  # R-F04
     try:
-        numbers = Answer({"q": value}).numbers("q", shape)
+        numbers = PartnerAnswer({"q": value}).numbers("q", shape)
     except ModuleError:
         return
     assert np.isfinite(numbers).all()

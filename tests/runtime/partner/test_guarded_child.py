@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from onika.runtime.partner.guarded_child import Started
+from onika.runtime.partner.guarded_child import GuardedChild
 
 PATIENCE_S = 20.0
 
@@ -16,7 +16,7 @@ def start():
     made = []
 
     def begin(*command, **given):
-        made.append(Started(command, **given))
+        made.append(GuardedChild(command, **given))
         return made[-1]
 
     yield begin

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, strategies as st
 
-from onika.runtime.partner.protocol import LONGEST, UNASKED, Dialogue
+from onika.runtime.partner.protocol import LONGEST, UNASKED, PartnerProtocol
 
 
 def line(**fields):
@@ -15,13 +15,13 @@ def line(**fields):
 
 @pytest.fixture
 def dialogue():
-    dialogue = Dialogue()
+    dialogue = PartnerProtocol()
     dialogue.ask("home/one", "path", {})
     return dialogue
 
 
 def test_a_question_is_one_line_of_json():  # R-F04
-    line = Dialogue().ask("home/one", "path", {"start": np.array([0.5, 1.0]), "n": np.float64(2.0)})
+    line = PartnerProtocol().ask("home/one", "path", {"start": np.array([0.5, 1.0]), "n": np.float64(2.0)})
     assert line.endswith(b"}\n")
     assert line.count(b"\n") == 1
     wanted = {"onika": 1, "id": 1, "task": "home/one", "ask": "path", "start": [0.5, 1.0], "n": 2.0}
@@ -29,7 +29,7 @@ def test_a_question_is_one_line_of_json():  # R-F04
 
 
 def test_what_is_not_finite_goes_as_null():  # R-F04: JSON has no NaN
-    assert json.loads(Dialogue().ask("t", "show", {"x": [float("nan"), 1.0]}))["x"] == [None, 1.0]
+    assert json.loads(PartnerProtocol().ask("t", "show", {"x": [float("nan"), 1.0]}))["x"] == [None, 1.0]
 
 
 @pytest.mark.parametrize(
@@ -41,7 +41,7 @@ def test_what_is_not_finite_goes_as_null():  # R-F04: JSON has no NaN
     ],
 )
 def test_a_question_that_cannot_be_asked_is_refused_and_not_counted(fields, reason):
-    dialogue = Dialogue()
+    dialogue = PartnerProtocol()
     with pytest.raises(ValueError, match=reason):
         dialogue.ask("t", "show", fields)
     assert (dialogue.questions, dialogue.is_open) == (0, False)
@@ -103,7 +103,7 @@ def test_a_new_connection_forgets_the_half_line_of_the_old_one(dialogue):
 
 @given(st.binary(max_size=200), st.integers(0, 200))
 def test_any_bytes_are_an_answer_a_rest_or_a_broken_rule(line, cut):  # R-F04
-    dialogue = Dialogue()
+    dialogue = PartnerProtocol()
     dialogue.ask("t", "a", {})
     try:
         dialogue.take(line[:cut])

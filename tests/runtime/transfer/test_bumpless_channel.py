@@ -6,7 +6,7 @@ import pytest
 from onika.module import InVar
 from onika.ring.slots import Ring
 from onika.runtime.error import LawBroken
-from onika.runtime.transfer.bumpless_channel import Crossing
+from onika.runtime.transfer.bumpless_channel import BumplessChannel
 
 MOST = 50
 
@@ -18,7 +18,7 @@ class Wire:
         view = memoryview(bytearray(Ring.footprint(8 * count)))
         self.ring = Ring(view, 0, 8 * count)
         self.data = np.zeros(count)
-        self.crossing = Crossing("TAU", "TAU", InVar(f"double[{count}]", "N m"), self.data, self.ring, limit)
+        self.crossing = BumplessChannel("TAU", "TAU", InVar(f"double[{count}]", "N m"), self.data, self.ring, limit)
 
     def passes(self, *values, now=0):
         """What the task is given in the next cycle."""

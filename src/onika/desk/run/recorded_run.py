@@ -8,7 +8,7 @@ from msgspec import structs
 from onika.desk.plan.preparation import PreparedRun
 from onika.record import topics
 from onika.record.reader import UNREADABLE, Reader, complaint
-from onika.record.run import END, Run
+from onika.record.run import END, RunRecord
 from onika.wire import event, request
 from onika.wire.request import Recorded, encode
 from onika.words.fault import Fault, Place
@@ -29,7 +29,7 @@ class RecordedRun:
     """What is repeated."""
 
     prepared: PreparedRun
-    run: Run
+    run: RunRecord
     inputs: tuple[Recorded, ...]
     until_ns: int
     """-1: to its end."""
@@ -79,7 +79,7 @@ def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
     place = Place(str(source.path))
     try:
         reader = Reader(source.path)
-        run = Run.read(reader)
+        run = RunRecord.read(reader)
     except UNREADABLE as wrong:
         words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
         actual = words.partition(", found ")[2] or words

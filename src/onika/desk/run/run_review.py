@@ -17,7 +17,7 @@ import msgspec
 from onika.desk.run.recorded_run import events_of
 from onika.record import downsampled, foxglove, topics as said
 from onika.record.reader import Reader
-from onika.record.run import END, Run
+from onika.record.run import END, RunRecord
 from onika.record.series import Series
 from onika.wire import event, request
 
@@ -76,7 +76,7 @@ class Review:
     def __init__(self, path: Path) -> None:
         self.path = path
         self._reader = Reader(path)
-        self.run = Run.read(self._reader)
+        self.run = RunRecord.read(self._reader)
         self.is_whole = self._reader.is_whole
         """Whether the recording came to its end; else it was cut short, and ends where it was."""
         self.ending = dict(self._reader.notes.get(END, {}))

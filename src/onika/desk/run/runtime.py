@@ -10,14 +10,22 @@ from types import TracebackType
 
 from onika.link.address import Address
 from onika.link.connection import Connection
-from onika.link.connector import ThreadDialler
-from onika.link.launcher import Child, launch
-from onika.link.link_events import EpochChanged, Failed, Happening, Read, Replied, Signalled, Turned
+from onika.link.connector import ThreadConnector
+from onika.link.launcher import RuntimeProcess, launch
+from onika.link.link_events import (
+    EpochChanged,
+    LinkNotice,
+    LinkStateChanged,
+    ReadingReceived,
+    ReplyReceived,
+    RequestFailed,
+    SignalReceived,
+)
 from onika.link.link_terms import CHILD, REMOTE
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 from onika.link.state import LinkState
 from onika.link.token import read_token, token_path
-from onika.link.websocket_opening import Opening
+from onika.link.websocket_opening import WebSocketOpening
 from onika.wire import event, live, request
 
 _PATIENCE_S = 60.0
@@ -54,7 +62,7 @@ class Conversation:
 
     def __init__(self, connection: Connection) -> None:
         self._connection = connection
-        self._news: deque[Happening] = deque()
+        self._news: deque[LinkNotice] = deque()
         self._readings: dict[str, bytes] = {}
         self._epoch = ""
         self._away_since = 0
@@ -111,17 +119,21 @@ class Conversation:
             self._judge_absence()
         while self._news:  # one by one: whoever stops listening hears the others next time
             happening = self._news.popleft()
-            if isinstance(happening, Signalled):
+            if isinstance(happening, SignalReceived):
                 yield event.decode(happening.body)
-            elif isinstance(happening, Replied):
+            elif isinstance(happening, ReplyReceived):
                 yield Reply(happening.number, request.decode_response(happening.body))
-            elif isinstance(happening, Failed):
+            elif isinstance(happening, RequestFailed):
                 yield Reply(happening.number, request.Refused(f"no answer: {happening.fate.value}"))
-            elif isinstance(happening, Read):
+            elif isinstance(happening, ReadingReceived):
                 self._readings[happening.key] = happening.body
             elif isinstance(happening, EpochChanged):
                 self._new_epoch(happening.epoch)
-            elif isinstance(happening, Turned) and happening.lost is not None and not self._connection.comes_back:
+            elif (
+                isinstance(happening, LinkStateChanged)
+                and happening.lost is not None
+                and not self._connection.comes_back
+            ):
                 raise self._explained(happening.lost)
 
     def readings(self) -> dict[str, bytes]:
@@ -134,7 +146,7 @@ class Conversation:
         return ""
 
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
-        cause = lost.cause if isinstance(lost, LinkLost) else Cause.TIMEOUT
+        cause = lost.cause if isinstance(lost, LinkLost) else LossCause.TIMEOUT
         return LinkLost(cause, f"the runtime is gone: {lost}")
 
     def _judge_absence(self) -> None:
@@ -144,13 +156,13 @@ class Conversation:
             return
         self._away_since = self._away_since or now
         if now - self._away_since >= _AWAY_NS:
-            why = self._connection.lost or LinkLost(Cause.SILENT, "it does not answer")
+            why = self._connection.lost or LinkLost(LossCause.SILENT, "it does not answer")
             raise self._explained(why)
 
     def _new_epoch(self, epoch: str) -> None:
         former, self._epoch = self._epoch, epoch
         if former:
-            raise LinkLost(Cause.CLOSED, "the runtime was started anew, or has forgotten this session: all is void")
+            raise LinkLost(LossCause.CLOSED, "the runtime was started anew, or has forgotten this session: all is void")
 
 
 class Runtime(Conversation):
@@ -164,7 +176,7 @@ class Runtime(Conversation):
             words.append("--virtual")
         if not with_fifo:
             words.append("--no-fifo")
-        self._child: Child = launch([*words, *options])
+        self._child: RuntimeProcess = launch([*words, *options])
         super().__init__(Connection(self._child.carrier, monotonic_ns, CHILD))
 
     def __enter__(self) -> "Runtime":
@@ -191,7 +203,7 @@ class Runtime(Conversation):
         return self._child.tail()
 
     def _explained(self, lost: LinkLost | TimeoutError) -> LinkLost:
-        cause = lost.cause if isinstance(lost, LinkLost) else Cause.SILENT
+        cause = lost.cause if isinstance(lost, LinkLost) else LossCause.SILENT
         code = self._child.wait(0.5)
         how = "" if code is None else f"; it {_ended(code)}"
         printed = self._child.tail().strip()
@@ -202,9 +214,9 @@ class Runtime(Conversation):
 class Reached(Conversation):
     """A runtime that somebody else started; it lives on after the `with` block."""
 
-    def __init__(self, opening: Opening) -> None:
+    def __init__(self, opening: WebSocketOpening) -> None:
         self._opening = opening
-        super().__init__(Connection(None, monotonic_ns, REMOTE, dialler=ThreadDialler(opening)))
+        super().__init__(Connection(None, monotonic_ns, REMOTE, dialler=ThreadConnector(opening)))
 
     def __enter__(self) -> "Reached":
         try:
@@ -213,7 +225,7 @@ class Reached(Conversation):
             self._connection.close(timeout_s=0.0)
             if isinstance(lost, LinkLost):
                 raise
-            raise LinkLost(Cause.TIMEOUT, f"{self._opening.address}: {lost}") from None
+            raise LinkLost(LossCause.TIMEOUT, f"{self._opening.address}: {lost}") from None
         return self
 
     def __exit__(
@@ -229,7 +241,7 @@ def connect(url: str, token: str = "", ca: Path | None = None) -> Reached:
     ca      a file of certificates to trust beside the system's
     """
     address = Address.parse(url)
-    return Reached(Opening(address, token or _token(address), ca))
+    return Reached(WebSocketOpening(address, token or _token(address), ca))
 
 
 def in_short(reason: str) -> str:
@@ -248,7 +260,7 @@ def _token(address: Address) -> str:
 
 
 def _missing(address: Address) -> str:
-    raise LinkLost(Cause.TOKEN, f"a token is needed for {address}: --token-file FILE, or ONIKA_TOKEN")
+    raise LinkLost(LossCause.TOKEN, f"a token is needed for {address}: --token-file FILE, or ONIKA_TOKEN")
 
 
 def _ended(code: int) -> str:

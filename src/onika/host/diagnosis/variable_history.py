@@ -9,7 +9,7 @@ from collections import deque
 from collections.abc import Callable, Mapping
 
 from onika.host.run.run_statistics import plain
-from onika.runtime.table import Entry, Table, value_of
+from onika.runtime.table import Table, TableEntry, value_of
 from onika.wire import event
 from onika.words.shape import Shape
 
@@ -86,7 +86,7 @@ class History:
 class _Film:
     """Pictures of variables that came together: one row of memory each, in which they lie side by side."""
 
-    def __init__(self, table: Table, entries: list[Entry], kept: int) -> None:
+    def __init__(self, table: Table, entries: list[TableEntry], kept: int) -> None:
         self.entries = entries
         self._row = bytearray(sum(one.shape.size for one in entries))
         self._rows: deque[bytes] = deque(maxlen=kept)

@@ -17,7 +17,7 @@ from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
 from onika.model.rules.reconfiguration import Placed
 from onika.runtime import command, news
-from onika.runtime.subsystem import Member, Subsystem
+from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.table import Table
 from onika.runtime.wiring import WiredTask
 from onika.wire import event
@@ -64,7 +64,7 @@ class LiveSubsystem:
         self.stale: set[str] = set()
         """Who was in ERROR when constants that it reads have changed: it is initialised when it is cleared."""
         self.rates: dict[str, float] = {}
-        self.subsystem = Subsystem(name, table, (), {})
+        self.subsystem = RunningSubsystem(name, table, (), {})
         self.reshaping = Reshaping(table)
         self.is_closing = False
         """Whether the subsystem is to be no more as soon as nothing is left of it."""
@@ -169,7 +169,9 @@ class LiveSubsystem:
         before = self.subsystem
         tasks = [wired for wired, _ in members]
         known = {svar: value for wired in tasks for svar, value in self.known.get(wired.name, {}).items()}
-        self.subsystem = Subsystem(self.name, self.table, tasks, {wired.name: rtpu for wired, rtpu in members}, known)
+        self.subsystem = RunningSubsystem(
+            self.name, self.table, tasks, {wired.name: rtpu for wired, rtpu in members}, known
+        )
         for name, member in before.members.items():
             if name in self.members:
                 self.members[name].state, self.members[name].is_sent = member.state, member.is_sent

@@ -1,8 +1,8 @@
 """Other shapes for variables whose dimensions have changed, while their tasks live (law 12, requirement A03)."""
 
 from onika.runtime.command import BoundPort
-from onika.runtime.subsystem import Subsystem
-from onika.runtime.table import Entry, Table
+from onika.runtime.subsystem import RunningSubsystem
+from onika.runtime.table import Table, TableEntry
 from onika.words.shape import Shape
 
 
@@ -11,14 +11,14 @@ class Reshaping:
 
     def __init__(self, table: Table) -> None:
         self._table = table
-        self._stale: list[Entry] = []
+        self._stale: list[TableEntry] = []
 
     @property
     def has_changed(self) -> bool:
         """Whether any variable has another shape since the last `end`."""
         return bool(self._stale)
 
-    def ports(self, subsystem: Subsystem, task: str) -> tuple[BoundPort, ...]:
+    def ports(self, subsystem: RunningSubsystem, task: str) -> tuple[BoundPort, ...]:
         """All ports of a task as its constants shape them now, if one of them has changed; else none."""
         bound = []
         for port in subsystem.members[task].wired.ports:
@@ -42,7 +42,7 @@ class Reshaping:
             self._table.put_back(entry)
         self._stale.clear()
 
-    def _entry(self, svar: str, shape: Shape) -> Entry:
+    def _entry(self, svar: str, shape: Shape) -> TableEntry:
         known = self._table.entries.get(svar)
         if known is not None and known.shape != shape:
             self._stale.append(self._table.drop(svar))

@@ -5,7 +5,7 @@ from collections.abc import Collection, Mapping
 from onika.host.edit.reshape import Reshaping
 from onika.host.units.unit_registry import Units
 from onika.runtime import command
-from onika.runtime.subsystem import Member, Subsystem
+from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Code
 
@@ -32,7 +32,7 @@ class Cradle:
         self.code = {digest: code for digest, code in self.code.items() if digest in used}
         self._costs = {digest: cost for digest, cost in self._costs.items() if digest in used}
 
-    def bear(self, subsystem: Subsystem, name: str) -> str:
+    def bear(self, subsystem: RunningSubsystem, name: str) -> str:
         """Send a task to its unit, with its device; why that cannot be, empty if it is done."""
         member = subsystem.members[name]
         device = member.wired.device
@@ -47,7 +47,7 @@ class Cradle:
             return f"spawn: {plainly(wrong)}"
         return ""
 
-    def order(self, subsystem: Subsystem, name: str) -> command.Spawn:
+    def order(self, subsystem: RunningSubsystem, name: str) -> command.Spawn:
         """The command that brings a task to life, or exchanges the code of one that lives.
 
         Raises KeyError where a constant is missing, ValueError for shapes that cannot be.

@@ -13,7 +13,7 @@ from onika.model.lifecycle import State
 from onika.model.rules.order import constant_order
 from onika.model.rules.reconfiguration import Exchange, dependents
 from onika.runtime import command
-from onika.runtime.table import Entry
+from onika.runtime.table import TableEntry
 from onika.runtime.wiring import WiredTask
 from onika.wire.live import Turn
 
@@ -45,7 +45,7 @@ class _Before:
         self.wanted, self.rates, self.known = dict(live.wanted), dict(live.rates), dict(live.known)
         self.killed: list[str] = []
         supplied = {svar for wired, _ in new for svar in wired.outconst if svar not in wired.outvar}
-        self.constants: list[tuple[Entry, bytes]] = [
+        self.constants: list[tuple[TableEntry, bytes]] = [
             (entry, live.table.ring(svar).read())
             for svar, entry in live.table.entries.items()
             if svar in supplied and live.table.ring(svar).count

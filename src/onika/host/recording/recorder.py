@@ -22,7 +22,7 @@ from onika.host.subsystems import Stage
 from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
 from onika.record import topics
-from onika.record.run import Run, ending
+from onika.record.run import RunRecord, ending
 from onika.runtime.bus import Poses
 from onika.wire import event, request
 
@@ -164,7 +164,7 @@ class Recorder:
         """Something was asked and carried out."""
         if self._began >= 0 and isinstance(asked, topics.STEERING) and not self._end_at:
             topic = topics.ANSWERS if isinstance(asked, request.Reply) else topics.COMMANDS
-            self._say(topic, topics.encode(topics.Wanted(self._seen.turn, session, asked)))
+            self._say(topic, topics.encode(topics.RequestRecord(self._seen.turn, session, asked)))
 
     def serve(self) -> None:
         """Look after it, now and then."""
@@ -179,7 +179,7 @@ class Recorder:
             return True
         if not self._end_at:
             self._look()
-            self._say(topics.EVENTS, topics.encode(topics.Happened("", result)))
+            self._say(topics.EVENTS, topics.encode(topics.EventRecord("", result)))
             self._end_at = monotonic_ns() + _END_NS
             pen.take(Finish(ending(result), pen.untold))
         pen.serve()
@@ -202,7 +202,7 @@ class Recorder:
             return "no plan is prepared"
         bare = replace(asked, record="", repeat=(), repeat_until_ns=0, is_held=False)
         began = datetime.now(UTC).isoformat(timespec="milliseconds")
-        run = Run(
+        run = RunRecord(
             original, bare, self._rtpus, self._seen.is_virtual, is_first, began, options=tuple(self._seen.options)
         )
         try:
@@ -227,7 +227,7 @@ class Recorder:
     def _hear(self, one: event.Event, subsystem: str) -> None:
         is_ours = not subsystem or subsystem in self._names
         if is_ours and not self._end_at and not isinstance(one, event.Result | event.Stood):
-            self._say(topics.EVENTS, topics.encode(topics.Happened(subsystem, one)))
+            self._say(topics.EVENTS, topics.encode(topics.EventRecord(subsystem, one)))
 
     def _say(self, topic: str, body: bytes) -> None:
         if self._pen is not None:

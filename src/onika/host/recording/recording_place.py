@@ -11,7 +11,7 @@ from onika.host.recording import recording_process
 from onika.host.recording.recording_sink import Order, Scribe, Tell, encode
 from onika.host.units.child_process import start
 from onika.host.units.process_socket import Post
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
 
@@ -79,7 +79,7 @@ class Pen(Protocol):
 class InPlace:
     """Beside the clock. Raises OSError where the file cannot be begun; later that is its `reason`."""
 
-    def __init__(self, path: str, run: Run) -> None:
+    def __init__(self, path: str, run: RunRecord) -> None:
         self._stream = open(path, "wb", buffering=_BUFFER)  # noqa: SIM115, PTH123 - it stays open for the run
         writer = Writer(self._stream)
         run.write(writer)
@@ -145,7 +145,7 @@ _BESIDES_NS = 500_000_000
 class Beside:
     """A process of its own. Raises OSError where the file cannot be made."""
 
-    def __init__(self, path: str, run: Run, every_ns: int, with_fifo: bool) -> None:
+    def __init__(self, path: str, run: RunRecord, every_ns: int, with_fifo: bool) -> None:
         body = recording_process.encode_run(run)
         memory = Segment.create("recorded-run", len(body))
         memory.view[:] = body

@@ -19,7 +19,7 @@ from onika.host.units.output_pipe import open_outlets
 from onika.host.units.pose_stream import Posed
 from onika.host.units.process_socket import Post
 from onika.host.units.realtime_scheduling import fine_timers, first_in_first_out, still_garbage
-from onika.record.run import Run
+from onika.record.run import RunRecord
 from onika.record.writer import Writer
 from onika.ring.segment import Segment
 
@@ -44,7 +44,7 @@ class Ended(Struct, frozen=True, tag=True):
 encode_word = msgpack.Encoder().encode
 decode_word = msgpack.Decoder(Up | Ended).decode
 encode_run = msgpack.Encoder().encode
-_decode_run = msgpack.Decoder(Run).decode
+_decode_run = msgpack.Decoder(RunRecord).decode
 
 
 def record(post: Post, every_ns: int) -> None:

@@ -3,14 +3,14 @@
 from collections.abc import Mapping
 
 from onika.host.run.run_statistics import plain
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.words.condition import Condition
 
 
 class Judge:
     """An address without a subsystem means the asking flow's own; what is not there never holds."""
 
-    def __init__(self, subsystems: Mapping[int, Subsystem]) -> None:
+    def __init__(self, subsystems: Mapping[int, RunningSubsystem]) -> None:
         self._subsystems = subsystems
         self._by_name = {one.name: one for one in subsystems.values()}
         self._known: dict[str, Condition] = {}

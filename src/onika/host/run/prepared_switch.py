@@ -10,13 +10,13 @@ from onika.engine.engine import Engine
 from onika.engine.orders import Switch
 from onika.host.run.switch_dispatch import Switchboard
 from onika.runtime import command
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 
 
 class Outlook:
     """Of all flows of one run."""
 
-    def __init__(self, engine: Engine, subsystems: Mapping[int, Subsystem], switchboard: Switchboard) -> None:
+    def __init__(self, engine: Engine, subsystems: Mapping[int, RunningSubsystem], switchboard: Switchboard) -> None:
         self._engine = engine
         self._subsystems = subsystems
         self._switchboard = switchboard

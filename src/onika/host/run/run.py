@@ -9,7 +9,7 @@ from onika.host.loading.plan_preparation import Preparation
 from onika.host.run.runner import Runner
 from onika.host.units.unit_registry import Units
 from onika.runtime import news
-from onika.runtime.subsystem import Member, Subsystem
+from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
 from onika.wire.steer import Pause
@@ -26,7 +26,7 @@ class Performance:
         session: str,
         prepared: Preparation,
         begin: Begin,
-        subsystems: Mapping[int, Subsystem],
+        subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Callable[[event.Event, str, str], None],
     ) -> None:

@@ -7,7 +7,7 @@ from onika.host.edit.task_events import stepped
 from onika.host.run.run_statistics import Meeting
 from onika.model.lifecycle import State
 from onika.runtime import news
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event
 from onika.wire.plan import Plan
 
@@ -17,7 +17,9 @@ Told = orders.Began | orders.Done | orders.Moved | orders.Note
 class Herald:
     """Times are told in seconds since `began`."""
 
-    def __init__(self, plan: Plan, subsystems: Mapping[int, Subsystem], tell: Callable[[event.Event], None]) -> None:
+    def __init__(
+        self, plan: Plan, subsystems: Mapping[int, RunningSubsystem], tell: Callable[[event.Event], None]
+    ) -> None:
         self._plan = plan
         self._subsystems = subsystems
         self._tell = tell

@@ -25,7 +25,7 @@ from onika.host.run.switches import Switching
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
 from onika.runtime import command, news
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 from onika.wire import event
 from onika.wire.request import Begin
 from onika.wire.steer import Position, Steering
@@ -40,7 +40,7 @@ class Runner:
         self,
         prepared: Preparation,
         begin: Begin,
-        subsystems: Mapping[int, Subsystem],
+        subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Tell,
     ) -> None:

@@ -4,13 +4,13 @@ from collections.abc import Mapping
 
 from onika.host.units.unit_registry import Units
 from onika.runtime import command
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 
 
 class Settling:
     """From the last action to the moment at which everything is known."""
 
-    def __init__(self, lasts_s: float, subsystems: Mapping[int, Subsystem], units: Units) -> None:
+    def __init__(self, lasts_s: float, subsystems: Mapping[int, RunningSubsystem], units: Units) -> None:
         self._lasts_ns = round(lasts_s * 1e9)
         self._subsystems = subsystems
         self._units = units

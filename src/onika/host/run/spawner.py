@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 
 from onika.host.units.unit_registry import Units
 from onika.runtime import command
-from onika.runtime.subsystem import Member, Subsystem
+from onika.runtime.subsystem import Member, RunningSubsystem
 from onika.wire.plan import Code
 
 
@@ -13,7 +13,7 @@ class Births:
 
     def __init__(
         self,
-        subsystems: Mapping[int, Subsystem],
+        subsystems: Mapping[int, RunningSubsystem],
         code: Mapping[str, Code],
         units: Units,
         seed: int,

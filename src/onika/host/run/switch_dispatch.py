@@ -9,13 +9,13 @@ from onika.engine import orders
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
 from onika.runtime import command
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 
 
 class Switchboard:
     """Tasks come on in the order they are given; a group on one RTPU goes out when the group before it is ON."""
 
-    def __init__(self, subsystems: Mapping[int, Subsystem], units: Units) -> None:
+    def __init__(self, subsystems: Mapping[int, RunningSubsystem], units: Units) -> None:
         self._subsystems = subsystems
         self._units = units
         self._waiting: dict[int, deque[tuple[str, command.Switch]]] = {}
@@ -57,13 +57,13 @@ class Switchboard:
             ready.append(command.Case(case.choice, case.loop, len(ready) + 1, groups[0][1] if groups else nothing))
         rtpu = subsystem.members[task].rtpu
         activation = self._activations.get((flow, task), 0)
-        self._units.send(rtpu, command.Prepared(subsystem.name, task, activation, tuple(ready)))
+        self._units.send(rtpu, command.PreparedSwitch(subsystem.name, task, activation, tuple(ready)))
         return {one.number: one.switch for one in ready}
 
     def unprepare(self, flow: int, task: str) -> None:
         """Nothing is to follow by itself any more; the unit says when that is so."""
         subsystem = self._subsystems[flow]
-        self._units.send(subsystem.members[task].rtpu, command.Prepared(subsystem.name, task, 0, ()))
+        self._units.send(subsystem.members[task].rtpu, command.PreparedSwitch(subsystem.name, task, 0, ()))
 
     def adopt(self, flow: int, switch: command.Switch) -> None:
         """A prepared switch was carried out by its unit."""

@@ -5,7 +5,7 @@ from collections.abc import Callable, Mapping, Sequence
 from onika.engine import orders
 from onika.host.run.prepared_switch import Outlook
 from onika.host.run.switch_dispatch import Switchboard
-from onika.runtime.subsystem import Subsystem
+from onika.runtime.subsystem import RunningSubsystem
 
 Refuse = Callable[[int, str, str], None]
 """Told the flow, the task and why it does not come on."""
@@ -15,7 +15,7 @@ class Switching:
     """Of all flows of one run."""
 
     def __init__(
-        self, subsystems: Mapping[int, Subsystem], outlook: Outlook, switchboard: Switchboard, refuse: Refuse
+        self, subsystems: Mapping[int, RunningSubsystem], outlook: Outlook, switchboard: Switchboard, refuse: Refuse
     ) -> None:
         self._subsystems = subsystems
         self._outlook = outlook

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from onika.link.heartbeat import Pact, name_in
+from onika.link.heartbeat import HeartbeatKey, name_in
 
 Came = Callable[[int], None]
 """A beat of a connection has come, with its count."""
@@ -11,7 +11,7 @@ Came = Callable[[int], None]
 
 @dataclass(slots=True)
 class _Line:
-    pact: Pact
+    pact: HeartbeatKey
     came: Came
     last: int = 0
 
@@ -23,15 +23,15 @@ class BeatBook:
         self.port = port
         self._lines: dict[bytes, _Line] = {}
 
-    def open(self, came: Came) -> Pact | None:
+    def open(self, came: Came) -> HeartbeatKey | None:
         """For a new connection: what its other end is told; None where there are no datagrams."""
         if not self.port:
             return None
-        pact = Pact.drawn(self.port)
+        pact = HeartbeatKey.drawn(self.port)
         self._lines[pact.name] = _Line(pact, came)
         return pact
 
-    def close(self, pact: Pact | None) -> None:
+    def close(self, pact: HeartbeatKey | None) -> None:
         """The connection is no more, and its beats count no more."""
         if pact is not None:
             self._lines.pop(pact.name, None)

@@ -12,8 +12,8 @@ from websockets.server import ServerProtocol
 
 from onika.host.sessions.admission import Doorkeeper, No, Yes
 from onika.host.sessions.heartbeat_registry import BeatBook
-from onika.link.heartbeat import HEADER, Pact
-from onika.link.websocket_messages import SILENT, Messages
+from onika.link.heartbeat import HEADER, HeartbeatKey
+from onika.link.websocket_messages import SILENT, WebSocketMessages
 from onika.wire.frame import FRAME_LIMIT, FrameReader, frame
 from onika.wire.packet import Beat, Bye, Hello, decode, encode
 
@@ -37,13 +37,13 @@ class Relay:
         self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str, book: BeatBook | None = None
     ) -> None:
         self._book = book or BeatBook()
-        self._pact: Pact | None = None
+        self._pact: HeartbeatKey | None = None
         self._inside: asyncio.StreamWriter | None = None
         self._reader = reader
         self._writer = writer
         self._address = address
         self._protocol = ServerProtocol(max_size=FRAME_LIMIT, logger=SILENT)
-        self._messages = Messages()
+        self._messages = WebSocketMessages()
 
     async def greet(self, doorkeeper: Doorkeeper, number: int) -> tuple[Yes, Hello, list[bytes]]:
         """Let in or turn away, then wait for the hello: who it is, and all payloads so far. Raises Unwelcome.

@@ -10,11 +10,11 @@ from onika.host.sessions.leases import Heard
 from onika.host.sessions.permission import refusal
 from onika.link.caller import Role
 from onika.link.carrier import Carrier, SocketCarrier
-from onika.link.link_events import Asked
-from onika.link.link_terms import CHILD, Terms
+from onika.link.link_events import RequestReceived
+from onika.link.link_terms import CHILD, LinkTerms
 from onika.link.runtime_port import ServerPort
-from onika.link.session import Session
-from onika.link.sessions import Guests, Introduction
+from onika.link.session import EnvironmentSession
+from onika.link.sessions import Introduction, Sessions
 from onika.wire import event, holding, request
 from onika.wire.packet import Bye, encode
 
@@ -93,16 +93,16 @@ class Gate:
     """All sessions of a runtime; every request gets exactly one response, now or later."""
 
     def __init__(
-        self, guests: Guests, clock: Callable[[], int], porter: Door | None = None, accepts_code: bool = False
+        self, guests: Sessions, clock: Callable[[], int], porter: Door | None = None, accepts_code: bool = False
     ) -> None:
         self._guests = guests
         self._porter = porter
         self._clock = clock
         self._accepts_code = accepts_code
-        self._parent: Session | None = None
+        self._parent: EnvironmentSession | None = None
         self._told: list[tuple[event.Event, str, str]] = []
         self._ear: Callable[[event.Event, str], None] | None = None
-        self._tickets: dict[int, tuple[Session, int]] = {}
+        self._tickets: dict[int, tuple[EnvironmentSession, int]] = {}
         self._calls: dict[int, Call] = {}
         self.watcher: Watcher | None = None
         """Who writes down what happens here."""
@@ -119,7 +119,7 @@ class Gate:
         """Whether something still waits to be sent."""
         return bool(self._told) or bool(self.writers())
 
-    def adopt(self, carrier: Carrier, terms: Terms = CHILD) -> str:
+    def adopt(self, carrier: Carrier, terms: LinkTerms = CHILD) -> str:
         """Serve the program that launched this one; the name of its session."""
         self._parent = self._guests.adopt(carrier, self._clock(), terms)
         return self._parent.name
@@ -192,7 +192,7 @@ class Gate:
         first = self._turn % len(sessions) if sessions else 0  # in turns: nobody is always the last
         stirring = self._stirring(sessions[first:] + sessions[:first], now)
         asked = [(one, each) for one in stirring for each in one.service(now)]
-        calls = [self._judge(session, each) for session, each in asked if isinstance(each, Asked)]
+        calls = [self._judge(session, each) for session, each in asked if isinstance(each, RequestReceived)]
         return [call for call in calls if call is not None]
 
     def reply(self, ticket: int, response: request.Response) -> None:
@@ -235,7 +235,7 @@ class Gate:
                 self.watcher.lost(session)
         return lost
 
-    def _stirring(self, sessions: list[Session], now: int) -> list[Session]:
+    def _stirring(self, sessions: list[EnvironmentSession], now: int) -> list[EnvironmentSession]:
         """Those with something to take in or to do; the system is asked once for all, so that idle ones cost little."""
         poller = select.poll()
         for port in self._ports():
@@ -261,7 +261,7 @@ class Gate:
             self._porter = None
             self.tell(event.Lost("porter", f"the porter {ending}; nobody new can connect", self._clock() * 1e-9))
 
-    def _judge(self, session: Session, each: Asked) -> Call | None:
+    def _judge(self, session: EnvironmentSession, each: RequestReceived) -> Call | None:
         self._count += 1
         self._tickets[self._count] = (session, each.ticket)
         try:

@@ -10,7 +10,7 @@ from onika.host.units.pose_stream import Posed
 from onika.host.units.supervisor import Supervised, Supervisor
 from onika.host.units.unit_listener import Listener
 from onika.host.units.world_registry import refuse_unknown, split
-from onika.ring.device import Drive
+from onika.ring.device import DriveState
 from onika.ring.segment import Segment
 from onika.runtime import command, news
 from onika.runtime.bus import SEGMENT_SIZE, Poses
@@ -186,7 +186,7 @@ class WallDriver:
 
     def is_at_rest(self) -> bool:
         """Whether every drive holds, as far as the device server lives to say so."""
-        return self._devices.is_lost or Drive.DRIVEN not in self._drives.values()
+        return self._devices.is_lost or DriveState.DRIVEN not in self._drives.values()
 
     def snapshots(self) -> dict[str, bytes]:
         """The worlds as they stand."""
@@ -242,7 +242,7 @@ class WallDriver:
         began = self._listener.run_began(device) if self._listener is not None else 0
         at_s = round((word.at_ns + word.behind_ns - began) * 1e-9, 9)
         times = word.at_ns, word.previous_step_ns, word.last_command_ns
-        return event.Drive(device, Drive(word.state).name, *times, word.cause, at_s)
+        return event.Drive(device, DriveState(word.state).name, *times, word.cause, at_s)
 
     def _lost(self, one: Supervised, reason: str) -> None:
         """A process is gone: fence its claims, let hardware tasks know, name the cause."""

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Any
 
 from onika.host.units.world_registry import refuse_unknown, split
-from onika.ring.device import Drive
+from onika.ring.device import DriveState
 from onika.ring.segment import Segment
 from onika.runtime.bus import SEGMENT_SIZE, Bus, Poses, World
 from onika.runtime.command import DeviceGrant
@@ -104,5 +104,5 @@ class Buses:
 
     def _tell_drives(self, world: str) -> None:
         for one in self._buses[world].world.take_events():
-            device, state = f"{world}:{one.device}", Drive(one.state).name
+            device, state = f"{world}:{one.device}", DriveState(one.state).name
             self._tell(event.Drive(device, state, one.at_ns, one.previous_step_ns, one.last_command_ns, one.cause))

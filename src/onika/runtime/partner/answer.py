@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 _SHOWN = 60  # characters of a wrong value in a message
 
 
-class Answer:
+class PartnerAnswer:
     """The fields of one answer. Each way to read one raises ModuleError that says what was expected and found."""
 
     def __init__(self, fields: Mapping[str, Any]) -> None:

@@ -15,7 +15,7 @@ _DEFAULT = (signal.SIGINT, signal.SIGTERM, signal.SIGPIPE)
 """Signals that an RTPU ignores or treats in its own way, and a program of its own does not."""
 
 
-class Started:
+class GuardedChild:
     """`conversation` is a socket that becomes the program's standard input and output; without one it has neither.
 
     To start takes about a millisecond, and the program's own start does not count in: nobody waits for it.

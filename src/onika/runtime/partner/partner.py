@@ -17,9 +17,9 @@ from typing import Any
 from onika.runtime.alarm import Alarm
 from onika.runtime.error import ModuleError
 from onika.runtime.partner.address import PartnerAddress
-from onika.runtime.partner.answer import Answer
-from onika.runtime.partner.guarded_child import Started
-from onika.runtime.partner.protocol import Dialogue
+from onika.runtime.partner.answer import PartnerAnswer
+from onika.runtime.partner.guarded_child import GuardedChild
+from onika.runtime.partner.protocol import PartnerProtocol
 
 _RETRY_NS = 50_000_000
 _AT_ONCE = 1 << 16
@@ -47,13 +47,13 @@ class Partner:
         self.name = at or self._command[0]
         self.task = ""
         self.patience_s = patience_s
-        self._dialogue = Dialogue()
+        self._dialogue = PartnerProtocol()
         self._epoll = select.epoll()
         self._alarm = Alarm()
         self._epoll.register(self._alarm, select.EPOLLIN)
         self._line: socket.socket | None = None
         self._stands = False
-        self._started: Started | None = None
+        self._started: GuardedChild | None = None
         self._until = 0
         self._out = b""
         self._sent = 0
@@ -98,11 +98,11 @@ class Partner:
         return True
 
     @property
-    def answer(self) -> Answer:
+    def answer(self) -> PartnerAnswer:
         """The answer to the last question; raises ModuleError where there is none."""
         if self._dialogue.answer is None:
             raise ModuleError(f"partner {self.name}: expected an answer, found none yet")
-        return Answer(self._dialogue.answer)
+        return PartnerAnswer(self._dialogue.answer)
 
     # What the runtime calls
 
@@ -283,15 +283,15 @@ class Partner:
         if self._address is None:
             ours, theirs = socket.socketpair()
             ours.setblocking(False)
-            self._started = Started(self._command, theirs.fileno())
+            self._started = GuardedChild(self._command, theirs.fileno())
             theirs.close()
             self._stands = True
             self._connect(ours)
         else:
-            self._started = Started(self._command, None, self._address.words)
+            self._started = GuardedChild(self._command, None, self._address.words)
         self._epoll.register(self._started, select.EPOLLIN)
 
-    def _look_after(self, started: Started) -> None:
+    def _look_after(self, started: GuardedChild) -> None:
         started.look()
         if started.how_ended:
             self._epoll.unregister(started)

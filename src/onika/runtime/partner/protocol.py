@@ -21,7 +21,7 @@ _SHOWN = 60
 _OWN = ("onika", "id", "task", "ask")
 
 
-class Dialogue:
+class PartnerProtocol:
     """One task's end. `answer` holds the fields of the answer to the last question, once it came."""
 
     def __init__(self) -> None:

@@ -24,7 +24,7 @@ BLENDED_NS = 100_000_000
 _AFTER = "turn off what came on, then clear this task and turn it on again: it begins from its hold"
 
 
-class Crossing:
+class BumplessChannel:
     """One actuator variable: `data` is the buffer from which the task reads it, flat."""
 
     def __init__(

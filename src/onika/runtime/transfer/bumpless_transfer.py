@@ -16,7 +16,7 @@ from onika.runtime import news
 from onika.runtime.binding import Binding
 from onika.runtime.declaration import Step
 from onika.runtime.module import Module
-from onika.runtime.transfer.bumpless_channel import BLENDED_NS, Crossing
+from onika.runtime.transfer.bumpless_channel import BLENDED_NS, BumplessChannel
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -45,12 +45,12 @@ def limit_of(module: Module, step: Step) -> Any:
     return limit
 
 
-class Continuity:
+class BumplessTransfer:
     """The actuator variables of one task."""
 
-    def __init__(self, subsystem: str, task: str, crossings: Iterable[Crossing], period_ns: int) -> None:
+    def __init__(self, subsystem: str, task: str, bumpless_channels: Iterable[BumplessChannel], period_ns: int) -> None:
         self.tell: Tell = lambda _stepped: None
-        self.crossings = tuple(crossings)
+        self.crossings = tuple(bumpless_channels)
         self.is_open = False
         self._address = subsystem, task
         self._period_ns = period_ns
@@ -105,11 +105,11 @@ class Continuity:
         return next((channel.objection(value, most, task) for channel in self.crossings if channel.svar == svar), "")
 
 
-def crossings(module: Module, binding: Binding) -> tuple[Crossing, ...]:
+def bumpless_channels(module: Module, binding: Binding) -> tuple[BumplessChannel, ...]:
     """Those of a module's real inputs that do not step by nature; raises ValueError for a bad limit."""
     channels = []
     for port, declared, svar, data, ring in binding.read_each_cycle:
         limit = limit_of(module, declared.step)
         if limit is None or np.any(np.isfinite(limit)):
-            channels.append(Crossing(svar, port, declared, data, ring, limit))
+            channels.append(BumplessChannel(svar, port, declared, data, ring, limit))
     return tuple(channels)

@@ -5,14 +5,14 @@ from onika.runtime.device import SILENCE_NS
 from onika.runtime.error import LawBroken
 from onika.runtime.module import Module
 from onika.runtime.transfer.bumpless_channel import BLENDED_NS
-from onika.runtime.transfer.bumpless_transfer import Continuity, crossings
+from onika.runtime.transfer.bumpless_transfer import BumplessTransfer, bumpless_channels
 
 
-class Intake:
+class InputGuard:
     """Takes the inputs in, in place of the task; `table` is the memory in which they lie."""
 
     def __init__(self, subsystem: str, task: str, module: Module, period_ns: int, table: memoryview) -> None:
-        self.continuity = Continuity(subsystem, task, (), period_ns)
+        self.continuity = BumplessTransfer(subsystem, task, (), period_ns)
         self.is_waiting = False
         """Whether it holds: until every input was written anew, and does not tear the device out of its hold."""
         self._address = subsystem, task
@@ -31,8 +31,8 @@ class Intake:
     def prepare(self) -> None:
         """After `init`: how far inputs may step is known; raises ValueError where it is no positive number."""
         tell = self.continuity.tell
-        channels = crossings(self._module, self._binding)
-        self.continuity = Continuity(*self._address, channels, self._period_ns)
+        channels = bumpless_channels(self._module, self._binding)
+        self.continuity = BumplessTransfer(*self._address, channels, self._period_ns)
         self.continuity.tell = tell
 
     def change_rate(self, period_ns: int) -> None:

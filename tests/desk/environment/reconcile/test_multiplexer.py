@@ -3,7 +3,7 @@ import pytest
 from onika.desk.environment.outcome.outcome import Order
 from onika.desk.environment.reconcile.multiplexer import Talk
 from onika.desk.run.runtime import Reply
-from onika.link.lost import Cause, LinkLost
+from onika.link.lost import LinkLost, LossCause
 from onika.wire import event, live, request
 
 FIGURES = live.Figures((), {"rt0": 0.5})
@@ -85,7 +85,7 @@ def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(talk, wire
 def test_orders_that_get_no_reply_any_more_are_refused_with_the_reason(talk, wire):  # R-E10
     order = Order(live.Survey())
     talk.ask(order)
-    wire.words = [LinkLost(Cause.CLOSED, "it is gone")]
+    wire.words = [LinkLost(LossCause.CLOSED, "it is gone")]
     with pytest.raises(LinkLost):
         talk.hear()
     assert talk.orphans("it is gone") == [(order, request.Refused("it is gone"))]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from onika.laws.frames import pose_of_nine
-from onika.laws.path import Line, quintic
+from onika.laws.path import StraightLine, quintic
 from onika.module import AskAgain, Input, InVar, Local, Module, OutVar, finish
 
 NEAR = 1e-3  # m, and parts of unit vectors
@@ -48,7 +48,7 @@ class Ctraj(Module):
         except ValueError as wrong:
             raise AskAgain(str(wrong)) from None
         start = (self.X_REF if self.continues("X_REF") else self.X_MEZ).copy()
-        self._line = Line(start, self._end)
+        self._line = StraightLine(start, self._end)
         shortest = self._line.duration(self.SPEED, self.TURN)
         if inputs.duration < shortest * (1.0 - 1e-9):
             self.warn(f"{inputs.duration:g} s is too short for the tool's speed; the motion takes {shortest:.2f} s")
