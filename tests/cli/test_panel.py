@@ -50,7 +50,7 @@ def test_a_pause_to_come_and_loops_are_shown_as_the_runtime_says(panel):  # R-E0
 
 
 def test_the_chosen_flow_is_marked(panel):  # R-E07
-    panel.wheel.press("1")
+    panel.bindings.press("1")
     assert "›1 flow1" in shown(panel)
 
 
@@ -58,12 +58,12 @@ def test_keys_are_offered_only_where_there_is_a_keyboard(panel):  # R-E07
     assert "p pause" not in shown(panel)
     panel.has_keys = True
     assert "p pause" in shown(panel)
-    panel.wheel.press("?")
+    panel.bindings.press("?")
     text = " ".join(shown(panel, 200).split())
     assert all(f"{key} {meaning}" in text for key, (_, meaning) in KEYS.items())
     assert "0-9 choose a flow" in text
-    panel.wheel.press(":")
-    panel.wheel.press("s")
+    panel.bindings.press(":")
+    panel.bindings.press("s")
     assert ": s▏" in shown(panel)
 
 

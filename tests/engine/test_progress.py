@@ -26,10 +26,10 @@ def running(*jobs, others=(), script=(), judge=lambda _condition: False):
     """A flow in its first action, all of whose tasks have said that they are ON."""
     flow = progress(*jobs, others=others, script=script, judge=judge)
     flow.enter(FlowEvent.SPAWN)
-    flow.crew.spawn()
+    flow.flow_tasks.spawn()
     flow.begin()
     for name in jobs[0].tasks:
-        flow.crew.turned_on(name)
+        flow.flow_tasks.turned_on(name)
     return flow
 
 
@@ -45,7 +45,7 @@ def test_a_nested_flow_stands_at_its_end_until_it_is_begun():  # R-D13
 def test_beginning_switches_and_tells():
     flow = progress(REACH)
     flow.enter(FlowEvent.SPAWN)
-    flow.crew.spawn()
+    flow.flow_tasks.spawn()
     assert flow.begin() == [Switch(0, (), (Start("move", "1 2", 100.0), Start("puma", "", 100.0))), Began(0, 0)]
     assert (flow.state, flow.current, flow.next) == (FlowState.RUNNING, 0, Halt())
 
@@ -65,13 +65,13 @@ def test_a_flow_that_begins_again_after_it_has_stood_tells_that_it_runs():
 def test_a_job_without_a_trigger_is_noted():
     flow = progress(build.job("puma"))
     flow.enter(FlowEvent.SPAWN)
-    flow.crew.spawn()
+    flow.flow_tasks.spawn()
     note = flow.begin()[-1]
     assert isinstance(note, Note)
     assert "no trigger" in note.text
 
 
-def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # decision 16
+def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # reading 16
     assert not running(REACH).finished("puma")
 
 
@@ -80,7 +80,7 @@ def test_a_trigger_that_has_not_said_that_it_is_on_does_not_end_the_action():
     assert flow.finished("move")
     flow.begin()
     assert not flow.finished("move")
-    flow.crew.turned_on("move")
+    flow.flow_tasks.turned_on("move")
     assert flow.finished("move")
 
 
@@ -102,7 +102,7 @@ def test_messages_say_the_parameter_file_before_the_first_action_and_the_action_
     flow = progress(REACH)
     assert flow.where("puma") == "puma.rmod: puma"
     flow.enter(FlowEvent.SPAWN)
-    flow.crew.spawn()
+    flow.flow_tasks.spawn()
     flow.begin()
     assert flow.where("puma") == "test.appl flow 0 action 0: puma"
 
@@ -114,7 +114,7 @@ def test_the_value_of_an_action_leads_the_next_walk():
     assert flow.next == Do(0)
 
 
-def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there():  # decisions 21 and 22
+def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there():  # readings 21 and 22
     flow = running(ALONE, ALONE, ALONE, script=program(bottom("outer", Do(0), bottom("inner", Do(1))), Do(2)))
     flow.ends_with(FinishValue(0, loop=True))
     flow.leaving = frozenset({"outer", "inner"})

@@ -72,7 +72,7 @@ class LinkOracle:
         self._wanted: dict[str, Wanted] = {}
         self._numbers: dict[tuple[str, int], Wanted] = {}
         self._stories: dict[str, _Story] = {}
-        self._guests: dict[str, _Guest] = {}
+        self._sessions: dict[str, _Guest] = {}
         self._clients: dict[str, str] = {}
         self._anew: set[str] = set()
 
@@ -91,18 +91,18 @@ class LinkOracle:
         """A new one comes under an old name, in whose sessions nothing is promised to the old one any more."""
         self._anew.add(client)
         for name, other in self._clients.items():
-            if other == client and name in self._guests:
-                self._guests[name].has_left = True
+            if other == client and name in self._sessions:
+                self._sessions[name].has_left = True
 
     def house_ends(self) -> None:
         """The runtime is no more, and so are its sessions."""
-        self._guests.clear()
+        self._sessions.clear()
 
     def leaves(self, client: str) -> None:
         """The environment said good-bye; whether that arrives is another question."""
         for name, other in self._clients.items():
-            if other == client and name in self._guests:
-                self._guests[name].has_left = True
+            if other == client and name in self._sessions:
+                self._sessions[name].has_left = True
 
     def session(self, name: str, epoch: str, client: str) -> None:
         """The runtime took a connection to this session."""
@@ -111,7 +111,7 @@ class LinkOracle:
 
     def called(self, name: str, now_ns: int) -> None:
         """A packet came on the asking channel of this session."""
-        self._guests.setdefault(name, _Guest(now_ns)).heard_ns = now_ns
+        self._sessions.setdefault(name, _Guest(now_ns)).heard_ns = now_ns
 
     def signal(self, epoch: str, body: bytes) -> None:
         """The runtime wants this to arrive."""
@@ -138,50 +138,50 @@ class LinkOracle:
 
     # -- what the programs are told
 
-    def heard(self, client: str, happening: LinkNotice, asking: SimLink | None, stream: SimLink | None = None) -> None:
+    def heard(self, client: str, notice: LinkNotice, asking: SimLink | None, stream: SimLink | None = None) -> None:
         """An environment is told something by its link, whose channels have these connections."""
         stream = stream or asking
-        match happening:
+        match notice:
             case LinkStateChanged(_, why) if why is not None:
                 fine = why.cause in (LossCause.CLOSED, LossCause.SILENT)
                 self._unless(fine, f"an honest environment ended the connection: {why}")
             case EpochChanged(epoch):
                 self._epoch_changed(client, epoch, asking)
             case SignalReceived():
-                self._signalled(self._stories[client], happening)
+                self._signalled(self._stories[client], notice)
             case ReplyReceived(number) | RequestFailed(number):
-                self._outcome(happening, client, number)
+                self._outcome(notice, client, number)
             case ReadingReceived(_, body) if stream is not None:
                 self._unless(int(body) > stream.shown, f"reading {body!r} shown after {stream.shown}")
                 stream.shown = int(body)
 
-    def served(self, name: str, happening: LinkNotice, cable: SimLink | None, now_ns: int) -> None:
+    def served(self, name: str, notice: LinkNotice, cable: SimLink | None, now_ns: int) -> None:
         """The runtime is told something by a session's link."""
-        match happening:
+        match notice:
             case LinkStateChanged(_, why) if why is not None:
                 fine = why.cause in (LossCause.CLOSED, LossCause.SILENT, LossCause.HERE)
                 self._unless(fine, f"an honest runtime ended the connection: {why}")
             case Greeted() if cable is not None and cable.channel.asks:
-                self._guests.setdefault(name, _Guest(now_ns)).is_there = True
+                self._sessions.setdefault(name, _Guest(now_ns)).is_there = True
             case RequestReceived():
-                self._asked(happening, cable, now_ns)
+                self._asked(notice, cable, now_ns)
 
     def given_up(self, name: str, now_ns: int, lost_ns: int) -> None:
         """The runtime gives a session up: once, and only for a reason."""
-        guest = self._guests.get(name)
-        if guest is None or not guest.is_there:
+        session = self._sessions.get(name)
+        if session is None or not session.is_there:
             self.faults.append(f"session {name} was given up, but it was not there")
             return
-        silence_ns = now_ns - guest.heard_ns
-        fine = guest.has_left or self._clients[name] in self._anew or silence_ns >= lost_ns
+        silence_ns = now_ns - session.heard_ns
+        fine = session.has_left or self._clients[name] in self._anew or silence_ns >= lost_ns
         self._unless(fine, f"session {name} was given up {silence_ns} ns after it was heard")
-        guest.is_there = False
+        session.is_there = False
 
     def stands(self, now_ns: int, lost_ns: int) -> None:
         """All sessions that are there were heard of late."""
-        for name, guest in self._guests.items():
-            silence_ns = now_ns - guest.heard_ns
-            fine = not guest.is_there or silence_ns < lost_ns
+        for name, session in self._sessions.items():
+            silence_ns = now_ns - session.heard_ns
+            fine = not session.is_there or silence_ns < lost_ns
             self._unless(fine, f"session {name} was not given up after {silence_ns} ns of silence")
 
     def heard_last(self, who: Who, state: LinkState, silence_ns: int, suspect_ns: int, lost_ns: int) -> None:
@@ -217,13 +217,13 @@ class LinkOracle:
         self._unless(known == epoch, f"new beginning in epoch {epoch!r}, greeted in {known!r}")
         story.epoch, story.next = epoch, base + 1
 
-    def _signalled(self, story: _Story, happening: SignalReceived) -> None:
+    def _signalled(self, story: _Story, notice: SignalReceived) -> None:
         self.accepted += 1
-        self._unless(happening.seq == story.next, f"signal {happening.seq} accepted, {story.next} was next")
+        self._unless(notice.seq == story.next, f"signal {notice.seq} accepted, {story.next} was next")
         said = self._signals.get(story.epoch, [])
-        fine = 1 <= happening.seq <= len(said) and said[happening.seq - 1] == happening.body
-        self._unless(fine, f"signal {happening.seq} of epoch {story.epoch!r} is not what was said")
-        story.next = happening.seq + 1
+        fine = 1 <= notice.seq <= len(said) and said[notice.seq - 1] == notice.body
+        self._unless(fine, f"signal {notice.seq} of epoch {story.epoch!r} is not what was said")
+        story.next = notice.seq + 1
 
     def _asked(self, asked: RequestReceived, cable: SimLink | None, now_ns: int) -> None:
         self.begun += 1

@@ -98,7 +98,7 @@ class NetworkHistory:
 
     def _final(self) -> None:
         for one in self._environments:
-            self._witness.final(one.name, one.bundle.epoch, one.bundle.state)
+            self._witness.final(one.name, one.session_channels.epoch, one.session_channels.state)
         self._witness.final_requests()
 
     def _is_settled(self) -> bool:
@@ -114,22 +114,24 @@ class NetworkHistory:
         self._names += 1
         name = name or f"client-{self._names}"
         channels = (Channel.ALL,) if self._time.random.random() < 0.4 else THREE
-        bundle = self._programs.bundle(name, self._terms, channels, self._programs.client, self._time.random.random)
+        session_channels = self._programs.session_channels(
+            name, self._terms, channels, self._programs.client, self._time.random.random
+        )
         self._witness.environment_starts(name)
-        one = SimEnvironment(number, name, bundle, self._time.random.randrange(10**15))
+        one = SimEnvironment(number, name, session_channels, self._time.random.randrange(10**15))
         self._time.after(self._time.uniform(0, 300), partial(self._serve, one))
         return one
 
     def _start_house(self) -> SimRuntime:
         self._lives += 1
-        guests = self._programs.guests(self._programs.epoch(self._lives), self._terms, make=self._programs.server)
-        return SimRuntime(guests, self._time.random.randrange(10**15))
+        sessions = self._programs.sessions(self._programs.epoch(self._lives), self._terms, make=self._programs.server)
+        return SimRuntime(sessions, self._time.random.randrange(10**15))
 
     def _signal(self) -> None:
         if not self._house.is_up:
             return
         clock = self._clock(self._house)
-        for session in self._house.guests.sessions:
+        for session in self._house.sessions.sessions:
             body = f"{session.epoch} {self._time.random.random()}".encode()
             self._witness.signal(session.epoch, body)
             session.signal(body, clock)
@@ -147,8 +149,8 @@ class NetworkHistory:
         wanted = Wanted(str(self._labels), one.name, body, once, begin_by_ns, asking.cable if asking else None)
         urgent = self._time.random.random() < 0.1
         # the witness has to know of it before the answer can come
-        self._witness.wants(wanted, one.bundle.request_count + 1)
-        one.bundle.request(body, self._clock(one), within_ns, once, urgent)
+        self._witness.wants(wanted, one.session_channels.request_count + 1)
+        one.session_channels.request(body, self._clock(one), within_ns, once, urgent)
         self._serve(one)
 
     def _answer(self, house: SimRuntime, session: EnvironmentSession, asked: RequestReceived) -> None:
@@ -159,7 +161,7 @@ class NetworkHistory:
     def _crash_environment(self) -> None:
         one = self._time.random.choice(self._environments)
         if self._time.random.random() < 0.3:
-            one.bundle.close("enough", self._clock(one))
+            one.session_channels.close("enough", self._clock(one))
             self._witness.leaves(one.name)
         one.is_up = False
         for plug in list(one.plugs.values()):
@@ -189,39 +191,39 @@ class NetworkHistory:
     def _serve(self, one: SimEnvironment, channel: Channel | None = None) -> None:
         if not one.is_up:
             return
-        one.bundle.service(self._clock(one), channel)
+        one.session_channels.service(self._clock(one), channel)
         asking = one.plugs.get(Channel.SESSION) or one.plugs.get(Channel.ALL)
         stream = one.plugs.get(Channel.STREAM) or asking
-        for happening in one.bundle.take_happenings():
-            self._witness.heard(one.name, happening, asking.cable if asking else None, stream.cable if stream else None)
-        for wanted in one.bundle.wants(self._clock(one)):
+        for notice in one.session_channels.take_notices():
+            self._witness.heard(one.name, notice, asking.cable if asking else None, stream.cable if stream else None)
+        for wanted in one.session_channels.wants(self._clock(one)):
             self._time.after(self._time.uniform(1, 30), partial(self._dial, one, wanted))
-        self._time.wake(one, one.bundle.due_ns(self._clock(one)), partial(self._serve, one))
+        self._time.wake(one, one.session_channels.due_ns(self._clock(one)), partial(self._serve, one))
 
     def _serve_session(self, session: EnvironmentSession, cable: SimLink | None = None) -> None:
         house = self._house
-        if not house.is_up or session not in house.guests.sessions:
+        if not house.is_up or session not in house.sessions.sessions:
             return
-        for happening in session.service(self._clock(house), cable.channel if cable is not None else None):
-            self._witness.served(session.name, happening, cable, self.now_ns)
-            if isinstance(happening, RequestReceived):
-                self._time.after(self._time.uniform(0, 800), partial(self._answer, house, session, happening))
+        for notice in session.service(self._clock(house), cable.channel if cable is not None else None):
+            self._witness.served(session.name, notice, cable, self.now_ns)
+            if isinstance(notice, RequestReceived):
+                self._time.after(self._time.uniform(0, 800), partial(self._answer, house, session, notice))
         self._time.wake(session, session.due_ns(self._clock(house)), partial(self._serve_session, session))
 
     def _look_for_lost(self) -> None:
-        for name in self._house.guests.lost(self._clock(self._house)):
+        for name in self._house.sessions.lost(self._clock(self._house)):
             self._witness.given_up(name, self.now_ns, self._terms.lost_ns)
 
     def _inspect(self) -> None:
         suspect_ns, lost_ns = self._terms.suspect_ns, self._terms.lost_ns
         for one in self._environments:
-            for channel, state in one.bundle.states().items():
+            for channel, state in one.session_channels.states().items():
                 if channel in one.plugs:
                     silence_ns = self.now_ns - one.plugs[channel].heard_ns - _SLACK_NS
                     self._witness.heard_last(Who.ENVIRONMENT, state, silence_ns, suspect_ns, lost_ns)
         if not self._house.is_up:
             return
-        for session in self._house.guests.sessions:
+        for session in self._house.sessions.sessions:
             for channel, state in session.states().items():
                 plug = self._house.plugs.get((session, channel))
                 if plug is not None:
@@ -238,12 +240,12 @@ class NetworkHistory:
         if not one.is_up:
             return
         if max(one.blind_ns, one.deaf_ns) > self.now_ns or not self._house.is_up:
-            one.bundle.failed(channel, self._clock(one))
+            one.session_channels.failed(channel, self._clock(one))
         else:
             plug = SimLink(self, channel, one.name).environment
             plug.heard_ns = self.now_ns
             one.plugs[channel] = plug
-            one.bundle.attach(channel, plug, self._clock(one))
+            one.session_channels.attach(channel, plug, self._clock(one))
         self._serve(one)
 
     def sent(self, plug: SimCarrier, packet: Packet) -> None:
@@ -285,17 +287,17 @@ class NetworkHistory:
 
     def _admit(self, plug: SimCarrier, hello: Hello) -> EnvironmentSession | None:
         """What the porter and the gate do."""
-        guests = self._house.guests
+        sessions = self._house.sessions
         caller = Caller("somebody", Role.OWNER, "elsewhere", False)
         cable = plug.cable
-        why = guests.admit(
+        why = sessions.admit(
             Introduction(cable.channel, hello.client, hello.epoch, caller), plug, self._clock(self._house)
         )
         if why:
             plug.send(encode(Bye("refused", why)))
             plug.close()
             return None
-        session = next(one for one in guests.sessions if one.client == hello.client)
+        session = next(one for one in sessions.sessions if one.client == hello.client)
         self._witness.session(session.name, session.epoch, hello.client)
         self._house.plugs[session, cable.channel] = plug
         return session

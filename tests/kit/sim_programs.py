@@ -26,8 +26,8 @@ class Programs:
 
     client: MakeClient = ClientEnd
     server: MakeServer = ServerEnd
-    bundle: type[SessionChannels] = SessionChannels
-    guests: type[Sessions] = Sessions
+    session_channels: type[SessionChannels] = SessionChannels
+    sessions: type[Sessions] = Sessions
     epoch: MakeEpoch = name_epoch
 
 
@@ -45,11 +45,11 @@ class SimProgram:
 class SimEnvironment(SimProgram):
     """An environment: its side of the session and its present connections."""
 
-    def __init__(self, number: int, name: str, bundle: SessionChannels, clock_ns: int) -> None:
+    def __init__(self, number: int, name: str, session_channels: SessionChannels, clock_ns: int) -> None:
         super().__init__(clock_ns)
         self.number = number
         self.name = name
-        self.bundle = bundle
+        self.session_channels = session_channels
         self.plugs: dict[Channel, SimCarrier] = {}
         self.blind_ns = 0
         """Until then nothing from it arrives."""
@@ -58,9 +58,9 @@ class SimEnvironment(SimProgram):
 
 
 class SimRuntime(SimProgram):
-    """A runtime: its guests and their present connections."""
+    """A runtime: its sessions and their present connections."""
 
-    def __init__(self, guests: Sessions, clock_ns: int) -> None:
+    def __init__(self, sessions: Sessions, clock_ns: int) -> None:
         super().__init__(clock_ns)
-        self.guests = guests
+        self.sessions = sessions
         self.plugs: dict[tuple[EnvironmentSession, Channel], SimCarrier] = {}

@@ -58,14 +58,14 @@ class AcceptsGaps(ClientEnd):
 class AcceptsSignalsTwice(ClientEnd):
     def _signal(self, packet: Signal) -> None:
         if packet.seq <= self._accepted:
-            self._happenings.append(SignalReceived(packet.seq, packet.body))
+            self._notices.append(SignalReceived(packet.seq, packet.body))
         super()._signal(packet)
 
 
 class AcknowledgesWhatItSkipped(ClientEnd):
     def _signal(self, packet: Signal) -> None:
         super()._signal(packet)
-        self._lanes.signal(Ack(packet.seq))
+        self._queues.signal(Ack(packet.seq))
 
 
 class AsksBeforeTheWelcome(ClientEnd):
@@ -99,8 +99,8 @@ class CarriesRequestsIntoANewEpoch(ClientEnd):
 class OverlooksTheNewEpoch(ClientEnd):
     def _welcome(self, packet: Welcome, now_ns: int) -> None:
         if self.epoch and not packet.resumed:
-            self._pulse.greeted(now_ns)
-            self._happenings.append(Resumed(self.epoch))
+            self._liveness.greeted(now_ns)
+            self._notices.append(Resumed(self.epoch))
             return
         super()._welcome(packet, now_ns)
 
@@ -115,7 +115,7 @@ class TellsTheAnswerTwice(ClientEnd):
     def _reply(self, packet: Reply) -> None:
         known = packet.number not in self._wishes and not packet.parts
         if known and not packet.late:
-            self._happenings.append(ReplyReceived(packet.number, packet.body))
+            self._notices.append(ReplyReceived(packet.number, packet.body))
         super()._reply(packet)
 
 
@@ -143,12 +143,12 @@ class SpeaksFirst(ServerEnd):
     def open(self, now_ns: int) -> None:
         super().open(now_ns)
         if self._acked < self._said:
-            self._lanes.signal(Signal(self._said, self._journal.body(self._said)))
+            self._queues.signal(Signal(self._said, self._journal.body(self._said)))
 
 
 class SaysWithoutJournal(ServerEnd):
     def signal(self, body: bytes, now_ns: int) -> int:
-        if self._pulse.is_linked:
+        if self._liveness.is_linked:
             return super().signal(body, now_ns)
         return self._journal.last
 
@@ -161,31 +161,31 @@ class BelievesWhatWasSaidWasHeard(ServerEnd):
 
 class ForgetsAnswersAtACut(ServerEnd):
     def _drop_connection(self) -> None:
-        if self._account is not None:
-            self._account.answers.clear()
+        if self._client_replies is not None:
+            self._client_replies.answers.clear()
         super()._drop_connection()
 
 
 class NeverRepeatsAnAnswer(ServerEnd):
-    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
-        if request.number not in account.answers:
-            super()._request(account, request, now_ns)
+    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+        if request.number not in client_replies.answers:
+            super()._request(client_replies, request, now_ns)
 
 
 class ForgetsWhatIsUnderWay(ServerEnd):
-    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
-        account.under_way.clear()
-        super()._request(account, request, now_ns)
+    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+        client_replies.under_way.clear()
+        super()._request(client_replies, request, now_ns)
 
 
 class CarriesOutLateRequests(ServerEnd):
-    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
-        super()._request(account, request, 0)
+    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+        super()._request(client_replies, request, 0)
 
 
 class NeverNoticesSilence(ServerEnd):
     def tick(self, now_ns: int) -> None:
-        self._pulse.heard(now_ns)
+        self._liveness.heard(now_ns)
         super().tick(now_ns)
 
 
@@ -285,35 +285,35 @@ class ServesANewProgramUnderAnOldNameAsTheOldOne(Sessions):
 
 class LeavesTheOthersInTheOldEpoch(SessionChannels):
     def _lead(self, now_ns):
-        for strand in self._strands.values():
-            if not strand.end.epoch:
-                strand.end.follow(self.epoch)
+        for channel_end in self._channel_ends.values():
+            if not channel_end.end.epoch:
+                channel_end.end.follow(self.epoch)
 
 
 class DoesNotTryAgain(SessionChannels):
     def failed(self, channel, now_ns):
         super().failed(channel, now_ns)
-        self._strands[channel].is_dialling = True
+        self._channel_ends[channel].is_connecting = True
 
 
 class TellsOfEveryChannelsBeginning(SessionChannels):
     def _gather(self, now_ns):
-        for strand in self._strands.values():
-            greeted = [one for one in strand.end._happenings if isinstance(one, Resumed)]
-            if strand is not self._first and greeted:
-                self._happenings.append(EpochChanged(strand.end.epoch))
+        for channel_end in self._channel_ends.values():
+            greeted = [one for one in channel_end.end._notices if isinstance(one, Resumed)]
+            if channel_end is not self._first and greeted:
+                self._notices.append(EpochChanged(channel_end.end.epoch))
         super()._gather(now_ns)
 
 
 class MixesTheChannels(ClientEnd):
     def _signal(self, packet: Signal) -> None:
         super()._signal(packet)
-        self._lanes.session((), Request(1, 1, 0, 0, b"0 "))
+        self._queues.session((), Request(1, 1, 0, 0, b"0 "))
 
 
 class AnswersOnTheChannelOfSignals(ServerEnd):
     def signal(self, body: bytes, now_ns: int) -> int:
-        self._lanes.session((), Reply(1, False, 0, b"re: "))
+        self._queues.session((), Reply(1, False, 0, b"re: "))
         return super().signal(body, now_ns)
 
 
@@ -321,7 +321,7 @@ def same_epoch_in_every_life(_life: int) -> str:
     return "epoch"
 
 
-def guests_of(kind: type[EnvironmentSession]) -> type[Sessions]:
+def sessions_of(kind: type[EnvironmentSession]) -> type[Sessions]:
     class Kept(Sessions):
         def __init__(self, *given, **named):
             super().__init__(*given, **named, session=kind)
@@ -381,9 +381,9 @@ BUNDLES: tuple[type[SessionChannels], ...] = (
 MISTAKES: dict[str, Programs] = {
     **{kind.__name__: replace(HONEST, client=kind) for kind in CLIENTS},
     **{kind.__name__: replace(HONEST, server=kind) for kind in SERVERS},
-    **{kind.__name__: replace(HONEST, guests=guests_of(kind)) for kind in SESSIONS},
-    **{kind.__name__: replace(HONEST, guests=kind) for kind in GUESTS},
-    **{kind.__name__: replace(HONEST, bundle=kind) for kind in BUNDLES},
+    **{kind.__name__: replace(HONEST, sessions=sessions_of(kind)) for kind in SESSIONS},
+    **{kind.__name__: replace(HONEST, sessions=kind) for kind in GUESTS},
+    **{kind.__name__: replace(HONEST, session_channels=kind) for kind in BUNDLES},
     "SameEpochInEveryLife": replace(HONEST, epoch=same_epoch_in_every_life),
 }
 

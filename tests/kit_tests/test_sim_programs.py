@@ -6,7 +6,7 @@ from onika.link.sessions import Sessions
 
 def test_honest_programs_are_the_real_ones():
     assert Programs() == HONEST
-    assert (HONEST.client, HONEST.bundle, HONEST.guests) == (ClientEnd, SessionChannels, Sessions)
+    assert (HONEST.client, HONEST.session_channels, HONEST.sessions) == (ClientEnd, SessionChannels, Sessions)
     assert name_epoch(1) != name_epoch(2)
 
 

@@ -29,7 +29,7 @@ def greet(end, packet=None):
     end.open(0)
     end.feed(packet or welcome(), 0)
     end.take_packets(0, ROOM)
-    end.take_happenings()
+    end.take_notices()
     return end
 
 
@@ -42,7 +42,7 @@ def packets(end, now_ns=0):
 
 
 def events(end):
-    return [news for news in end.take_happenings() if not isinstance(news, LinkStateChanged)]
+    return [news for news in end.take_notices() if not isinstance(news, LinkStateChanged)]
 
 
 def test_the_first_word_on_a_connection_says_who_and_how_far_and_is_all_until_the_welcome():  # R-F01
@@ -175,7 +175,7 @@ def test_an_overtaken_reading_is_not_shown():
 def test_what_only_an_environment_says_ends_the_connection(packet):
     end = linked()
     end.feed(packet, 0)
-    (turned,) = end.take_happenings()
+    (turned,) = end.take_notices()
     assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.GARBAGE)
     (bye,) = packets(end)
     assert (bye.cause, type(packet).__name__ in bye.reason) == ("garbage", True)
@@ -197,7 +197,7 @@ def test_another_version_ends_the_link_for_good(packet):  # R-B06
     end.request(b"", 0)
     end.open(0)
     end.feed(packet, 0)
-    turned, failed = end.take_happenings()[1:]
+    turned, failed = end.take_notices()[1:]
     assert (turned.state, turned.lost.cause) == (LinkState.ENDED, LossCause.VERSION)
     assert "version 2" in str(turned.lost)
     assert failed == RequestFailed(1, Fate.LOST)
@@ -206,7 +206,7 @@ def test_another_version_ends_the_link_for_good(packet):  # R-B06
 def test_a_good_bye_leaves_the_way_open_for_a_new_connection():
     end = linked()
     end.feed(Bye("closed", "going home"), 0)
-    (turned,) = end.take_happenings()
+    (turned,) = end.take_notices()
     assert (turned.state, str(turned.lost)) == (LinkState.APART, "the other side closed the connection: going home")
     end.open(0)
     assert end.state is LinkState.GREETING
@@ -227,7 +227,7 @@ def test_a_closed_link_says_good_bye_and_fails_what_was_asked():
     assert events(end) == [RequestFailed(1, Fate.LOST)]
     assert packets(end) == [Bye("closed", "enough")]
     end.close()
-    assert (end.take_happenings(), packets(end)) == ([], [])
+    assert (end.take_notices(), packets(end)) == ([], [])
     end.request(b"b", 0)
     assert events(end) == [RequestFailed(2, Fate.UNSENT)]
 

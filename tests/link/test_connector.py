@@ -14,20 +14,20 @@ def test_what_was_opened_and_what_was_not_is_told_and_wakes_the_waiting():
             raise LinkLost(LossCause.TOKEN, "wrong")
         return here
 
-    dialler = ThreadConnector(opening)
-    dialler.dial(Channel.SESSION)
-    dialler.dial(Channel.SIGNAL)
+    connector = ThreadConnector(opening)
+    connector.dial(Channel.SESSION)
+    connector.dial(Channel.SIGNAL)
     came = []
     while len(came) < 2:
-        wait_for([dialler], 5.0)
-        came += dialler.finished()
+        wait_for([connector], 5.0)
+        came += connector.finished()
     results = dict(came)
     assert results[Channel.SESSION] is here
     assert results[Channel.SIGNAL].cause is LossCause.TOKEN
-    assert dialler.finished() == []
-    dialler.close()
-    dialler.close()
-    assert dialler.fileno() == -1
+    assert connector.finished() == []
+    connector.close()
+    connector.close()
+    assert connector.fileno() == -1
 
 
 def test_what_comes_after_the_end_is_let_go():
@@ -38,9 +38,9 @@ def test_what_comes_after_the_end_is_let_go():
         go.wait(5.0)
         return here
 
-    dialler = ThreadConnector(opening)
-    dialler.dial(Channel.SESSION)
-    dialler.close()
+    connector = ThreadConnector(opening)
+    connector.dial(Channel.SESSION)
+    connector.close()
     go.set()
     for thread in threading.enumerate():
         if thread.name == "onika SESSION":

@@ -2,7 +2,7 @@ from onika.link.link_events import Fate, LinkNotice, LinkStateChanged, RequestFa
 from onika.link.state import LinkState
 
 
-def test_equal_happenings_are_equal_values():
+def test_equal_notices_are_equal_values():
     assert SignalReceived(1, b"x") == SignalReceived(1, b"x") != SignalReceived(2, b"x")
     assert LinkStateChanged(LinkState.LINKED) == LinkStateChanged(LinkState.LINKED, None)
     assert isinstance(RequestFailed(1, Fate.LOST), LinkNotice)

@@ -32,7 +32,7 @@ def serve(pumps, rounds=3):
 
 
 def lost(end):
-    return [news.lost.cause for news in end.take_happenings() if isinstance(news, LinkStateChanged) and news.lost]
+    return [news.lost.cause for news in end.take_notices() if isinstance(news, LinkStateChanged) and news.lost]
 
 
 def test_two_ends_find_together_and_speak(link):  # R-F01
@@ -41,8 +41,8 @@ def test_two_ends_find_together_and_speak(link):  # R-F01
     client.request(b"a", 0)
     server.signal(b"s", 0)
     serve(pumps)
-    assert RequestReceived(1, "me", b"a") in server.take_happenings()
-    assert SignalReceived(1, b"s") in client.take_happenings()
+    assert RequestReceived(1, "me", b"a") in server.take_notices()
+    assert SignalReceived(1, b"s") in client.take_notices()
 
 
 def test_a_body_of_megabytes_arrives_whole(link):  # R-F01
@@ -50,7 +50,7 @@ def test_a_body_of_megabytes_arrives_whole(link):  # R-F01
     body = bytes(range(256)) * 20_000
     client.request(body, 0)
     serve(pumps, rounds=200)
-    assert RequestReceived(1, "me", body) in server.take_happenings()
+    assert RequestReceived(1, "me", body) in server.take_notices()
 
 
 def test_garbage_ends_the_connection_and_the_sender_is_told(link):
@@ -72,13 +72,13 @@ def test_the_other_side_learns_of_a_connection_let_go(link):
 
 def test_a_new_connection_takes_the_place_of_the_old_one(link):  # R-F01
     client, server, pumps = link
-    client.take_happenings()
+    client.take_notices()
     here, there = memory_pair()
     pumps[1].attach(there, 0)
     server.signal(b"meanwhile", 0)
     pumps[0].attach(here, 0)
     serve(pumps)
-    assert SignalReceived(1, b"meanwhile") in client.take_happenings()
+    assert SignalReceived(1, b"meanwhile") in client.take_notices()
 
 
 def test_a_reader_that_stops_reading_gets_no_readings_until_it_reads_again():
@@ -94,7 +94,7 @@ def test_a_reader_that_stops_reading_gets_no_readings_until_it_reads_again():
     assert there.pending < 300_000
     seq = server.signal(b"finish", 0)
     serve(pumps, rounds=100)
-    news = client.take_happenings()
+    news = client.take_notices()
     shown = [int(item.body.rstrip(b"\0")) for item in news if isinstance(item, ReadingReceived)]
     assert shown == sorted(set(shown))
     assert len(shown) < 1000
@@ -109,4 +109,4 @@ def test_a_pump_without_a_connection_does_nothing():
     pump = Pump(end)
     pump.service(0)
     pump.drop()
-    assert end.take_happenings() == []
+    assert end.take_notices() == []

@@ -30,7 +30,7 @@ def greet(end, packet=None):
     end.open(0)
     end.feed(packet or hello(), 0)
     end.take_packets(0, ROOM)
-    end.take_happenings()
+    end.take_notices()
     return end
 
 
@@ -39,7 +39,7 @@ def packets(end, now_ns=0):
 
 
 def requests(end):
-    return [news for news in end.take_happenings() if not isinstance(news, LinkStateChanged)]
+    return [news for news in end.take_notices() if not isinstance(news, LinkStateChanged)]
 
 
 def test_nothing_is_said_on_a_new_connection_before_the_greeting():  # R-F01
@@ -173,7 +173,7 @@ def test_who_falls_behind_the_journal_is_cut_and_begins_anew():
     assert end.state is LinkState.LINKED
     for _ in range(5):
         end.signal(b"", 0)
-    turned = end.take_happenings()[-1]
+    turned = end.take_notices()[-1]
     assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.BEHIND)
     assert packets(end) == [Bye("behind", "signal 4 is forgotten")]
     end.open(0)
@@ -216,7 +216,7 @@ def test_on_a_carrier_that_loses_packets_signals_are_said_again():
 def test_what_has_no_place_here_ends_the_connection(packet):
     end = greet(made())
     end.feed(packet, 0)
-    (turned,) = end.take_happenings()
+    (turned,) = end.take_notices()
     assert (turned.state, turned.lost.cause) == (LinkState.APART, LossCause.GARBAGE)
     assert [bye.cause for bye in packets(end)] == ["garbage"]
 

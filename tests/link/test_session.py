@@ -42,7 +42,7 @@ class Both:
         return requests
 
     def events_of(self, channel, kind):
-        return [event for event in self.ends[channel].take_happenings() if isinstance(event, kind)]
+        return [event for event in self.ends[channel].take_notices() if isinstance(event, kind)]
 
 
 def test_signals_answers_and_readings_go_their_own_ways():  # R-F01
@@ -136,10 +136,10 @@ def test_one_who_says_nothing_is_not_heard_and_is_when_he_says_something_again()
 
 def test_beats_that_came_beside_the_connection_are_counted_until_it_is_another():  # R-X12
     both = Both()
-    assert both.session.rhythm.beats == 0
+    assert both.session.link_quality.beats == 0
     both.pumps[Channel.ALL].carrier.send(encode(Beat(1, 0, 700)))
     both.now += 5
     both.session.service(both.now)
-    assert both.session.rhythm == LinkQuality(1, 5, 700)
+    assert both.session.link_quality == LinkQuality(1, 5, 700)
     both.connect(Channel.ALL)
-    assert both.session.rhythm == LinkQuality()
+    assert both.session.link_quality == LinkQuality()

@@ -14,7 +14,7 @@ MINUTE = 60_000_000_000
 class Inn:
     def __init__(self, **settings):
         self.now = 0
-        self.guests = Sessions("life", **settings)
+        self.sessions = Sessions("life", **settings)
         self.pumps = []
 
     def come(self, client, user="ann", channel=Channel.ALL, end=None, epoch=None):
@@ -23,7 +23,7 @@ class Inn:
         here, there = memory_pair()
         caller = Caller(user, Role.OWNER, "192.0.2.1", False)
         new = Introduction(channel, client, end.epoch if epoch is None else epoch, caller)
-        why = self.guests.admit(new, there, self.now)
+        why = self.sessions.admit(new, there, self.now)
         pump = Pump(end)
         pump.attach(here, self.now)
         self.pumps.append(pump)
@@ -34,11 +34,11 @@ class Inn:
         for _ in range(3):
             for pump in self.pumps:
                 pump.service(self.now)
-            for session in self.guests.sessions:
+            for session in self.sessions.sessions:
                 session.service(self.now)
 
     def names(self):
-        return [session.name for session in self.guests.sessions]
+        return [session.name for session in self.sessions.sessions]
 
 
 def test_each_client_has_a_session_of_its_own():  # R-F01
@@ -51,7 +51,7 @@ def test_each_client_has_a_session_of_its_own():  # R-F01
 def test_a_client_that_comes_back_finds_its_session():  # R-F01
     inn = Inn()
     _, end = inn.come("a")
-    inn.guests.find("ann#1").signal(b"one", inn.now)
+    inn.sessions.find("ann#1").signal(b"one", inn.now)
     inn.pumps.clear()
     assert inn.come("a", end=end) == ("", end)
     assert inn.names() == ["ann#1"]
@@ -83,7 +83,7 @@ def test_a_new_program_under_an_old_name_gets_a_new_session_and_the_old_is_lost(
     end.request(b"move", inn.now)
     inn.talk()
     inn.come("a")
-    assert inn.guests.lost(inn.now) == ["ann#1"]
+    assert inn.sessions.lost(inn.now) == ["ann#1"]
     assert inn.names() == ["ann#2"]
 
 
@@ -91,7 +91,7 @@ def test_one_who_missed_the_welcome_has_still_the_same_session():
     inn = Inn()
     inn.come("a")
     inn.come("a")
-    assert inn.guests.lost(inn.now) == []
+    assert inn.sessions.lost(inn.now) == []
     assert inn.names() == ["ann#1"]
 
 
@@ -102,10 +102,10 @@ def test_who_is_away_for_long_is_forgotten_and_lost_once():
         pump.drop()
     inn.talk()
     inn.now += MINUTE
-    assert inn.guests.lost(inn.now) == ["ann#1"]
+    assert inn.sessions.lost(inn.now) == ["ann#1"]
     assert inn.names() == ["ann#1"]
     inn.now += 10 * MINUTE
-    assert inn.guests.lost(inn.now) == []
+    assert inn.sessions.lost(inn.now) == []
     assert inn.names() == []
 
 
@@ -118,11 +118,11 @@ def test_where_there_is_no_room_one_who_is_away_makes_it_and_one_who_is_there_do
     inn.talk()
     assert inn.come("c")[0] == ""
     assert inn.names() == ["ann#2", "ann#3"]
-    assert inn.guests.lost(inn.now) == ["ann#1"]
+    assert inn.sessions.lost(inn.now) == ["ann#1"]
 
 
-def test_the_launching_program_is_a_guest_too():  # R-A15
+def test_the_launching_program_is_a_session_too():  # R-A15
     inn = Inn()
     _, there = memory_pair()
-    assert inn.guests.adopt(there, 0).name == "owner#1"
-    assert inn.guests.find("owner#1") is inn.guests.sessions[0]
+    assert inn.sessions.adopt(there, 0).name == "owner#1"
+    assert inn.sessions.find("owner#1") is inn.sessions.sessions[0]

@@ -43,9 +43,9 @@ def test_the_first_value_that_is_far_is_found_as_it_is_by_hand(tmp_path, ours, o
     courses = [sorted((float(k), value) for k, value in each.items()) for each in (ours, other)]
     both = [series(tmp_path / f"{n}.mcap", "double", each) for n, each in enumerate(courses)]
     tolerance, begin, end = Tolerance(room, 0.0, float(seconds)), at * NS, (at + 15) * NS
-    mismatches = mismatches(*both, tolerance, begin, end)
+    pair = mismatches(*both, tolerance, begin, end)
     plain = [[(round(k * NS), value) for k, value in each] for each in courses]
-    assert [None if each is None else each.at_ns for each in mismatches] == [
+    assert [None if each is None else each.at_ns for each in pair] == [
         plainly(plain[0], plain[1], tolerance, begin, end),
         plainly(plain[1], plain[0], tolerance, begin, end),
     ]
@@ -79,8 +79,8 @@ def test_words_are_compared_too(tmp_path):
 def test_of_several_values_in_one_instant_each_is_like_itself(tmp_path):  # R-X05
     both = [(0.0, 1.0), (0.0, 2.0), (1.0, 3.0)]
     ours, other = series(tmp_path / "a", "double", both), series(tmp_path / "b", "double", [*both, (2.0, 4.0)])
-    mismatches = mismatches(ours, other, Tolerance(), 0, 3 * NS)
-    assert [each and (each.at_ns, each.value) for each in mismatches] == [None, (2 * NS, 4.0)]
+    pair = mismatches(ours, other, Tolerance(), 0, 3 * NS)
+    assert [each and (each.at_ns, each.value) for each in pair] == [None, (2 * NS, 4.0)]
     words = [(0.0, b"left"), (0.0, b"right"), (1.0, b"up")]
     ours, other = series(tmp_path / "a", "string", words), series(tmp_path / "b", "string", [*words, (2.0, b"down")])
     assert [each and each.at_ns for each in mismatches(ours, other, Tolerance(), 0, 3 * NS)] == [None, 2 * NS]

@@ -223,4 +223,4 @@ def test_no_task_that_is_on_misses_a_cycle_whatever_comes(pieces, period):  # la
 
 def steps_left(rig):
     """What is compiled and loaded of everything that waits."""
-    return {piece.address[1]: (piece.code is None, piece.task is None) for piece in rig.executive._postponed._pieces}
+    return {piece.address[1]: (piece.code is None, piece.task is None) for piece in rig.executive._deferred._pieces}

@@ -50,7 +50,7 @@ def test_a_task_without_a_rate_has_no_reference_rate():  # R-A11
 def test_the_watch_is_told_whose_code_runs():
     calls = []
     rig = ExecutiveRig()
-    rig.executive._calls.watch = calls.append
+    rig.executive._entry_points.watch = calls.append
     rig.spawn("one", COUNTER).switch(on=["one"]).run(0)
     assert {name for name in calls if name} == {f"{HOME}/one"}
     assert calls[-1] == ""

@@ -43,11 +43,11 @@ def test_an_exchanged_task_keeps_number_place_and_slot(unit, rig):  # law 21
     old, new = task(rig, "one"), task(rig, "one")
     unit.admit(old)
     unit.enter(old, 0)
-    slot = unit.agenda.next_due(0)
-    unit.agenda.done(slot)
+    slot = unit.scheduler.next_due(0)
+    unit.scheduler.done(slot)
     unit.exchange(old, new)
     assert (new.tid, new.slot, unit.slots[slot], unit.tasks) == (1, slot, new, {(HOME, "one"): new})
-    assert unit.agenda.next_release() == 10 * MS
+    assert unit.scheduler.next_release() == 10 * MS
 
 
 def test_a_task_is_profiled_while_it_is_on(unit, rig):  # R-A17
@@ -56,7 +56,7 @@ def test_a_task_is_profiled_while_it_is_on(unit, rig):  # R-A17
     unit.enter(running, 5)
     unit.leave(running, 25)
     unit.leave(running, 30)
-    assert (running.counters.profiled_ns(100), unit.agenda.next_release()) == (20, None)
+    assert (running.counters.profiled_ns(100), unit.scheduler.next_release()) == (20, None)
 
 
 def test_a_synchronous_task_is_found_by_its_descriptor(unit, rig):  # R-A04
@@ -65,7 +65,7 @@ def test_a_synchronous_task_is_found_by_its_descriptor(unit, rig):  # R-A04
     unit.admit(running)
     unit.enter(running, 0)
     unit.await_event(running)
-    assert (unit.events, unit.agenda.next_release()) == ({end: (HOME, "one")}, None)
+    assert (unit.events, unit.scheduler.next_release()) == ({end: (HOME, "one")}, None)
     unit.leave(running, 1)
     assert unit.events == {}
     os.close(end)

@@ -75,7 +75,7 @@ def test_where_datagrams_get_through_silence_counts_after_a_quarter_of_a_second(
 
 
 def test_where_none_gets_through_it_counts_after_a_second(there, monkeypatch):  # R-X12
-    monkeypatch.setattr(websocket_opening, "_beater", lambda *_: None)
+    monkeypatch.setattr(websocket_opening, "_heartbeat_sender", lambda *_: None)
     with session(there) as watcher, session(there) as holder:
         assert holder.ask(live.Take("slow")) == request.Done()
         end = monotonic() + 1.5
@@ -88,9 +88,9 @@ def test_where_none_gets_through_it_counts_after_a_second(there, monkeypatch):  
 class Eavesdropper(HeartbeatSender):
     """Keeps what is sent, and says it again whenever it is asked."""
 
-    def __init__(self, pact, host, family):
-        super().__init__(pact, host, family)
-        self.at, self.heard = (host, pact.port), [pact.beat(count) for count in range(1, 40)]
+    def __init__(self, heartbeat_key, host, family):
+        super().__init__(heartbeat_key, host, family)
+        self.at, self.heard = (host, heartbeat_key.port), [heartbeat_key.beat(count) for count in range(1, 40)]
         Eavesdropper.last = self
 
 

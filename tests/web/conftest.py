@@ -27,9 +27,9 @@ class Served:
         self.sitting = EnvironmentFixture(folder, (Task("a", "a", outvar=("Q",), frequency=1.0),))
         listening = bound(0)
         self.address = addresses(listening)[0]
-        self.door = Login(addresses(listening))
-        self.hall = Hub(self.sitting.environment, Nothing())
-        self._app = application(self.door, self.hall, static)
+        self.login = Login(addresses(listening))
+        self.hub = Hub(self.sitting.environment, Nothing())
+        self._app = application(self.login, self.hub, static)
         self._listening = listening
         self._ready = threading.Event()
         self._thread = threading.Thread(target=lambda: asyncio.run(self._run()))

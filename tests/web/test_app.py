@@ -18,7 +18,7 @@ def get(served, path="/", **headers):
 
 
 def cookie(served):
-    answer, _ = get(served, f"/?key={served.door.key}")
+    answer, _ = get(served, f"/?key={served.login.key}")
     assert answer.status == 303
     return answer.headers["set-cookie"].partition(";")[0]
 
@@ -29,7 +29,7 @@ def talk(served, given=None, origin=None):
 
 
 def test_the_key_gives_a_cookie_that_scripts_cannot_read_and_the_page(served):
-    answer, _ = get(served, f"/?key={served.door.key}")
+    answer, _ = get(served, f"/?key={served.login.key}")
     given = answer.headers["set-cookie"]
     assert "HttpOnly" in given
     assert "SameSite=strict" in given
@@ -45,7 +45,7 @@ def test_without_the_key_there_is_no_page(served, path):
 
 
 def test_a_page_under_a_foreign_name_is_refused(served):  # DNS rebinding
-    answer, _ = get(served, f"/?key={served.door.key}", Host="evil.example")
+    answer, _ = get(served, f"/?key={served.login.key}", Host="evil.example")
     assert answer.status == 421
 
 

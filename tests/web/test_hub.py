@@ -28,27 +28,27 @@ class Values:
 class Talk:
     """One browser, and what it was sent."""
 
-    def __init__(self, hall):
-        self.hall = hall
-        self.guest = hall.come()
+    def __init__(self, hub):
+        self.hub = hub
+        self.client = hub.come()
 
     def send(self, cid, request):
-        self.hall.take(self.guest, msgspec.json.encode(page.Ordered(cid, request)))
+        self.hub.take(self.client, msgspec.json.encode(page.Ordered(cid, request)))
 
     def messages(self):
         async def take():
             messages = []
             while True:
                 try:
-                    messages.append(msgspec.json.decode(await asyncio.wait_for(self.guest.outbox.next(), 0.01)))
+                    messages.append(msgspec.json.decode(await asyncio.wait_for(self.client.outbox.next(), 0.01)))
                 except TimeoutError:
                     return messages
 
-        return self.hall.runner.run(take())
+        return self.hub.runner.run(take())
 
 
 @pytest.fixture
-def hall(tmp_path):
+def hub(tmp_path):
     hub = Hub(EnvironmentFixture(tmp_path, TASKS).environment, Values(), lambda: 12.5)
     with asyncio.Runner() as hub.runner:  # what waits for something belongs to one loop
         yield hub
@@ -75,15 +75,15 @@ def tree(messages):
     return msgspec.convert(by_kind, page.Tree)
 
 
-def test_a_browser_is_told_everything_first_and_how_many_look(hall):
-    Talk(hall)
-    other = Talk(hall).messages()
+def test_a_browser_is_told_everything_first_and_how_many_look(hub):
+    Talk(hub)
+    other = Talk(hub).messages()
     assert other[0]["t"] == "Snapshot"
     assert tree(other).people == 2
 
 
-def test_every_act_gets_one_answer_after_its_patch(hall):
-    talk = Talk(hall)
+def test_every_act_gets_one_answer_after_its_patch(hub):
+    talk = Talk(hub)
     talk.messages()
     talk.send(7, act.New())
     talk.send(8, act.Undo("c1"))
@@ -93,41 +93,41 @@ def test_every_act_gets_one_answer_after_its_patch(hall):
     assert (refused["t"], refused["cid"]) == ("Refused", 8)
 
 
-def test_several_browsers_stay_identical(hall):  # two browsers converge
-    first, two = Talk(hall), Talk(hall)
+def test_several_browsers_stay_identical(hub):  # two browsers converge
+    first, two = Talk(hub), Talk(hub)
     first.send(1, act.New())
     for number in range(20):
         talk = (first, two)[number % 2]
         talk.send(number, act.Place("c1", "a", 0, 0) if number == 2 else act.Move("c1", {"a": (number, number)}))
-    late = Talk(hall)
+    late = Talk(hub)
     trees = [tree(talk.messages()) for talk in (first, two, late)]
     assert trees[0] == trees[1] == trees[2]
     assert trees[0].documents["c1"].tasks["a"].x == 19
 
 
-def test_a_browser_that_leaves_is_counted_no_more(hall):
-    first, two = Talk(hall), Talk(hall)
-    hall.leave(two.guest)
+def test_a_browser_that_leaves_is_counted_no_more(hub):
+    first, two = Talk(hub), Talk(hub)
+    hub.leave(two.client)
     assert tree(first.messages()).people == 1
 
 
 @pytest.mark.parametrize(
     "body", ["", "{", "[]", '{"cid":1}', '{"cid":1,"act":{"t":"Nothing"}}', '{"cid":1,"act":{"t":"New","x":1}}']
 )
-def test_what_is_no_act_is_a_value_error(hall, body):
+def test_what_is_no_act_is_a_value_error(hub, body):
     with pytest.raises(ValueError):
-        hall.take(hall.come(), body)
+        hub.take(hub.come(), body)
 
 
-def test_each_browser_gets_the_values_it_watches_and_no_others(hall):  # R-C14, R-C27
-    first, two, three = Talk(hall), Talk(hall), Talk(hall)
+def test_each_browser_gets_the_values_it_watches_and_no_others(hub):  # R-C14, R-C27
+    first, two, three = Talk(hub), Talk(hub), Talk(hub)
     first.send(1, act.Watch(("c1/Q",), hz=30.0))
     two.send(1, act.Watch(("c1/R",), ("boxes",), figures=True, hz=10.0))
-    assert hall._watched.wishes[-1] == (frozenset({"c1/Q", "c1/R"}), frozenset({"boxes"}), True, 30.0)
+    assert hub._watched.wishes[-1] == (frozenset({"c1/Q", "c1/R"}), frozenset({"boxes"}), True, 30.0)
     for talk in (first, two, three):
         talk.messages()
-    hall._watched.next = page.Frame(1.5, {"c1/Q": [1.0], "c1/R": 2}, {"c1/a": {"cycle": 3}}, {"boxes": [0.0]})
-    hall.pump()
+    hub._watched.next = page.Frame(1.5, {"c1/Q": [1.0], "c1/R": 2}, {"c1/a": {"cycle": 3}}, {"boxes": [0.0]})
+    hub.pump()
     assert [frame["values"] for frame in first.messages()] == [{"c1/Q": [1.0]}]
     (frame,) = two.messages()
     assert (frame["values"], frame["figures"], frame["poses"]) == (
@@ -136,26 +136,26 @@ def test_each_browser_gets_the_values_it_watches_and_no_others(hall):  # R-C14, 
         {"boxes": [0.0]},
     )
     assert three.messages() == []
-    hall._watched.next = page.Frame(1.5, {"c1/R": 3})
-    hall.pump()
+    hub._watched.next = page.Frame(1.5, {"c1/R": 3})
+    hub.pump()
     assert first.messages() == []
 
 
-def test_a_line_is_told_at_once_with_its_time_and_again_to_whoever_comes(hall):
-    talk = Talk(hall)
+def test_a_line_is_told_at_once_with_its_time_and_again_to_whoever_comes(hub):
+    talk = Talk(hub)
     talk.messages()
-    hall.remember((page.Say("warning", "from before"),))
-    hall.say(page.Say("info", "a word"))
+    hub.remember((page.Say("warning", "from before"),))
+    hub.say(page.Say("info", "a word"))
     assert [(message["text"], message["at_s"]) for message in talk.messages()] == [("a word", 12.5)]
-    late = [message["text"] for message in Talk(hall).messages() if message["t"] == "Say"]
+    late = [message["text"] for message in Talk(hub).messages() if message["t"] == "Say"]
     assert late == ["from before", "a word"]
 
 
-def test_nobody_watching_is_known(hall):
-    talk = Talk(hall)
-    assert not hall.is_watching
+def test_nobody_watching_is_known(hub):
+    talk = Talk(hub)
+    assert not hub.is_watching
     talk.send(1, act.Watch(("c1/Q",)))
-    assert hall.is_watching
-    hall.leave(talk.guest)
-    assert not hall.is_watching
-    assert hall._watched.wishes[-1][:3] == (frozenset(), frozenset(), False)
+    assert hub.is_watching
+    hub.leave(talk.client)
+    assert not hub.is_watching
+    assert hub._watched.wishes[-1][:3] == (frozenset(), frozenset(), False)

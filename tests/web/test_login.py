@@ -7,12 +7,12 @@ HOST = "127.0.0.1:8420"
 
 def test_a_key_works_once_and_the_next_is_told():  # R-X11
     names = []
-    door = Login((HOST,), names.append)
-    first = door.key
-    cookie = door.enter(first)
-    assert door.knows({COOKIE: cookie})
-    assert door.enter(first) is None
-    assert names == [door.key] != [first]
+    login = Login((HOST,), names.append)
+    first = login.key
+    cookie = login.enter(first)
+    assert login.knows({COOKIE: cookie})
+    assert login.enter(first) is None
+    assert names == [login.key] != [first]
 
 
 @pytest.mark.parametrize("key", ["", "x", "é"])
@@ -22,9 +22,9 @@ def test_any_other_key_opens_nothing(key):
 
 @pytest.mark.parametrize("cookies", [{}, {COOKIE: ""}, {COOKIE: "x"}, {"other": "x"}])
 def test_an_unknown_cookie_is_nobodys(cookies):
-    door = Login((HOST,))
-    door.enter(door.key)
-    assert not door.knows(cookies)
+    login = Login((HOST,))
+    login.enter(login.key)
+    assert not login.knows(cookies)
 
 
 @pytest.mark.parametrize("headers", [{}, {"host": "evil.example:8420"}, {"host": "127.0.0.1:1"}])
@@ -50,5 +50,5 @@ def test_only_a_page_that_came_from_here_may_talk(headers):
 
 
 def test_a_page_of_another_of_our_names_may_not_talk():
-    door = Login((HOST, "localhost:8420"))
-    assert not door.is_own_page({"host": HOST, "origin": "http://localhost:8420"})
+    login = Login((HOST, "localhost:8420"))
+    assert not login.is_own_page({"host": HOST, "origin": "http://localhost:8420"})

@@ -38,15 +38,15 @@ OWN = {
 
 
 @pytest.mark.parametrize("mode", DriveMode)
-@pytest.mark.parametrize("happening", DriveInput)
-def test_every_happening_in_every_mode(mode, happening):  # law 17
+@pytest.mark.parametrize("drive_input", DriveInput)
+def test_every_input_in_every_mode(mode, drive_input):  # law 17
     if mode in LATCHED:
-        expected = LATCHED[mode].get(happening, mode)
+        expected = LATCHED[mode].get(drive_input, mode)
     else:
-        expected = OWN.get((mode, happening), ANYWHERE.get(happening, mode))
+        expected = OWN.get((mode, drive_input), ANYWHERE.get(drive_input, mode))
     drive = DriveUnit()
     drive.mode = mode
-    drive.feed(happening)
+    drive.feed(drive_input)
     assert drive.mode is expected
 
 
@@ -96,7 +96,7 @@ def test_after_silence_it_trips_just_beyond_two_hundred_and_fifty():
     assert drive.due_ns == NEVER_NS
 
 
-def test_an_order_is_a_happening_and_anything_else_a_fault():
+def test_an_order_is_an_input_and_anything_else_a_fault():
     assert [input_of(order) for order in DeviceOrder] == [DriveInput.HOLD, DriveInput.DRIVE, DriveInput.CLEAR]
     with pytest.raises(ValueError, match="7"):
         input_of(7)

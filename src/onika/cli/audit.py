@@ -1,4 +1,4 @@
-"""`onika audit`: show what a runtime was told to do, by whom, and whether that record is whole."""
+"""`onika audit`: show what a runtime was commanded to do, by whom, and whether that record is complete."""
 
 import argparse
 import os

@@ -1,4 +1,4 @@
-"""Sitting down at a runtime: a console of the kind that this terminal can show, over a runtime that is there."""
+"""A session at a runtime: the console that this terminal can show, connected to a running runtime."""
 
 import os
 import sys

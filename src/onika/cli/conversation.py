@@ -1,4 +1,4 @@
-"""A conversation at a console: lines are carried out, and what happens is shown meanwhile (A16)."""
+"""The conversation at a console: it carries out lines and shows what happens meanwhile (A16)."""
 
 from collections.abc import Callable, Iterator
 from itertools import count

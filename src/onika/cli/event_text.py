@@ -1,4 +1,4 @@
-"""How a run is told to people: one sentence per event and the summary at the end, for terminals and plain text."""
+"""The text of a run for people: one sentence per event and the summary at the end, for terminals and plain text."""
 
 from collections.abc import Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""A run as lines of JSON: one object per event, the result last."""
+"""The display of a run as lines of JSON: one object per event, the result last."""
 
 import sys
 from collections.abc import Sequence

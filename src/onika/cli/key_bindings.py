@@ -1,4 +1,4 @@
-"""The keys that steer a run: each becomes a line of steering for the flow that is chosen (requirement E07)."""
+"""The keys that steer a run: each becomes a command line for the selected flow (requirement E07)."""
 
 from dataclasses import dataclass, field
 

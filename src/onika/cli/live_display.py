@@ -1,4 +1,4 @@
-"""A run on a terminal: what is done above, what goes on below, redrawn as it happens; keys steer it (E07, E11)."""
+"""The live display of a run on a terminal: finished actions above, the present state below, keys to steer (E07)."""
 
 from time import monotonic
 from types import TracebackType
@@ -88,8 +88,8 @@ class LiveDisplay:
     def wishes(self) -> list[str]:
         """What the keys want."""
         for key in self._keyboard.pressed():
-            self._panel.wheel.press(key)
-        return self._panel.wheel.take()
+            self._panel.bindings.press(key)
+        return self._panel.bindings.take()
 
     def looks(self) -> bool:
         """Now and then, where flows have moved or were steered."""

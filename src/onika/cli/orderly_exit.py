@@ -1,4 +1,4 @@
-"""An end in order: to be told to end is an end like any other, so that the terminal is left as it was."""
+"""An orderly exit: SIGTERM and SIGHUP end the program as Ctrl-C does, so that the terminal is left as it was."""
 
 import signal
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""The panel at the bottom of a terminal while a run goes on: flows, tasks, keys (requirements E07, E11, X03)."""
+"""The panel at the bottom of a terminal during a run: flows, tasks, keys (requirements E07, E11, X03)."""
 
 from dataclasses import dataclass, field
 from time import monotonic
@@ -50,7 +50,7 @@ class Panel:
     name: str = ""
     cast: Cast = field(default_factory=lambda: Cast(()))
     where: Whereabouts = field(default_factory=lambda: Whereabouts(Cast(())))
-    wheel: KeyBindings = field(default_factory=KeyBindings)
+    bindings: KeyBindings = field(default_factory=KeyBindings)
     has_keys: bool = False
     since: float = field(default_factory=monotonic)
     _positions: dict[str, Position] = field(default_factory=dict)
@@ -59,7 +59,7 @@ class Panel:
     def begins(self, name: str, cast: Cast) -> None:
         """A run of these flows begins."""
         self.name, self.cast, self.where = name, cast, Whereabouts(cast)
-        self.wheel = KeyBindings(cast.subsystems)
+        self.bindings = KeyBindings(cast.subsystems)
         self.since = monotonic()
 
     def happens(self, happening: event.Event) -> None:
@@ -78,8 +78,8 @@ class Panel:
         if not self.cast.parts:
             return Text("preparing …", style="bright_black")
         rows: list[RenderableType] = [Text(), self._head(), self._flows(), self._tasks()]
-        if self.wheel.typed is not None:
-            rows.append(Text(f": {self.wheel.typed}▏", style="bold"))
+        if self.bindings.typed is not None:
+            rows.append(Text(f": {self.bindings.typed}▏", style="bold"))
         elif self.has_keys:
             rows.append(self._keys())
         return Group(*rows)
@@ -97,7 +97,7 @@ class Panel:
     def _flow(self, number: int, subsystem: str, several: bool) -> tuple[RenderableType, ...]:
         spot, count = self.where.spots[subsystem], max(self.cast.count(subsystem), 1)
         mark, style = FLOWS.get(spot.state, ("·", ""))
-        is_chosen = self.wheel.chosen == number
+        is_chosen = self.bindings.chosen == number
         label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else " "
         position = self._positions.get(subsystem)
         return (
@@ -129,7 +129,7 @@ class Panel:
         )
 
     def _keys(self) -> Text:
-        if not self.wheel.has_help:
+        if not self.bindings.has_help:
             short = "p pause  c continue  s step  n next  e clear  a abort  ? more"
             return Text(short, style="bright_black")
         words = [f"{key} {text}" for key, (_, text) in KEYS.items()]

@@ -1,4 +1,4 @@
-"""A console without a terminal: lines in, plain lines out, no signs that command a terminal (requirement A16)."""
+"""A console without a terminal: lines in, plain lines out, no control sequences (requirement A16)."""
 
 import os
 import select

@@ -1,4 +1,4 @@
-"""A run as plain lines, where there is no terminal."""
+"""The plain display of a run: one line per event, where there is no terminal."""
 
 from types import TracebackType
 

@@ -1,4 +1,4 @@
-"""`onika recording`: look at a recorded run, write its variables as a table, or tell where two runs differ."""
+"""`onika recording`: look at a recorded run, write its variables as a table, or find where two runs differ."""
 
 import argparse
 import sys

@@ -1,4 +1,4 @@
-"""Text from elsewhere as it may be shown on a terminal: without signs that command it."""
+"""Text from elsewhere made safe for a terminal: without control sequences."""
 
 
 def safe(text: str) -> str:

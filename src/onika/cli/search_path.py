@@ -1,4 +1,4 @@
-"""Where a command looks for files: the site of this user, this folder and this environment."""
+"""The search path of a command: the site of this user, this folder and this environment."""
 
 import argparse
 import os

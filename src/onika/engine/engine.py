@@ -46,7 +46,7 @@ class Engine:
 
     `triggers` names, for every (flow, action), the task that takes the target and ends the action; none for a
     job without one. `other_triggers` are (flow, task) of further trigger tasks, which end an action too when
-    they finish first (decision 16). `passive` are the (flow, task) that may fall silent. `ranks` gives the order
+    they finish first (reading 16). `passive` are the (flow, task) that may fall silent. `ranks` gives the order
     in which the tasks of a flow come on. `judge` says whether a condition on variables of a flow holds now. With
     `stands_still` a flow in which a task has failed waits for its user, else the application is aborted.
     Raises ValueError or KeyError for a plan that these do not describe.
@@ -75,10 +75,10 @@ class Engine:
             judged = _judge_of(judge, flow)
             self._flows.append(Progress(flow, planned, FlowProgram(planned), ready, own_ranks, judged))
         names = [planned.subsystem for planned in plan.flows]
-        self._itinerary = FlowRouter(self._flows, names)
-        self._recovery = ErrorRecovery(self._itinerary, stands_still)
+        self._router = FlowRouter(self._flows, names)
+        self._recovery = ErrorRecovery(self._router, stands_still)
         self._numbers = {name: flow for flow, name in enumerate(names)}
-        self._control = FlowControl(self._itinerary, self._recovery)
+        self._control = FlowControl(self._router, self._recovery)
 
     # What can be asked
 
@@ -90,7 +90,7 @@ class Engine:
 
     def positions(self) -> list[Position]:
         """Where every flow is, and who waits for whom."""
-        return [self._itinerary.position(flow) for flow in self._flows]
+        return [self._router.position(flow) for flow in self._flows]
 
     @property
     def stands_still(self) -> bool:
@@ -104,7 +104,7 @@ class Engine:
 
     def revision(self, flow: int) -> tuple[int, bool]:
         """Changes whenever the cases of the flow may have."""
-        return self._flows[flow].revision, self._flows[flow].crew.is_settled
+        return self._flows[flow].revision, self._flows[flow].flow_tasks.is_settled
 
     # What is told
 
@@ -127,7 +127,7 @@ class Engine:
 
     def _guarded(self, orders: list[Order]) -> list[Order]:
         """Orders, and the end of the application where a flow has gone astray."""
-        return orders + (self._abort(self._itinerary.astray) if self._itinerary.astray else [])
+        return orders + (self._abort(self._router.astray) if self._router.astray else [])
 
     def _run(self) -> list[Order]:
         if any(flow.state is not FlowState.READY for flow in self._flows):
@@ -135,21 +135,21 @@ class Engine:
         orders: list[Order] = []
         for flow in self._flows:
             flow.enter(FlowEvent.SPAWN)
-            orders += flow.crew.spawn()
+            orders += flow.flow_tasks.spawn()
         return orders + self._guarded(self._begin_when_spawned())
 
     def _hear(self, flow: Progress, news: TaskNews) -> list[Order]:
-        if not flow.crew.lives(news.task):
+        if not flow.flow_tasks.lives(news.task):
             is_late = flow.state in (FlowState.READY, *_OVER)
             return [] if is_late else [Note(flow.flow, f"{news.task} is no task of this flow: ignored")]
         if flow.state in _OVER:
             return self._hear_while_killing(flow, news)
         match news:
             case Spawned():
-                flow.crew.spawned(news.task)
+                flow.flow_tasks.spawned(news.task)
                 return self._begin_when_spawned()
             case TurnedOn():
-                flow.crew.turned_on(news.task)
+                flow.flow_tasks.turned_on(news.task)
                 return []
             case Finished():
                 return self._finished(flow, news)
@@ -167,16 +167,16 @@ class Engine:
                 return self._refused(flow, news)
             case Killed():
                 cause = f"{flow.where(news.task)} is gone"
-                flow.crew.gone(news.task)
+                flow.flow_tasks.gone(news.task)
                 return self._abort(cause)
 
     def _hear_while_killing(self, flow: Progress, news: TaskNews) -> list[Order]:
         match news:
             case Spawned():
-                flow.crew.spawned(news.task)
+                flow.flow_tasks.spawned(news.task)
             case Killed():
                 return self._gone(flow, news.task)
-            case Refused() if flow.crew.is_unborn(news.task):
+            case Refused() if flow.flow_tasks.is_unborn(news.task):
                 return self._gone(flow, news.task)
             case _:
                 pass
@@ -184,27 +184,27 @@ class Engine:
 
     def _begin_when_spawned(self) -> list[Order]:
         """No robot moves before every task of every flow has come to life."""
-        if not all(flow.state is FlowState.SPAWNING and flow.crew.is_spawned for flow in self._flows):
+        if not all(flow.state is FlowState.SPAWNING and flow.flow_tasks.is_spawned for flow in self._flows):
             return []
         orders: list[Order] = []
         for flow in self._flows:
             if flow.parent is not None:
                 flow.enter(FlowEvent.COMPLETE)
             elif flow.is_pausing:
-                orders += self._itinerary.rest(flow)
+                orders += self._router.rest(flow)
         first = [flow.flow for flow in self._flows if flow.state is FlowState.SPAWNING]
-        return orders + self._itinerary.go_on(first)
+        return orders + self._router.go_on(first)
 
     def _finished(self, flow: Progress, news: Finished) -> list[Order]:
         if not flow.finished(news.task):
             return [Note(flow.flow, f"{flow.where(news.task)} has finished, which ends no action now: ignored")]
         done = flow.ends_with(FinishValue(news.choice, news.loop))
         if not news.switched and flow.rests_after(flow.current):
-            return [done, *self._itinerary.rest(flow)]
-        return [done, *self._itinerary.go_on([flow.flow], number=news.switched)]
+            return [done, *self._router.rest(flow)]
+        return [done, *self._router.go_on([flow.flow], number=news.switched)]
 
     def _switched_off(self, flow: Progress, task: str) -> list[Order]:
-        flow.crew.switched_off(task)
+        flow.flow_tasks.switched_off(task)
         flow.revision += 1
         harm = "the job goes on" if (flow.flow, task) in self._passive else "ignored, though it is not passive"
         return [Note(flow.flow, f"{flow.where(task)} has switched itself off: {harm}")]
@@ -214,31 +214,31 @@ class Engine:
             if flow.state is FlowState.SPAWNING or not self._recovery.stands_still:
                 return self._abort(f"{flow.where(news.task)} is in error: {news.text}")
             return self._recovery.failed(flow, news.task, f"{flow.where(news.task)} is in error: {news.text}")
-        flow.crew.given_up(news.task)
+        flow.flow_tasks.given_up(news.task)
         flow.revision += 1
         note = Note(flow.flow, f"{flow.where(news.task)} is in error and stays off, the job goes on: {news.text}")
         return [note, *self._begin_when_spawned()]
 
     def _refused(self, flow: Progress, news: Refused) -> list[Order]:
         """A passive task that cannot come on is as harmless as one in error; one that cannot be spawned is not."""
-        if flow.crew.is_unborn(news.task):
+        if flow.flow_tasks.is_unborn(news.task):
             cause = f"{flow.where(news.task)} cannot be spawned: {news.reason}"
-            flow.crew.gone(news.task)
+            flow.flow_tasks.gone(news.task)
             return self._abort(cause)
-        if news.task in flow.crew.failed:
+        if news.task in flow.flow_tasks.failed:
             return self._not_cleared(flow, news)
         if (flow.flow, news.task) not in self._passive:
             cause = f"{flow.where(news.task)} cannot be turned on: {news.reason}"
             if flow.state is FlowState.SPAWNING or not self._recovery.stands_still:
                 return self._abort(cause)
             return self._recovery.refused(flow, news.task, cause)
-        flow.crew.given_up(news.task)
+        flow.flow_tasks.given_up(news.task)
         flow.revision += 1
         return [Note(flow.flow, f"{flow.where(news.task)} stays off, the job goes on: {news.reason}")]
 
     def _not_cleared(self, flow: Progress, news: Refused) -> list[Order]:
         """A task that was cleared twice is refused the second time, which is no harm."""
-        if news.task not in flow.crew.in_error:
+        if news.task not in flow.flow_tasks.in_error:
             return []
         text = f"{flow.where(news.task)} is not cleared: {news.reason}"
         is_clearing = flow.state is FlowState.CLEARING
@@ -254,14 +254,14 @@ class Engine:
         orders: list[Order] = []
         for flow in self._flows:
             flow.enter(FlowEvent.KILL)
-            orders += flow.crew.kill()
-            if flow.crew.is_gone:
+            orders += flow.flow_tasks.kill()
+            if flow.flow_tasks.is_gone:
                 flow.enter(FlowEvent.GONE)
         return orders + self._end_if_over()
 
     def _gone(self, flow: Progress, task: str) -> list[Order]:
-        flow.crew.gone(task)
-        if flow.state is FlowState.KILLING and flow.crew.is_gone:
+        flow.flow_tasks.gone(task)
+        if flow.state is FlowState.KILLING and flow.flow_tasks.is_gone:
             flow.enter(FlowEvent.GONE)
         return self._end_if_over()
 

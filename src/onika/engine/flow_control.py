@@ -23,8 +23,8 @@ _SENT_FROM = (FlowState.RUNNING, FlowState.WAITING, FlowState.PAUSED, FlowState.
 class FlowControl:
     """Refuses or carries out the steering messages for the flows of one plan."""
 
-    def __init__(self, itinerary: FlowRouter, recovery: ErrorRecovery) -> None:
-        self._itinerary = itinerary
+    def __init__(self, router: FlowRouter, recovery: ErrorRecovery) -> None:
+        self._router = router
         self._recovery = recovery
 
     def refusal(self, flow: Progress, command: Steering) -> str:
@@ -71,10 +71,10 @@ class FlowControl:
 
     def _pause(self, flow: Progress) -> list[Order]:
         if flow.state is FlowState.WAITING:
-            self._itinerary.meetings.withdraw(flow.flow)
-            return self._itinerary.rest(flow)
+            self._router.meetings.withdraw(flow.flow)
+            return self._router.rest(flow)
         if flow.state is FlowState.JOINING:
-            return self._itinerary.rest(flow)
+            return self._router.rest(flow)
         return self._will_pause(flow)
 
     def _will_pause(self, flow: Progress) -> list[Order]:
@@ -86,7 +86,7 @@ class FlowControl:
     def _resume(self, flow: Progress) -> list[Order]:
         flow.is_pausing = False
         if flow.state is FlowState.PAUSED:
-            return self._itinerary.go_on([flow.flow])
+            return self._router.go_on([flow.flow])
         flow.revision += 1
         return [flow.moved(text="does not pause")]
 
@@ -94,7 +94,7 @@ class FlowControl:
         if flow.state is not FlowState.PAUSED:
             return self._will_pause(flow)
         flow.is_pausing = True
-        return self._itinerary.go_on([flow.flow])
+        return self._router.go_on([flow.flow])
 
     def _why_not_under_way(self, flow: Progress, command: Pause | Step | Leave) -> str:
         if flow.state not in _UNDER_WAY:
@@ -119,13 +119,13 @@ class FlowControl:
         orders: list[Order] = []
         step = flow.step
         if flow.state is FlowState.RUNNING and step is not None:
-            orders = [Note(flow.flow, f"{step.place}: left by the user"), *flow.crew.rest(step.triggers)]
+            orders = [Note(flow.flow, f"{step.place}: left by the user"), *flow.flow_tasks.rest(step.triggers)]
         elif flow.state is FlowState.WAITING:
-            self._itinerary.meetings.withdraw(flow.flow)
+            self._router.meetings.withdraw(flow.flow)
         flow.go(action)
         if flow.state is FlowState.STOPPED:
             return orders + self._recovery.recover_elsewhere(flow)
-        return orders + self._itinerary.go_on([flow.flow])
+        return orders + self._router.go_on([flow.flow])
 
     def _why_not_pass(self, flow: Progress) -> str:
         if flow.state is FlowState.JOINING and not isinstance(flow.next, Join):
@@ -135,9 +135,9 @@ class FlowControl:
 
     def _pass(self, flow: Progress) -> list[Order]:
         if flow.state is FlowState.WAITING:
-            self._itinerary.meetings.let_pass(flow.flow)
+            self._router.meetings.let_pass(flow.flow)
         flow.advance()
-        return self._itinerary.go_on([flow.flow])
+        return self._router.go_on([flow.flow])
 
     def _innermost(self, flow: Progress) -> str:
         """The innermost loop around the flow's place that it is not leaving already; empty: none."""

@@ -1,4 +1,4 @@
-"""The ways of all flows: who goes on, who waits for whom, who begins together (§5.5.4, decision 26, X03)."""
+"""The router of all flows: who goes on, who waits for whom, who begins together (§5.5.4, reading 26, X03)."""
 
 from collections import deque
 from collections.abc import Iterable, Sequence
@@ -166,6 +166,6 @@ class FlowRouter:
             waits_for=tuple(self._names[number] for number in self.waits_for(flow)),
             is_pausing=flow.is_pausing,
             loops=tuple(loop.name for loop in flow.program.loops_at(flow.place)),
-            failed=tuple(flow.crew.failed),
+            failed=tuple(flow.flow_tasks.failed),
             breakpoints=tuple(sorted(flow.breakpoints)),
         )

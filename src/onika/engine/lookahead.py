@@ -1,4 +1,4 @@
-"""Foresight: where a flow goes for each value its current action may return, so that the switch can be prepared."""
+"""Look-ahead: where a flow goes for each value its current action may return, so that the switch can be prepared."""
 
 from collections.abc import Iterator
 

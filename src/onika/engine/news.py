@@ -1,4 +1,4 @@
-"""What the engine is told: each news names the flow (by number) and, where it has one, the task (law 28).
+"""The news fed to the engine: each names the flow (by number) and, where it has one, the task (law 28).
 
 What users want of a flow comes as they sent it (`wire.steer`); it names the flow by its subsystem.
 """

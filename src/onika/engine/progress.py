@@ -1,4 +1,4 @@
-"""How far one flow of a running application is: its state, its place in its program, what its user wants (§5.9.2)."""
+"""The progress of one flow of an application: its state, its place in its program, what its user wants (§5.9.2)."""
 
 from collections.abc import Callable, Mapping
 
@@ -27,7 +27,7 @@ class Progress:
         self.flow = flow
         self.parent = planned.parent
         self.program = program
-        self.crew = FlowTasks(flow, planned, ranks)
+        self.flow_tasks = FlowTasks(flow, planned, ranks)
         self.state = FlowState.READY
         self.current = -1
         """The action that runs, or ran last; a no-op too."""
@@ -59,7 +59,7 @@ class Progress:
 
     def where(self, task: str) -> str:
         """A task and where the run stands, for messages."""
-        place = self._steps[self.current].place if self.current >= 0 else self.crew.place(task)
+        place = self._steps[self.current].place if self.current >= 0 else self.flow_tasks.place(task)
         return f"{place}: {task}"
 
     def enter(self, event: FlowEvent) -> None:
@@ -78,7 +78,7 @@ class Progress:
         self._pc += 1
 
     def go(self, action: int | None) -> None:
-        """To another action, or on from here, without any value of an action before (decisions 21 and 22)."""
+        """To another action, or on from here, without any value of an action before (readings 21 and 22)."""
         self.go_to(self._pc if action is None else self.program.entries[action])
 
     def go_to(self, place: int) -> None:
@@ -126,9 +126,9 @@ class Progress:
         was = self.state
         step = self.step = self._steps[self.current]
         self.enter(FlowEvent.BEGIN)
-        switch = self.crew.change(step, number)
-        self.crew.carry_out(step, switch)
-        self.crew.failed.clear()
+        switch = self.flow_tasks.change(step, number)
+        self.flow_tasks.carry_out(step, switch)
+        self.flow_tasks.failed.clear()
         orders: list[Order] = [switch, Began(self.flow, self.current)]
         if was not in (FlowState.RUNNING, FlowState.SPAWNING):
             orders.append(self.moved())
@@ -142,7 +142,7 @@ class Progress:
         It must be a trigger of the action and have been ON in it: the second word of a trigger that has
         finished, or one that was long under way, would else end the next action as well.
         """
-        was_on = self.crew.switched_off(task)
+        was_on = self.flow_tasks.switched_off(task)
         step = self.step
         return was_on and self.state is FlowState.RUNNING and step is not None and task in step.triggers
 
@@ -153,13 +153,13 @@ class Progress:
         step = self.step
         if step is None or self.state is not FlowState.RUNNING or len(step.triggers) != 1:
             return []
-        if self.is_pausing or self.current in self.breakpoints or not self.crew.is_settled:
+        if self.is_pausing or self.current in self.breakpoints or not self.flow_tasks.is_settled:
             return []
         cases = []
         for choice, loop, way in ways(self.program, self._pc, self.leaving):
             instruction = self.program.instructions[way.pc]
             rests = any(action in self.breakpoints for action in way.passed)
             if isinstance(instruction, Do) and not rests:
-                switch = self.crew.change(self._steps[instruction.action], finished=step.triggers[0])
+                switch = self.flow_tasks.change(self._steps[instruction.action], finished=step.triggers[0])
                 cases.append(Case(step.triggers[0], choice, loop, switch))
         return cases

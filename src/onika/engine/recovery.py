@@ -1,4 +1,4 @@
-"""Errors in a flow: it stops, its failed tasks are cleared, the step is repeated (requirement E08, §5.9.2)."""
+"""Recovery from errors in a flow: it stops, its failed tasks are cleared, the step is repeated (E08, §5.9.2)."""
 
 from onika.engine.flow import FlowEvent, FlowState
 from onika.engine.flow_router import FlowRouter
@@ -9,19 +9,19 @@ from onika.engine.progress import Progress
 class ErrorRecovery:
     """Stops flows and brings them back. `stands_still`: whether anybody is there to decide."""
 
-    def __init__(self, itinerary: FlowRouter, stands_still: bool) -> None:
-        self._itinerary = itinerary
+    def __init__(self, router: FlowRouter, stands_still: bool) -> None:
+        self._router = router
         self.stands_still = stands_still
         self._elsewhere: set[int] = set()
 
     def failed(self, flow: Progress, task: str, text: str) -> list[Order]:
         """A task is in ERROR; its trigger goes off at once, lest the job go on without it."""
-        flow.crew.has_failed(task)
+        flow.flow_tasks.has_failed(task)
         return self._stop(flow, text)
 
     def refused(self, flow: Progress, task: str, text: str) -> list[Order]:
         """A task would not come on; there is nothing to clear, but the step can be repeated."""
-        flow.crew.would_not(task)
+        flow.flow_tasks.would_not(task)
         return self._stop(flow, text)
 
     def _stop(self, flow: Progress, text: str) -> list[Order]:
@@ -29,16 +29,16 @@ class ErrorRecovery:
         if flow.state not in (FlowState.STOPPED, FlowState.CLEARING):
             flow.interrupted = flow.state
             if flow.state is FlowState.WAITING:
-                self._itinerary.meetings.withdraw(flow.flow)
+                self._router.meetings.withdraw(flow.flow)
         if flow.step is not None and flow.interrupted is FlowState.RUNNING:
-            orders += flow.crew.rest(flow.step.triggers)
+            orders += flow.flow_tasks.rest(flow.step.triggers)
         flow.enter(FlowEvent.FAIL)
         return [*orders, flow.moved(text=text)]
 
     def recover(self, flow: Progress) -> list[Order]:
         """The user wants it: clear what is in ERROR, then repeat the step."""
         flow.enter(FlowEvent.RECOVER)
-        clear = [Clear(flow.flow, task) for task in sorted(flow.crew.in_error)]
+        clear = [Clear(flow.flow, task) for task in sorted(flow.flow_tasks.in_error)]
         return [flow.moved(), *clear, *self._when_cleared(flow)]
 
     def recover_elsewhere(self, flow: Progress) -> list[Order]:
@@ -48,7 +48,7 @@ class ErrorRecovery:
 
     def cleared(self, flow: Progress, task: str) -> list[Order]:
         """A task is OFF again."""
-        flow.crew.in_error.discard(task)
+        flow.flow_tasks.in_error.discard(task)
         return self._when_cleared(flow) if flow.state is FlowState.CLEARING else []
 
     def not_cleared(self, flow: Progress, text: str) -> list[Order]:
@@ -56,15 +56,15 @@ class ErrorRecovery:
         return self._stop(flow, text)
 
     def _when_cleared(self, flow: Progress) -> list[Order]:
-        if flow.crew.in_error:
+        if flow.flow_tasks.in_error:
             return []
         if flow.flow in self._elsewhere:
             self._elsewhere.discard(flow.flow)
-            flow.crew.failed.clear()
-            return self._itinerary.go_on([flow.flow])
+            flow.flow_tasks.failed.clear()
+            return self._router.go_on([flow.flow])
         if flow.interrupted is FlowState.RUNNING:
             return flow.repeat()
-        back = flow.crew.bring_back(flow.step)
+        back = flow.flow_tasks.bring_back(flow.step)
         if flow.interrupted is FlowState.PAUSED or flow.is_pausing:
-            return back + self._itinerary.rest(flow)
-        return back + self._itinerary.go_on([flow.flow])
+            return back + self._router.rest(flow)
+        return back + self._router.go_on([flow.flow])

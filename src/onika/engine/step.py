@@ -1,4 +1,4 @@
-"""An action made ready for switching: its tasks in the order of their ranks, their rates, its triggers."""
+"""A step of a flow ready for switching: its tasks in the order of their ranks, their rates, its triggers."""
 
 from collections.abc import Mapping, Set
 from dataclasses import dataclass
@@ -19,7 +19,7 @@ class ActionStep:
     rates: Mapping[str, float | None]
     """Of every task, in hertz; none for a task without a rate."""
     triggers: tuple[str, ...]
-    """Whoever finishes first ends the action (decision 16); the first one takes the argument line."""
+    """Whoever finishes first ends the action (reading 16); the first one takes the argument line."""
     arguments: str
 
     def start(self, task: str) -> Start:

@@ -1,7 +1,7 @@
 """The walk of a flow from one action to the next: what tests, branches and no-ops on the way decide (Table 9).
 
-It changes nothing. `WalkResult.pc` is the next instruction that takes time or needs others: a Do of a job, Meet, Fork, Join,
-Rest or Halt; or the one behind a no-op after which the flow is to rest.
+It changes nothing. `WalkResult.pc` is the next instruction that takes time or needs others: a Do of a job, Meet, Fork,
+Join, Rest or Halt; or the one behind a no-op after which the flow is to rest.
 """
 
 from collections.abc import Callable
@@ -51,7 +51,7 @@ def walk(
     judge: Judge,
     rests_after: Callable[[int], bool],
 ) -> WalkResult:
-    """From instruction `pc` on; without a value every loop is left and flow 0 is taken (decisions 21 and 22).
+    """From instruction `pc` on; without a value every loop is left and flow 0 is taken (readings 21 and 22).
 
     leaving      the loops that are to be left at their next test
     rests_after  whether the flow rests after this no-op
@@ -96,7 +96,7 @@ def _goes_on(instruction: Again | Unless, value: FinishValue | None, judge: Judg
 
 
 def _choice(choose: Choose, value: FinishValue | None, judge: Judge) -> tuple[int, str]:
-    """Which way, and what is worth saying of it (decision 20)."""
+    """Which way, and what is worth saying of it (reading 20)."""
     if choose.conditions:
         last = len(choose.to) - 1
         return next((at for at, condition in enumerate(choose.conditions) if judge(condition)), last), ""

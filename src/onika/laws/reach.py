@@ -1,4 +1,4 @@
-"""What an arm known by its constants can reach, and what another arm's joint targets are for it (law 26).
+"""Reachability: what an arm given by its constants can reach, and another arm's joint targets as its own (law 26).
 
 Constants are those that a hardware task publishes (NDOF, DH, BASE, TOOL, QMIN, QMAX), as arrays or as plain lists.
 """

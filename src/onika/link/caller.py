@@ -1,4 +1,4 @@
-"""Who talks to a runtime and what he may do there."""
+"""The caller of a runtime: who it is, and what it may do there."""
 
 from dataclasses import dataclass
 from enum import IntEnum

@@ -1,4 +1,4 @@
-"""The environment's end of the link: it asks, and accepts signals once and in order (§5.8.2). No I/O, no clock."""
+"""The environment's end of the link: it sends requests, and accepts signals once and in order. Sans-I/O (§5.8.2)."""
 
 from dataclasses import dataclass
 
@@ -60,10 +60,10 @@ class ClientEnd:
         self._client = client
         self._terms = terms
         self._channel = channel
-        self._happenings: list[LinkNotice] = []
-        self._pulse = Liveness(terms, self._happenings)
-        self._lanes = SendQueues(Readings())
-        self._gathering = BodyAssembly(terms.body_limit)
+        self._notices: list[LinkNotice] = []
+        self._liveness = Liveness(terms, self._notices)
+        self._queues = SendQueues(Readings())
+        self._assembly = BodyAssembly(terms.body_limit)
         self._wishes: dict[int, _PendingRequest] = {}
         self.asked = 0
         self._accepted = 0
@@ -75,12 +75,12 @@ class ClientEnd:
     @property
     def state(self) -> LinkState:
         """How this end stands to the runtime."""
-        return self._pulse.state
+        return self._liveness.state
 
     def open(self, now_ns: int) -> None:
         """There is a new connection, in place of any old one: greet on it."""
         self._drop_connection()
-        self._pulse.opened(now_ns)
+        self._liveness.opened(now_ns)
         self._fail(Fate.LOST, [number for number, wish in self._wishes.items() if wish.once])
         self._greet(now_ns)
 
@@ -89,7 +89,7 @@ class ClientEnd:
         if self.state not in (LinkState.APART, LinkState.ENDED):
             self._end(LinkEvent.CUT, why)
             if why.cause is lost.LossCause.GARBAGE:
-                self._lanes.last(Bye("garbage", str(why)[:1000]))
+                self._queues.last(Bye("garbage", str(why)[:1000]))
 
     def follow(self, epoch: str) -> None:
         """To a channel that does not ask: the session it belongs to is in this epoch; in a new one it begins anew."""
@@ -99,10 +99,10 @@ class ClientEnd:
         """End the link for good; the good-bye is still to be sent."""
         if self.state is LinkState.ENDED:
             return
-        linked = self._pulse.is_linked
+        linked = self._liveness.is_linked
         self._end(LinkEvent.CLOSED, lost.here(reason))
         if linked:
-            self._lanes.last(Bye("closed", reason))
+            self._queues.last(Bye("closed", reason))
 
     def request(
         self, body: bytes, now_ns: int, begin_within_ns: int = 0, once: bool = False, urgent: bool = False
@@ -118,7 +118,7 @@ class ClientEnd:
         self.asked += 1
         begin_by_ns = now_ns + begin_within_ns if begin_within_ns else 0
         self._wishes[self.asked] = _PendingRequest(body, once, urgent, begin_by_ns)
-        if self._pulse.is_linked:
+        if self._liveness.is_linked:
             self._send(self.asked, now_ns)
         elif once or self.state is LinkState.ENDED:
             self._fail(Fate.UNSENT, [self.asked])
@@ -127,47 +127,47 @@ class ClientEnd:
     def forget(self, number: int) -> None:
         """The answer to this request is not wanted any more."""
         if self._wishes.pop(number, None) is not None:
-            self._gathering.drop(number)
+            self._assembly.drop(number)
 
     def feed(self, packet: Packet, now_ns: int) -> None:
         """A packet came."""
         if self.state is LinkState.GREETING:
             self._feed_greeting(packet, now_ns)
-        elif self._pulse.is_linked:
-            self._pulse.note_arrival(now_ns)
+        elif self._liveness.is_linked:
+            self._liveness.note_arrival(now_ns)
             self._feed_linked(packet, now_ns)
 
     def tick(self, now_ns: int) -> None:
         """Time has passed; call when `due_ns` is over, after everything that came was fed."""
-        silence = self._pulse.listen(now_ns)
+        silence = self._liveness.listen(now_ns)
         if silence is not None:
             self._end(LinkEvent.SILENT, silence)
             return
-        beat = self._pulse.beat(now_ns)
+        beat = self._liveness.beat(now_ns)
         if beat is not None:
-            self._lanes.signal(beat)
+            self._queues.signal(beat)
         self._retry(now_ns)
 
     def due_ns(self, now_ns: int) -> int | None:
         """How long until `tick` has something to do; None: not before something else happens."""
-        return self._pulse.due_ns(now_ns, may_retry=bool(self._wishes))
+        return self._liveness.due_ns(now_ns, may_retry=bool(self._wishes))
 
     def take_packets(self, now_ns: int, room: int) -> list[Packet]:
         """What is to be sent now, where the connection has room for about so many bytes."""
         if self._ack_due:
             self._ack_due = False
-            self._lanes.signal(Ack(self._accepted))
-        return self._lanes.take(room, now_ns)
+            self._queues.signal(Ack(self._accepted))
+        return self._queues.take(room, now_ns)
 
-    def take_happenings(self) -> list[LinkNotice]:
+    def take_notices(self) -> list[LinkNotice]:
         """What the owner has not been told yet, in order."""
-        taken = self._happenings.copy()
-        self._happenings.clear()
+        taken = self._notices.copy()
+        self._notices.clear()
         return taken
 
     def _greet(self, now_ns: int) -> None:
         self._hello_ns = now_ns
-        self._lanes.signal(Hello(VERSION, self._client, self.epoch, self._accepted))
+        self._queues.signal(Hello(VERSION, self._client, self.epoch, self._accepted))
 
     def _feed_greeting(self, packet: Packet, now_ns: int) -> None:
         match packet:
@@ -208,15 +208,15 @@ class ClientEnd:
             return
         first, resumed = not self.epoch, packet.resumed and packet.epoch == self.epoch
         self._clock_ahead_ns = packet.clock_ns - now_ns
-        self._pulse.greeted(now_ns)
+        self._liveness.greeted(now_ns)
         if resumed:
-            self._happenings.append(Resumed(self.epoch))
+            self._notices.append(Resumed(self.epoch))
         else:
             if not first:
                 self._fail(Fate.LOST, list(self._wishes))
             self.epoch = packet.epoch
             self._accepted = packet.seq
-            self._happenings.append(EpochChanged(self.epoch))
+            self._notices.append(EpochChanged(self.epoch))
         for number in list(self._wishes):
             self._send(number, now_ns)
 
@@ -224,31 +224,31 @@ class ClientEnd:
         # only the very next one: a gap means that what lies between was never said on this connection
         if packet.seq == self._accepted + 1:
             self._accepted = packet.seq
-            self._happenings.append(SignalReceived(packet.seq, packet.body))
+            self._notices.append(SignalReceived(packet.seq, packet.body))
         self._ack_due = True
 
     def _reply(self, packet: Reply) -> None:
         if packet.number not in self._wishes:
             return
-        body = self._gathering.complete(packet.number, packet.parts, packet.body)
+        body = self._assembly.complete(packet.number, packet.parts, packet.body)
         if body is None:
             return
         del self._wishes[packet.number]
         late = RequestFailed(packet.number, Fate.LATE)
-        self._happenings.append(late if packet.late else ReplyReceived(packet.number, body))
+        self._notices.append(late if packet.late else ReplyReceived(packet.number, body))
 
     def _part(self, packet: Part) -> None:
         if packet.number not in self._wishes:
             return
         try:
-            self._gathering.put(packet)
+            self._assembly.put(packet)
         except ValueError as fault:
             self._garbage(str(fault))
 
     def _read(self, packet: Reading) -> None:
         if packet.count > self._reading:
             self._reading = packet.count
-            self._happenings.append(ReadingReceived(packet.key, packet.body))
+            self._notices.append(ReadingReceived(packet.key, packet.body))
 
     def _bye(self, packet: Bye) -> None:
         if packet.cause == "version":
@@ -276,7 +276,7 @@ class ClientEnd:
         deadline_ns = max(1, wish.begin_by_ns + self._clock_ahead_ns) if wish.begin_by_ns else 0
         parts, last = split(number, wish.body, self._terms.piece)
         request = Request(number, next(iter(self._wishes)), deadline_ns, len(parts), last)
-        self._lanes.session(parts, request, wish.urgent)
+        self._queues.session(parts, request, wish.urgent)
 
     def _retry(self, now_ns: int) -> None:
         retry_ns = self._terms.retry_ns
@@ -284,7 +284,7 @@ class ClientEnd:
             return
         if self.state is LinkState.GREETING and now_ns - self._hello_ns >= retry_ns:
             self._greet(now_ns)
-        if self._pulse.is_linked:
+        if self._liveness.is_linked:
             for number, wish in list(self._wishes.items()):
                 if wish.sent_ns is not None and now_ns - wish.sent_ns >= retry_ns:
                     self._send(number, now_ns)
@@ -292,18 +292,18 @@ class ClientEnd:
     def _fail(self, fate: Fate, numbers: list[int]) -> None:
         for number in numbers:
             del self._wishes[number]
-            self._happenings.append(RequestFailed(number, fate))
+            self._notices.append(RequestFailed(number, fate))
 
     def _end(self, event: LinkEvent, why: lost.LinkLost) -> None:
         self._drop_connection()
-        self._pulse.turn(event, why)
+        self._liveness.turn(event, why)
         if self.state is LinkState.ENDED:
             self._fail(Fate.LOST, list(self._wishes))
         else:
             self._fail(Fate.LOST, [number for number, wish in self._wishes.items() if wish.once])
 
     def _drop_connection(self) -> None:
-        self._lanes.clear()
-        self._gathering.clear()
+        self._queues.clear()
+        self._assembly.clear()
         self._ack_due = False
         self._reading = 0

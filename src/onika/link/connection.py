@@ -1,4 +1,4 @@
-"""A connection of the environment to a runtime, for a program of one thread: ask and wait, or poll for news."""
+"""A connection of the environment to a runtime, for a single-threaded program: request and wait, or poll for news."""
 
 import secrets
 from collections import deque
@@ -44,13 +44,13 @@ class Connection:
         terms: LinkTerms = LOCAL,
         client: str | None = None,
         wait: Wait = wait_for,
-        dialler: Connector | None = None,
+        connector: Connector | None = None,
     ) -> None:
         self._clock = clock
         self._wait = wait
-        self._dialler = dialler
-        channels = (Channel.ALL,) if dialler is None else THREE
-        self._bundle = SessionChannels(client or secrets.token_hex(16), terms, channels)
+        self._connector = connector
+        channels = (Channel.ALL,) if connector is None else THREE
+        self._session = SessionChannels(client or secrets.token_hex(16), terms, channels)
         self._awaited: set[int] = set()
         self._outcomes: dict[int, ReplyReceived | RequestFailed] = {}
         self._news: deque[LinkNotice] = deque()
@@ -63,12 +63,12 @@ class Connection:
     @property
     def state(self) -> LinkState:
         """How the environment stands to the runtime."""
-        return self._bundle.state
+        return self._session.state
 
     @property
     def epoch(self) -> str:
         """The name of this life of the session, "" before the first greeting."""
-        return self._bundle.epoch
+        return self._session.epoch
 
     @property
     def lost(self) -> LinkLost | None:
@@ -78,7 +78,7 @@ class Connection:
     @property
     def comes_back(self) -> bool:
         """Whether a cut link is made anew by itself."""
-        return self._dialler is not None and self._refusal is None and self.state is not LinkState.ENDED
+        return self._connector is not None and self._refusal is None and self.state is not LinkState.ENDED
 
     def readers(self) -> list[int]:
         """The descriptors to wait for in a loop of one's own before `poll(0)`."""
@@ -86,11 +86,11 @@ class Connection:
 
     def writers(self) -> list[int]:
         """Those to wait for writing too."""
-        return [carrier.fileno() for carrier in self._bundle.carriers if carrier.pending]
+        return [carrier.fileno() for carrier in self._session.carriers if carrier.pending]
 
     def due_s(self) -> float | None:
         """How long that loop may wait at most, in s."""
-        due_ns = self._bundle.due_ns(self._clock())
+        due_ns = self._session.due_ns(self._clock())
         return None if due_ns is None else due_ns / 1e9
 
     def reconnect(self, carrier: Carrier) -> None:
@@ -98,7 +98,7 @@ class Connection:
         if self.state is LinkState.ENDED:
             carrier.close()
             raise self._lost or here()
-        self._bundle.attach(Channel.ALL, carrier, self._clock())
+        self._session.attach(Channel.ALL, carrier, self._clock())
         self._sort()
 
     def open(self, timeout_s: float = 5.0) -> str:
@@ -121,7 +121,7 @@ class Connection:
         """
         now_ns = self._clock()
         limit_ns = round(timeout_s * 1e9)
-        number = self._bundle.request(body, now_ns, limit_ns, once, urgent)
+        number = self._session.request(body, now_ns, limit_ns, once, urgent)
         self._awaited.add(number)
         self._sort()
         try:
@@ -132,20 +132,20 @@ class Connection:
         finally:
             self._awaited.discard(number)
             self._outcomes.pop(number, None)
-            self._bundle.forget(number)
+            self._session.forget(number)
 
     def ask(self, body: bytes, begin_within_s: float | None = None, once: bool = False, urgent: bool = False) -> int:
-        """Ask without waiting; `poll` tells of the answer (ReplyReceived or RequestFailed) under the number given back."""
+        """Ask without waiting; `poll` gives the answer (ReplyReceived or RequestFailed) under the number returned."""
         within_ns = round(begin_within_s * 1e9) if begin_within_s is not None else 0
-        number = self._bundle.request(body, self._clock(), within_ns, once, urgent)
+        number = self._session.request(body, self._clock(), within_ns, once, urgent)
         self._sort()
         return number
 
     def poll(self, timeout_s: float = 0.0) -> list[LinkNotice]:
         """The news since the last call, signals in order, then the newest readings; waits for the first one.
 
-        Never raises LinkLost: the end of the link is news too (LinkStateChanged), and where it does not come back there is
-        nothing to wait for after it.
+        Never raises LinkLost: the end of the link is news too (LinkStateChanged), and where it does not come back
+        there is nothing to wait for after it.
         """
         until_ns = self._clock() + round(timeout_s * 1e9)
         self._serve()
@@ -160,14 +160,14 @@ class Connection:
     def close(self, reason: str = "closed", timeout_s: float = 1.0) -> None:
         """Say good-bye and let the connection go; waits a little for a slow reader."""
         until_ns = self._clock() + round(timeout_s * 1e9)
-        self._bundle.close(reason, self._clock())
-        while self._bundle.carriers and self._clock() < until_ns:
+        self._session.close(reason, self._clock())
+        while self._session.carriers and self._clock() < until_ns:
             self._rest(until_ns)
-            self._bundle.push(self._clock())
-        self._bundle.cut(here(reason))
-        if self._dialler is not None:
-            self._dialler.close()
-            self._dialler = None
+            self._session.push(self._clock())
+        self._session.cut(here(reason))
+        if self._connector is not None:
+            self._connector.close()
+            self._connector = None
         self._sort()
 
     @property
@@ -182,7 +182,7 @@ class Connection:
 
     def _rest(self, until_ns: int) -> None:
         now_ns = self._clock()
-        due_ns = self._bundle.due_ns(now_ns)
+        due_ns = self._session.due_ns(now_ns)
         rest_ns = max(0, until_ns - now_ns)
         sources = self._sources()
         if sources:
@@ -190,43 +190,43 @@ class Connection:
 
     def _vouch(self) -> None:
         """Whoever serves the connections is alive."""
-        for carrier in self._bundle.carriers:
+        for carrier in self._session.carriers:
             if isinstance(carrier, Beating):
                 carrier.served()
 
     def _sources(self) -> list[PayloadSource]:
-        return [*self._bundle.carriers, *([] if self._dialler is None else [self._dialler])]
+        return [*self._session.carriers, *([] if self._connector is None else [self._connector])]
 
     def _serve(self) -> None:
         self._dial()
-        self._bundle.service(self._clock())
+        self._session.service(self._clock())
         self._vouch()
         self._sort()
 
     def _dial(self) -> None:
-        if self._dialler is None or self._refusal is not None:
+        if self._connector is None or self._refusal is not None:
             return
-        for channel, came in self._dialler.finished():
+        for channel, came in self._connector.finished():
             if isinstance(came, LinkLost):
-                self._bundle.failed(channel, self._clock())
+                self._session.failed(channel, self._clock())
                 self._lost = came
                 # nobody there before the first greeting, or what trying again does not mend
                 self._refusal = came if not self.epoch or came.is_final else None
             else:
-                self._bundle.attach(channel, came, self._clock())
-        for channel in self._bundle.wants(self._clock()):
-            self._dialler.dial(channel)
+                self._session.attach(channel, came, self._clock())
+        for channel in self._session.wants(self._clock()):
+            self._connector.dial(channel)
 
     def _sort(self) -> None:
-        for happening in self._bundle.take_happenings():
-            if isinstance(happening, ReplyReceived | RequestFailed) and happening.number in self._awaited:
-                self._outcomes[happening.number] = happening
-            elif isinstance(happening, ReadingReceived):
-                self._readings[happening.key] = happening
+        for notice in self._session.take_notices():
+            if isinstance(notice, ReplyReceived | RequestFailed) and notice.number in self._awaited:
+                self._outcomes[notice.number] = notice
+            elif isinstance(notice, ReadingReceived):
+                self._readings[notice.key] = notice
             else:
-                self._news.append(happening)
-                if isinstance(happening, LinkStateChanged):
-                    self._lost = happening.lost
+                self._news.append(notice)
+                if isinstance(notice, LinkStateChanged):
+                    self._lost = notice.lost
 
     def _raise_if_gone(self) -> None:
         if self._is_gone:

@@ -1,4 +1,4 @@
-"""A dialler: opens connections in threads of their own, so that nobody waits for a network."""
+"""A connector: it opens connections in threads of their own, so that no caller waits for the network."""
 
 import os
 import threading

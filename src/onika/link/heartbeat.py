@@ -1,4 +1,4 @@
-"""Beats as datagrams beside a connection: they wait behind nothing, and one that is lost holds up no other (X12).
+"""Heartbeats as datagrams beside a connection: they queue behind nothing, and a lost one delays no other (X12).
 
 Each says only that its sender is alive: the name of the connection, a count that only grows, and a seal over both.
 The key is drawn for one connection and told over it, behind its token: nobody else can make a beat, and none counts
@@ -77,8 +77,8 @@ def name_in(datagram: bytes) -> bytes:
 class HeartbeatCounter:
     """What is beaten beside one connection, and when no more. No I/O, no clock."""
 
-    def __init__(self, pact: HeartbeatKey) -> None:
-        self._pact = pact
+    def __init__(self, heartbeat_key: HeartbeatKey) -> None:
+        self._heartbeat_key = heartbeat_key
         self._count = 0
         self._served_ns: int | None = None
 
@@ -91,24 +91,24 @@ class HeartbeatCounter:
         if self._served_ns is None or now_ns - self._served_ns >= PATIENCE_NS:
             return None
         self._count += 1
-        return self._pact.beat(self._count)
+        return self._heartbeat_key.beat(self._count)
 
 
 class HeartbeatSender:
     """Sends the beats of one connection to the machine where that ends; where none gets through, nothing is lost."""
 
-    def __init__(self, pact: HeartbeatKey, host: str, family: int) -> None:
-        self._drum = HeartbeatCounter(pact)
+    def __init__(self, heartbeat_key: HeartbeatKey, host: str, family: int) -> None:
+        self._counter = HeartbeatCounter(heartbeat_key)
         self._over = threading.Event()
         self._socket = socket.socket(family, socket.SOCK_DGRAM)
         self._socket.setblocking(False)
         with contextlib.suppress(OSError):
-            self._socket.connect((host, pact.port))
+            self._socket.connect((host, heartbeat_key.port))
         threading.Thread(target=self._run, name="onika beats", daemon=True).start()
 
     def served(self) -> None:
         """Whoever serves the connection has come by."""
-        self._drum.served(monotonic_ns())
+        self._counter.served(monotonic_ns())
 
     def close(self) -> None:
         """Beat no more."""
@@ -117,7 +117,7 @@ class HeartbeatSender:
     def _run(self) -> None:
         with self._socket:
             while not self._over.wait(EVERY_NS * 1e-9):
-                beat = self._drum.beat(monotonic_ns())
+                beat = self._counter.beat(monotonic_ns())
                 if beat is not None:
                     with contextlib.suppress(OSError):  # nobody listens there, or a wall stands between: TCP is left
                         self._socket.send(beat)

@@ -1,4 +1,4 @@
-"""What an end of the link tells its owner."""
+"""The events that an end of the link reports to its owner."""
 
 from dataclasses import dataclass
 from enum import Enum

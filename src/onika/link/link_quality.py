@@ -1,4 +1,4 @@
-"""The rhythm of a connection: the beats that came beside it as datagrams, how many, when last, and the way they go."""
+"""The quality of a connection: how many heartbeats came as datagrams, when the last one, and how long they take."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""The pulse of an end: its state, its own beats and how long the other side has been silent."""
+"""The liveness of a link: its state, the heartbeats of this end, and how long the other end has been silent."""
 
 from onika.link import lost
 from onika.link.link_events import LinkNotice, LinkStateChanged
@@ -11,12 +11,12 @@ _ALIVE = (LinkState.LINKED, LinkState.SUSPECT)
 
 
 class Liveness:
-    """Judges silence by the clock of this side only; tells every change of state to `happenings`."""
+    """Judges silence by the clock of this side only; tells every change of state to `notices`."""
 
-    def __init__(self, terms: LinkTerms, happenings: list[LinkNotice]) -> None:
+    def __init__(self, terms: LinkTerms, notices: list[LinkNotice]) -> None:
         self.state = LinkState.APART
         self._terms = terms
-        self._happenings = happenings
+        self._notices = notices
         self.heard_ns = 0
         self._beat_ns = 0
         self._beats = 0
@@ -30,7 +30,7 @@ class Liveness:
         """Follow the table."""
         old, self.state = self.state, follow(self.state, event)
         if self.state is not old or event is LinkEvent.OPENED:
-            self._happenings.append(LinkStateChanged(self.state, why))
+            self._notices.append(LinkStateChanged(self.state, why))
 
     def opened(self, now_ns: int) -> None:
         """A new connection; its greeting must be complete in time."""

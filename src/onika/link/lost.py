@@ -1,4 +1,4 @@
-"""LinkLost: there is no talking to the other program any more, and why."""
+"""LinkLost, the exception raised when the other program cannot be reached any more, with its cause."""
 
 from enum import Enum
 

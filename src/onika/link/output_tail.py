@@ -1,4 +1,4 @@
-"""The tail of what a child process prints: always taken, so that the child never waits; the newest bytes are kept."""
+"""The newest output of a child process: it is always read, so that the child never blocks."""
 
 import os
 import select

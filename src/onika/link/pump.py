@@ -1,4 +1,4 @@
-"""The pump: moves packets between an end, which decides, and a carrier, which carries. It never waits."""
+"""The pump: it moves packets between an end, which decides, and a carrier, which transports. It never waits."""
 
 from typing import Protocol
 

@@ -1,4 +1,4 @@
-"""Readings that wait to be sent: the newest under each key, dropped when they grow old."""
+"""Readings that wait to be sent: the newest value under each key, dropped when it grows old."""
 
 from onika.wire.packet import Reading
 

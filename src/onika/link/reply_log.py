@@ -1,4 +1,4 @@
-"""The reply book: what became of each client's requests, so that one asked twice is carried out once."""
+"""The reply log: what became of each client's requests, so that a repeated request is carried out once."""
 
 from dataclasses import dataclass, field
 
@@ -40,28 +40,28 @@ class ClientReplies:
 
 
 class ReplyLog:
-    """The accounts of the latest clients; the one that has been away longest is forgotten first."""
+    """The replies of the latest clients; the one that has been away longest is forgotten first."""
 
     def __init__(self, keep: int = 64) -> None:
         self._keep = keep
-        self._accounts: dict[str, ClientReplies] = {}
+        self._client_replies: dict[str, ClientReplies] = {}
 
     def find(self, client: str) -> ClientReplies | None:
-        """The account of a client that is known."""
-        return self._accounts.get(client)
+        """The replies of a client that is known."""
+        return self._client_replies.get(client)
 
     def begin(self, client: str) -> ClientReplies:
-        """A new, empty account for a client, in place of any it had."""
-        self._accounts.pop(client, None)
-        while len(self._accounts) >= self._keep:
-            del self._accounts[next(iter(self._accounts))]
-        self._accounts[client] = account = ClientReplies(client)
-        return account
+        """A new, empty log for a client, in place of any it had."""
+        self._client_replies.pop(client, None)
+        while len(self._client_replies) >= self._keep:
+            del self._client_replies[next(iter(self._client_replies))]
+        self._client_replies[client] = client_replies = ClientReplies(client)
+        return client_replies
 
     def renew(self, client: str) -> None:
         """The client is here again: it becomes the last to be forgotten."""
-        self._accounts[client] = self._accounts.pop(client)
+        self._client_replies[client] = self._client_replies.pop(client)
 
     def close(self, client: str) -> None:
         """The client said good-bye and will not ask again."""
-        self._accounts.pop(client, None)
+        self._client_replies.pop(client, None)

@@ -1,4 +1,4 @@
-"""A runtime's port for an environment, to be served in the runtime's own loop; it never waits."""
+"""The runtime's port for one environment, served in the runtime's own loop; it never waits."""
 
 from collections.abc import Callable
 
@@ -20,7 +20,7 @@ MakeServer = Callable[[SignalJournal, ReplyLog, LinkTerms, Channel], ServerEnd]
 class ServerPort:
     """Answers one environment at a time; when its connection ends, another may be attached and goes on.
 
-    Ports of one runtime share its journal and its reply book.
+    Ports of one runtime share its journal and its reply log.
     """
 
     def __init__(
@@ -50,9 +50,9 @@ class ServerPort:
         return self._end.heard_ns
 
     @property
-    def rhythm(self) -> LinkQuality:
+    def link_quality(self) -> LinkQuality:
         """Its beats that came as datagrams."""
-        return self._end.rhythm
+        return self._end.link_quality
 
     @property
     def has_more(self) -> bool:
@@ -78,7 +78,7 @@ class ServerPort:
     def service(self, now_ns: int) -> list[LinkNotice]:
         """Take in, let time pass, send; what happened, in order: Greeted, Asked, Turned. Never raises LinkLost."""
         self._pump.service(now_ns)
-        return self._end.take_happenings()
+        return self._end.take_notices()
 
     def reply(self, ticket: int, body: bytes, now_ns: int) -> None:
         """Answer what was Asked under this ticket, at any time, once; raises KeyError for any other ticket."""

@@ -1,6 +1,6 @@
-"""Three lanes of packets that wait to go out: signal before session before stream (§5.8.2).
+"""Three queues of packets to send, by priority: signal before session before stream (§5.8.2).
 
-They share a connection now; a lane could as well have a connection of its own.
+They share a connection now; a queue could as well have a connection of its own.
 """
 
 from collections import deque
@@ -37,7 +37,7 @@ class SendQueues:
             self._session.extend((*parts, final))
 
     def last(self, packet: Packet) -> None:
-        """The word after which nothing is said: it goes when both lanes are empty, readings are let go."""
+        """The word after which nothing is said: it goes when both queues are empty, readings are let go."""
         self._last = packet
         self._readings.clear()
 
@@ -50,7 +50,7 @@ class SendQueues:
         self._last = None
 
     def take(self, room: int, now_ns: int) -> list[Packet]:
-        """All of the signal lane, then about `room` bytes of the others."""
+        """All of the signal queue, then about `room` bytes of the others."""
         taken: list[Packet] = list(self._signal)
         self._signal.clear()
         while self._session and room > 0:

@@ -1,4 +1,4 @@
-"""The runtime's end of the link: it signals and answers (§5.8.2). No I/O, no clock."""
+"""The runtime's end of the link: it sends signals and answers requests. No I/O, no clock (§5.8.2)."""
 
 from dataclasses import dataclass
 
@@ -19,14 +19,14 @@ from onika.wire.packet import VERSION, Ack, Beat, Bye, Hello, Packet, Part, Repl
 
 @dataclass(frozen=True, slots=True)
 class _Ticket:
-    account: ClientReplies
+    client_replies: ClientReplies
     number: int
 
 
 class ServerEnd:
     """A runtime's session with one environment at a time, over one connection after another.
 
-    Several ends may share a journal and a reply book: then several environments hear the same signals.
+    Several ends may share a journal and a reply log: then several environments hear the same signals.
     What it promises: a signal is in the journal before it is said, and said again until it is acknowledged; a request
     is handed over at most once, whatever the connections do; on a new connection nothing is said before the greeting.
     """
@@ -38,51 +38,51 @@ class ServerEnd:
         self._replies = replies
         self._terms = terms
         self._channel = channel
-        self._happenings: list[LinkNotice] = []
-        self._pulse = Liveness(terms, self._happenings)
+        self._notices: list[LinkNotice] = []
+        self._liveness = Liveness(terms, self._notices)
         self._readings = Readings(terms.reading_age_ns)
-        self._lanes = SendQueues(self._readings)
-        self._gathering = BodyAssembly(terms.body_limit)
-        self._account: ClientReplies | None = None
+        self._queues = SendQueues(self._readings)
+        self._assembly = BodyAssembly(terms.body_limit)
+        self._client_replies: ClientReplies | None = None
         self._welcome: Welcome | None = None
         self._tickets: dict[int, _Ticket] = {}
         self._last_ticket = 0
         self._sent_to = 0
         self._acked = 0
         self._progress_ns = 0
-        self.rhythm = LinkQuality()
+        self.link_quality = LinkQuality()
         """Of the present connection, or the last one."""
 
     @property
     def state(self) -> LinkState:
         """How this end stands to the environment."""
-        return self._pulse.state
+        return self._liveness.state
 
     @property
     def heard_ns(self) -> int:
         """When the environment was heard last, on this side's clock."""
-        return self._pulse.heard_ns
+        return self._liveness.heard_ns
 
     def open(self, now_ns: int) -> None:
         """There is a new connection, in place of any old one; the environment speaks first."""
         self._drop_connection()
-        self.rhythm = LinkQuality()
-        self._pulse.opened(now_ns)
+        self.link_quality = LinkQuality()
+        self._liveness.opened(now_ns)
 
     def cut(self, why: lost.LinkLost) -> None:
         """The connection is gone or unusable."""
         if self.state not in (LinkState.APART, LinkState.ENDED):
             self._end(LinkEvent.CUT, why)
             if why.cause is lost.LossCause.GARBAGE:
-                self._lanes.last(Bye("garbage", str(why)[:1000]))
+                self._queues.last(Bye("garbage", str(why)[:1000]))
 
     def close(self, reason: str = "closed") -> None:
         """End the link for good; signals and answers so far and the good-bye are still to be sent."""
         if self.state is LinkState.ENDED:
             return
-        if self._pulse.is_linked:
-            self._lanes.last(Bye("closed", reason))
-        self._pulse.turn(LinkEvent.CLOSED, lost.here(reason))
+        if self._liveness.is_linked:
+            self._queues.last(Bye("closed", reason))
+        self._liveness.turn(LinkEvent.CLOSED, lost.here(reason))
 
     def signal(self, body: bytes, now_ns: int) -> int:
         """Say something that must arrive, once and in order; its number. Legal in every state."""
@@ -97,47 +97,47 @@ class ServerEnd:
         if len(body) > self._terms.body_limit:
             raise ValueError(f"expected a reply of {self._terms.body_limit} bytes at most, found {len(body)}")
         request = self._tickets.pop(ticket)
-        self._answer(request.account, request.number, StoredReply(body))
+        self._answer(request.client_replies, request.number, StoredReply(body))
 
     def reading(self, key: str, body: bytes, now_ns: int) -> None:
         """Show the newest value under a key, if there is somebody to see it and room on the way."""
         if len(body) > self._terms.single:
             raise ValueError(f"expected a reading of {self._terms.single} bytes at most, found {len(body)}")
-        if self._pulse.is_linked:
+        if self._liveness.is_linked:
             self._readings.put(key, body, now_ns)
 
     def feed(self, packet: Packet, now_ns: int) -> None:
         """A packet came."""
         if self.state is LinkState.GREETING:
             self._feed_greeting(packet, now_ns)
-        elif self._account is not None:
-            self._pulse.note_arrival(now_ns)
-            self._feed_linked(self._account, packet, now_ns)
+        elif self._client_replies is not None:
+            self._liveness.note_arrival(now_ns)
+            self._feed_linked(self._client_replies, packet, now_ns)
 
     def tick(self, now_ns: int) -> None:
         """Time has passed; call when `due_ns` is over, after everything that came was fed."""
-        silence = self._pulse.listen(now_ns)
+        silence = self._liveness.listen(now_ns)
         if silence is not None:
             self._end(LinkEvent.SILENT, silence)
             return
-        beat = self._pulse.beat(now_ns)
+        beat = self._liveness.beat(now_ns)
         if beat is not None:
-            self._lanes.signal(beat)
+            self._queues.signal(beat)
         self._retry(now_ns)
         self._say(now_ns)
 
     def due_ns(self, now_ns: int) -> int | None:
         """How long until `tick` has something to do; None: not before something else happens."""
-        return self._pulse.due_ns(now_ns, may_retry=self._acked < self._sent_to)
+        return self._liveness.due_ns(now_ns, may_retry=self._acked < self._sent_to)
 
     def take_packets(self, now_ns: int, room: int) -> list[Packet]:
         """What is to be sent now, where the connection has room for about so many bytes."""
-        return self._lanes.take(room, now_ns)
+        return self._queues.take(room, now_ns)
 
-    def take_happenings(self) -> list[LinkNotice]:
+    def take_notices(self) -> list[LinkNotice]:
         """What the owner has not been told yet, in order."""
-        taken = self._happenings.copy()
-        self._happenings.clear()
+        taken = self._notices.copy()
+        self._notices.clear()
         return taken
 
     def _feed_greeting(self, packet: Packet, now_ns: int) -> None:
@@ -149,88 +149,94 @@ class ServerEnd:
             case _:
                 self._garbage(f"an environment does not begin with {type(packet).__name__}")
 
-    def _feed_linked(self, account: ClientReplies, packet: Packet, now_ns: int) -> None:
+    def _feed_linked(self, client_replies: ClientReplies, packet: Packet, now_ns: int) -> None:
         if not self._channel.carries(packet):
             self._garbage(f"{type(packet).__name__} has no place on the {self._channel.value} channel")
             return
         match packet:
             case Request():
-                self._request(account, packet, now_ns)
+                self._request(client_replies, packet, now_ns)
             case Part():
-                self._part(account, packet)
+                self._part(client_replies, packet)
             case Ack():
                 self._ack(packet, now_ns)
             case Hello():
-                self._hello_again(account, packet)
+                self._hello_again(client_replies, packet)
             case Bye():
                 self._bye(packet)
             case Beat():  # it was heard, that is all it is for
-                self.rhythm = self.rhythm.after(packet, now_ns)
+                self.link_quality = self.link_quality.after(packet, now_ns)
             case _:
                 self._garbage(f"an environment does not say {type(packet).__name__}")
 
     def _hello(self, hello: Hello, now_ns: int) -> None:
         if hello.version != VERSION:
             self._end(LinkEvent.CUT, lost.version(VERSION, hello.version))
-            self._lanes.last(Bye("version", f"this runtime speaks version {VERSION} of the link, not {hello.version}"))
+            self._queues.last(Bye("version", f"this runtime speaks version {VERSION} of the link, not {hello.version}"))
             return
-        account = self._replies.find(hello.client)
+        client_replies = self._replies.find(hello.client)
         same_epoch = hello.epoch == self._journal.epoch
-        resumed = account is not None and same_epoch and self._journal.reaches_back_to(hello.seq)
-        if account is not None and resumed:
+        resumed = client_replies is not None and same_epoch and self._journal.reaches_back_to(hello.seq)
+        if client_replies is not None and resumed:
             self._replies.renew(hello.client)
-            self._account, self._acked = account, hello.seq
+            self._client_replies, self._acked = client_replies, hello.seq
         else:
-            self._account, self._acked = self._replies.begin(hello.client), self._journal.last
+            self._client_replies, self._acked = self._replies.begin(hello.client), self._journal.last
         self._sent_to = self._acked
         self._progress_ns = now_ns
         self._welcome = Welcome(VERSION, self._journal.epoch, self._acked, resumed, now_ns)
-        self._lanes.signal(self._welcome)
-        self._pulse.greeted(now_ns)
-        self._happenings.append(Greeted(hello.client, resumed))
+        self._queues.signal(self._welcome)
+        self._liveness.greeted(now_ns)
+        self._notices.append(Greeted(hello.client, resumed))
         self._say(now_ns)
 
-    def _hello_again(self, account: ClientReplies, hello: Hello) -> None:
-        if hello.client != account.client:
+    def _hello_again(self, client_replies: ClientReplies, hello: Hello) -> None:
+        if hello.client != client_replies.client:
             self._garbage("a second greeting by somebody else")
         elif self._welcome is not None:
             # it may have been lost: the same once more, for what was said since goes on from there
-            self._lanes.signal(self._welcome)
+            self._queues.signal(self._welcome)
 
-    def _request(self, account: ClientReplies, request: Request, now_ns: int) -> None:
-        account.settle(request.done_below)
-        if len(account.under_way) + len(account.answers) >= self._terms.unsettled and account.is_new(request.number):
+    def _request(self, client_replies: ClientReplies, request: Request, now_ns: int) -> None:
+        client_replies.settle(request.done_below)
+        if len(client_replies.under_way) + len(
+            client_replies.answers
+        ) >= self._terms.unsettled and client_replies.is_new(request.number):
             self._garbage(f"more than {self._terms.unsettled} requests that are not settled")
             return
-        if request.number in account.answers:
-            self._repeat(account, request.number)
-        if not account.is_new(request.number):
+        if request.number in client_replies.answers:
+            self._repeat(client_replies, request.number)
+        if not client_replies.is_new(request.number):
             return
-        body = self._gathering.complete(request.number, request.parts, request.body)
+        body = self._assembly.complete(request.number, request.parts, request.body)
         if body is None:
             return
-        account.under_way.add(request.number)
+        client_replies.under_way.add(request.number)
         if request.deadline_ns and now_ns > request.deadline_ns:
-            self._answer(account, request.number, StoredReply(b"", late=True))
+            self._answer(client_replies, request.number, StoredReply(b"", late=True))
             return
         self._last_ticket += 1
-        self._tickets[self._last_ticket] = _Ticket(account, request.number)
-        self._happenings.append(RequestReceived(self._last_ticket, account.client, body))
+        self._tickets[self._last_ticket] = _Ticket(client_replies, request.number)
+        self._notices.append(RequestReceived(self._last_ticket, client_replies.client, body))
 
-    def _answer(self, account: ClientReplies, number: int, answer: StoredReply) -> None:
-        if account.answer(number, answer) and account is self._account and self._pulse.is_linked:
-            self._repeat(account, number)
+    def _answer(self, client_replies: ClientReplies, number: int, answer: StoredReply) -> None:
+        if (
+            client_replies.answer(number, answer)
+            and client_replies is self._client_replies
+            and self._liveness.is_linked
+        ):
+            self._repeat(client_replies, number)
 
-    def _repeat(self, account: ClientReplies, number: int) -> None:
-        answer = account.answers[number]
+    def _repeat(self, client_replies: ClientReplies, number: int) -> None:
+        answer = client_replies.answers[number]
         parts, last = split(number, answer.body, self._terms.piece)
-        self._lanes.session(parts, Reply(number, answer.late, len(parts), last))
+        self._queues.session(parts, Reply(number, answer.late, len(parts), last))
 
-    def _part(self, account: ClientReplies, part: Part) -> None:
-        if not account.is_new(part.number):
+    def _part(self, client_replies: ClientReplies, part: Part) -> None:
+        if not client_replies.is_new(part.number):
             return
         try:
-            self._gathering.put(part)
+            self._assembly.put(part)
         except ValueError as fault:
             self._garbage(str(fault))
 
@@ -245,29 +251,29 @@ class ServerEnd:
 
     def _say(self, now_ns: int) -> None:
         """Say what is in the journal and not said yet, as far as the window allows."""
-        if not self._pulse.is_linked:
+        if not self._liveness.is_linked:
             return
         if self._sent_to == self._acked:
             self._progress_ns = now_ns
         if not self._journal.reaches_back_to(self._sent_to):
             why = f"signal {self._sent_to + 1} is forgotten"
             self._end(LinkEvent.CUT, lost.behind(why))
-            self._lanes.last(Bye("behind", why))
+            self._queues.last(Bye("behind", why))
             return
         while self._sent_to < self._journal.last and self._sent_to - self._acked < self._terms.window:
             self._sent_to += 1
-            self._lanes.signal(Signal(self._sent_to, self._journal.body(self._sent_to)))
+            self._queues.signal(Signal(self._sent_to, self._journal.body(self._sent_to)))
 
     def _retry(self, now_ns: int) -> None:
         retry_ns = self._terms.retry_ns
         overdue = retry_ns and now_ns - self._progress_ns >= retry_ns
-        if overdue and self._pulse.is_linked and self._acked < self._sent_to:
+        if overdue and self._liveness.is_linked and self._acked < self._sent_to:
             self._sent_to = self._acked
             self._progress_ns = now_ns
 
     def _bye(self, packet: Bye) -> None:
-        if packet.cause == "closed" and self._account is not None:
-            self._replies.close(self._account.client)
+        if packet.cause == "closed" and self._client_replies is not None:
+            self._replies.close(self._client_replies.client)
         self._end(LinkEvent.CUT, lost.closed(packet.reason))
 
     def _garbage(self, detail: str) -> None:
@@ -275,10 +281,10 @@ class ServerEnd:
 
     def _end(self, event: LinkEvent, why: lost.LinkLost) -> None:
         self._drop_connection()
-        self._pulse.turn(event, why)
+        self._liveness.turn(event, why)
 
     def _drop_connection(self) -> None:
-        self._lanes.clear()
-        self._gathering.clear()
-        self._account = None
+        self._queues.clear()
+        self._assembly.clear()
+        self._client_replies = None
         self._welcome = None

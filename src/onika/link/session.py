@@ -1,4 +1,4 @@
-"""What a runtime keeps of one environment: its signals, its requests, and the ports where its connections end."""
+"""The session of one environment as the runtime keeps it: its signals, its requests, the ports of its connections."""
 
 from onika.link.caller import Caller
 from onika.link.carrier import Carrier
@@ -71,9 +71,9 @@ class EnvironmentSession:
         return 0 if self._asking is None else self._asking.heard_ns
 
     @property
-    def rhythm(self) -> LinkQuality:
+    def link_quality(self) -> LinkQuality:
         """Its beats that came as datagrams, beside its asking channel."""
-        return LinkQuality() if self._asking is None else self._asking.rhythm
+        return LinkQuality() if self._asking is None else self._asking.link_quality
 
     @property
     def is_linked(self) -> bool:
@@ -96,17 +96,17 @@ class EnvironmentSession:
 
     def service(self, now_ns: int, channel: Channel | None = None) -> list[LinkNotice]:
         """Take in, let time pass, send, on this channel (None: on all); what happened."""
-        happenings: list[LinkNotice] = []
+        notices: list[LinkNotice] = []
         self._has_shown = False
         for port in self._ports.values() if channel is None else (self._ports[channel],):
-            for happening in port.service(now_ns):
-                happenings.append(happening)
-                if isinstance(happening, RequestReceived):
+            for notice in port.service(now_ns):
+                notices.append(notice)
+                if isinstance(notice, RequestReceived):
                     self.has_requested = True
-                elif isinstance(happening, Greeted) and port is self._asking:
-                    self.client = happening.client
+                elif isinstance(notice, Greeted) and port is self._asking:
+                    self.client = notice.client
                     self._has_greeted = self._is_present = True
-        return happenings
+        return notices
 
     def states(self) -> dict[Channel, LinkState]:
         """How the runtime stands to it on each channel."""

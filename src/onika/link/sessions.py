@@ -1,4 +1,4 @@
-"""The guests of a runtime: all its sessions, who is new, who came back, who is lost and who is forgotten."""
+"""All sessions of a runtime: who is new, who came back, who is lost and who is forgotten."""
 
 from dataclasses import dataclass
 
@@ -14,7 +14,7 @@ from onika.link.signal_journal import SignalJournal
 _FORGET_NS = 600 * 1_000_000_000
 _KEEP = 32
 _SIGNALS = 4 * 1024 * 1024
-"""Bytes of signals that are kept for each guest."""
+"""Bytes of signals that are kept for each session."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""The journal: the numbered signals of one life (epoch) of a runtime, kept so that they can be said again."""
+"""The signal journal: the numbered signals of one life (epoch) of a runtime, kept so that they can be sent again."""
 
 
 class SignalJournal:

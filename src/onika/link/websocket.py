@@ -1,4 +1,4 @@
-"""A carrier over a WebSocket, from the environment's side: each payload is one binary message; TLS where asked for."""
+"""A carrier over a WebSocket, on the environment's side: a payload is one binary message, over TLS where requested."""
 
 import os
 import socket
@@ -26,10 +26,10 @@ class WebSocketCarrier:
         connected: socket.socket,
         protocol: ClientProtocol,
         buffer_limit: int = BUFFER_LIMIT,
-        beater: HeartbeatSender | None = None,
+        heartbeat_sender: HeartbeatSender | None = None,
     ) -> None:
         self._socket = connected
-        self._beater = beater
+        self._heartbeat_sender = heartbeat_sender
         self._protocol = protocol
         self._buffer_limit = buffer_limit
         self._messages = WebSocketMessages()
@@ -79,8 +79,8 @@ class WebSocketCarrier:
 
     def served(self) -> None:
         """Whoever serves this connection is alive, which is said beside it."""
-        if self._beater is not None:
-            self._beater.served()
+        if self._heartbeat_sender is not None:
+            self._heartbeat_sender.served()
 
     def receive(self) -> list[bytes]:
         """What has come; raises LinkLost at the end of the connection, after all that came before it."""
@@ -97,9 +97,9 @@ class WebSocketCarrier:
         self._waiting.clear()
         self._held.clear()
         self._end = self._end or lost.here()
-        if self._beater is not None:
-            self._beater.close()
-            self._beater = None
+        if self._heartbeat_sender is not None:
+            self._heartbeat_sender.close()
+            self._heartbeat_sender = None
         self._socket.close()
 
     def _read(self) -> None:

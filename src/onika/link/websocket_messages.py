@@ -1,4 +1,4 @@
-"""Messages of a WebSocket: put together from its frames, whole and of bytes only."""
+"""Messages of a WebSocket: assembled from their frames, complete and of bytes only."""
 
 import logging
 

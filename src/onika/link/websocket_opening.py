@@ -1,4 +1,4 @@
-"""The opening of a WebSocket to a runtime: it waits, within limits, and says distinctly what went wrong."""
+"""Opens a WebSocket to a runtime: it waits, within limits, and names the cause where it fails."""
 
 import socket
 import ssl
@@ -77,7 +77,7 @@ class WebSocketOpening:
             raise LinkLost(LossCause.CERTIFICATE, f"no private link with {self.address}: {fault.reason}") from None
         except OSError as fault:
             raise LinkLost(LossCause.UNREACHABLE, f"{self.address} ended the opening: {fault.strerror}") from None
-        return WebSocketCarrier(private, protocol, beater=_beater(private, protocol))
+        return WebSocketCarrier(private, protocol, heartbeat_sender=_heartbeat_sender(private, protocol))
 
     def _secure(self, connected: socket.socket) -> socket.socket:
         if not self.address.is_private:
@@ -107,11 +107,13 @@ class WebSocketOpening:
             raise LinkLost(LossCause.GARBAGE, f"{self.address} speaks no WebSocket: {fault}")
 
 
-def _beater(connected: socket.socket, protocol: ClientProtocol) -> HeartbeatSender | None:
+def _heartbeat_sender(connected: socket.socket, protocol: ClientProtocol) -> HeartbeatSender | None:
     """What beats beside the connection, where the runtime has told how."""
     answers = [event for event in protocol.events if isinstance(event, Response)]
-    pact = HeartbeatKey.parse(answers[0].headers.get(HEADER, "")) if answers else None
-    return None if pact is None else HeartbeatSender(pact, connected.getpeername()[0], connected.family)
+    heartbeat_key = HeartbeatKey.parse(answers[0].headers.get(HEADER, "")) if answers else None
+    return (
+        None if heartbeat_key is None else HeartbeatSender(heartbeat_key, connected.getpeername()[0], connected.family)
+    )
 
 
 Open = Callable[[Channel], WebSocketCarrier]

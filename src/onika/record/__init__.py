@@ -1,1 +1,1 @@
-"""What a recording of a run holds, as an MCAP file: written by the runtime, read by the environment (law 29)."""
+"""Recordings of runs as MCAP files: the runtime writes them, the environment reads them (law 29)."""

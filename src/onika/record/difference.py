@@ -1,4 +1,4 @@
-"""Where two recorded runs begin to differ: the first event, or the first variable, that is another (X05)."""
+"""The difference of two recorded runs: the first event, or the first variable, that is not the same (X05)."""
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""All values of a variable at once, and the least and the greatest of them in equal parts of a time (X05).
+"""A variable of a recording as arrays: all its values, or the least and the greatest in equal parts of a time (X05).
 
 A variable of a fast task has hundreds of thousands of values in ten minutes: they are read chunk by chunk into arrays.
 """

@@ -1,4 +1,4 @@
-"""Worlds as Foxglove draws them: their shapes as scene updates, their bodies as frames (docs.foxglove.dev, schemas).
+"""Worlds in the messages of Foxglove: shapes as scene updates, bodies as frames (docs.foxglove.dev, schemas).
 
 The frame of a world is `WORLD`, that of its body 3 `WORLD/3`; every shape stands in the frame of its body.
 """

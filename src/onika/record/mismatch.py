@@ -1,4 +1,4 @@
-"""Where a variable of one recording has a value that it does not take on near that time in another one (X05)."""
+"""The first mismatch of a variable in two recordings: a value that the other does not take on near that time (X05)."""
 
 from dataclasses import dataclass, replace
 from typing import Any

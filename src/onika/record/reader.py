@@ -1,4 +1,4 @@
-"""Reads a recording, whole or cut short: a file that ends in the midst of anything is read up to its last whole chunk.
+"""Reads a recording, whole or cut short: a file that ends early is read up to its last whole chunk.
 
 It is gone through once, from record to record, without unpacking; a chunk is unpacked when something in it is wanted.
 """

@@ -1,4 +1,4 @@
-"""What a recording says of its run as a whole: enough to begin the same run again (law 29)."""
+"""The run that a recording holds, described as a whole: enough to begin the same run again (law 29)."""
 
 import hashlib
 from typing import Any

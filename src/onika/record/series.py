@@ -1,4 +1,4 @@
-"""The course of one variable in a recording: at each time at which it changed, its value (X05)."""
+"""One variable of a recording over time: each time at which it changed, with its value (X05)."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The bytes of a file that somebody else may write over or cut meanwhile.
+"""The bytes of a file that another program may overwrite or cut at the same time.
 
 It is read and not mapped: where a mapped file becomes shorter, whoever looks at it is killed.
 """

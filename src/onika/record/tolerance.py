@@ -1,4 +1,4 @@
-"""How far two recorded runs may lie apart and still be the same (X05).
+"""The tolerance within which two recorded runs count as the same (X05).
 
 Measured of the same program in wall time, on a busy machine: places repeat to 0.0013 rad or m, references to 0.0001,
 times to 0.05 s. Speeds and torques that are measured do not repeat at all: for an instant each may be anything up to

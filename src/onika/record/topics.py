@@ -1,4 +1,4 @@
-"""What is said in a run beside its variables, as it stands in a recording: events, what was asked, worlds."""
+"""The topics of a recording beside its variables: events, requests, worlds."""
 
 from typing import Any
 

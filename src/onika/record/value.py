@@ -1,4 +1,4 @@
-"""Values of state variables as they stand in a recording: JSON with one key, `value`, a matrix row by row.
+"""Values of state variables in a recording: JSON with one key, `value`, a matrix row by row.
 
 Viewers know no lists of lists, so that a matrix is flat there; its shape is told beside it. JSON knows no infinity:
 it stands as a number beyond every double, and what is no number as null.

@@ -1,4 +1,4 @@
-"""Writes a recording: an MCAP file whose chunks go out often, so that a killed run leaves all but its last moment.
+"""Writes a recording: an MCAP file whose chunks are written often, so that a killed run loses its last moment only.
 
 Rare records are written by the MCAP library; messages, of which there are thousands a second, are packed here.
 """

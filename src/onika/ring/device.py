@@ -1,4 +1,4 @@
-"""What a device of a world says of itself, takes as orders and reports: the words of the device bus."""
+"""The words of the device bus: what a device of a world declares, receives as orders and reports."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What a module may not do to itself while it lives: make its ports something else than what is bound."""
+"""The binding guard: it finds what a module may not do to itself while it lives, such as replacing a bound port."""
 
 from collections.abc import Collection
 

@@ -1,4 +1,4 @@
-"""A module's file executed: source text to class, anew for every running task, so that nothing is shared (law 14)."""
+"""Loads a module's file: source text to class, anew for every running task, so that nothing is shared (law 14)."""
 
 import sys
 import traceback

@@ -1,4 +1,4 @@
-"""What the runner tells an RTPU, one datagram each; the RTPU answers with news."""
+"""The commands that the runner sends to an RTPU, one datagram each; the RTPU answers with news."""
 
 import msgspec
 from msgspec import Struct

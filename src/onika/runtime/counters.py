@@ -1,4 +1,4 @@
-"""What is counted of one task since its last status (requirements A11, A17)."""
+"""The counters of one task since its last status (requirements A11, A17)."""
 
 
 class Counters:

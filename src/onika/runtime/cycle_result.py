@@ -1,4 +1,4 @@
-"""What a cycle has returned, taken as a signal: nobody's module is trusted to have made a sound one."""
+"""The result of a cycle taken as a signal: no module is trusted to return a valid one."""
 
 from operator import index
 

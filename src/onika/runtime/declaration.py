@@ -1,4 +1,4 @@
-"""What a module's class declares: its ports, the input it takes, the parameters of its LOCAL block."""
+"""The declarations in a module class: its ports, the input it takes, the parameters of its LOCAL block."""
 
 from collections.abc import Callable
 from operator import attrgetter

@@ -1,4 +1,4 @@
-"""Spawns and exchanges that wait for a gap between cycles, so that no task that is ON misses one (law 21)."""
+"""Deferred commands: spawns and exchanges wait for a gap between cycles, so that no task misses one (law 21)."""
 
 from collections.abc import Callable
 from types import CodeType
@@ -61,7 +61,7 @@ class DeferredCommands:
 
     def __init__(self, unit: ProcessingUnit, life: TaskLifecycle, exchange: ModuleExchange) -> None:
         self._unit = unit
-        self._life = life
+        self._lifecycle = life
         self._exchange = exchange
         self._pieces: list[DeferredPiece] = []
 
@@ -94,7 +94,7 @@ class DeferredCommands:
 
     def work(self, now: int, carry_out: CarryOut) -> None:
         """Do one step of one piece, the first for which there is room until the next release; give up old ones."""
-        release = self._unit.agenda.next_release()
+        release = self._unit.scheduler.next_release()
         for piece in list(self._pieces):
             gap = None if release is None else release - now
             if gap is None or gap >= self._need_ns(piece):
@@ -190,13 +190,13 @@ class DeferredCommands:
         if piece.word == "swap":
             self._exchange.complete(piece.task, now)
         else:
-            self._life.initialise(piece.task, now)
+            self._lifecycle.initialise(piece.task, now)
         self._end(piece, now, carry_out)
 
     def _make(self, piece: DeferredPiece) -> RunningTask | None:
         if isinstance(piece.order, command.Swap):
             return self._exchange.make(piece.order, piece.code)
-        return self._life.make(piece.order, code=piece.code)
+        return self._lifecycle.make(piece.order, code=piece.code)
 
     def _give_up(self, piece: DeferredPiece, now: int, carry_out: CarryOut) -> None:
         needs, largest = self._need_ns(piece) / 1e6, piece.largest_gap / 1e6

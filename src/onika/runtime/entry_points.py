@@ -1,4 +1,4 @@
-"""The calls into modules, and what follows where they raise: mended, ERROR or refused (requirements A09, A18)."""
+"""Calls of the entry points of modules; where one raises: repaired, ERROR or refused (requirements A09, A18)."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""What a module raises, and what the runtime raises in its name."""
+"""The exceptions that a module raises, and those that the runtime raises in its name."""
 
 
 class ModuleError(Exception):

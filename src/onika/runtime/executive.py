@@ -1,4 +1,4 @@
-"""The executive of one RTPU: carries out commands, runs what is due, says what happened (the law of the cycle).
+"""The executive of one RTPU: it carries out commands, runs the tasks that are due and reports (the law of the cycle).
 
 Sans-I/O: `handle` takes a command and the time, `run_next` runs one cycle; both return news. Between two cycles its
 owner delivers the news and the commands that came meanwhile, in this order (law 2).
@@ -27,11 +27,11 @@ class Executive:
 
     def __init__(self, rtpu: str, views: Views, watch: Callable[[str], None] | None = None) -> None:
         self._unit = ProcessingUnit(rtpu, views)
-        self._calls = EntryPoints(self._unit, watch)
-        self._life = TaskLifecycle(self._unit, self._calls)
-        self._alterations = TaskCommands(self._unit, self._calls)
-        self._exchange = ModuleExchange(self._unit, self._calls, self._life)
-        self._postponed = DeferredCommands(self._unit, self._life, self._exchange)
+        self._entry_points = EntryPoints(self._unit, watch)
+        self._lifecycle = TaskLifecycle(self._unit, self._entry_points)
+        self._task_commands = TaskCommands(self._unit, self._entry_points)
+        self._exchange = ModuleExchange(self._unit, self._entry_points, self._lifecycle)
+        self._deferred = DeferredCommands(self._unit, self._lifecycle, self._exchange)
         self._busy_since_ns = 0
 
     @property
@@ -44,27 +44,27 @@ class Executive:
     def handle(self, order: command.Command, now: int) -> list[news.News]:
         """Carry out one command; what it led to comes back as news."""
         self._follow(order, now)
-        self._calls.watch("")
+        self._entry_points.watch("")
         return self._unit.take_news()
 
     @property
     def has_work(self) -> bool:
         """Whether something was put aside that `work` would go on with."""
-        return bool(self._postponed)
+        return bool(self._deferred)
 
     def work(self, now: int) -> list[news.News]:
-        """Carry out one postponed piece if there is room for it before the next release; what it led to.
+        """Carry out one deferred piece if there is room for it before the next release; what it led to.
 
         Loading a module and its `init` cost more than a cycle: while anything is ON a Spawn or Swap with a cost waits
         for a gap. Its owner calls this when nothing is due; what finds no gap within 2 s is refused with the numbers.
         """
-        self._postponed.work(now, self._follow)
-        self._calls.watch("")
+        self._deferred.work(now, self._follow)
+        self._entry_points.watch("")
         return self._unit.take_news()
 
     def next_release(self) -> int | None:
         """When the next cycle is due, if any."""
-        return self._unit.agenda.next_release()
+        return self._unit.scheduler.next_release()
 
     # Cycles
 
@@ -75,14 +75,14 @@ class Executive:
     def run_due(self, now: int, most: int) -> Sequence[news.News] | None:
         """Run what is due, in order, up to so many cycles or until there is news; None if nothing is due any more."""
         events = self._run_due(now, most)
-        if self._calls.is_watched:
-            self._calls.watch("")
+        if self._entry_points.is_watched:
+            self._entry_points.watch("")
         return events
 
     def _run_due(self, now: int, most: int) -> Sequence[news.News] | None:
-        unit, calls = self._unit, self._calls
-        agenda, slots, watch = unit.agenda, unit.slots, calls.watch if calls.is_watched else None
-        slot = agenda.next_due(now)
+        unit, calls = self._unit, self._entry_points
+        scheduler, slots, watch = unit.scheduler, unit.slots, calls.watch if calls.is_watched else None
+        slot = scheduler.next_due(now)
         while slot is not None:
             task, epoch, signal = slots[slot], slot.epoch, None
             if watch is not None:
@@ -96,13 +96,13 @@ class Executive:
             most -= 1
             goes_on = slot.epoch == epoch
             if goes_on and not task.is_periodic and (task.is_owed or not task.asks):
-                agenda.leave(slot)
+                scheduler.leave(slot)
                 goes_on = False
             if unit.news or not most:
                 if goes_on:
-                    agenda.done(slot)
+                    scheduler.done(slot)
                 return unit.take_news() if unit.news else _NOTHING
-            slot = agenda.after(slot, now) if goes_on else agenda.next_due(now)
+            slot = scheduler.after(slot, now) if goes_on else scheduler.next_due(now)
         return None
 
     def events(self) -> dict[int, Address]:
@@ -135,41 +135,41 @@ class Executive:
         task = self.tasks.get(address)
         if task is not None and task.is_on and task.is_synchronous:
             was_owed = task.is_owed or task.is_settled
-            signal = self._calls.event(task, now)
+            signal = self._entry_points.event(task, now)
             self._after_cycle(task, signal, now)
-            self._calls.watch("")
+            self._entry_points.watch("")
             if was_owed and task.is_on and not task.is_owed:
-                self._unit.agenda.resume(task.slot, now)  # it asks again at its rate
+                self._unit.scheduler.resume(task.slot, now)  # it asks again at its rate
         return self._unit.take_news()
 
     # Inner
 
     def _follow(self, order: command.Command, now: int) -> None:
-        """Carry out what of a command does not have to wait for something postponed."""
+        """Carry out what of a command does not have to wait for something deferred."""
         if isinstance(order, command.Switch | command.Together):
             switches = order.switches if isinstance(order, command.Together) else (order,)
-            self._life.switch([self._postponed.sift_switch(switch) for switch in switches], now)
+            self._lifecycle.switch([self._deferred.sift_switch(switch) for switch in switches], now)
             return
-        at_once = self._postponed.sift(order, now)
+        at_once = self._deferred.sift(order, now)
         if at_once is not None:
             self._carry_out(at_once, now)
 
     def _carry_out(self, order: command.Command, now: int) -> None:
         match order:
             case command.Spawn():
-                self._life.spawn(order, now)
+                self._lifecycle.spawn(order, now)
             case command.PreparedSwitch():
-                self._life.prepare(order)
+                self._lifecycle.prepare(order)
             case command.Answer():
-                self._life.answer(order, now)
+                self._lifecycle.answer(order, now)
             case command.Kill():
-                self._life.kill((order.subsystem, order.task), now)
+                self._lifecycle.kill((order.subsystem, order.task), now)
             case command.Swap():
                 self._exchange.swap(order, now)
             case command.Fail():
-                self._life.fail_devices(order.cause, now)
+                self._lifecycle.fail_devices(order.cause, now)
             case command.Stop() | command.Quit():
-                self._life.stop(now)
+                self._lifecycle.stop(now)
             case command.Reset():
                 self._unit.is_stopped = False
             case command.Report() | command.Load():
@@ -181,15 +181,15 @@ class Executive:
         """What is done to one task while it lives."""
         match order:
             case command.Rank():
-                self._alterations.rank(order)
+                self._task_commands.rank(order)
             case command.Reinit():
-                self._alterations.reinit(order, now)
+                self._task_commands.reinit(order, now)
             case command.Rebind():
-                self._alterations.rebind(order)
+                self._task_commands.rebind(order)
             case command.Clear():
-                self._alterations.clear(order, now)
+                self._task_commands.clear(order, now)
             case command.Get() | command.Set():
-                self._alterations.get_or_set(order, now)
+                self._task_commands.get_or_set(order, now)
 
     def _after_cycle(self, task: RunningTask, signal: Signal | None, now: int) -> None:
         """What a cycle led to besides its outputs."""
@@ -197,9 +197,9 @@ class Executive:
             task.is_first = False
             if task.is_on:
                 self._first_cycle(task, now)
-        self._calls.warn(task, now)
+        self._entry_points.warn(task, now)
         if signal is not None and task.is_on:
-            following = self._life.signalled(task, signal, now)
+            following = self._lifecycle.signalled(task, signal, now)
             if following is not None:
                 self._follow(following, now)
 
@@ -209,7 +209,7 @@ class Executive:
         try:
             task.no_strays()
         except BindingChanged as wrong:
-            self._calls.fail(task, "check", wrong, now)
+            self._entry_points.fail(task, "check", wrong, now)
 
     def _statuses(self, now: int) -> news.Statuses:
         span = max(now - self._busy_since_ns, 1)

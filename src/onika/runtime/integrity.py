@@ -1,4 +1,4 @@
-"""The check of a table's memory: what a bad module overwrote, and which tasks could have done it (requirement A12).
+"""The check of a table's memory: what a faulty module overwrote, and which tasks could have done it (requirement A12).
 
 Each entry has a guard before it, seals on its values and a count of strange publications (`ring.slots`). A task reaches
 shared memory by its rings alone; what else writes there has gone astray, and memory does not tell who wrote it. So a

@@ -1,4 +1,4 @@
-"""What tasks cost a processing unit, and whether one more would be too much: the bound of EDF (requirement X13)."""
+"""The load of a processing unit: what its tasks cost, and whether one more is too much for EDF (requirement X13)."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass

@@ -23,8 +23,8 @@ class ModuleExchange:
 
     def __init__(self, unit: ProcessingUnit, calls: EntryPoints, life: TaskLifecycle) -> None:
         self._unit = unit
-        self._calls = calls
-        self._life = life
+        self._entry_points = calls
+        self._lifecycle = life
 
     def swap(self, order: command.Swap, now: int) -> None:
         """Make, initialise, exchange."""
@@ -40,7 +40,7 @@ class ModuleExchange:
         if old is None or reason:
             self._unit.refuse((spawn.subsystem, spawn.task), _SWAP, reason)
             return None
-        return self._life.make(spawn, _SWAP, code)
+        return self._lifecycle.make(spawn, _SWAP, code)
 
     def complete(self, new: RunningTask, now: int) -> None:
         """Initialise the new task and put it in the place of the old one, as that stands by now."""
@@ -52,7 +52,7 @@ class ModuleExchange:
         new.spawn = structs.replace(new.spawn, frequency=old.spawn.frequency)
         new.period_ns, new.frequency, new.module.dt = old.period_ns, old.frequency, old.module.dt
         new.line, new.activation = old.line, old.activation
-        reason = self._calls.trial(new, "init", now, lambda: new.prepare(new.module.init))
+        reason = self._entry_points.trial(new, "init", now, lambda: new.prepare(new.module.init))
         reason = reason or (self._come_on(old, new, now) if old.is_on else "")
         if reason:
             with suppress(*RAISED):  # it only gives back what `init` took; the refusal tells what is wrong with it
@@ -72,16 +72,16 @@ class ModuleExchange:
         """The new module takes over from the old one, or comes on in its place; why it cannot, empty if it can."""
         new.goes_on = type(new.module).take is not Module.take
         if new.goes_on:
-            reason = self._calls.trial(new, "take", now, lambda: _take(old, new))
+            reason = self._entry_points.trial(new, "take", now, lambda: _take(old, new))
         else:
             try:
                 inputs = new.parse(old.line)
             except ValueError as wrong:
                 return f"on: it asks for other input: {wrong}"
-            reason = self._calls.trial(new, "on", now, lambda: _begin(new, inputs, now))
+            reason = self._entry_points.trial(new, "on", now, lambda: _begin(new, inputs, now))
         reason = reason or self._unit.objection(new)
         if not reason and new.is_synchronous:
-            reason = self._calls.trial(new, "fileno", now, lambda: self._await_event(old, new))
+            reason = self._entry_points.trial(new, "fileno", now, lambda: self._await_event(old, new))
         return reason
 
     def _await_event(self, old: RunningTask, new: RunningTask) -> None:
@@ -112,11 +112,11 @@ class ModuleExchange:
             new.publish()
         self._farewell(old, new, "kill", now)
         old.part()
-        self._calls.warn(new, now)
+        self._entry_points.warn(new, now)
         self._unit.tell(news.Swapped(*new.address, hashlib.sha256(new.spawn.source.encode()).hexdigest()))
 
     def _farewell(self, old: RunningTask, new: RunningTask, entry: str, now: int) -> None:
-        reason = self._calls.trial(old, entry, now, old.off if entry == "off" else old.module.kill)
+        reason = self._entry_points.trial(old, entry, now, old.off if entry == "off" else old.module.kill)
         if reason:
             new.module.warn(f"{reason}, in the module that was exchanged")
 

@@ -1,4 +1,4 @@
-"""What an RTPU tells the runner, one datagram each: signals, answers, status. Never merged, never dropped."""
+"""The news that an RTPU sends to the runner, one datagram each: signals, answers, status. None is merged or dropped."""
 
 from typing import Any
 

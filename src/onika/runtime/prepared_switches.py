@@ -1,4 +1,4 @@
-"""Switches prepared for the finish of a trigger, so that the next job begins without a word to anybody (law 6)."""
+"""Switches prepared for the finish of a trigger, so that the next job begins without a round trip (law 6)."""
 
 from collections.abc import Iterable
 

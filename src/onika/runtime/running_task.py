@@ -37,7 +37,7 @@ class RunningTask:
         self.state = State.WAITING
         self.module = instantiate(cls, spawn, views)
         self.binding = Binding(self.module, spawn, views)
-        self.containment = BindingGuard(self.module)
+        self.binding_guard = BindingGuard(self.module)
         self.hardware = cls.hardware
         self.passive = cls.passive
         self.trigger = cls.trigger
@@ -60,7 +60,7 @@ class RunningTask:
         self._views = views
         self._wanted = cls.declared_inputs
         self._input: UserInput | None = None
-        self.intake = self._make_intake() if cls.hardware else None
+        self.input_guard = self._make_input_guard() if cls.hardware else None
         """Of a hardware task: how it is given its inputs."""
 
     @property
@@ -98,7 +98,7 @@ class RunningTask:
     @property
     def is_driving(self) -> bool:
         """Whether it is ON and passes its inputs on to its device."""
-        return self.is_on and self.intake is not None and not self.intake.is_waiting
+        return self.is_on and self.input_guard is not None and not self.input_guard.is_waiting
 
     @property
     def key(self) -> tuple[int, int, str]:
@@ -137,8 +137,8 @@ class RunningTask:
         self.no_strays()
         if self._wanted:
             self._input = UserInput(sheet_of(type(self.module)).inputs, self._constants())
-        if self.intake is not None:
-            self.intake.prepare()
+        if self.input_guard is not None:
+            self.input_guard.prepare()
         self.is_initialised = True
 
     def publish_constants(self, first_values: bool = True) -> None:
@@ -156,14 +156,14 @@ class RunningTask:
             spawn = structs.replace(spawn, local=local)
         parameters = locals_of(type(self.module), dict(spawn.local))
         self.binding = Binding(self.module, spawn, self._views, self.binding)
-        former, self.containment = self.containment.known, BindingGuard(self.module)
-        self.containment.known = former
+        former, self.binding_guard = self.binding_guard.known, BindingGuard(self.module)
+        self.binding_guard.known = former
         if local is not None:
             give_locals(self.module, parameters)
         self.spawn = spawn
         self._reads, self._writes = self.binding.copies("in"), self.binding.copies("out")
-        if self.intake is not None:
-            self.intake.bind(self.binding)
+        if self.input_guard is not None:
+            self.input_guard.bind(self.binding)
         self.is_initialised = False
 
     def clear(self) -> None:
@@ -177,8 +177,8 @@ class RunningTask:
         self.period_ns = period_of(frequency)
         self.frequency = frequency
         self.module.dt = 1.0 / frequency
-        if self.intake is not None:
-            self.intake.change_rate(self.period_ns)
+        if self.input_guard is not None:
+            self.input_guard.change_rate(self.period_ns)
         return self.period_ns
 
     def on(self, now: int, inputs: SimpleNamespace) -> None:
@@ -192,10 +192,10 @@ class RunningTask:
         self.look()
         if self.module.partner is not None:
             self.module.partner.begin()
-        if self.intake is not None:
+        if self.input_guard is not None:
             if self.device is None:
                 raise ModuleError("a hardware task needs a device")
-            self.intake.begin(now)
+            self.input_guard.begin(now)
         self.module.on(inputs)
 
     def look(self) -> None:
@@ -213,12 +213,12 @@ class RunningTask:
     def cycle(self, now: int) -> Signal | None:
         """Copy in, cycle, copy out, times."""
         began = perf_counter_ns()
-        if self.intake is None:
+        if self.input_guard is None:
             for read in self._reads:
                 read()
             self.module.now = now * 1e-9
             signal = self.module.cycle()
-        elif self.intake.take_in(now):
+        elif self.input_guard.take_in(now):
             signal = self.module.cycle()
         else:
             self.module.hold()
@@ -275,8 +275,8 @@ class RunningTask:
         """Put the task's device in hold, whatever its module thinks."""
         if self.spawn.device is not None:
             self.module.device.hold()
-        if self.intake is not None:
-            self.intake.rest()
+        if self.input_guard is not None:
+            self.input_guard.rest()
 
     def part(self) -> None:
         """The task is gone: so are the connection to its partner and the program it started."""
@@ -296,15 +296,15 @@ class RunningTask:
 
     def no_strays(self) -> None:
         """Raises Strayed where the module is no more what was bound, or writes what is no port."""
-        self.containment.check()
+        self.binding_guard.check()
 
     # Inner
 
-    def _make_intake(self) -> InputGuard:
+    def _make_input_guard(self) -> InputGuard:
         table = self._views[f"table:{self.spawn.subsystem}"]
-        intake = InputGuard(self.spawn.subsystem, self.spawn.task, self.module, self.period_ns, table)
-        intake.bind(self.binding)
-        return intake
+        input_guard = InputGuard(self.spawn.subsystem, self.spawn.task, self.module, self.period_ns, table)
+        input_guard.bind(self.binding)
+        return input_guard
 
     def _constants(self) -> dict[str, object]:
         cls = type(self.module)

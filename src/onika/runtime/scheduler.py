@@ -1,7 +1,7 @@
-"""What is due: a release queue and a ready queue, earliest deadline first; sans-I/O (laws 1, 2).
+"""The scheduler of one RTPU: a release queue and a ready queue, earliest deadline first; sans-I/O (laws 1, 2).
 
-A task on the agenda is a mutable `TaskSlot`. Released slots wait by (deadline, criticality, rank, name), which fixes the
-order at one instant whatever came before. A slot whose deadline has passed before it could run is late: the periods
+A task in the scheduler is a mutable `TaskSlot`. Released slots wait by (deadline, criticality, rank, name), which fixes
+the order at one instant whatever came before. A slot whose deadline has passed before it could run is late: the periods
 it is late by are counted and skipped, and it runs once for the period that is open.
 """
 
@@ -9,7 +9,7 @@ from heapq import heappop, heappush, heapreplace
 
 
 class TaskSlot:
-    """A task's place on the agenda. `key` sorts tasks with the same deadline: (-criticality, rank, name)."""
+    """A task's place on the scheduler. `key` sorts tasks with the same deadline: (-criticality, rank, name)."""
 
     __slots__ = ("deadline", "epoch", "is_listed", "key", "missed", "period", "release")
 

@@ -1,4 +1,4 @@
-"""The figures of a running task: its status (requirements A11, A17), its cost (X13), its values as it fails (A18)."""
+"""The statistics of a running task: its status (A11, A17), its cost (X13), its values when it fails (A18)."""
 
 from time import get_clock_info
 from typing import Any

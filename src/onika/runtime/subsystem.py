@@ -1,4 +1,4 @@
-"""A subsystem: the tasks that share one table, who is ON, who may be spawned next, what a switch forgets (law 3)."""
+"""A running subsystem: the tasks that share one table, who is ON, who may be spawned next (law 3)."""
 
 from collections.abc import Collection, Iterable, Mapping
 

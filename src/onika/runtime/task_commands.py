@@ -1,4 +1,4 @@
-"""What is changed about one task while it lives: out of ERROR, constants, ports, places, values by name (law 11)."""
+"""Commands to one living task: out of ERROR, constants, ports, places, values by name (law 11)."""
 
 from msgspec import structs
 
@@ -15,7 +15,7 @@ class TaskCommands:
 
     def __init__(self, unit: ProcessingUnit, calls: EntryPoints) -> None:
         self._unit = unit
-        self._calls = calls
+        self._entry_points = calls
 
     def clear(self, order: command.Clear, now: int) -> None:
         """Out of ERROR."""
@@ -24,7 +24,7 @@ class TaskCommands:
             self._unit.refuse((order.subsystem, order.task), "clear", "the task is not in ERROR")
             return
         was_initialised = task.is_initialised
-        if self._calls.attempt(task, "clear", now, task.clear):
+        if self._entry_points.attempt(task, "clear", now, task.clear):
             task.step(Step.CLEAR)
             off = news.Changed(*task.address, task.state.value, now, activation=task.activation)
             self._unit.tell(off if was_initialised else news.Initialised(*task.address))
@@ -32,7 +32,7 @@ class TaskCommands:
     def reinit(self, order: command.Reinit, now: int) -> None:
         """Constants in, `reinit`, constants out."""
         task = self._living((order.subsystem, order.task), "reinit", Step.REINIT)
-        if task is not None and self._calls.attempt(task, "reinit", now, task.reinit):
+        if task is not None and self._entry_points.attempt(task, "reinit", now, task.reinit):
             task.step(Step.REINIT)
             self._unit.tell(news.Reinitialised(*task.address))
 
@@ -58,7 +58,7 @@ class TaskCommands:
                 self._unit.refuse((order.subsystem, name), "rank", "no such task")
                 continue
             task.spawn = structs.replace(task.spawn, rank=rank)
-            self._unit.agenda.rekey(task.slot, task.key)
+            self._unit.scheduler.rekey(task.slot, task.key)
 
     def get_or_set(self, order: command.Get | command.Set, now: int) -> None:
         """Ask or tell a module something by name; a Set runs an aperiodic task that is ON once more."""
@@ -67,7 +67,7 @@ class TaskCommands:
         if task is None:
             self._unit.refuse(address, "get or set", "no such task")
             return
-        self._calls.watch(task.slot.key[2])
+        self._entry_points.watch(task.slot.key[2])
         try:
             if isinstance(order, command.Set):
                 task.module.set(order.name, order.value)
@@ -79,10 +79,10 @@ class TaskCommands:
             self._unit.refuse(address, "get or set", traceback_text(wrong))
             return
         finally:
-            self._calls.watch("")
+            self._entry_points.watch("")
         self._unit.tell(got)
         if task.spawn.task_type == "aperiodic" and task.is_on and isinstance(order, command.Set):
-            self._unit.agenda.enter(task.slot, now)
+            self._unit.scheduler.enter(task.slot, now)
 
     # Inner
 

@@ -1,4 +1,4 @@
-"""The lives of the tasks on one processing unit: spawned, turned on, asked, turned off, killed (law 11)."""
+"""The lifecycle of the tasks on one RTPU: spawned, turned on, asked for input, turned off, killed (law 11)."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -24,7 +24,7 @@ class TaskLifecycle:
 
     def __init__(self, unit: ProcessingUnit, calls: EntryPoints) -> None:
         self._unit = unit
-        self._calls = calls
+        self._entry_points = calls
 
     # To life and to its end
 
@@ -45,7 +45,7 @@ class TaskLifecycle:
         if entry == "spawn" and address in self._unit.tasks:
             self._unit.refuse(address, entry, "a task of this name lives here already")
             return None
-        self._calls.watch(f"{order.subsystem}/{order.task}")
+        self._entry_points.watch(f"{order.subsystem}/{order.task}")
         try:
             cls = load(order.source, order.path, order.module, code)
             if not isinstance(cls, Fault):
@@ -54,13 +54,13 @@ class TaskLifecycle:
         except RAISED as wrong:
             self._unit.refuse(address, entry, traceback_text(wrong))
         finally:
-            self._calls.watch("")
+            self._entry_points.watch("")
         return None
 
     def initialise(self, task: RunningTask, now: int) -> None:
         """The task lives from now on; `init`."""
         self._unit.admit(task)
-        if self._calls.attempt(task, "init", now, task.init):
+        if self._entry_points.attempt(task, "init", now, task.init):
             task.step(Step.INITIALISED)
             self._unit.tell(news.Initialised(*task.address))
 
@@ -74,7 +74,7 @@ class TaskLifecycle:
         if task.state in (State.ON, State.ASKING):
             self._leave(task, Step.OFF, now)
         self._unit.dismiss(address)
-        self._calls.attempt(task, "kill", now, task.module.kill)
+        self._entry_points.attempt(task, "kill", now, task.module.kill)
         task.part()
         task.hold()
         task.step(Step.KILL)
@@ -94,7 +94,7 @@ class TaskLifecycle:
         self._unit.prepared.drop_all()
         for task in self._unit.tasks.values():
             if task.device is not None and task.is_on:
-                self._calls.fail(task, "device", ModuleError(cause), now)
+                self._entry_points.fail(task, "device", ModuleError(cause), now)
 
     # On and off
 
@@ -139,7 +139,7 @@ class TaskLifecycle:
         try:
             signal = signal_of(returned, is_trigger=task.trigger)
         except TypeError as wrong:
-            self._calls.fail(task, "cycle", wrong, now)
+            self._entry_points.fail(task, "cycle", wrong, now)
             return None
         address, run = task.address, task.activation
         if signal.kind is SignalKind.FINISH:
@@ -168,7 +168,7 @@ class TaskLifecycle:
             self._unit.refuse(address, "rate", "no such task")
             return
         try:
-            self._unit.agenda.change(task.slot, task.change_rate(frequency), now)
+            self._unit.scheduler.change(task.slot, task.change_rate(frequency), now)
         except ValueError as wrong:
             self._unit.refuse(address, "rate", str(wrong))
             return
@@ -203,7 +203,7 @@ class TaskLifecycle:
             self._ask(task, str(wrong) if line else "", now)
             return
         try:
-            began = self._calls.attempt(task, "on", now, partial(task.begin, now, inputs), passing=AskAgain)
+            began = self._entry_points.attempt(task, "on", now, partial(task.begin, now, inputs), passing=AskAgain)
         except AskAgain as again:
             self._ask(task, str(again), now)
             return
@@ -215,7 +215,7 @@ class TaskLifecycle:
         self._unit.enter(task, now)
         self._unit.watch(task, now)
         if task.is_synchronous:
-            self._calls.attempt(task, "fileno", now, partial(self._unit.await_event, task))
+            self._entry_points.attempt(task, "fileno", now, partial(self._unit.await_event, task))
         state = _ON if task.state is State.ON else task.state.value
         self._unit.tell(news.Changed(*task.address, state, now, "", task.activation))
 
@@ -224,7 +224,7 @@ class TaskLifecycle:
         reason = self._unit.objection(task)
         if not reason:
             return False
-        if self._calls.attempt(task, "off", now, task.off):
+        if self._entry_points.attempt(task, "off", now, task.off):
             if task.state is State.ASKING:
                 task.step(Step.OFF)
                 self._unit.tell(news.Changed(*task.address, _OFF, now, "", task.activation))
@@ -247,7 +247,7 @@ class TaskLifecycle:
         """Out of ON or ASKING; `off` runs only after an `on`. False if it raised: the task is in ERROR instead."""
         self._unit.leave(task, now)
         self._unit.watch(task, now)
-        if task.is_on and not self._calls.attempt(task, "off", now, task.off):
+        if task.is_on and not self._entry_points.attempt(task, "off", now, task.off):
             return False
         task.step(step)
         return True

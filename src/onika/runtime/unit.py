@@ -1,4 +1,4 @@
-"""What lives on one processing unit: its tasks, their places on the agenda, the descriptors they wait for, its news."""
+"""A processing unit: its tasks, their places in the scheduler, the descriptors they wait for, its news."""
 
 import select
 from collections.abc import MutableMapping
@@ -22,7 +22,7 @@ class ProcessingUnit:
         self.rtpu = rtpu
         self.views = views
         self.tasks: dict[Address, RunningTask] = {}
-        self.agenda = Scheduler()
+        self.scheduler = Scheduler()
         self.slots: MutableMapping[TaskSlot, RunningTask] = {}
         self.events: dict[int, Address] = {}
         self.speaking: dict[Address, RunningTask] = {}
@@ -59,19 +59,19 @@ class ProcessingUnit:
         task.tid = self._last_tid
         self.tasks[task.address] = task
         self.slots[task.slot] = task
-        if task.intake is not None:
-            task.intake.continuity.tell = self.tell
+        if task.input_guard is not None:
+            task.input_guard.transfer.tell = self.tell
         self.know_rings(task)
 
     def exchange(self, old: RunningTask, new: RunningTask) -> None:
-        """The new task stands where the old one stood: number, place on the agenda, rate, figures of misses."""
+        """The new task stands where the old one stood: number, place on the scheduler, rate, figures of misses."""
         new.tid = old.tid
         new.slot = old.slot
         self.tasks[old.address] = new
         self.slots[old.slot] = new
-        if new.intake is not None:
-            new.intake.continuity.tell = self.tell
-        self.agenda.rekey(new.slot, new.key)
+        if new.input_guard is not None:
+            new.input_guard.transfer.tell = self.tell
+        self.scheduler.rekey(new.slot, new.key)
         self.know_rings(new)
 
     def dismiss(self, address: Address) -> RunningTask | None:
@@ -88,14 +88,14 @@ class ProcessingUnit:
         """The task cycles from now on."""
         task.counters.on_since_ns = now
         if not task.is_synchronous or task.asks:
-            self.agenda.enter(task.slot, now)
+            self.scheduler.enter(task.slot, now)
         if task.partner is not None:
             self.speaking[task.address] = task
 
     def leave(self, task: RunningTask, now: int) -> None:
         """The task cycles no more; harmless where it did not."""
         task.counters.end(now)
-        self.agenda.leave(task.slot)
+        self.scheduler.leave(task.slot)
         self.forget_event(task)
         self.speaking.pop(task.address, None)
 
@@ -111,9 +111,9 @@ class ProcessingUnit:
         if new.partner is not None:
             self.speaking[new.address] = new
         if new.is_synchronous:
-            self.agenda.leave(new.slot)
+            self.scheduler.leave(new.slot)
         if new.asks and not new.is_owed:
-            self.agenda.resume(new.slot, now)
+            self.scheduler.resume(new.slot, now)
 
     def forget_event(self, task: RunningTask) -> None:
         """Wait for the task's descriptor no more."""
@@ -126,7 +126,7 @@ class ProcessingUnit:
         """Know the variables of a task by their names, and let it know those of its subsystem."""
         rings = self._rings.setdefault(task.spawn.subsystem, {})
         rings.update(task.binding.rings)
-        task.containment.known = rings
+        task.binding_guard.known = rings
 
     def _know_no_more(self, subsystem: str) -> None:
         """Know the variables of those who live on alone: the memory of others may have become another variable's."""
@@ -144,7 +144,7 @@ class ProcessingUnit:
         On whatever unit that is. Hardware itself feeds none.
         """
         table = self.views.get(f"table:{task.spawn.subsystem}")
-        if table is not None and task.intake is None:
+        if table is not None and task.input_guard is None:
             words = table[:8].cast("q")
             periods_ns = 2 * task.period_ns if task.is_on and task.is_periodic else 0
             words[0] = max(words[0], now + WATCHED_NS + periods_ns)
@@ -153,9 +153,13 @@ class ProcessingUnit:
         """Why what a task that comes on has in its outputs cannot be given to a device; empty where it can."""
         outputs = task.binding.real_outputs()
         for running in self.tasks.values():
-            if running.intake is not None and running.spawn.subsystem == task.spawn.subsystem and running.is_driving:
+            if (
+                running.input_guard is not None
+                and running.spawn.subsystem == task.spawn.subsystem
+                and running.is_driving
+            ):
                 for svar, value in outputs.items():
-                    if reason := running.intake.continuity.objection(svar, value):
+                    if reason := running.input_guard.transfer.objection(svar, value):
                         return reason
         return ""
 

@@ -1,4 +1,4 @@
-"""How tasks of one subsystem meet in its variables: ports by aliased names, and where declarations disagree (law 7)."""
+"""The wiring of a subsystem: tasks meet in variables by aliased port names; declarations that disagree (law 7)."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -63,7 +63,7 @@ class WiredTask:
 
     @property
     def first_values(self) -> tuple[str, ...]:
-        """What it reads at initialisation if somebody supplies it by then, else as it stands (decision 6)."""
+        """What it reads at initialisation if somebody supplies it by then, else as it stands (reading 6)."""
         return self.svars(PortKind.INBOTH)
 
     @property

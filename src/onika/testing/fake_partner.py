@@ -63,7 +63,7 @@ class FakePartner:
         self._path = folder / "partner"
         self.address = f"unix:{self._path}"
         self._server: socket.socket | None = None
-        self._calls: list[Call] = []
+        self._entry_points: list[Call] = []
         if listens:
             self.open()
 
@@ -78,14 +78,14 @@ class FakePartner:
         """The next call; raises TimeoutError where nobody calls."""
         if self._server is None:
             raise RuntimeError("expected an outsider that listens: open it first")
-        self._calls.append(Call(self._server.accept()[0]))
-        return self._calls[-1]
+        self._entry_points.append(Call(self._server.accept()[0]))
+        return self._entry_points[-1]
 
     def close(self) -> None:
         """Hang up everywhere, and listen no more."""
-        for call in self._calls:
+        for call in self._entry_points:
             call.close()
-        self._calls.clear()
+        self._entry_points.clear()
         if self._server is not None:
             self._server.close()
             self._path.unlink()

@@ -24,31 +24,31 @@ _WRONG_MESSAGE = 1007
 _NOT_ALLOWED = 1008
 
 
-def application(door: Login, hall: Hub, static: Path = STATIC) -> Starlette:
+def application(login: Login, hub: Hub, static: Path = STATIC) -> Starlette:
     """The application; nothing but a refusal is told to whoever has no key."""
 
     async def page(request: Request) -> Response:
-        if not door.is_ours(request.headers):
+        if not login.is_ours(request.headers):
             return PlainTextResponse("no such host\n", 421)
         key = request.query_params.get("key")
-        if key is not None and not door.knows(request.cookies):
-            cookie = door.enter(key)
+        if key is not None and not login.knows(request.cookies):
+            cookie = login.enter(key)
             if cookie is None:
                 return PlainTextResponse(_NO_KEY, 403)
             return _with_cookie(RedirectResponse("/", 303), cookie)
         if key is not None:
             return RedirectResponse("/", 303)
-        if not door.knows(request.cookies):
+        if not login.knows(request.cookies):
             return PlainTextResponse(_NO_KEY, 403)
         index = static / "index.html"
         return FileResponse(index) if index.is_file() else PlainTextResponse(_NOT_BUILT, 503)
 
     async def talk(socket: WebSocket) -> None:
-        if not (door.is_own_page(socket.headers) and door.knows(socket.cookies)):
+        if not (login.is_own_page(socket.headers) and login.knows(socket.cookies)):
             await socket.close(_NOT_ALLOWED)
             return
         await socket.accept()
-        await _converse(socket, hall)
+        await _converse(socket, hub)
 
     routes: list[Route | Mount | WebSocketRoute] = [Route("/", page), WebSocketRoute("/ws", talk)]
     if (static / "assets").is_dir():
@@ -56,20 +56,20 @@ def application(door: Login, hall: Hub, static: Path = STATIC) -> Starlette:
     return Starlette(routes=routes, middleware=[Middleware(StrictHeaders)])
 
 
-async def _converse(socket: WebSocket, hall: Hub) -> None:
+async def _converse(socket: WebSocket, hub: Hub) -> None:
     """Until the browser leaves, or sends what is no act: that closes its own connection and no other."""
-    guest = hall.come()
+    client = hub.come()
 
     async def send() -> None:
         while True:
-            await socket.send_text((await guest.outbox.next()).decode())
+            await socket.send_text((await client.outbox.next()).decode())
 
     sending = asyncio.create_task(send())
     try:
         while True:
             body = await socket.receive_text()
             try:
-                hall.take(guest, body)
+                hub.take(client, body)
             except ValueError as wrong:
                 await socket.close(_WRONG_MESSAGE, str(wrong)[:100])
                 return
@@ -77,7 +77,7 @@ async def _converse(socket: WebSocket, hall: Hub) -> None:
         pass
     finally:
         sending.cancel()
-        hall.leave(guest)
+        hub.leave(client)
 
 
 def _with_cookie(response: Response, cookie: str) -> Response:

@@ -1,4 +1,4 @@
-"""The headers that every answer carries: nothing from elsewhere is loaded, shown inside others, or guessed."""
+"""The HTTP headers of every answer: nothing from elsewhere is loaded, embedded or guessed."""
 
 from starlette.datastructures import MutableHeaders
 from starlette.types import ASGIApp, Message, Receive, Scope, Send

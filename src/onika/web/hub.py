@@ -1,4 +1,4 @@
-"""All browsers that look at one environment: what one does, all see."""
+"""The hub of all browsers that look at one environment: what one does, all see."""
 
 import time
 from collections import deque
@@ -51,7 +51,7 @@ class Hub:
         self._clock = clock
         self._environment = environment
         self._watched = watched
-        self._guests: list[BrowserClient] = []
+        self._clients: list[BrowserClient] = []
         self._came = 0
         self._remembered: deque[bytes] = deque(maxlen=_REMEMBERED)
         environment.listeners.append(self)
@@ -59,40 +59,40 @@ class Hub:
     @property
     def is_watching(self) -> bool:
         """Whether anybody wants frames."""
-        return any(client.watch.variables or client.watch.worlds or client.watch.figures for client in self._guests)
+        return any(client.watch.variables or client.watch.worlds or client.watch.figures for client in self._clients)
 
     def come(self) -> BrowserClient:
         """A browser comes in; the first it is sent is a snapshot."""
         self._came += 1
         name = f"browser {self._came}"
-        guest = BrowserClient(name, lambda: self._snapshot(name))
+        client = BrowserClient(name, lambda: self._snapshot(name))
         for message in self._remembered:
-            guest.outbox.put(message)
-        self._guests.append(guest)
+            client.outbox.put(message)
+        self._clients.append(client)
         self._count()
-        return guest
+        return client
 
-    def leave(self, guest: BrowserClient) -> None:
+    def leave(self, client: BrowserClient) -> None:
         """A browser is gone."""
-        self._guests.remove(guest)
+        self._clients.remove(client)
         self._rewatch()
         self._count()
 
-    def take(self, guest: BrowserClient, body: str | bytes) -> None:
+    def take(self, client: BrowserClient, body: str | bytes) -> None:
         """Carry out what a browser sends; raises ValueError for what is no act."""
         ordered = page.decode(body)
         if isinstance(ordered.act, act.Watch):
-            guest.watch = ordered.act
+            client.watch = ordered.act
             self._rewatch()
-            guest.outbox.put(page.encode(page.Ok(ordered.cid, self._environment.revision)))
+            client.outbox.put(page.encode(page.Ok(ordered.cid, self._environment.revision)))
             return
-        self._environment.do(ordered.act, guest.name, lambda given: self._answer(guest, ordered.cid, given))
+        self._environment.do(ordered.act, client.name, lambda given: self._answer(client, ordered.cid, given))
 
     def patch(self, patch: page.Patch) -> None:
         """Something has changed: all are told, in words made once."""
         message = page.encode(patch)
-        for guest in self._guests:
-            guest.outbox.patch(message)
+        for client in self._clients:
+            client.outbox.patch(message)
 
     def remember(self, says: Iterable[page.Say]) -> None:
         """Lines that everybody who comes is shown."""
@@ -102,8 +102,8 @@ class Hub:
         """Something is worth a line; whoever comes later reads it in the log."""
         line = page.encode(self._stamped(message))
         self._remembered.append(line)
-        for guest in self._guests:
-            guest.outbox.put(line)
+        for client in self._clients:
+            client.outbox.put(line)
 
     def pump(self) -> None:
         """Bring the newest values to those who watch them."""
@@ -111,23 +111,23 @@ class Hub:
         if frame is None:
             return
         made: dict[tuple[Any, ...], bytes] = {}
-        for guest in self._guests:
-            wish = guest.watch
+        for client in self._clients:
+            wish = client.watch
             if not (wish.variables or wish.worlds or wish.figures):
                 continue
             key = (wish.variables, wish.worlds, wish.figures)
             if key not in made:
                 made[key] = _part(frame, wish)
             if made[key]:
-                guest.outbox.frame(made[key])
+                client.outbox.frame(made[key])
 
-    def _answer(self, guest: BrowserClient, cid: int, given: Answer) -> None:
+    def _answer(self, client: BrowserClient, cid: int, given: Answer) -> None:
         revision = self._environment.revision
         no = given.no
         message = (
             page.Ok(cid, revision, given.value) if no is None else page.Refused(cid, no.reason, no.remedies, no.fields)
         )
-        guest.outbox.put(page.encode(message))
+        client.outbox.put(page.encode(message))
 
     def _snapshot(self, name: str) -> bytes:
         environment = self._environment
@@ -138,14 +138,14 @@ class Hub:
         return message if message.at_s else msgspec.structs.replace(message, at_s=self._clock())
 
     def _rewatch(self) -> None:
-        wishes = [client.watch for client in self._guests]
+        wishes = [client.watch for client in self._clients]
         variables = frozenset(name for wish in wishes for name in wish.variables)
         worlds = frozenset(name for wish in wishes for name in wish.worlds)
         fastest = max((wish.hz for wish in wishes), default=0.0)
         self._watched.watch(variables, worlds, any(wish.figures for wish in wishes), fastest)
 
     def _count(self) -> None:
-        self._environment.become(lambda model: Done(replace(model, people=len(self._guests))))
+        self._environment.become(lambda model: Done(replace(model, people=len(self._clients))))
 
 
 def _part(frame: page.Frame, wish: act.Watch) -> bytes:

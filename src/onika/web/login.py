@@ -1,4 +1,4 @@
-"""Who may come in: a key in the address that works once, then a cookie; and only pages of our own."""
+"""The login: a key in the address works once, then a cookie; only pages of our own may connect."""
 
 import hmac
 import secrets

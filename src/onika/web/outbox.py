@@ -1,4 +1,4 @@
-"""What waits to be sent to one browser: answers never lost, patches in order, of frames the newest only."""
+"""The messages waiting for one browser: answers are never lost, patches stay in order, only the newest frame counts."""
 
 import asyncio
 from collections import deque

@@ -1,4 +1,4 @@
-"""The environment as a program: model, runtime, files, diary and browsers, put together in one loop."""
+"""The environment as a program: model, runtime, files, diary and browsers in one loop."""
 
 import asyncio
 import os
@@ -93,21 +93,21 @@ class EnvironmentProgram:
         disk = Disk(self._site)  # before the files are read: what is written meanwhile is seen at the first look
         model, says = initial_model.opened(self._site, self._state, self._settings())
         environment = Environment(model, HANDLERS, surroundings, station)
-        hall = Hub(environment, station)
-        hall.remember(says)
-        door = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))
+        hub = Hub(environment, station)
+        hub.remember(says)
+        login = Login(addresses(listening), lambda key: on_ready(_address(listening, key)))
         kept, autosave = self._recovery(environment), Autosave()
         station.begin(environment)
         self._open(environment)
         diary = self._diary(environment)
         beside = (
-            self._show(hall),
+            self._show(hub),
             self._look(environment, disk),
             self._keep(environment, kept, autosave),
             self._judge(environment),
         )
         try:
-            await serve(application(door, hall), listening, beside, lambda: on_ready(_address(listening, door.key)))
+            await serve(application(login, hub), listening, beside, lambda: on_ready(_address(listening, login.key)))
         finally:
             listening.close()
             station.end()
@@ -169,11 +169,11 @@ class EnvironmentProgram:
                 connect, _NAME, lambda given: report(given) if first in environment.model.documents else None
             )
 
-    async def _show(self, hall: Hub) -> None:
+    async def _show(self, hub: Hub) -> None:
         """The newest values, to those who watch."""
         while True:
-            await asyncio.sleep(_FRAME_S if hall.is_watching else 0.1)
-            hall.pump()
+            await asyncio.sleep(_FRAME_S if hub.is_watching else 0.1)
+            hub.pump()
 
     async def _look(self, environment: Environment, disk: Disk) -> None:
         """Files that others change."""

@@ -1,4 +1,4 @@
-"""The server: the application on a port of this machine, beside the environment in one loop."""
+"""The server of the page: the web application on a port of this machine, in one loop with the environment."""
 
 import asyncio
 import socket

@@ -1,4 +1,4 @@
-"""Which arm stands at each side of the table, and whether the world has forces: both follow from what is claimed.
+"""The arms of the workcell: which one stands at each side of the table, and whether the world has forces.
 
 At a side stands one arm: of the kind, and in the mode, of the device that was claimed there last. All arms of a world
 are in one mode (law 18). Whoever asks for another arm than the one in use there, or for the other mode, is refused.

@@ -104,9 +104,9 @@ class BoxesWorld:
     def command(self, device: str, epoch: int, order: int, values: Sequence[float] | Array) -> None:
         """A fresh command, which acts from the next step on; one from a writer without the claim is ignored.
 
-        `values` are as the device's sheet says and are used with DeviceOrder.DRIVE alone: doubles in an array or memoryview
-        (quickest), a list or a tuple. Raises ValueError for a wrong number of values, an unknown order or a device that
-        takes none, KeyError for an unknown device.
+        `values` are as the device's sheet says and are used with DeviceOrder.DRIVE alone: doubles in an array or
+        memoryview (quickest), a list or a tuple. Raises ValueError for a wrong number of values, an unknown order
+        or a device that takes none, KeyError for an unknown device.
         """
         unit = self._units[device]
         if epoch == unit.follows and order == _DRIVE:
@@ -211,14 +211,14 @@ class BoxesWorld:
         """A command that may change the drive's mode."""
         if not unit.count:
             raise ValueError(f"expected a device that takes commands, found {unit.sheet.name!r}")
-        happening = input_of(order)
-        if happening is DriveInput.DRIVE and len(values) != unit.count:
+        drive_input = input_of(order)
+        if drive_input is DriveInput.DRIVE and len(values) != unit.count:
             raise ValueError(f"expected {unit.count} values for {unit.sheet.name!r}, found {len(values)}")
-        if happening is DriveInput.DRIVE and not np.isfinite(values).all():
-            happening = DriveInput.UNSOUND
-        self._feed(unit, happening)
+        if drive_input is DriveInput.DRIVE and not np.isfinite(values).all():
+            drive_input = DriveInput.UNSOUND
+        self._feed(unit, drive_input)
         unit.drive.last_ns = self.now_ns
-        if unit.drive.mode is DriveMode.DRIVEN and happening is DriveInput.DRIVE:
+        if unit.drive.mode is DriveMode.DRIVEN and drive_input is DriveInput.DRIVE:
             unit.follow(values)
         self._due_ns = min(self._due_ns, unit.drive.due_ns)
 
@@ -229,24 +229,24 @@ class BoxesWorld:
 
     def _listen(self, now: int) -> None:
         for unit in self._acting:
-            happening = unit.drive.silence(now)
-            if happening is not None:
-                self._feed(unit, happening)
+            drive_input = unit.drive.silence(now)
+            if drive_input is not None:
+                self._feed(unit, drive_input)
         self._due_ns = min(unit.drive.due_ns for unit in self._acting)
 
-    def _feed(self, unit: DeviceUnit, happening: DriveInput) -> None:
+    def _feed(self, unit: DeviceUnit, drive_input: DriveInput) -> None:
         """Something happened to a drive: move it, hold where it stops following, report what others see of it."""
         if unit is self._lamp:
             return
         before, was = unit.drive.shown, unit.drive.mode
-        unit.drive.feed(happening)
+        unit.drive.feed(drive_input)
         if was is DriveMode.DRIVEN and unit.drive.mode is not DriveMode.DRIVEN:
             unit.capture()
         after = unit.drive.shown
         if after is not before:
             unit.state[1] = after
             last = max(self.now_ns - self.step_ns, 0)
-            event = DriveEvent(unit.sheet.name, int(after), self.now_ns, last, unit.drive.last_ns, happening.value)
+            event = DriveEvent(unit.sheet.name, int(after), self.now_ns, last, unit.drive.last_ns, drive_input.value)
             self._events.append(event)
         unit.follows = unit.epoch if unit.drive.mode is DriveMode.DRIVEN else None
         self._holding = [

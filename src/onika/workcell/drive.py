@@ -113,9 +113,9 @@ class DriveUnit:
             return None
         return DriveInput.SILENCE if self.mode is DriveMode.DRIVEN else DriveInput.LONG_SILENCE
 
-    def feed(self, happening: DriveInput) -> None:
+    def feed(self, drive_input: DriveInput) -> None:
         """Move as the table says."""
-        self.mode = TABLE[self.mode][happening]
+        self.mode = TABLE[self.mode][drive_input]
 
 
 def input_of(order: int) -> DriveInput:

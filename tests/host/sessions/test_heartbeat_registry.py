@@ -10,19 +10,19 @@ def came():
 
 def test_each_beat_of_a_connection_counts_once_and_never_again(came):  # R-X12
     book = BeatBook(7994)
-    pact = book.open(came.append)
-    assert all(book.take(pact.beat(count)) for count in (1, 2, 5))
-    assert not any(book.take(pact.beat(count)) for count in (5, 2, 1, 4))
+    heartbeat_key = book.open(came.append)
+    assert all(book.take(heartbeat_key.beat(count)) for count in (1, 2, 5))
+    assert not any(book.take(heartbeat_key.beat(count)) for count in (5, 2, 1, 4))
     assert came == [1, 2, 5]
 
 
 def test_what_strangers_send_counts_for_nobody(came):  # R-X12
     book = BeatBook(7994)
-    pact, other = book.open(came.append), BeatBook(7994).open(came.append)
-    beat = pact.beat(1)
+    heartbeat_key, other = book.open(came.append), BeatBook(7994).open(came.append)
+    beat = heartbeat_key.beat(1)
     forged = [
         b"", b"x", b"\0" * 32, b"\0" * 65000, beat[:-1], beat + b"\0", beat[:-1] + bytes([beat[-1] ^ 1]),
-        beat[:8] + bytes([255]) + beat[9:], other.beat(1), pact.name + other.beat(9)[8:],
+        beat[:8] + bytes([255]) + beat[9:], other.beat(1), heartbeat_key.name + other.beat(9)[8:],
     ]  # fmt: skip
     assert not any(book.take(one) for one in forged)
     assert came == []
@@ -31,9 +31,9 @@ def test_what_strangers_send_counts_for_nobody(came):  # R-X12
 
 def test_beats_of_a_connection_that_is_no_more_count_no_more(came):  # R-X12
     book = BeatBook(7994)
-    pact = book.open(came.append)
-    book.close(pact)
-    assert not book.take(pact.beat(1))
+    heartbeat_key = book.open(came.append)
+    book.close(heartbeat_key)
+    assert not book.take(heartbeat_key.beat(1))
     book.close(None)
 
 

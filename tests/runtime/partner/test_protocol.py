@@ -1,4 +1,4 @@
-"""The dialogue with an outside partner, without any connection."""
+"""The protocol with an outside partner, without any connection."""
 
 import json
 
@@ -14,10 +14,10 @@ def line(**fields):
 
 
 @pytest.fixture
-def dialogue():
-    dialogue = PartnerProtocol()
-    dialogue.ask("home/one", "path", {})
-    return dialogue
+def protocol():
+    protocol = PartnerProtocol()
+    protocol.ask("home/one", "path", {})
+    return protocol
 
 
 def test_a_question_is_one_line_of_json():  # R-F04
@@ -41,29 +41,29 @@ def test_what_is_not_finite_goes_as_null():  # R-F04: JSON has no NaN
     ],
 )
 def test_a_question_that_cannot_be_asked_is_refused_and_not_counted(fields, reason):
-    dialogue = PartnerProtocol()
+    protocol = PartnerProtocol()
     with pytest.raises(ValueError, match=reason):
-        dialogue.ask("t", "show", fields)
-    assert (dialogue.questions, dialogue.is_open) == (0, False)
+        protocol.ask("t", "show", fields)
+    assert (protocol.questions, protocol.is_open) == (0, False)
 
 
-def test_an_answer_closes_its_question_however_it_is_cut(dialogue):  # R-F04
+def test_an_answer_closes_its_question_however_it_is_cut(protocol):  # R-F04
     for byte in line(id=1, via=[]):
-        assert dialogue.is_open
-        dialogue.take(bytes([byte]))
-    assert (dialogue.is_open, dialogue.answer) == (False, {"id": 1, "via": []})
+        assert protocol.is_open
+        protocol.take(bytes([byte]))
+    assert (protocol.is_open, protocol.answer) == (False, {"id": 1, "via": []})
 
 
-def test_an_answer_to_a_question_that_was_given_up_is_passed_over(dialogue):  # R-F04: too late
-    dialogue.give_up()
-    dialogue.ask("home/one", "path", {})
-    dialogue.take(line(id=1, x="old") + line(id=2, x="new"))
-    assert (dialogue.answer["x"], dialogue.late) == ("new", 1)
+def test_an_answer_to_a_question_that_was_given_up_is_passed_over(protocol):  # R-F04: too late
+    protocol.give_up()
+    protocol.ask("home/one", "path", {})
+    protocol.take(line(id=1, x="old") + line(id=2, x="new"))
+    assert (protocol.answer["x"], protocol.late) == ("new", 1)
 
 
-def test_a_second_answer_to_one_question_is_passed_over(dialogue):
-    dialogue.take(line(id=1, x=1) + line(id=1, x=2))
-    assert (dialogue.answer["x"], dialogue.late) == (1, 1)
+def test_a_second_answer_to_one_question_is_passed_over(protocol):
+    protocol.take(line(id=1, x=1) + line(id=1, x=2))
+    assert (protocol.answer["x"], protocol.late) == (1, 1)
 
 
 @pytest.mark.parametrize(
@@ -73,41 +73,41 @@ def test_a_second_answer_to_one_question_is_passed_over(dialogue):
         *(line(id=True), b'{"id": NaN}\n', b"\xff\xfe\n", b"[" * 5000 + b"\n", b"\n"),
     ],
 )
-def test_what_is_no_answer_breaks_the_rules(dialogue, line):  # R-F04: a partner that lies
+def test_what_is_no_answer_breaks_the_rules(protocol, line):  # R-F04: a partner that lies
     with pytest.raises(ValueError, match="expected"):
-        dialogue.take(line)
-    assert dialogue.answer is None
+        protocol.take(line)
+    assert protocol.answer is None
 
 
 @pytest.mark.parametrize("end", [b"", b"\n"])
-def test_a_line_without_end_breaks_the_rules(dialogue, end):  # R-F04
+def test_a_line_without_end_breaks_the_rules(protocol, end):  # R-F04
     with pytest.raises(ValueError, match="lines of at most 65536 bytes"):
         for _ in range(3):
-            dialogue.take(b"x" * (LONGEST // 2))
-        dialogue.take(end)
+            protocol.take(b"x" * (LONGEST // 2))
+        protocol.take(end)
 
 
-def test_a_flood_of_answers_that_nobody_waits_for_breaks_the_rules(dialogue):  # R-F04
-    dialogue.give_up()
-    dialogue.take(line(id=1) * UNASKED)
+def test_a_flood_of_answers_that_nobody_waits_for_breaks_the_rules(protocol):  # R-F04
+    protocol.give_up()
+    protocol.take(line(id=1) * UNASKED)
     with pytest.raises(ValueError, match="one answer to each question"):
-        dialogue.take(line(id=1))
+        protocol.take(line(id=1))
 
 
-def test_a_new_connection_forgets_the_half_line_of_the_old_one(dialogue):
-    dialogue.take(b'{"id": 1, "x"')
-    dialogue.begin()
-    dialogue.take(line(id=1, x=3))
-    assert dialogue.answer == {"id": 1, "x": 3}
+def test_a_new_connection_forgets_the_half_line_of_the_old_one(protocol):
+    protocol.take(b'{"id": 1, "x"')
+    protocol.begin()
+    protocol.take(line(id=1, x=3))
+    assert protocol.answer == {"id": 1, "x": 3}
 
 
 @given(st.binary(max_size=200), st.integers(0, 200))
 def test_any_bytes_are_an_answer_a_rest_or_a_broken_rule(line, cut):  # R-F04
-    dialogue = PartnerProtocol()
-    dialogue.ask("t", "a", {})
+    protocol = PartnerProtocol()
+    protocol.ask("t", "a", {})
     try:
-        dialogue.take(line[:cut])
-        dialogue.take(line[cut:])
+        protocol.take(line[:cut])
+        protocol.take(line[cut:])
     except ValueError:
         pass
-    assert dialogue.answer is None or dialogue.answer["id"] == 1
+    assert protocol.answer is None or protocol.answer["id"] == 1

@@ -12,29 +12,29 @@ MOST = 50
 
 
 class Wire:
-    """A variable, the buffer a task reads it from, and its crossing."""
+    """A variable, the buffer a task reads it from, and its channel."""
 
     def __init__(self, limit, count=2):
         view = memoryview(bytearray(Ring.footprint(8 * count)))
         self.ring = Ring(view, 0, 8 * count)
         self.data = np.zeros(count)
-        self.crossing = BumplessChannel("TAU", "TAU", InVar(f"double[{count}]", "N m"), self.data, self.ring, limit)
+        self.channel = BumplessChannel("TAU", "TAU", InVar(f"double[{count}]", "N m"), self.data, self.ring, limit)
 
     def passes(self, *values, now=0):
         """What the task is given in the next cycle."""
         self.ring.write(np.array(values, dtype=float).tobytes())
-        self.crossing.keep()
-        self.crossing.pass_on(now, MOST)
+        self.channel.keep()
+        self.channel.pass_on(now, MOST)
         return [round(float(value), 9) for value in self.data]
 
 
 def test_the_step_that_is_the_largest_share_of_its_limit_is_told():  # R-X04
     wire = Wire(np.array([1.0, 10.0]))
     wire.passes(0.5, 2.0, now=7)
-    seen = wire.crossing.take("s", "arm")
+    seen = wire.channel.take("s", "arm")
     assert (seen.variable, seen.unit, seen.index, seen.step, seen.given, seen.limit) == ("TAU", "N m", 0, 0.5, 0.5, 1.0)
     assert (seen.cycles, seen.at_ns) == (0, 7)
-    assert wire.crossing.take("s", "arm") is None
+    assert wire.channel.take("s", "arm") is None
 
 
 def test_a_step_is_taken_back_evenly_while_the_new_value_goes_its_own_way():  # R-X04
@@ -43,7 +43,7 @@ def test_a_step_is_taken_back_evenly_while_the_new_value_goes_its_own_way():  # 
     steps = np.diff([0.0, *given])
     assert steps == pytest.approx([0.5, *[0.6] * 5, 0.1, 0.1])
     assert given[-1] == 3.7
-    assert wire.crossing.take("s", "arm").cycles == 6
+    assert wire.channel.take("s", "arm").cycles == 6
 
 
 def test_what_steps_on_while_it_is_blended_goes_no_farther_in_a_cycle():  # R-X04
@@ -60,14 +60,14 @@ def test_what_runs_away_while_it_is_blended_is_refused_in_time():  # R-X04
     ):
         for count in range(200):
             wire.passes(3.0 + 2.0 * count)
-    assert wire.crossing.take("s", "arm").cycles == 0
+    assert wire.channel.take("s", "arm").cycles == 0
 
 
 def test_a_value_is_objected_to_before_anybody_sees_it():  # R-X04
     wire = Wire(np.array([1.0, 10.0]))
     wire.passes(0.5, 0.0)
-    assert wire.crossing.objection(np.array([50.5, 500.0]), MOST) == ""
-    assert wire.crossing.objection(np.array([0.5, -501.0]), MOST).startswith("TAU[1] would step by 501 N m")
+    assert wire.channel.objection(np.array([50.5, 500.0]), MOST) == ""
+    assert wire.channel.objection(np.array([0.5, -501.0]), MOST).startswith("TAU[1] would step by 501 N m")
     assert list(wire.data) == [0.5, 0.0]
 
 
@@ -80,9 +80,9 @@ def test_elements_may_step_as_far_as_they_like_beside_others_that_may_not():  # 
 def test_nothing_new_is_no_step():  # R-X04
     wire = Wire(1.0, 1)
     wire.passes(0.5)
-    wire.crossing.keep()
-    assert wire.crossing.pass_on(1, MOST) is False
-    assert wire.crossing.take("s", "arm").step == 0.5
+    wire.channel.keep()
+    assert wire.channel.pass_on(1, MOST) is False
+    assert wire.channel.take("s", "arm").step == 0.5
 
 
 def test_a_rough_course_is_cut_as_long_as_it_is_watched_and_then_goes_its_own_way():  # R-X04
@@ -90,8 +90,8 @@ def test_a_rough_course_is_cut_as_long_as_it_is_watched_and_then_goes_its_own_wa
     given = [0.0]
     for count in range(100):
         wire.ring.write(np.array([5.0 * (count // 10 % 2)]).tobytes())
-        wire.crossing.keep()
-        is_blended = wire.crossing.pass_on(count, MOST, is_bounded=count < 60)
+        wire.channel.keep()
+        is_blended = wire.channel.pass_on(count, MOST, is_bounded=count < 60)
         given.append(float(wire.data[0]))
     assert max(abs(np.diff(given[:60]))) <= 1.0 + 1e-9
     assert is_blended is False
@@ -101,12 +101,12 @@ def test_a_rough_course_is_cut_as_long_as_it_is_watched_and_then_goes_its_own_wa
 def test_after_a_hold_it_steps_from_what_has_the_device_stay():  # R-X04
     wire = Wire(1.0, 1)
     wire.ring.write(np.array([5.0]).tobytes())
-    wire.crossing.keep()
-    wire.crossing.come_from(4.5)
-    assert wire.crossing.pass_on(0, MOST) is False
-    assert wire.crossing.take("s", "arm").step == 0.5
+    wire.channel.keep()
+    wire.channel.come_from(4.5)
+    assert wire.channel.pass_on(0, MOST) is False
+    assert wire.channel.take("s", "arm").step == 0.5
     wire.ring.write(np.array([90.0]).tobytes())
-    wire.crossing.keep()
-    wire.crossing.come_from(None)
-    assert wire.crossing.pass_on(0, MOST) is False
-    assert wire.crossing.take("s", "arm").step == 0.0
+    wire.channel.keep()
+    wire.channel.come_from(None)
+    assert wire.channel.pass_on(0, MOST) is False
+    assert wire.channel.take("s", "arm").step == 0.0

@@ -1,4 +1,4 @@
-"""The continuity of what hardware is given: measured, blended or refused (law 33, requirement X04)."""
+"""The transfer of what hardware is given: measured, blended or refused (law 33, requirement X04)."""
 
 import math
 from itertools import pairwise
@@ -227,7 +227,7 @@ def test_another_rate_in_the_midst_of_a_blend_takes_it_to_its_end():  # R-X04
     rig.switch(rates=[("hand", 250.0)]).run(rig.now + 200 * MS)
     assert list(rig.task("hand").module.given[-1]) == [2.0, -2.0]
     assert largest_step(rig) <= 0.2 * (1 + 1e-9)
-    assert rig.task("hand").intake.continuity.is_open is False
+    assert rig.task("hand").input_guard.transfer.is_open is False
 
 
 def test_a_bad_limit_is_an_error_of_init():  # R-X04

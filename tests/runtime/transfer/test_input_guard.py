@@ -50,8 +50,8 @@ def test_it_holds_until_every_input_is_fresh_and_nothing_of_that_is_a_step(rig):
     rig.switch(on=["arm", "push"]).run(100 * MS)
     words = rig.task("arm").module.words
     assert words[:3] == ["hold", 0.5, 0.5]
-    assert rig.task("arm").intake.is_waiting is False
-    assert rig.task("push").intake is None
+    assert rig.task("arm").input_guard.is_waiting is False
+    assert rig.task("push").input_guard is None
     assert [event.step for event in rig.heard(news.Stepped)] == [0.0]
 
 

@@ -118,23 +118,19 @@ class Conversation:
             self._news += self._connection.poll(timeout_s)
             self._judge_absence()
         while self._news:  # one by one: whoever stops listening hears the others next time
-            happening = self._news.popleft()
-            if isinstance(happening, SignalReceived):
-                yield event.decode(happening.body)
-            elif isinstance(happening, ReplyReceived):
-                yield Reply(happening.number, request.decode_response(happening.body))
-            elif isinstance(happening, RequestFailed):
-                yield Reply(happening.number, request.Refused(f"no answer: {happening.fate.value}"))
-            elif isinstance(happening, ReadingReceived):
-                self._readings[happening.key] = happening.body
-            elif isinstance(happening, EpochChanged):
-                self._new_epoch(happening.epoch)
-            elif (
-                isinstance(happening, LinkStateChanged)
-                and happening.lost is not None
-                and not self._connection.comes_back
-            ):
-                raise self._explained(happening.lost)
+            notice = self._news.popleft()
+            if isinstance(notice, SignalReceived):
+                yield event.decode(notice.body)
+            elif isinstance(notice, ReplyReceived):
+                yield Reply(notice.number, request.decode_response(notice.body))
+            elif isinstance(notice, RequestFailed):
+                yield Reply(notice.number, request.Refused(f"no answer: {notice.fate.value}"))
+            elif isinstance(notice, ReadingReceived):
+                self._readings[notice.key] = notice.body
+            elif isinstance(notice, EpochChanged):
+                self._new_epoch(notice.epoch)
+            elif isinstance(notice, LinkStateChanged) and notice.lost is not None and not self._connection.comes_back:
+                raise self._explained(notice.lost)
 
     def readings(self) -> dict[str, bytes]:
         """The newest reading under each key since the last call; `events` takes them in."""
@@ -216,7 +212,7 @@ class Reached(Conversation):
 
     def __init__(self, opening: WebSocketOpening) -> None:
         self._opening = opening
-        super().__init__(Connection(None, monotonic_ns, REMOTE, dialler=ThreadConnector(opening)))
+        super().__init__(Connection(None, monotonic_ns, REMOTE, connector=ThreadConnector(opening)))
 
     def __enter__(self) -> "Reached":
         try:

@@ -11,7 +11,7 @@ Came = Callable[[int], None]
 
 @dataclass(slots=True)
 class _Line:
-    pact: HeartbeatKey
+    heartbeat_key: HeartbeatKey
     came: Came
     last: int = 0
 
@@ -27,19 +27,19 @@ class BeatBook:
         """For a new connection: what its other end is told; None where there are no datagrams."""
         if not self.port:
             return None
-        pact = HeartbeatKey.drawn(self.port)
-        self._lines[pact.name] = _Line(pact, came)
-        return pact
+        heartbeat_key = HeartbeatKey.drawn(self.port)
+        self._lines[heartbeat_key.name] = _Line(heartbeat_key, came)
+        return heartbeat_key
 
-    def close(self, pact: HeartbeatKey | None) -> None:
+    def close(self, heartbeat_key: HeartbeatKey | None) -> None:
         """The connection is no more, and its beats count no more."""
-        if pact is not None:
-            self._lines.pop(pact.name, None)
+        if heartbeat_key is not None:
+            self._lines.pop(heartbeat_key.name, None)
 
     def take(self, datagram: bytes) -> bool:
         """A datagram came; whether it is a beat that was not there before. A late one counts no more."""
         line = self._lines.get(name_in(datagram))
-        count = None if line is None else line.pact.count_in(datagram)
+        count = None if line is None else line.heartbeat_key.count_in(datagram)
         if line is None or count is None or count <= line.last:
             return False
         line.last = count

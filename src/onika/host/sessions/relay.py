@@ -37,7 +37,7 @@ class Relay:
         self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter, address: str, book: BeatBook | None = None
     ) -> None:
         self._book = book or BeatBook()
-        self._pact: HeartbeatKey | None = None
+        self._heartbeat_key: HeartbeatKey | None = None
         self._inside: asyncio.StreamWriter | None = None
         self._reader = reader
         self._writer = writer
@@ -81,7 +81,7 @@ class Relay:
 
     async def end(self, reason: str = "") -> None:
         """Close, politely where the other side still listens."""
-        self._book.close(self._pact)
+        self._book.close(self._heartbeat_key)
         with contextlib.suppress(OSError, TimeoutError):
             if self._protocol.state is State.OPEN:
                 self._protocol.send_close(1000, reason)
@@ -115,9 +115,9 @@ class Relay:
 
     def _agree(self, response: Response) -> None:
         """Tell the other end, and nobody else, how it may beat beside this connection."""
-        self._pact = self._book.open(self._beat)
-        if self._pact is not None:
-            response.headers[HEADER] = self._pact.header()
+        self._heartbeat_key = self._book.open(self._beat)
+        if self._heartbeat_key is not None:
+            response.headers[HEADER] = self._heartbeat_key.header()
 
     def _beat(self, count: int) -> None:
         """Hand a beat to the program, unless it has enough to read anyway."""

@@ -220,8 +220,8 @@ class Gate:
         found = self._guests.find(session)
         if found is None or found is self._parent:
             return None
-        now, rhythm = self._clock(), found.rhythm
-        return Heard(now - found.heard_ns, rhythm.beats, now - rhythm.last_ns, rhythm.round_trip_us)
+        now, link_quality = self._clock(), found.link_quality
+        return Heard(now - found.heard_ns, link_quality.beats, now - link_quality.last_ns, link_quality.round_trip_us)
 
     def deaf_ns(self) -> int:
         """For how long nothing could be heard, whoever spoke."""

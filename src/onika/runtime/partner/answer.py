@@ -1,4 +1,4 @@
-"""The answer of an outside partner: what it holds is believed only after it was looked at (F04)."""
+"""The answer of an outside partner: every field is checked before it is used (F04)."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""The keeper of a program that a task has started: sees to it that the program ends with its task (F04).
+"""The guard process of a program that a task has started: it ends the program when the task ends (F04).
 
 Run as a script of its own, `python -I -S keeper.py COMMAND…`, with a socket, the lifeline, under the descriptor 3. The
 program runs as long as the other end of the lifeline is open. When that is closed, by the task or because its whole

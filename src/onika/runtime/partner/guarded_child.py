@@ -1,4 +1,4 @@
-"""A program that a task has started, by its keeper: it ends with its task, whatever ends that (F04)."""
+"""A program that a task has started, under its guard process: it ends with its task, whatever ends that (F04)."""
 
 import contextlib
 import os

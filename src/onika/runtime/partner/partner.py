@@ -1,4 +1,4 @@
-"""The partner: a program outside Onika with which a task talks directly, without ever waiting for it (F04, §5.8.3).
+"""The partner: a program outside Onika that a task talks to directly, without ever waiting for it (F04, §5.8.3).
 
 A question is sent, and its outcome comes within the partner's patience: an answer, or the reason why there is none.
 Nothing here blocks: the descriptor of `fileno` can be read when something has come, be it only the end of patience.
@@ -47,7 +47,7 @@ class Partner:
         self.name = at or self._command[0]
         self.task = ""
         self.patience_s = patience_s
-        self._dialogue = PartnerProtocol()
+        self._protocol = PartnerProtocol()
         self._epoll = select.epoll()
         self._alarm = Alarm()
         self._epoll.register(self._alarm, select.EPOLLIN)
@@ -74,7 +74,7 @@ class Partner:
             raise ModuleError(f"partner {self.name}: expected one question at a time, found a second one")
         self._hear()  # a connection that has ended meanwhile is found now
         try:
-            self._out = self._dialogue.ask(self.task, what, fields)
+            self._out = self._protocol.ask(self.task, what, fields)
         except ValueError as wrong:
             raise ModuleError(f"partner {self.name}: {wrong}") from None
         self._sent, self._why, self._is_collected = 0, "", False
@@ -84,7 +84,7 @@ class Partner:
     @property
     def is_awaited(self) -> bool:
         """Whether an answer is owed."""
-        return self._dialogue.is_open
+        return self._protocol.is_open
 
     def has_answered(self) -> bool:
         """Whether the answer has come since the question; true once. Raises ModuleError where none will come."""
@@ -92,7 +92,7 @@ class Partner:
         if self._fault:
             fault, self._fault = self._fault, ""
             raise ModuleError(fault)
-        if self._is_collected or self._dialogue.answer is None:
+        if self._is_collected or self._protocol.answer is None:
             return False
         self._is_collected = True
         return True
@@ -100,26 +100,26 @@ class Partner:
     @property
     def answer(self) -> PartnerAnswer:
         """The answer to the last question; raises ModuleError where there is none."""
-        if self._dialogue.answer is None:
+        if self._protocol.answer is None:
             raise ModuleError(f"partner {self.name}: expected an answer, found none yet")
-        return PartnerAnswer(self._dialogue.answer)
+        return PartnerAnswer(self._protocol.answer)
 
     # What the runtime calls
 
     @property
     def questions(self) -> int:
         """How many were asked."""
-        return self._dialogue.questions
+        return self._protocol.questions
 
     @property
     def late(self) -> int:
         """How many answers came too late, and were passed over."""
-        return self._dialogue.late
+        return self._protocol.late
 
     @property
     def is_settled(self) -> bool:
         """Whether there is something that `has_answered` has not told yet."""
-        return bool(self._fault) or not (self._is_collected or self._dialogue.answer is None)
+        return bool(self._fault) or not (self._is_collected or self._protocol.answer is None)
 
     def fileno(self) -> int:
         """Can be read when something has come; the same through all connections."""
@@ -189,7 +189,7 @@ class Partner:
         self._fault = f"partner {self.name}: {why}"
 
     def _give_up(self) -> None:
-        self._dialogue.give_up()
+        self._protocol.give_up()
         self._alarm.stop()
         if 0 < self._sent < len(self._out):
             self._drop()  # half a question would spoil the next one
@@ -211,7 +211,7 @@ class Partner:
 
     def _connect(self, line: socket.socket) -> None:
         self._line = line
-        self._dialogue.begin()
+        self._protocol.begin()
         self._epoll.register(line, select.EPOLLIN | select.EPOLLOUT)
 
     def _send(self, line: socket.socket) -> None:
@@ -247,18 +247,18 @@ class Partner:
             self._send(line)
 
     def _take(self, data: bytes) -> None:
-        was_open = self._dialogue.is_open
+        was_open = self._protocol.is_open
         try:
-            self._dialogue.take(data)
+            self._protocol.take(data)
         except ValueError as wrong:
             self._drop()
             self._fail(str(wrong))
             return
-        answer = self._dialogue.answer
+        answer = self._protocol.answer
         if was_open and answer is not None:
             self._alarm.stop()
             if "error" in answer:
-                self._dialogue.answer = None
+                self._protocol.answer = None
                 self._fail(f"it says: {' '.join(str(answer['error'])[:200].split())}")  # it writes no lines of its own
 
     def _lose(self, why: str) -> None:

@@ -1,4 +1,4 @@
-"""The dialogue of a task with an outside program: lines of JSON, one question at a time, one answer to each (F04).
+"""The protocol of a task with an outside program: lines of JSON, one question at a time, one answer to each (F04).
 
     task     {"onika": 1, "id": 7, "task": "planner", "ask": "path", "from": [0, 1], "to": [1, 1]}
     partner  {"id": 7, "via": [[0.5, 1.2]]}

@@ -1,1 +1,1 @@
-"""What a hardware task is given: fresh, finite, and without jumps."""
+"""The inputs of hardware tasks: fresh, finite, and without jumps."""

@@ -1,4 +1,4 @@
-"""The continuity of a hardware task's inputs: after a reconfiguration none steps farther than it may (law 33, X04).
+"""Bumpless transfer of a hardware task's inputs: after a reconfiguration none steps farther than it may (law 33, X04).
 
 An actuator variable is a real variable that a hardware task reads each cycle. What a step in it may be is declared with
 the port. While it is watched, the value of each cycle is compared with the one that was passed on before it. Where it
@@ -50,7 +50,7 @@ class BumplessTransfer:
 
     def __init__(self, subsystem: str, task: str, bumpless_channels: Iterable[BumplessChannel], period_ns: int) -> None:
         self.tell: Tell = lambda _stepped: None
-        self.crossings = tuple(bumpless_channels)
+        self.channels = tuple(bumpless_channels)
         self.is_open = False
         self._address = subsystem, task
         self._period_ns = period_ns
@@ -60,19 +60,19 @@ class BumplessTransfer:
         """Cycles come at another rate from now on: so much else may happen in one; raises ValueError as `limit_of`."""
         share = self._period_ns / period_ns
         self._period_ns = period_ns
-        for channel in self.crossings:
+        for channel in self.channels:
             channel.allow(limit_of(module, channel.step))
             channel.change_rate(share)
 
     def keep(self) -> None:
         """Before the inputs are copied in: what was passed on last."""
-        for channel in self.crossings:
+        for channel in self.channels:
             channel.keep()
 
     def come_from_hold(self, module: Module) -> bool:
         """Before the first inputs after a hold are passed on: whether they are near to what holds the device."""
         is_near = True
-        for channel in self.crossings:
+        for channel in self.channels:
             is_near &= channel.come_from(module.held(channel.port))
         return is_near
 
@@ -82,7 +82,7 @@ class BumplessTransfer:
         most = max(BLENDED_NS // self._period_ns, 1)
         self._after = 0 if is_watched else self._after + 1
         is_blending = False
-        for channel in self.crossings:
+        for channel in self.channels:
             is_blending |= channel.pass_on(now, most, self._after <= most)
         if not (is_watched or is_blending):
             self.close()
@@ -90,7 +90,7 @@ class BumplessTransfer:
     def close(self) -> None:
         """Watching is over: tell what was seen."""
         self.is_open = False
-        for channel in self.crossings:
+        for channel in self.channels:
             seen = channel.take(*self._address)
             if seen is not None:
                 self.tell(seen)
@@ -102,7 +102,7 @@ class BumplessTransfer:
         """
         most = max(BLENDED_NS // self._period_ns, 1)
         task = self._address[1]
-        return next((channel.objection(value, most, task) for channel in self.crossings if channel.svar == svar), "")
+        return next((channel.objection(value, most, task) for channel in self.channels if channel.svar == svar), "")
 
 
 def bumpless_channels(module: Module, binding: Binding) -> tuple[BumplessChannel, ...]:

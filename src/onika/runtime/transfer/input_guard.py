@@ -1,4 +1,4 @@
-"""The intake of a hardware task: what it is given is fresh, finite, and goes over into what follows (laws 4, 5, 33)."""
+"""The input guard of a hardware task: its inputs are fresh, finite, and go over without a jump (laws 4, 5, 33)."""
 
 from onika.runtime.binding import Binding
 from onika.runtime.device import SILENCE_NS
@@ -12,7 +12,7 @@ class InputGuard:
     """Takes the inputs in, in place of the task; `table` is the memory in which they lie."""
 
     def __init__(self, subsystem: str, task: str, module: Module, period_ns: int, table: memoryview) -> None:
-        self.continuity = BumplessTransfer(subsystem, task, (), period_ns)
+        self.transfer = BumplessTransfer(subsystem, task, (), period_ns)
         self.is_waiting = False
         """Whether it holds: until every input was written anew, and does not tear the device out of its hold."""
         self._address = subsystem, task
@@ -30,15 +30,15 @@ class InputGuard:
 
     def prepare(self) -> None:
         """After `init`: how far inputs may step is known; raises ValueError where it is no positive number."""
-        tell = self.continuity.tell
+        tell = self.transfer.tell
         channels = bumpless_channels(self._module, self._binding)
-        self.continuity = BumplessTransfer(*self._address, channels, self._period_ns)
-        self.continuity.tell = tell
+        self.transfer = BumplessTransfer(*self._address, channels, self._period_ns)
+        self.transfer.tell = tell
 
     def change_rate(self, period_ns: int) -> None:
         """Another rate from the next cycle on."""
         self._period_ns = period_ns
-        self.continuity.change_rate(self._module, period_ns)
+        self.transfer.change_rate(self._module, period_ns)
 
     def begin(self, now: int) -> None:
         """The task comes on: it holds until every input was written anew."""
@@ -50,11 +50,11 @@ class InputGuard:
 
     def take_in(self, now: int) -> bool:
         """Copy in; False where the task has to hold. Raises LawBroken for what it cannot be given."""
-        continuity, was_waiting = self.continuity, self.is_waiting
+        transfer, was_waiting = self.transfer, self.is_waiting
         is_fresh = was_waiting and self._are_fresh()
         is_watched = not was_waiting and now <= self._watched_until[0]
-        if is_watched or continuity.is_open:
-            continuity.keep()
+        if is_watched or transfer.is_open:
+            transfer.keep()
         for read in self._reads:
             read()
         self._module.now = now * 1e-9
@@ -68,14 +68,14 @@ class InputGuard:
             raise LawBroken(f"expected finite inputs, found NaN or infinity in {', '.join(bad)}")
         if was_waiting and not self._begins(now):
             return False
-        if is_watched or was_waiting or continuity.is_open:
-            continuity.pass_on(now, is_watched or was_waiting)
+        if is_watched or was_waiting or transfer.is_open:
+            transfer.pass_on(now, is_watched or was_waiting)
         return True
 
     def rest(self) -> None:
         """The task holds: what was watched is over."""
-        if self.continuity.is_open:
-            self.continuity.close()
+        if self.transfer.is_open:
+            self.transfer.close()
 
     def _are_fresh(self) -> bool:
         """Before the inputs are copied in: a value written meanwhile may only be newer than what is counted here."""
@@ -87,7 +87,7 @@ class InputGuard:
         What measures speeds sees a jump where the device has moved while nobody read it.
         """
         self._patient_until = self._patient_until or now + BLENDED_NS
-        is_near = self.continuity.come_from_hold(self._module)
+        is_near = self.transfer.come_from_hold(self._module)
         self.is_waiting = not is_near and now < self._patient_until
         self._module.device.holding(self.is_waiting)
         return not self.is_waiting
