@@ -9,7 +9,7 @@ def began(monkeypatch):
     """With what the program would begin, without beginning it."""
     seen = []
 
-    class Program:
+    class EnvironmentProgram:
         def __init__(self, site, wishes, state):
             seen.append((site, wishes, state))
 
@@ -18,7 +18,7 @@ def began(monkeypatch):
             listening.close()
             on_ready("http://127.0.0.1:1/?key=x")
 
-    monkeypatch.setattr(page, "Program", Program)
+    monkeypatch.setattr(page, "EnvironmentProgram", EnvironmentProgram)
     monkeypatch.delenv("DISPLAY", raising=False)
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
     return seen

@@ -68,9 +68,9 @@ def test_an_answer_for_nobody_is_refused(runs, capsys, text):  # law 25
     ("words", "tty", "term", "kind"),
     [
         (["--json"], True, "xterm", "JsonLines"),
-        ([], True, "xterm", "Live"),
-        ([], True, "dumb", "Plain"),
-        ([], False, "xterm", "Plain"),
+        ([], True, "xterm", "LiveDisplay"),
+        ([], True, "dumb", "PlainDisplay"),
+        ([], False, "xterm", "PlainDisplay"),
     ],
 )
 def test_it_is_told_as_whoever_reads_it_can_read(runs, monkeypatch, words, tty, term, kind):  # R-E11

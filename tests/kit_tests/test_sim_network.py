@@ -142,8 +142,8 @@ class CallsSentRequestsUnsent(ClientEnd):
 class SpeaksFirst(ServerEnd):
     def open(self, now_ns: int) -> None:
         super().open(now_ns)
-        if self._acked < self._said:
-            self._queues.signal(Signal(self._said, self._journal.body(self._said)))
+        if self._acked < self._sent_to:
+            self._queues.signal(Signal(self._sent_to, self._journal.body(self._said)))
 
 
 class SaysWithoutJournal(ServerEnd):
@@ -155,8 +155,8 @@ class SaysWithoutJournal(ServerEnd):
 
 class BelievesWhatWasSaidWasHeard(ServerEnd):
     def _hello(self, hello: Hello, now_ns: int) -> None:
-        said = self._said if hello.epoch == self._journal.epoch else hello.seq
-        super()._hello(Hello(hello.version, hello.client, hello.epoch, max(said, hello.seq)), now_ns)
+        sent_to = self._sent_to if hello.epoch == self._journal.epoch else hello.seq
+        super()._hello(Hello(hello.version, hello.client, hello.epoch, max(sent_to, hello.seq)), now_ns)
 
 
 class ForgetsAnswersAtACut(ServerEnd):
@@ -185,7 +185,7 @@ class CarriesOutLateRequests(ServerEnd):
 
 class NeverNoticesSilence(ServerEnd):
     def tick(self, now_ns: int) -> None:
-        self._liveness.heard(now_ns)
+        self._liveness.note_arrival(now_ns)
         super().tick(now_ns)
 
 
@@ -278,8 +278,8 @@ class GivesEveryLifeOfASessionTheSameName(Sessions):
 
 class ServesANewProgramUnderAnOldNameAsTheOldOne(Sessions):
     def admit(self, new, carrier, now_ns):
-        known = self._by_client.get(new.client)
-        epoch = known.epoch if known is not None and known.has_asked else new.epoch
+        session = self._by_client.get(new.client)
+        epoch = session.epoch if session is not None and session.has_requested else new.epoch
         return super().admit(Introduction(new.channel, new.client, epoch, new.caller), carrier, now_ns)
 
 
