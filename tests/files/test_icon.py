@@ -1,7 +1,7 @@
 import pytest
 
 from onika.files.icon import SLOTS, read_icon, write_icon
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import DataItem, IconType, Syntax
@@ -20,7 +20,7 @@ UI = 'UI 1 2.5 -3e-1\nUI a.txt "b c"\nUI turn  left\n'
 
 
 def given(lines: str) -> tuple[Onikon | None, list[str], bool]:
-    reading = Reading("f", "")
+    reading = TextReading("f", "")
     reading.open(lines + "EOF")
     onikon = read_icon("x", reading.arrange(reading.lines, SLOTS), SYNTAX, reading)
     faults = [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]

@@ -1,4 +1,4 @@
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.files.picture import read, read_rows, write
 from onika.model.picture import SIZE, blank
 
@@ -39,7 +39,7 @@ def test_missing_and_wrong_rows_are_faults() -> None:
 
 
 def test_rows_of_icons_go_the_same_way() -> None:
-    reading = Reading("f", "")
+    reading = TextReading("f", "")
     rows = [(number + 5, row) for number, row in enumerate(blank().rows)]
     assert read_rows(rows, 36, reading) == blank()
     read_rows(rows[:-1], 36, reading)

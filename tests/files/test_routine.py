@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
@@ -18,8 +18,8 @@ CONDITIONAL = replace(
 )
 
 
-def opened(text: str, version: str = "2.0") -> Reading:
-    reading = Reading("f", "it is left out")
+def opened(text: str, version: str = "2.0") -> TextReading:
+    reading = TextReading("f", "it is left out")
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     reading.lines = reading.lines[1:]
     return reading

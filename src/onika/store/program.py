@@ -15,7 +15,7 @@ from onika.words.fault import Fault
 
 
 @dataclass(frozen=True, slots=True)
-class Program:
+class ApplicationProgram:
     """What a run needs, by name; what was not found is lacking. `faults` are those of the files read."""
 
     application: Application
@@ -32,7 +32,7 @@ class Program:
     """The files of the nested applications."""
 
 
-def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults]:
+def load(path: Path, site: Site, syntax: Syntax) -> tuple[ApplicationProgram | None, Faults]:
     """The application in the file `path` with the configurations, tasks and code it needs; nothing else is read.
 
     The base directory of the file, if it lies in an `appl/`, comes before the search path (decision 35). None with
@@ -48,12 +48,12 @@ def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults
     return program, program.faults
 
 
-def gather(application: Application, site: Site, syntax: Syntax, faults: Faults = ()) -> Program:
+def gather(application: Application, site: Site, syntax: Syntax, faults: Faults = ()) -> ApplicationProgram:
     """An application with the configurations, tasks and code it needs; `faults` are those of its own file."""
     return _Gathering(site, syntax).program(application, faults)
 
 
-def joined(program: Program, names: Iterable[str], site: Site) -> Program:
+def joined(program: ApplicationProgram, names: Iterable[str], site: Site) -> ApplicationProgram:
     """A program with further tasks that may live in it, and their code; those that are nowhere are left out."""
     tasks, code, faults = dict(program.tasks), dict(program.code), list(program.faults)
     for name in names:
@@ -88,14 +88,14 @@ class _Gathering:
         self._unread: set[str] = set()
         self._files: dict[str, str] = {}
 
-    def program(self, application: Application, faults: Faults) -> Program:
+    def program(self, application: Application, faults: Faults) -> ApplicationProgram:
         self._faults += faults
         self._enter(application)
         paths = {task.module: self._site.code_file(task) for task in self._tasks.values()}
         code = {module: path for module, path in paths.items() if path}
         found = tuple(self._faults)
         unread = frozenset(self._unread)
-        return Program(
+        return ApplicationProgram(
             application, self._configurations, self._tasks, code, self._applications, found, unread, self._files
         )
 

@@ -1,11 +1,11 @@
 from onika.files.al.block import Block, LoopMark, marked
 from onika.files.al.logical_line import sentences
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 
-(SENTENCE,), _ = sentences("\nIF LAMP == 1 THEN", Reading("f", ""))
+(SENTENCE,), _ = sentences("\nIF LAMP == 1 THEN", TextReading("f", ""))
 ICON = Icon(Onikon("x", "Complete job", "", (), blank()))
 
 

@@ -1,6 +1,6 @@
 from hypothesis import given, strategies as st
 
-from onika.files.al.loops import Loop, loops
+from onika.files.al.loops import LoopBlock, loops
 from onika.model.application import Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -42,7 +42,7 @@ def test_the_condition_is_that_of_the_test() -> None:
     (anchor,) = heads("a")
     assert anchor
     test = Icon(anchor.onikon, while_tag="a", while_test=True, while_if="LAMP == 1")
-    assert loops([test, anchor]) == (Loop("a", 0, 1, True, "LAMP == 1"),)
+    assert loops([test, anchor]) == (LoopBlock("a", 0, 1, True, "LAMP == 1"),)
 
 
 @given(st.text("aAbBcC.", max_size=12))

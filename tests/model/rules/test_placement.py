@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from hypothesis import given, settings, strategies as st
 
-from onika.model.rules.placement import Company, alias_refusals, greyed, meets_constant, refusals
+from onika.model.rules.placement import PlacedNeighbours, alias_refusals, greyed, meets_constant, refusals
 from onika.model.task import Task
 
 CUBIC = Task("cubic", "cubic", inconst=("NDOF",), invar=("Q_MEZ",), outvar=("Q_REF",))
@@ -132,5 +132,5 @@ def test_reasons_are_those_of_every_pair_in_their_order(library: list[Task], pla
 @given(st.lists(aliased, max_size=6), aliased)
 @settings(max_examples=100, deadline=None)
 def test_whom_a_task_keeps_out_is_told_as_each_would_be_told(library: list[Task], task: Task) -> None:
-    found = [(other.name, refused) for other, refused in Company(library).kept_out_by(task)]  # R-C07
+    found = [(other.name, refused) for other, refused in PlacedNeighbours(library).kept_out_by(task)]  # R-C07
     assert found == [(other.name, refusals(other, [task])) for other in library if refusals(other, [task])]

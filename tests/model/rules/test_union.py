@@ -1,7 +1,7 @@
 import pytest
 
 from onika.model.configuration import Configuration, Placed
-from onika.model.rules.union import Source, conflicts, tasks_of, variables
+from onika.model.rules.union import TaskOrigin, conflicts, tasks_of, variables
 from onika.model.task import LocalLine, Task
 from onika.words.fault import Place
 
@@ -61,7 +61,10 @@ def test_an_inboth_needs_no_supplier_of_the_constant() -> None:
 
 def test_a_task_is_beside_the_first_only_and_its_icon_is_named() -> None:
     tasks = [Task(name, "m") for name in "abc"]  # law 9, R-E01
-    sources = {"a": Source(Place("a.appl", 3), "in `open`, step 0"), "c": Source(Place("a.appl", 9), "in `x`, step 2")}
+    sources = {
+        "a": TaskOrigin(Place("a.appl", 3), "in `open`, step 0"),
+        "c": TaskOrigin(Place("a.appl", 9), "in `x`, step 2"),
+    }
     told = conflicts(tasks, "flow 0", Place("a.appl"), sources)
     assert [(fault.place.line, fault.found) for fault in told] == [
         (0, "m in `a` (in `open`, step 0) and `b` of flow 0"),

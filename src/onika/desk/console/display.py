@@ -16,7 +16,7 @@ class Tone(Enum):
     ASK = "ask"
 
 
-class Face(Protocol):
+class ConsoleDisplay(Protocol):
     """Shows lines as they come."""
 
     def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:

@@ -18,7 +18,7 @@ Faults = tuple[Fault, ...]
 _INSTEAD = "nothing is changed"
 
 
-class Library:
+class SiteLibrary:
     """What a site offers; reads anew each time, so that an edited file counts at once. Faults stand at `place`."""
 
     def __init__(self, site: Site, place: Place) -> None:

@@ -8,7 +8,7 @@ from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.files import buttons as file
 from onika.model.button import Button
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal
@@ -88,7 +88,7 @@ def _changed(buttons: tuple[Button, ...], button: Button) -> tuple[Button, ...]:
 
 
 def _saved(
-    model: Model, buttons: tuple[Button, ...], opened: Opened[tuple[Button, ...]] | None, outside: Surroundings
+    model: Model, buttons: tuple[Button, ...], opened: OpenedText[tuple[Button, ...]] | None, outside: Surroundings
 ) -> Done | No:
     done = outside.site.save_buttons(buttons, opened)
     if isinstance(done, Refusal):

@@ -11,7 +11,7 @@ from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.environment.state.settings import Habits
-from onika.model.preferences import STATUS_COLUMNS, Spot, Window
+from onika.model.preferences import STATUS_COLUMNS, Window, WindowCorner
 from onika.wire import act, page
 from onika.words.fault import Refusal
 
@@ -109,11 +109,11 @@ def _whole(value: Any, low: int, high: int) -> int:
     return int(value)
 
 
-def _place(value: Any, before: Mapping[str, int]) -> Spot | Window:
+def _place(value: Any, before: Mapping[str, int]) -> WindowCorner | Window:
     if not isinstance(value, Mapping) or not set(value) <= set(before):
         raise _Wrong(f"expected {', '.join(before)}")
     numbers = {**before, **{part: _whole(number, *_range(part)) for part, number in value.items()}}
-    make: Callable[..., Spot | Window] = Window if "width" in before else Spot
+    make: Callable[..., WindowCorner | Window] = Window if "width" in before else WindowCorner
     return make(**numbers)
 
 

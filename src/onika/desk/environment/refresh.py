@@ -16,7 +16,7 @@ from onika.desk.environment.state.history import Step
 from onika.desk.environment.state.model import Model
 from onika.files import conf, syntax, text
 from onika.model.configuration import Configuration
-from onika.store.opened_text import Faults, Opened, open_file
+from onika.store.opened_text import Faults, OpenedText, open_file
 from onika.store.site import Site
 from onika.wire import page
 
@@ -61,7 +61,7 @@ def _listed(model: Model, paths: Iterable[Path]) -> tuple[Model, Faults]:
     return found.beside(file_index.without(model, gone)), found.faults
 
 
-def _document(document: Document, opened: Opened[Configuration]) -> tuple[Document, list[page.Say], Faults]:
+def _document(document: Document, opened: OpenedText[Configuration]) -> tuple[Document, list[page.Say], Faults]:
     """An open document whose file was written; what is not saved here, or lives, is never touched."""
     if not opened.path.is_file():
         text_ = f"{opened.path} was removed; {document.name} is still here and can be saved again"

@@ -12,7 +12,7 @@ from onika.model.rules.iconify import ActionType, application_type, job_type
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
@@ -93,7 +93,7 @@ def _source(path: Path, site: Site) -> _Source | Reasons:
     return faults if syntax is None else _Source(path, BaseDirectory(folder.parent), site.at(folder.parent), syntax)
 
 
-def _former(source: _Source) -> tuple[Opened[Onikon] | Refusal | None, tuple[Fault, ...]]:
+def _former(source: _Source) -> tuple[OpenedText[Onikon] | Refusal | None, tuple[Fault, ...]]:
     """The icon that is there; a refusal where it is that of something else."""
     file = source.home.onikon_file(source.name)
     if not file.exists():

@@ -29,7 +29,7 @@ class Doing:
 
 
 @dataclass(slots=True)
-class Line:
+class FlowSequence:
     """One flow of the plan: its actions and its program."""
 
     subsystem: str
@@ -71,13 +71,13 @@ class Sequencer:
         self._file_of = file_of
         self._instances: Counter[str] = Counter()
         self._count = 0
-        self.lines: list[Line] = []
+        self.lines: list[FlowSequence] = []
 
-    def sequence(self, application: Application, file: str) -> list[Line]:
+    def sequence(self, application: Application, file: str) -> list[FlowSequence]:
         """Every flow, those of nested parallel applications behind those of the application itself."""
         flows = application.flows if application.is_parallel else application.flows[:1]
         scope = "" if application.is_parallel and len(flows) > 1 else None
-        self.lines = [Line(f"flow{number}") for number in range(len(flows))]
+        self.lines = [FlowSequence(f"flow{number}") for number in range(len(flows))]
         context = _Context(file, (application.name,), (), {}, scope)
         for number, flow in enumerate(flows):
             self._flow(number, flow, context)
@@ -175,7 +175,7 @@ class Sequencer:
         for number, line in enumerate(self.lines):
             if line.subsystem == subsystem:
                 return number
-        self.lines.append(Line(subsystem, parent))
+        self.lines.append(FlowSequence(subsystem, parent))
         return len(self.lines) - 1
 
     def _unique(self, name: str) -> str:
@@ -186,7 +186,7 @@ class Sequencer:
 class _Rounds:
     """The loops of one flow, each with its name, while it is put in line."""
 
-    def __init__(self, line: Line, loops: Sequence[tuple[str, Loop]]) -> None:
+    def __init__(self, line: FlowSequence, loops: Sequence[tuple[str, Loop]]) -> None:
         self._line = line
         self._loops = loops
         self._starts: dict[str, int] = {}

@@ -42,7 +42,7 @@ _AGAIN = (
 
 
 @dataclass(frozen=True, slots=True)
-class Reply:
+class NumberedResponse:
     """The response to a request that nobody waited for, by its number."""
 
     number: int
@@ -101,10 +101,10 @@ class Conversation:
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """The events since the last call, at least one within the time-out or none; raises LinkLost at the end."""
         for message in self.messages(timeout_s):
-            if not isinstance(message, Reply):
+            if not isinstance(message, NumberedResponse):
                 yield message
 
-    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | NumberedResponse]:
         """Events and replies to what was sent, as they came; raises LinkLost at the end."""
         if not self._news:
             self._news += self._connection.poll(timeout_s)
@@ -114,9 +114,9 @@ class Conversation:
             if isinstance(happening, Signalled):
                 yield event.decode(happening.body)
             elif isinstance(happening, Replied):
-                yield Reply(happening.number, request.decode_response(happening.body))
+                yield NumberedResponse(happening.number, request.decode_response(happening.body))
             elif isinstance(happening, Failed):
-                yield Reply(happening.number, request.Refused(f"no answer: {happening.fate.value}"))
+                yield NumberedResponse(happening.number, request.Refused(f"no answer: {happening.fate.value}"))
             elif isinstance(happening, Read):
                 self._readings[happening.key] = happening.body
             elif isinstance(happening, EpochChanged):

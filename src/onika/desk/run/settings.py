@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 from pathlib import Path
 
-from onika.desk.run.recorded_run import Source
+from onika.desk.run.recorded_run import RecordingSource
 from onika.model.redirect import Redirect
 from onika.wire import request
 from onika.words.condition import Condition
@@ -52,7 +52,7 @@ class RunSettings:
 
     record: Path | None = None
     """The file of a recording to be made."""
-    source: Source | None = None
+    source: RecordingSource | None = None
     """A recording that is repeated up to an instant; its application, seed and answers count."""
 
     def begin(self, *, is_held: bool) -> request.Begin:

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
+class WaitCondition:
     """`seconds` later, or that an action has `began` or is `done`, or that a flow is in a state.
 
     The states are `paused`, `waiting`, `stopped` and `done` (without an action). Without a flow: any flow that waits

@@ -15,7 +15,7 @@ from onika.host.edit.task_spawner import Cradle
 from onika.host.run.switch_dispatch import Switchboard
 from onika.host.units.unit_registry import Units
 from onika.model.lifecycle import State
-from onika.model.rules.reconfiguration import Placed
+from onika.model.rules.reconfiguration import PlacedTask
 from onika.runtime import command, news
 from onika.runtime.subsystem import Member, Subsystem
 from onika.runtime.table import Table
@@ -100,7 +100,7 @@ class LiveSubsystem:
         """Whether there is nothing here and nothing to come."""
         return not (self.members or self._transactions)
 
-    def placed(self) -> list[Placed]:
+    def placed(self) -> list[PlacedTask]:
         """The tasks as the rule of reconfiguration sees them."""
         return [one.placed for one in self.wired]
 

@@ -11,7 +11,7 @@ from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, on_no
 from onika.host.edit.live_subsystem import LiveSubsystem, Transaction
 from onika.model.lifecycle import State
 from onika.model.rules.order import constant_order
-from onika.model.rules.reconfiguration import Exchange, dependents
+from onika.model.rules.reconfiguration import TaskExchange, dependents
 from onika.runtime import command
 from onika.runtime.table import Entry
 from onika.runtime.wiring import WiredTask
@@ -25,7 +25,7 @@ Known = Mapping[str, int]
 class Edit:
     """What an accepted change is to do."""
 
-    exchange: Exchange
+    exchange: TaskExchange
     new: tuple[Newcomer, ...] = ()
     off: tuple[str, ...] = ()
     on: tuple[Turn, ...] = ()

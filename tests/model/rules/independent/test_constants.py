@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.order import Ports, constant_order
-from onika.model.rules.reconfiguration import Exchange, Placed, difference, exchange
+from onika.model.rules.reconfiguration import PlacedTask, TaskExchange, difference, exchange
 from onika.model.task import Task
 
 from . import constants as naive
@@ -20,11 +20,11 @@ def orders_agree(tasks: Tasks) -> None:
     assert {frozenset(cycle) for cycle in cycles} == naive.rings(tasks)
 
 
-def placed(task: Task) -> Placed:
-    return Placed(Ports.of(task), task.module, next(iter(sorted(device(task))), None))
+def placed(task: Task) -> PlacedTask:
+    return PlacedTask(Ports.of(task), task.module, next(iter(sorted(device(task))), None))
 
 
-def ours(living: Tasks, kill: set[str], new: Tasks) -> Exchange:
+def ours(living: Tasks, kill: set[str], new: Tasks) -> TaskExchange:
     return exchange([placed(task) for task in living], kill, [placed(task) for task in new])
 
 

@@ -16,7 +16,7 @@ from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Placed as Standing, exchange
+from onika.model.rules.reconfiguration import PlacedTask as Standing, exchange
 from onika.wire import act
 from onika.wire.view import Remedy
 

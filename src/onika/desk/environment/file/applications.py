@@ -17,7 +17,7 @@ from onika.model.application import AppFlow, Application
 from onika.model.flow_path import numbered
 from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Faults, Opened
+from onika.store.opened_text import Faults, OpenedText
 from onika.store.site import is_shipped
 from onika.wire import act, page
 from onika.wire.view import Remedy, ShowSaveAs
@@ -128,7 +128,7 @@ class Found(NamedTuple):
     """An application as its file says; `is_partial`: as far as it could be read."""
 
     base: BaseDirectory
-    opened: Opened[Application]
+    opened: OpenedText[Application]
     faults: Faults
     is_partial: bool
 
@@ -179,7 +179,7 @@ def taken_over(here: OpenApplication, found: Found) -> OpenApplication:
     )
 
 
-def _copied(model: Model, opened: OpenApplication, saved: Opened[Application], base: Path) -> Done:
+def _copied(model: Model, opened: OpenApplication, saved: OpenedText[Application], base: Path) -> Done:
     """The copy of one that runs is open beside it, to be changed; what runs stays what it is."""
     number = model.opened + 1
     copy = OpenApplication(f"a{number}", saved.value, opened.last_number, opened=saved, base=base)

@@ -14,7 +14,7 @@ from onika.desk.environment.state.model import Model
 from onika.files import text
 from onika.model.configuration import Configuration
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.store.site import is_shipped
 from onika.wire import act, live
 from onika.wire.view import Remedy, ShowSaveAs
@@ -127,7 +127,7 @@ def keep(model: Model, document: Document, asked: act.Keep, _outside: Surroundin
     return Done(model.with_document(replace(document, opened=opened, has_changed_on_disk=False)))
 
 
-def read(path_or_name: str, outside: Surroundings) -> tuple[BaseDirectory, Opened[Configuration]] | No:
+def read(path_or_name: str, outside: Surroundings) -> tuple[BaseDirectory, OpenedText[Configuration]] | No:
     """A configuration by the path of its file, or by its name on the search path."""
     path = Path(path_or_name)
     if path.suffix == ".conf":
@@ -149,7 +149,7 @@ def read(path_or_name: str, outside: Surroundings) -> tuple[BaseDirectory, Opene
 
 
 def opened_beside(
-    model: Model, base: BaseDirectory | None, opened: Opened[Configuration] | None, configuration: Configuration
+    model: Model, base: BaseDirectory | None, opened: OpenedText[Configuration] | None, configuration: Configuration
 ) -> Done:
     """With one more document, whose id is the value."""
     number = model.opened + 1

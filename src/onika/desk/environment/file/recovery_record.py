@@ -12,7 +12,7 @@ from onika.desk.environment.state.open_application import OpenApplication
 from onika.files import appl, conf, text
 from onika.model.flow_path import numbered
 from onika.model.syntax import Syntax
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 
 @dataclass(frozen=True, slots=True)
@@ -70,7 +70,7 @@ def document_of(rescue: Rescue, doc: str, name: str = "") -> Document:
         raise ValueError("; ".join(map(str, faults)))
     path = Path(rescue.path) if rescue.path else None
     former = conf.read(rescue.former, rescue.name, rescue.path)[0] if path else None
-    opened = Opened(former, path, rescue.former) if path and former else None
+    opened = OpenedText(former, path, rescue.former) if path and former else None
     return Document(
         doc,
         Content(configuration),
@@ -95,7 +95,7 @@ def application_of(rescue: Rescue, doc: str, syntax: Syntax, name: str = "") -> 
     is_partial = appl.read(rescue.former, rescue.name, rescue.path, syntax)[0] is None
     return replace(
         here,
-        opened=Opened(former, path, rescue.former) if former else None,
+        opened=OpenedText(former, path, rescue.former) if former else None,
         file_faults=told(former, wrong, is_partial=is_partial) if former else (),
         is_partial=is_partial,
         has_changed_on_disk=_has_changed(rescue),

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Protocol
 
 from onika.desk.environment.outcome.outcome import Order
-from onika.desk.run.runtime import Reply
+from onika.desk.run.runtime import NumberedResponse
 from onika.wire import event, live, request
 
 _EVERY_S = 0.5
@@ -18,7 +18,7 @@ class Runtime(Protocol):
         """Ask without waiting; the number of the reply."""
         ...
 
-    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | NumberedResponse]:
         """Events and replies as they came; raises LinkLost at the end."""
         ...
 
@@ -61,7 +61,7 @@ class Talk:
         self.figures = None
         found: list[event.Event | Answered] = []
         for one in self._runtime.messages():
-            if not isinstance(one, Reply):
+            if not isinstance(one, NumberedResponse):
                 found.append(one)
             elif one.number == self._figures_asked:
                 self._figures_asked = None

@@ -54,7 +54,7 @@ def _home_in_run(model: Model, doc: str, name: str) -> str:
     if model.run is None or model.run.doc != doc or not name:
         return ""
     try:
-        return "/".join(model.run.cast.home(name))
+        return "/".join(model.run.flow_index.home(name))
     except ValueError:
         return ""
 

@@ -23,7 +23,7 @@ from onika.desk.environment.runs import flow_placement, run_reducer
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import listed
-from onika.desk.run.recorded_run import RecordedRun, Source, recorded_run
+from onika.desk.run.recorded_run import RecordedRun, RecordingSource, recorded_run
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy
@@ -59,7 +59,7 @@ def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Pr
 
 
 def _read(subject: Subject, at_s: float) -> RecordedRun | No:
-    recorded = recorded_run(Source(subject.path, at_s))
+    recorded = recorded_run(RecordingSource(subject.path, at_s))
     if isinstance(recorded, RecordedRun):
         return recorded
     why = (f"it cannot be continued: expected {one.expected}, found {one.found}" for one in recorded)

@@ -23,7 +23,7 @@ from onika.model.application import Application
 from onika.model.redirect import Redirect
 from onika.model.syntax import Syntax
 from onika.store.cached_site import RememberingSite, Stamp
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy
@@ -48,7 +48,7 @@ class _Known:
     syntax: Syntax
     dirty: tuple[Changed, ...]
     stamps: tuple[Stamp, ...]
-    program: Program | None
+    program: ApplicationProgram | None
     redirects: tuple[Redirect, ...] = ()
 
 
@@ -103,7 +103,7 @@ class Judge:
             return True
         return known.dirty != case.dirty
 
-    def _stamps(self, opened: OpenApplication, program: Program | None) -> tuple[Stamp, ...]:
+    def _stamps(self, opened: OpenApplication, program: ApplicationProgram | None) -> tuple[Stamp, ...]:
         """Of all files that count, also of those that are not there."""
         home = self._site if opened.base is None else self._site.at(opened.base)
         applications = (opened.application, *(program.applications.values() if program else ()))
@@ -144,7 +144,7 @@ def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[st
     return {one.old: redirection.homes_of(one.old, plan, program) for one in opened.redirects}
 
 
-def _unsaved(case: Case, troubles: Troubles, program: Program | None) -> Iterator[FaultView]:
+def _unsaved(case: Case, troubles: Troubles, program: ApplicationProgram | None) -> Iterator[FaultView]:
     for doc, name in unsaved.used(case.dirty, program):
         text = f"{name} is changed here and not saved: what its file says is run"
         yield FaultView(text, "warning", troubles.user_of(name), (Remedy(f"Save {name}", act.Save(doc)),))

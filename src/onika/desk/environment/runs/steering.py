@@ -25,18 +25,20 @@ def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done |
     if isinstance(run, No):
         return run
     try:
-        wish = steering.act(asked.line, run.cast)
+        wish = steering.act(asked.line, run.flow_index)
     except ValueError as wrong:
         return No(str(wrong))
-    if isinstance(wish, steering.Look):
+    if isinstance(wish, steering.PositionQuery):
         return _look(model)
-    if not isinstance(wish, steering.Order):
+    if not isinstance(wish, steering.SteeringOrder):
         return No(f"`{asked.line}` is for scripts: it waits, and a page goes on")
     if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
         return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
     if isinstance(wish.message, steer.Resume):
         named = len(asked.line.split()) > 1
-        whom = wish.subsystem if named or not any(one.is_nested for one in run.cast.parts) else ""  # whoever rests
+        whom = (
+            wish.subsystem if named or not any(one.is_nested for one in run.flow_index.parts) else ""
+        )  # whoever rests
         return _resumed(model, whom)
     return _steered(model, wish.message)
 

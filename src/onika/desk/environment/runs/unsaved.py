@@ -10,7 +10,7 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.wire import act
 from onika.wire.view import Remedy
 
@@ -24,7 +24,7 @@ def dirty(model: Model) -> tuple[Changed, ...]:
     return (*jobs, *((one.id, one.name) for one in model.applications.values() if one.is_dirty))
 
 
-def used(changed: Iterable[Changed], program: Program | None) -> tuple[Changed, ...]:
+def used(changed: Iterable[Changed], program: ApplicationProgram | None) -> tuple[Changed, ...]:
     """Those that a program uses: configurations of jobs, and applications in it."""
     if program is None:
         return ()

@@ -8,7 +8,7 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.history import History, Step
 from onika.desk.environment.state.live import Live
 from onika.model.configuration import Configuration
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +18,7 @@ class Document:
     id: str
     content: Content
     history: History[Step] = field(default_factory=History)
-    opened: Opened[Configuration] | None = None
+    opened: OpenedText[Configuration] | None = None
     """The file as it was read or saved last; None: it has none yet."""
     base: Path | None = None
     """The base directory of its file."""

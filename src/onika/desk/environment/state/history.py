@@ -9,7 +9,7 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 _KEPT = 500
 
@@ -29,7 +29,7 @@ Edits = Mapping[str, Task | None]
 class File:
     """The file that a document is tied to, as it was read or saved last, and its base directory."""
 
-    opened: Opened[Configuration] | None
+    opened: OpenedText[Configuration] | None
     base: Path | None
 
 

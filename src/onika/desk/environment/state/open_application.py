@@ -7,7 +7,7 @@ from pathlib import Path
 from onika.desk.environment.state.history import History
 from onika.model.application import Application
 from onika.model.redirect import Redirect
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.wire.view import FaultView
 
 
@@ -54,7 +54,7 @@ class OpenApplication:
     last_number: int = 0
     """The greatest number that was ever given here: none is used again."""
     history: History[Change] = field(default_factory=History)
-    opened: Opened[Application] | None = None
+    opened: OpenedText[Application] | None = None
     """The file as it was read or saved last; None: it has none yet."""
     base: Path | None = None
     """The base directory of its file, or the one it is meant for."""
