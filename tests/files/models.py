@@ -165,7 +165,7 @@ def icons(draw: st.DrawFn) -> Icon:
     tag = draw(st.none() | words)
     onikon = draw(onikons)
     if TYPES.find(onikon.type) in TYPES.types[-2:]:
-        return Icon(onikon)  # marks live on the action (decision 24)
+        return Icon(onikon)  # marks live on the action (reading 24)
     marks = draw(st.booleans()), draw(st.none() | words), tag, tag is not None and draw(st.booleans())
     conditions_ = st.just("") | conditions
     return Icon(onikon, *marks, draw(conditions_), draw(conditions_) if tag is not None else "")

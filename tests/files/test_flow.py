@@ -121,7 +121,7 @@ def test_marks_of_targets_in_branches_go_to_their_jobs() -> None:
     text = write_flow(AppFlow((Branch((AppFlow((move, home)),)),)))
     at = text.rindex("MARKER      no")
     (flow,), found = read(text[:at] + "MARKER yes" + text[at + 14 :])
-    assert found == []  # decision 24
+    assert found == []  # reading 24
     (step,) = flow.steps
     assert isinstance(step, Branch)
     assert [isinstance(one, Icon) and one.marker for one in step.flows[0].steps] == [True, False]

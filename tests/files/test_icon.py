@@ -32,7 +32,7 @@ def target(ui: str = UI) -> tuple[Onikon | None, list[str], bool]:
 
 
 def test_values_are_read_by_the_data_items_of_the_type() -> None:
-    values = ((1.0, 2.5, -0.3), ("a.txt", "b c"), ("turn  left",))  # R-B03, decision 40
+    values = ((1.0, 2.5, -0.3), ("a.txt", "b c"), ("turn  left",))  # R-B03, reading 40
     assert target() == (Onikon("x", "Joint object", "go there", values, blank()), [], False)
 
 

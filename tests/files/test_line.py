@@ -99,7 +99,7 @@ def test_faults_come_in_the_order_of_the_lines() -> None:
 
 @pytest.mark.parametrize("text", ["A\nB", "A\nB\nC\nC\nD", "A\nB\nD"])
 def test_lines_in_order_are_right(text: str) -> None:
-    assert arranged(text) == []  # decision 41
+    assert arranged(text) == []  # reading 41
 
 
 @pytest.mark.parametrize(
@@ -118,7 +118,7 @@ def test_lines_in_order_are_right(text: str) -> None:
     ],
 )
 def test_every_line_out_of_order_is_named(text: str, expected: list[str]) -> None:
-    assert arranged(text) == expected  # decision 41
+    assert arranged(text) == expected  # reading 41
 
 
 def test_an_older_file_may_lack_lines() -> None:

@@ -18,7 +18,7 @@ def test_a_picture_file_is_32_lines_of_32_digits() -> None:
 
 
 def test_a_9_is_read_as_black_with_a_note() -> None:
-    text = TEXT.replace("8777", "8977", 1)  # decision 38
+    text = TEXT.replace("8777", "8977", 1)  # reading 38
     assert found(text) == ["2: colours from 0 to 8 / a 9 / it is read as black"]
     picture, _ = read(text, "start", "f")
     assert picture

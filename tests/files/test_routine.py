@@ -103,7 +103,7 @@ def test_no_line_is_no_condition() -> None:
 def test_the_marks_of_a_target_go_to_its_job(
     job: dict[str, object], target: dict[str, object], expected: dict[str, object]
 ) -> None:
-    reading = opened("")  # decision 24
+    reading = opened("")  # reading 24
     whole, bare = marked(replace(MOVE, **job), replace(HOME, **target), reading)  # type: ignore[arg-type]
     assert reading.faults == ()
     assert whole == replace(MOVE, **expected)  # type: ignore[arg-type]

@@ -140,7 +140,7 @@ def test_a_task_is_saved_over_the_text_it_was_read_from(base: BaseDirectory) -> 
 
 
 def test_a_configuration_and_an_application_of_one_name_do_not_take_each_others_icon(base: BaseDirectory) -> None:
-    base.save_configuration(CONFIGURATION)  # decision 34
+    base.save_configuration(CONFIGURATION)  # reading 34
     base.save_application(replace(APPLICATION, name="hold"))
     assert isinstance(base.save_onikon(ONIKON), OpenedText)
     refusal = base.save_onikon(replace(ONIKON, type="Complete application"))

@@ -18,8 +18,8 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
 
     A target of unknown type leaves a hole that keeps its lines, a job of unknown type acts as a complete one
     (requirement D16).
-    Start and end icons are left out (decision 46), adjacent holes are one (decision 33), the marks of a target go to
-    its job (decision 24).
+    Start and end icons are left out (reading 46), adjacent holes are one (reading 33), the marks of a target go to
+    its job (reading 24).
     """
     found, reading = _read(text, name, place_file, syntax)
     return (None if reading.broken else found), reading.faults

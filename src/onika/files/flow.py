@@ -193,7 +193,7 @@ class _Nest:
 
 
 def _settled(steps: list[Step], syntax: Syntax, reading: TextReading) -> AppFlow:
-    """A flow with the marks of its targets on their jobs (decision 24) and one hole for several (decision 33)."""
+    """A flow with the marks of its targets on their jobs (reading 24) and one hole for several (reading 33)."""
     for action in actions(AppFlow(tuple(steps)), syntax):
         for at in range(action.position + 1, action.end):
             job, target = steps[action.position], steps[at]

@@ -135,7 +135,7 @@ def _elements(line: FileLine, item: DataItem, reading: TextReading) -> tuple[Val
 
 
 def _words(line: FileLine, item: DataItem) -> list[str]:
-    """The elements as written; a single `line` is the rest of the line unless it is one quoted word (decision 40)."""
+    """The elements as written; a single `line` is the rest of the line unless it is one quoted word (reading 40)."""
     if item.type is not ValueType.LINE or item.count != 1:
         return argument.split(line.rest)
     if not line.rest.startswith('"'):

@@ -1,4 +1,4 @@
-"""The test file, `.test`: a kept run (requirement X07). A format of our own, in the style of Appendix A."""
+"""The test file, `.test`: a kept run, in a format of our own in the style of Appendix A (requirement X07)."""
 
 import math
 import re

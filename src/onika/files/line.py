@@ -1,7 +1,7 @@
 """The lines all formats of Appendix A are made of: a keyword and its words, with `#` comments and blank lines between.
 
 A comment is a line whose first sign is `#`. Runs of blanks and tabs count as one. The order of lines within a block
-is law (decision 41), EOF is the last one, VERSION the first (requirement B06). Every fault of a text is collected.
+is law (reading 41), EOF is the last one, VERSION the first (requirement B06). Every fault of a text is collected.
 """
 
 import re

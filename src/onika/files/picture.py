@@ -1,4 +1,4 @@
-"""The rows of a picture: in PICT lines of icons, and alone in the `.dta` files of the start and stop icons (§A.8)."""
+"""The rows of a picture, in PICT lines of icons and in the `.dta` files of start and stop icons (§A.8)."""
 
 import re
 from collections.abc import Sequence
@@ -31,7 +31,7 @@ def write(picture: Picture) -> str:
 def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: TextReading) -> Picture:
     """The picture of numbered rows; faults go to `reading`, a missing row to line `last`; then it is blank.
 
-    A 9 is read as black (decision 38) and the border is made black (requirement B11), each with one note.
+    A 9 is read as black (reading 38) and the border is made black (requirement B11), each with one note.
     """
     if len(rows) != SIZE:
         reading.fault(rows[SIZE][0] if len(rows) > SIZE else last, f"{SIZE} rows of a picture", f"{len(rows)}")

@@ -158,7 +158,7 @@ def _names(line: FileLine | None, reading: TextReading) -> tuple[str, ...]:
 def _coded(
     names: Sequence[str], listed: Mapping[str, Sequence[str]], aliases: Sequence[tuple[str, str]]
 ) -> tuple[str, ...]:
-    """Coded names for those given by their alias (decision 8).
+    """Coded names for those given by their alias (reading 8).
 
     A name counts as an alias where the coded name it belongs to stands on no port line.
     """
@@ -174,7 +174,7 @@ def _check_aliases(
     aliases: Sequence[tuple[str, str]],
     reading: TextReading,
 ) -> None:
-    """Every alias belongs to a port, and no two outputs become one variable (decision 9)."""
+    """Every alias belongs to a port, and no two outputs become one variable (reading 9)."""
     present = {name for names in ports.values() for name in names}
     if reading.broken:
         return

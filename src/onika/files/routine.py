@@ -92,7 +92,7 @@ def read_condition(line: FileLine | None, reading: TextReading) -> str:
 
 
 def marked(job: Icon, target: Icon, reading: TextReading) -> tuple[Icon, Icon]:
-    """An action's icon with all marks on it, and its target without any (decision 24)."""
+    """An action's icon with all marks on it, and its target without any (reading 24)."""
     _agree(job.synch_tag, target.synch_tag, "synch tag", target, reading)
     _agree(job.while_tag, target.while_tag, "while tag", target, reading)
     _agree(job.while_if or None, target.while_if or None, "condition of a loop", target, reading)

@@ -156,7 +156,7 @@ class BaseDirectory:
     ) -> OpenedText[Onikon] | Refusal:
         """Save an onikon opened as `former`, or a new one; see `opened.save`.
 
-        A configuration and an application of one name would share it: whose icon it is first keeps it (decision 34).
+        A configuration and an application of one name would share it: whose icon it is first keeps it (reading 34).
         """
         path, name = self.onikon_file(onikon.name), onikon.name
         found = save(path, onikon, onk.write, former, overwrites=overwrites)

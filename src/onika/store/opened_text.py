@@ -1,4 +1,4 @@
-"""Something opened from a file, with the text it was read from: to save it again is to change that text (B01, B07)."""
+"""An opened file: its value and the text it was read from, which saving changes (requirements B01, B07)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""A program: an application with all that was found for it on a site (dissertation §5.9.2)."""
+"""Loads an application with everything it needs from a site (§5.9.2)."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -35,7 +35,7 @@ class ApplicationProgram:
 def load(path: Path, site: Site, syntax: Syntax) -> tuple[ApplicationProgram | None, Faults]:
     """The application in the file `path` with the configurations, tasks and code it needs; nothing else is read.
 
-    The base directory of the file, if it lies in an `appl/`, comes before the search path (decision 35). None with
+    The base directory of the file, if it lies in an `appl/`, comes before the search path (reading 35). None with
     the faults where the application itself cannot be read.
     """
     content, faults = text.load(path, str(path))
@@ -69,7 +69,7 @@ def joined(program: ApplicationProgram, names: Iterable[str], site: Site) -> App
 
 
 def home_of(path: Path, site: Site) -> Site:
-    """The site as the application in the file `path` sees it: its own base directory comes first (decision 35)."""
+    """The site as the application in the file `path` sees it: its own base directory comes first (reading 35)."""
     folder = path.absolute().parent
     return site.at(folder.parent) if folder.name == "appl" else site
 

@@ -1,4 +1,4 @@
-"""A site: the base directories of a search path and one user's own files, in which names are found (decision 11)."""
+"""A site: the search path of base directories and one user's own files, in which names are looked up (reading 11)."""
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -56,7 +56,7 @@ class Site:
         return (*own, self.prefs / syntax.NAME)
 
     def syntax(self) -> tuple[Syntax | None, Faults]:
-        """The user's own syntax definition, else the shipped one; whole, never merged (decision 39).
+        """The user's own syntax definition, else the shipped one; whole, never merged (reading 39).
 
         A faulty one is reported and the next is taken; None only where the shipped one is at fault.
         """

@@ -52,7 +52,7 @@ def events_of(runtime):
                 return
 
 
-def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, house decision 1
+def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, decision 1
     with Runtime(("rt0",), is_virtual=True) as runtime:
         assert runtime.ask(request.Prepare(bell(), ())) == request.Prepared(())
         assert runtime.ask(request.Begin()) == request.Done()
@@ -113,7 +113,7 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
     assert any(fault.found == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
 
 
-def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():  # house decision 3
+def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
     with Runtime(("rt0",), is_virtual=True) as runtime:
         numbers = [runtime.send(message) for message in (live.Survey(), live.Take("main"), live.Scene("moon"))]
         messages = []

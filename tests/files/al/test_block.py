@@ -48,7 +48,7 @@ def test_holes_side_by_side_are_one() -> None:
     block = Block("BEGIN", SENTENCE)
     for steps in ([Hole()], [Hole()], [Hole(kept="ROUTINE x\n")], [ICON]):
         block.add(steps)
-    assert block.flow() == AppFlow((Hole(), Hole(kept="ROUTINE x\n"), ICON))  # decision 33
+    assert block.flow() == AppFlow((Hole(), Hole(kept="ROUTINE x\n"), ICON))  # reading 33
 
 
 def test_a_branch_has_the_parts_that_were_read() -> None:

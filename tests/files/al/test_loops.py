@@ -27,7 +27,7 @@ def test_loops_stand_apart_or_within_each_other() -> None:
 
 
 def test_of_crossing_loops_one_is_shown_as_a_block() -> None:
-    assert found("abAB") == ["bottom b 1 3"]  # decision 23
+    assert found("abAB") == ["bottom b 1 3"]  # reading 23
 
 
 def test_lonely_tags_several_tests_and_conditions_at_the_anchor_are_no_loops() -> None:

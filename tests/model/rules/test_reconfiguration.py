@@ -51,7 +51,7 @@ def placed(name, inconst=(), outconst=(), module="", device=None):
     return PlacedTask(Ports(name, tuple(inconst), tuple(outconst)), module or name, device)
 
 
-def test_only_who_excludes_a_newcomer_is_killed_first():  # decision 14
+def test_only_who_excludes_a_newcomer_is_killed_first():  # reading 14
     living = [placed("puma", device="boxes:left"), placed("move"), placed("watch")]
     new = [placed("puma2", device="boxes:left"), placed("ramp", module="move")]
     found = exchange(living, ["puma", "move", "watch"], new)
@@ -107,7 +107,7 @@ def placements(draw, prefix):
 
 @settings(max_examples=200, deadline=None)
 @given(placements("t"), placements("n"), st.data())
-def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, decision 14
+def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, reading 14
     gone = data.draw(st.sets(st.sampled_from([one.name for one in living]))) if living else set()
     found = exchange(living, gone, new)
     assert set(found.keep) | set(found.kill) == {one.name for one in living}

@@ -1,4 +1,4 @@
-"""What a flow can come to, as far as it is known before the run (decisions 21 and 22, R-D11, R-X03)."""
+"""What a flow can come to, as far as it is known before the run (readings 21 and 22, R-D11, R-X03)."""
 
 import pytest
 

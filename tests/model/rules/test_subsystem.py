@@ -37,7 +37,7 @@ def test_further_flows_of_a_nested_parallel_application_have_subsystems_of_their
 
 
 def test_tasks_conflict_within_a_subsystem_only() -> None:
-    configurations = {"a": conf("a", "one"), "b": conf("b", "two")}  # decision 1
+    configurations = {"a": conf("a", "one"), "b": conf("b", "two")}  # reading 1
     tasks = {name: Task(name, "m") for name in ("one", "two")}
 
     def told(*flows: AppFlow, inner: Application) -> list[str]:

@@ -50,12 +50,12 @@ def test_a_constant_only_given_while_running_is_a_fault() -> None:
 
 
 def test_joint_and_cartesian_moves_may_write_the_same_reference() -> None:
-    moves = [Task("jmove", "j", outvar=("Q_REF",)), Task("cmove", "c", outvar=("Q_REF",))]  # decision 1
+    moves = [Task("jmove", "j", outvar=("Q_REF",)), Task("cmove", "c", outvar=("Q_REF",))]  # reading 1
     assert conflicts(moves, "flow 0", Place("a.appl")) == ()
 
 
 def test_an_inboth_needs_no_supplier_of_the_constant() -> None:
-    both = Task("r", "r", inconst=("X",), invar=("X",))  # decision 6
+    both = Task("r", "r", inconst=("X",), invar=("X",))  # reading 6
     assert conflicts([both, Task("w", "w", outvar=("X",))], "flow 0", Place("a.appl")) == ()
 
 

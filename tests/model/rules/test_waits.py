@@ -1,4 +1,4 @@
-"""Who can come to wait for whom for ever, beside a plain search that moves one flow at a time (R-X03, decision 26)."""
+"""Who can come to wait for whom for ever, beside a plain search that moves one flow at a time (R-X03, reading 26)."""
 
 from hypothesis import given, settings, strategies as st
 

@@ -1,4 +1,4 @@
-"""A command of a console: its name, how it is written, what it does, what it takes."""
+"""A console command: its name, its usage, what it does, and the words it takes."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The commands of a console by groups, as `help` shows them."""
+"""The table of all console commands, in the groups in which `help` shows them."""
 
 from onika.desk.console import (
     control_lines,

@@ -1,4 +1,4 @@
-"""Completion: what may stand where the cursor is."""
+"""Completes console lines: lists the words that may stand where the cursor is."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""A console: carries out lines, one command each, and completes what is being typed (requirement A16)."""
+"""The console itself: carries out lines, one command each, and runs scripts of them (requirement A16)."""
 
 from collections.abc import Callable
 from pathlib import Path

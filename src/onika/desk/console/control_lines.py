@@ -1,4 +1,4 @@
-"""Lines about who may move the robots: stop, reset, take, release, hand, decline, watch only, open (law 27, §E.1)."""
+"""Console commands about who may move the robots: stop, reset, take, release, hand, decline, open (law 27, §E.1)."""
 
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults

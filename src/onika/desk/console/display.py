@@ -1,4 +1,4 @@
-"""The face of a console: whoever shows its lines, in a terminal, a pipe or a test."""
+"""The interface of a console display: shows lines in a terminal, a pipe or a test."""
 
 from enum import Enum
 from typing import Protocol

@@ -1,4 +1,4 @@
-"""Tasks whose files are followed: when a file changes, the task's code is exchanged (requirements A14, X15)."""
+"""Follows the code files of tasks: when one changes, the task's code is exchanged (requirements A14, X15)."""
 
 from dataclasses import dataclass
 from hashlib import sha256

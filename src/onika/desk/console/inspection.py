@@ -1,4 +1,4 @@
-"""Lines that look and change nothing: status, tasks, library, rtpus, subsystems, vars, read, check (A06, A11, A12)."""
+"""Console commands that only look: status, tasks, library, vars, read, check (requirements A06, A11, A12)."""
 
 import re
 from fnmatch import fnmatchcase

@@ -1,4 +1,4 @@
-"""Lines that run applications: run, abort, home, calibrate (requirement A16, §E.1)."""
+"""Console commands that run applications: run, begin, abort, home, calibrate (requirement A16, §E.1)."""
 
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults

@@ -1,4 +1,4 @@
-"""A session at a runtime's console: the runtime, what is known of it, and what it still owes an answer to."""
+"""A console session: sends requests to the runtime, shows its events, and remembers what later lines need."""
 
 from collections.abc import Callable, Iterator
 from typing import Protocol

@@ -1,4 +1,4 @@
-"""Tasks, code and targets as a console takes them from the search path: by name, or with the reason."""
+"""Looks up tasks, code and targets on the search path for a console, with a fault where there is none."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches

@@ -1,4 +1,4 @@
-"""Lines that steer an application that runs, whoever began it (requirements E07, E08, E13, X03)."""
+"""Console commands that steer a running application, whoever began it (requirements E07, E08, E13, X03)."""
 
 from collections.abc import Callable
 

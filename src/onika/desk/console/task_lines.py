@@ -1,4 +1,4 @@
-"""Lines that bring tasks to life and to their end: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
+"""Console commands for the life of tasks: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Letting time pass: `advance`, and `wait` for seconds, a state, a variable, the end of a run (A16, law 15)."""
+"""Console commands that let time pass: `advance`, and `wait` for a condition (requirement A16, law 15)."""
 
 import re
 from collections.abc import Callable

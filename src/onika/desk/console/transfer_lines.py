@@ -1,4 +1,4 @@
-"""`jumps`: how far inputs of hardware stepped where what drives them was exchanged (X04)."""
+"""The console command `jumps`: lists how far hardware inputs stepped when their source changed (requirement X04)."""
 
 from onika.desk.console.display import Tone
 from onika.desk.console.session import ConsoleSession, Faults

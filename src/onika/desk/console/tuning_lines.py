@@ -1,4 +1,4 @@
-"""Lines that alter a living task: rate, reinit, swap, get, set, answer (requirements A04, A10, A13, X15)."""
+"""Console commands that alter a living task: rate, reinit, swap, get, set, answer (requirements A04, A10, A13, X15)."""
 
 from pathlib import Path
 

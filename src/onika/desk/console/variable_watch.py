@@ -1,4 +1,4 @@
-"""Variables that are watched: read again and again, shown when they change (requirement A16)."""
+"""Watches variables: reads them again and again, and shows each change (requirement A16)."""
 
 from typing import Any
 

@@ -1,4 +1,4 @@
-"""The line that touches a world as a hand would: its panic buttons and whatever else it offers (§4.5.2)."""
+"""The console command `touch`: touches a part of a simulated world, such as a panic button (§4.5.2)."""
 
 from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run import text_table

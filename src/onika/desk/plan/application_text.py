@@ -1,4 +1,4 @@
-"""An application as text in the words of AL: written from its file, and read back into one (requirement D14)."""
+"""Converts an application between its file and text in the words of AL, in both directions (requirement D14)."""
 
 from dataclasses import dataclass, field
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Compiling: a program found on a site becomes the plan that a runtime executes (house decision 2, §5.9.2)."""
+"""The compiler: turns an application, with all that it needs, into the plan that a runtime executes (§5.9.2)."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from hashlib import sha256

@@ -1,4 +1,4 @@
-"""The flows of an application by the words that people use for them: numbers, subsystems, names of actions."""
+"""An index of an application's flows: finds a flow by number or subsystem, and an action by number or name."""
 
 import re
 from collections.abc import Iterable

@@ -1,4 +1,4 @@
-"""Making icons: a configuration becomes a job, an application an icon for others (requirement D09, §5.6.2, §5.6.4)."""
+"""Makes icons: a configuration becomes a job, an application an icon for others (requirement D09, §5.6.2, §5.6.4)."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -55,7 +55,7 @@ def iconify(
     """Write `dict/NAME.onk` for the configuration or application in the file `path`; or say why not.
 
     An icon that is there keeps its description and picture, unless others are given; `picture` is the file of an icon
-    that lends its own. One of another thing of that name is kept (decision 34), unless the user `replaces` it.
+    that lends its own. One of another thing of that name is kept (reading 34), unless the user `replaces` it.
     """
     source = _source(path, site)
     if not isinstance(source, _Source):

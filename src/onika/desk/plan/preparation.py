@@ -1,4 +1,4 @@
-"""Preparing a run: from a name or file to a plan, with every fault that needs no runtime to be seen (E01)."""
+"""Prepares a run: turns a name or file into a plan, and collects every fault seen without a runtime (requirement E01)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -57,7 +57,7 @@ class _Context:
     within: tuple[str, ...]
     fills: Mapping[str, Icon]
     scope: str | None
-    """The instance of the parallel application whose flow it is; None: its tags meet nobody (decision 27)."""
+    """The instance of the parallel application whose flow it is; None: its tags meet nobody (reading 27)."""
     spot: tuple[int, ...] = ()
     """The lines of the icons that run the applications around it."""
 
@@ -214,7 +214,7 @@ class _Rounds:
 
 
 def _targets(action: Action, context: _Context, syntax: Syntax) -> tuple[Icon, ...]:
-    """The targets of an action; what fills a hole comes from outside, by its type (decision 32)."""
+    """The targets of an action; what fills a hole comes from outside, by its type (reading 32)."""
     wanted = wanted_targets(action.icon.onikon, syntax)
     targets = (
         target if isinstance(target, Icon) else context.fills.get(plain_type(kind))
@@ -224,7 +224,7 @@ def _targets(action: Action, context: _Context, syntax: Syntax) -> tuple[Icon, .
 
 
 def plain_type(name: str) -> str:
-    """The name of a type, to be compared (decision 37)."""
+    """The name of a type, to be compared (reading 37)."""
     return " ".join(name.lower().split())
 
 

@@ -1,4 +1,4 @@
-"""Where every flow of a run is, as its events tell it, and what has happened that was not waited for yet (E11)."""
+"""The flow tracker: follows events to know the state of each flow, and which wait conditions came (requirement E11)."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""What this machine offers a runtime, and what it costs where it does not (law 31)."""
+"""Checks what this machine offers a runtime, such as real-time priority, and says what its absence costs (law 31)."""
 
 import os
 import platform

@@ -1,4 +1,4 @@
-"""A wait under way: whether its condition has come, or it is given up (requirement E07)."""
+"""A pending wait of a script: it ends when its condition has come, or is given up (requirement E07)."""
 
 from typing import Protocol
 

@@ -1,4 +1,4 @@
-"""Where every flow is, as lines for people (requirements E11, X03)."""
+"""Shows as a table where every flow is and what it waits for (requirements E11, X03)."""
 
 from collections.abc import Sequence
 

@@ -1,4 +1,4 @@
-"""A recorded run, to be begun again: the same plan, the same seed, and what was asked of it, up to an instant (X05)."""
+"""A recorded run that can begin again: the same plan, seed and inputs, up to an instant (requirement X05)."""
 
 from dataclasses import dataclass
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""A run from the environment's side: prepare, launch a runtime, follow and steer it to its end (E03, E07, E14)."""
+"""Runs an application: prepares it, launches a runtime, follows and steers it (requirements E03, E07, E14)."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager

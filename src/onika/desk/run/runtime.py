@@ -1,4 +1,4 @@
-"""A runtime as the environment sees it: a child process, or one elsewhere, behind a link (house decision 1)."""
+"""A client's view of a runtime: a child process that it launches, or one elsewhere that it reaches over the link."""
 
 import os
 from collections import deque

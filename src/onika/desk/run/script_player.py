@@ -1,4 +1,4 @@
-"""The player: carries out a script while its run goes on, one line after another (requirements E07, E13)."""
+"""The script player: carries out the lines of a script one by one while a run goes on (requirements E07, E13)."""
 
 from collections import deque
 from collections.abc import Callable

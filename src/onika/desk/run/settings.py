@@ -1,4 +1,4 @@
-"""What a run is to be: the application, in which time, what is expected of it, and what becomes of it in trouble."""
+"""The settings of a run: the application, real or virtual time, what is expected, and what to do on an error."""
 
 from dataclasses import dataclass
 from pathlib import Path

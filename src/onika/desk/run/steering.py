@@ -1,4 +1,4 @@
-"""The words of steering: a line that a person or a script says becomes an act (requirements E07, E08, E13)."""
+"""The steering language: parses a line such as `pause 0` into a request to the runtime (requirements E07, E08, E13)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass

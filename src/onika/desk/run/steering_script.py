@@ -1,4 +1,4 @@
-"""A script that steers a run: lines in a file, read whole before anything moves (requirements E07, E13)."""
+"""A steering script: its file is read and checked whole before anything moves (requirements E07, E13)."""
 
 from dataclasses import dataclass
 from pathlib import Path

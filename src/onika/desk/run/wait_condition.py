@@ -1,4 +1,4 @@
-"""A moment of a run that a script waits for."""
+"""A wait condition: what a script waits for, such as seconds, the beginning of an action, or a paused flow."""
 
 from dataclasses import dataclass
 

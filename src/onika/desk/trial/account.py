@@ -1,4 +1,4 @@
-"""An account of a run in virtual time: what was done, how long it took, what was so after each action."""
+"""An account of a run in virtual time: its actions, their durations, and the values of variables after each."""
 
 import hashlib
 from collections.abc import Iterator

@@ -1,4 +1,4 @@
-"""Judging a run by what was kept of another: in words, what is not as it was, and since when (requirement X07)."""
+"""Judges a run against a kept one: says in sentences what differs, and since when (requirement X07)."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

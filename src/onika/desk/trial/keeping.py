@@ -1,4 +1,4 @@
-"""Keeping a run as a test: what is asked of later ones is chosen by what stays the same in shaken ones (X07)."""
+"""Keeps a run as a test: demands of later runs what stays the same when the run is disturbed (requirement X07)."""
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor

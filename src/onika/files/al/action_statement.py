@@ -1,4 +1,4 @@
-"""A statement of the text: an action with its targets, a target by itself or a hole, as steps of a flow."""
+"""Reads one statement of AL into steps: an action with its targets, a target by itself, or a hole."""
 
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""An open block of the text while it is read: its flow so far, its parts before, and what waits for an action."""
+"""A block of AL that is being read: its flow so far, its parts before, and marks that wait for an action."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace

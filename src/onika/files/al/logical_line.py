@@ -1,4 +1,4 @@
-"""A sentence of the text: one line, or several where a parenthesis is open, without its comments."""
+"""Splits a text of AL into statements: one line, or several where a parenthesis is open, without comments."""
 
 import re
 from collections.abc import Iterator, Sequence

@@ -1,4 +1,4 @@
-"""The loops of a flow that can be shown as blocks: well formed, apart or one within the other (decision 23)."""
+"""Finds the loops of a flow that can be written as blocks: well formed, apart or nested (reading 23)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""The program of a text, block by block: sentences come, flows are made (dissertation §4.4)."""
+"""Builds flows from the statements of an AL text, block by block (§4.4)."""
 
 from collections import Counter
 from collections.abc import Callable

@@ -1,4 +1,4 @@
-"""Whether the flows of a plan can meet at their synchronisation tags (requirement X03, decisions 21, 22 and 26).
+"""Whether the flows of a plan can meet at their synchronisation tags (requirement X03, readings 21, 22 and 26).
 
 What must end in a deadlock is a fault; what may, depending on what tasks return, is a note with an example. Skips and
 passes are not considered: they are the user's way out.

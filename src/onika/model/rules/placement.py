@@ -59,7 +59,7 @@ class PlacedNeighbours:
 
 
 def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]:
-    """Why the aliases of `changed` may not be taken over beside the `others` of its configuration (decision 9)."""
+    """Why the aliases of `changed` may not be taken over beside the `others` of its configuration (reading 9)."""
     twice = tuple(
         Refusal(
             f"{' and '.join(names)} of `{changed.name}` would both write {svar}", (f"give {names[-1]} another alias",)

@@ -29,7 +29,7 @@ class PlacedTask:
         return self.ports.name
 
     def excludes(self, other: "PlacedTask") -> bool:
-        """Whether this one has to go before the other comes (decision 14): one name, one module, one claimed device.
+        """Whether this one has to go before the other comes (reading 14): one name, one module, one claimed device.
 
         Or because it writes at every cycle what the newcomer writes at initialisation: that would break into it.
         """
@@ -45,7 +45,7 @@ class TaskExchange:
     keep: tuple[str, ...]
     kill: tuple[str, ...]
     kill_first: tuple[str, ...]
-    """Of `kill`: those that exclude a new task, so that they go before it comes (decision 14)."""
+    """Of `kill`: those that exclude a new task, so that they go before it comes (reading 14)."""
     spawn: tuple[str, ...]
     """In the order of constants."""
     reinit: tuple[str, ...]

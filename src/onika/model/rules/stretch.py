@@ -27,7 +27,7 @@ class ReturnValue(IntEnum):
     """What is known before the run of the value that the last action has returned."""
 
     NONE = 0
-    """There is none: branches take flow 0, loops are left (decisions 21 and 22)."""
+    """There is none: branches take flow 0, loops are left (readings 21 and 22)."""
     NOOP = 1
     """That of a no-op: flow 0, go on (requirement D11)."""
     ANY = 2

@@ -1,4 +1,4 @@
-"""Which flows share a subsystem, with nested applications in line; what must hold among their tasks (E01, law 9)."""
+"""Which flows share a subsystem, with nested applications in line; what must hold among their tasks (requirement E01, law 9)."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

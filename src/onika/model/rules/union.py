@@ -34,7 +34,7 @@ def conflicts(
     """What may not live side by side in one subsystem, though never ON together; `where` names the flow.
 
     One module twice, a device claimed twice, a constant supplied twice, a pure OUTVAR against a pure INCONST
-    (decision 1: sharing an OUTVAR is legal), and a constant that nobody supplies (laws 9 and 10). Each is told of every
+    (reading 1: sharing an OUTVAR is legal), and a constant that nobody supplies (laws 9 and 10). Each is told of every
     later task beside the first. A fault stands at the icon that brings the later task, as far as `sources` knows it.
     """
     known = sources or {}
