@@ -1,4 +1,4 @@
-"""A log of the readings as they stand: one file, written whole or not at all (requirement A12).
+"""Writes a log of the current readings: one file, whole or not at all (requirement A12).
 
 A line for each variable: time in s, subsystem, name, type, then all values row by row, parted by blanks; texts in
 double quotes as in an argument line. Lines that begin with `#` say when and what.

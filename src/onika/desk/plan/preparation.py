@@ -1,4 +1,4 @@
-"""Prepares a run: turns a name or file into a plan, and collects every fault seen without a runtime (requirement E01)."""
+"""Prepares a run: turns a name or file into a plan, with every fault seen without a runtime (requirement E01)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,6 +1,6 @@
-"""Redirection of an application that is about to run: what could stand for its tasks, and what is wrong with a wish.
+"""Redirection before a run: finds what could stand for a task, and what is wrong with a choice.
 
-Nothing here touches a file (E09, §5.9.1): a wish lives as long as the session, or as one run from the command line.
+Nothing here touches a file: a choice lives as long as the session, or as one run of the command line (requirement E09).
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence

@@ -1,4 +1,4 @@
-"""The sequence of a flow: its steps, nested applications and branches put in line, as the program the engine executes.
+"""Sequences a flow: puts its steps, nested applications and branches in line, as the program the engine executes.
 
 Loops become jumps (§4.4.7.3), conditional applications choices (§4.3.2), nested parallel applications forks (D13).
 What is at fault is passed over here: readiness tells it, and nothing runs.

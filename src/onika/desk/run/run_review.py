@@ -1,4 +1,4 @@
-"""A recording that is looked at: what the run was like at any instant, for whoever draws it (requirement X05).
+"""Looks into a recording: the state of the run at any instant, and curves of its variables (requirement X05).
 
 with Review(path) as review:
     review.flows                      # names, actions and when each was carried out

@@ -1,4 +1,4 @@
-"""An application that runs, for whoever steers it from a program: what happens, and what may be done (E07, E11, E13).
+"""A running application: a program follows its events and steers it (requirements E07, E11, E13).
 
     with start(RunSettings("assemble", is_virtual=True), site) as running:
         running.steer("break 3")

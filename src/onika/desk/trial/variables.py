@@ -1,4 +1,4 @@
-"""Which variables are worth keeping of a run, by what modules declare of them; their names mean nothing here.
+"""Chooses the variables of a run that are worth keeping, by what modules declare; their names mean nothing here.
 
 What a task with a device says of the world is *measured*. A *reference* is what a trigger writes as a single number,
 and what any task writes in the type, shape and unit of something that hardware of the same flow measures. Forces,

@@ -1,6 +1,6 @@
-"""A phrase: the rest of a sentence while it is read from left to right.
+"""A stream of tokens: the rest of a statement of AL while it is read from left to right.
 
-What does not fit raises ValueError whose text is "expected …, found …"; whoever reads the sentence reports it.
+What does not fit raises ValueError whose text is "expected …, found …"; whoever reads the statement reports it.
 """
 
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""The glossary of a text, its section WHERE: icons that no dictionary holds alike, and holes that keep a target.
+"""The section WHERE of an AL text: icons that no dictionary holds alike, and holes that keep a target.
 
 Its lines are those of an `.onk`, so that nothing of an icon is lost: `ICON name #2` before the icon's own, `HOLE #1`
 before the lines of a target of unknown type.

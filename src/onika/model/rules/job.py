@@ -1,4 +1,4 @@
-"""The configurations behind jobs: they are there, whole, and of the type their icons say (requirement E01, reading 36)."""
+"""Checks the configurations behind jobs: whole, and of the type their icons say (requirement E01, reading 36)."""
 
 from collections.abc import Iterator, Mapping
 from itertools import combinations

@@ -1,4 +1,4 @@
-"""Which flows share a subsystem, with nested applications in line; what must hold among their tasks (requirement E01, law 9)."""
+"""Finds which flows share a subsystem, and what must hold among their tasks (law 9, requirement E01)."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
