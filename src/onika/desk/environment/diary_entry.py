@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from onika.desk.environment import application_entry
 from onika.desk.environment.environment import Answer
-from onika.desk.environment.outcome.on_application import is_application
+from onika.desk.environment.state.open_file import Kind
 from onika.wire import act
 
 HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
@@ -187,8 +187,8 @@ def _things(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tupl
 def _is_of_application(asked: act.AnyAct, answer: Answer) -> bool:
     """Whether an act that both kinds of documents know was about an application."""
     if isinstance(asked, act.Open):
-        return is_application(str(answer.value or "")) or asked.path.endswith(".appl")
-    return is_application(getattr(asked, "doc", ""))
+        return Kind.of(str(answer.value or "")) is Kind.APPLICATION or asked.path.endswith(".appl")
+    return Kind.of(getattr(asked, "doc", "")) is Kind.APPLICATION
 
 
 def _named(asked: act.AnyAct) -> tuple[str, ...]:

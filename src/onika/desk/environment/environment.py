@@ -5,12 +5,11 @@ from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
 from onika.desk.environment import following
-from onika.desk.environment.file import application_undo, undo
+from onika.desk.environment.file import undo
 from onika.desk.environment.outcome.outcome import Ask, Change, Done, No, Order, Procedure, Shown, Until, Work
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
-from onika.desk.environment.state.history import File, Step
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
@@ -161,7 +160,7 @@ class Environment:
         """Make a step of what was done to a document, and have the running system follow."""
         if isinstance(outcome, No):
             return outcome
-        model = self._stepped(before, outcome, by, asked) if isinstance(outcome, Done) else outcome.model
+        model = undo.stepped(before, outcome, by, asked) if isinstance(outcome, Done) else outcome.model
         followed = following.follow(before, model, self._surroundings)
         if isinstance(followed, No):
             return followed
@@ -172,24 +171,6 @@ class Environment:
             awaits = followed.awaits
             return replace(outcome, model=followed.model, orders=orders, says=says, news=news, awaits=awaits)
         return replace(outcome, model=followed.model, orders=(*outcome.orders, *followed.orders), says=says, news=news)
-
-    def _stepped(self, before: Model, done: Done, by: str, asked: act.AnyAct) -> Model:
-        """With one more step in the history of the document that was changed."""
-        if done.doc in before.applications and done.doc in done.model.applications:
-            return done.model if isinstance(asked, act.Undo | act.Redo) else application_undo.stepped(before, done, by)
-        if not done.doc or done.doc not in done.model.documents or done.doc not in before.documents:
-            return done.model
-        old, new = before.documents[done.doc], done.model.documents[done.doc]
-        edited = undo.edits_between(before.shelf, done.model.shelf)
-        model = done.model
-        if done.label and (old.content != new.content or edited) and not isinstance(asked, act.Undo | act.Redo):
-            backwards = undo.edits_between(done.model.shelf, before.shelf)
-            step = Step(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
-            if isinstance(asked, act.OpenInPlace):
-                files = File(old.opened, old.base), File(new.opened, new.base)
-                step = replace(step, file_before=files[0], file_after=files[1])
-            model = model.with_document(replace(new, history=new.history.done(step)))
-        return model
 
     def _adopt(self, done: Done, by: str) -> None:
         self.model = done.model

@@ -8,7 +8,7 @@ def others(before: Model, asked: act.AnyAct, by: str) -> tuple[page.Say, ...]:
     """What is said of taking back, or doing again, what was done on another page."""
     if before.people < 2 or not isinstance(asked, act.Undo | act.Redo):
         return ()
-    opened = before.documents.get(asked.doc) or before.applications.get(asked.doc)
+    opened = before.file(asked.doc)
     if opened is None:
         return ()
     is_undo = isinstance(asked, act.Undo)

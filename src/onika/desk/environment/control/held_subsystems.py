@@ -2,7 +2,7 @@
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.on_document import closed
+from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings
@@ -11,6 +11,7 @@ from onika.desk.environment.reconcile.presence import ask_flows, you
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
 from onika.wire import act, request, steer
 from onika.wire.view import HoldView, Remedy
 
@@ -35,7 +36,7 @@ def named(model: Model, doc: str, subsystem: str, connects: bool = False) -> str
         return subsystem if known else No(f"there is no subsystem {subsystem} any more")
     document = model.documents.get(doc)
     if document is None:
-        return closed()
+        return closed(Kind.CONFIGURATION)
     if document.live is None or document.live.state != "live":
         connect = Remedy("Connect", act.Connect(document.id))
         return No(f"{document.name} is not connected", (connect,)) if connects else ""

@@ -9,6 +9,7 @@ from onika.desk.environment.outcome.unread_faults import told
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
 from onika.files import appl, conf, text
 from onika.model.flow_path import numbered
 from onika.model.syntax import Syntax
@@ -38,11 +39,10 @@ class Rescue:
 def rescue_of(document: Document | OpenApplication) -> Rescue:
     """What is to be kept of a document."""
     opened = document.opened
-    is_configuration = isinstance(document, Document)
     return Rescue(
         name=document.name,
         text=_text(document),
-        kind=conf.ENDING if is_configuration else appl.ENDING,
+        kind=conf.ENDING if document.kind is Kind.CONFIGURATION else appl.ENDING,
         base=str(document.base or ""),
         path=str(opened.path) if opened else "",
         former=opened.text if opened else "",

@@ -5,7 +5,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from onika.desk.environment.icons.alteration import flow_at
-from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication

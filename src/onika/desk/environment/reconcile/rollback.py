@@ -6,7 +6,7 @@ from dataclasses import replace
 from onika.desk.environment.file.undo import moved_wanted
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
-from onika.desk.environment.state.history import History, Step
+from onika.desk.environment.state.history import History
 from onika.model.configuration import Configuration, Group, Placed
 
 
@@ -27,7 +27,7 @@ def reverted(now: Content, start: Content, end: Content) -> Content:
     return Content(configuration, wanted).with_configuration(configuration)
 
 
-def file_before(now: Document, before: History[Step], after: History[Step]) -> Document:
+def file_before(now: Document, before: History[Content], after: History[Content]) -> Document:
     """Tied to the file again that it had before the steps that came between two histories."""
     kept = {id(one) for one in before.past}
     steps = [one for one in after.past if id(one) not in kept and one.file_before and one.file_after]
@@ -37,7 +37,7 @@ def file_before(now: Document, before: History[Step], after: History[Step]) -> D
     return replace(now, opened=former.opened, base=former.base) if former else now
 
 
-def without_steps(now: History[Step], before: History[Step], after: History[Step]) -> History[Step]:
+def without_steps(now: History[Content], before: History[Content], after: History[Content]) -> History[Content]:
     """The history without the steps that came between two others."""
     if now is after:
         return before

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from onika.desk.environment.file import applications
+from onika.desk.environment.file import file_acts
 from onika.desk.environment.outcome.fault_view import place_of
 from onika.desk.environment.outcome.outcome import Done, No, Procedure, Steps, Work
 from onika.desk.environment.outcome.services import Surroundings
@@ -108,7 +108,7 @@ def _opened(
     if one is not None or not opens:
         return model, one, ""
     place = _place(plan)
-    done = applications.open_file(model, act.Open(place if Path(place).is_file() else plan.application), outside)
+    done = file_acts.open_file(model, act.Open(place if Path(place).is_file() else plan.application), outside)
     if isinstance(done, No):
         return model, None, f"{plan.application} is not open: {done.reason}. Its actions are shown without icons"
     return done.model, done.model.applications[str(done.value)], ""

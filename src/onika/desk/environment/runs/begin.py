@@ -13,7 +13,7 @@ import msgspec
 from onika.desk.environment.control.held_subsystems import run_here
 from onika.desk.environment.following import given_up
 from onika.desk.environment.outcome.fault_view import Troubles, place_of
-from onika.desk.environment.outcome.on_application import closed
+from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Ask, Done, Ending, No, Order, Procedure, Reach, Shown, Steps, Until
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
@@ -29,6 +29,7 @@ from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
 from onika.desk.plan.preparation import PreparedRun, prepare
 from onika.desk.plan.subsystem_renaming import rehoused
 from onika.desk.run.runtime import in_short
@@ -87,7 +88,7 @@ def _start(model: Model, asked: act.Run, outside: Surroundings) -> tuple[Model, 
     """What is to be begun, with everything saved that it uses; or all that speaks against it here."""
     opened = model.applications.get(asked.doc)
     if opened is None:
-        return closed()
+        return closed(Kind.APPLICATION)
     syntax = model.syntax
     busy = _busy(model)
     if busy is not None:

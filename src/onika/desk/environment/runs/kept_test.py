@@ -9,7 +9,7 @@ from pathlib import Path
 
 import msgspec
 
-from onika.desk.environment.outcome.on_application import on_application
+from onika.desk.environment.outcome.on_file import on_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import not_run

@@ -7,7 +7,7 @@ does before each run. It is launched where there is none.
 from dataclasses import replace
 
 from onika.desk.environment.outcome.fault_view import Troubles
-from onika.desk.environment.outcome.on_application import on_application
+from onika.desk.environment.outcome.on_file import on_application
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings

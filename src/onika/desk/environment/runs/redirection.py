@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.on_application import on_application, on_resting_application, syntax_of
+from onika.desk.environment.outcome.on_file import on_application, on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.runs.begin import ready

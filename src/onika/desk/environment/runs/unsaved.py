@@ -4,12 +4,12 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
-from onika.desk.environment.file import applications, configurations
-from onika.desk.environment.outcome.on_application import is_application
+from onika.desk.environment.file import file_acts
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
 from onika.store.program import ApplicationProgram
 from onika.wire import act
 from onika.wire.view import Remedy
@@ -20,8 +20,7 @@ Changed = tuple[str, str]
 
 def dirty(model: Model) -> tuple[Changed, ...]:
     """What is open here and not saved."""
-    jobs = [(one.id, one.name) for one in model.documents.values() if one.is_dirty]
-    return (*jobs, *((one.id, one.name) for one in model.applications.values() if one.is_dirty))
+    return tuple((file.id, file.name) for file in model.open_files if file.is_dirty)
 
 
 def used(changed: Iterable[Changed], program: ApplicationProgram | None) -> tuple[Changed, ...]:
@@ -31,15 +30,14 @@ def used(changed: Iterable[Changed], program: ApplicationProgram | None) -> tupl
     return tuple(
         (doc, name)
         for doc, name in changed
-        if name in (program.applications if is_application(doc) else program.configurations)
+        if name in (program.applications if Kind.of(doc) is Kind.APPLICATION else program.configurations)
     )
 
 
 def saved(model: Model, changed: Sequence[Changed], outside: Surroundings) -> Done | No:
     """With all of them saved; a no where one cannot be."""
     for doc, _ in changed:
-        save = configurations.save if doc in model.documents else applications.save
-        done = save(model, act.Save(doc), outside)
+        done = file_acts.save(model, act.Save(doc), outside)
         if isinstance(done, No):
             return done
         model = done.model

@@ -30,12 +30,8 @@ def peek(model: Model, command: act.Peek, outside: Surroundings) -> Done | No:
     path = Path(command.path)
     if path.suffix == ".appl":
         return _application(model, path)
-    configuration = configurations.read(command.path, outside)
-    return (
-        configuration
-        if isinstance(configuration, No)
-        else Done(model, value=_drawn(configuration[1].value, model.shelf))
-    )
+    reading = configurations.read(command.path, outside)
+    return reading if isinstance(reading, No) else Done(model, value=_drawn(reading.opened.value, model.shelf))
 
 
 def _application(model: Model, path: Path) -> Done | No:

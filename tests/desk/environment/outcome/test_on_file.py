@@ -4,7 +4,10 @@ import pytest
 from msgspec import structs
 
 from kit.app_fixture import AppFixture
-from onika.desk.environment.outcome.on_application import is_application, is_running
+from kit.environment_fixture import EnvironmentFixture
+from onika.desk.environment.handlers import HANDLERS
+from onika.desk.environment.outcome.on_file import is_running
+from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.run import begun
 from onika.desk.plan.preparation import prepare
@@ -84,6 +87,25 @@ def test_what_somebody_else_has_closed_is_told_by_every_act(gallery):
         assert gallery.no(asked).reason == "this application is no longer open", asked
 
 
-def test_an_id_says_of_which_kind_a_document_is():
-    assert is_application("a1")
-    assert not is_application("c1")
+ON_CONFIGURATIONS = (
+    act.Place("c9", "a", 0, 0),
+    act.Remove("c9", ("a",)),
+    act.Move("c9"),
+    act.Save("c9"),
+    act.Close("c9"),
+    act.Copy("c9", ("a",)),
+    act.Check("c9"),
+    act.Draft("c9"),
+    act.Toggle("c9", "a"),
+    act.Connect("c9"),
+    act.Group("c9", "g", ("a",)),
+    act.Rate("c9", "a", 1.0),
+    act.Take("c9"),
+)
+
+
+@pytest.mark.parametrize("asked", ON_CONFIGURATIONS, ids=lambda asked: type(asked).__name__)
+def test_an_act_on_a_configuration_that_was_closed_is_refused_in_one_sentence(tmp_path, asked):
+    sitting = EnvironmentFixture(tmp_path)
+    result = HANDLERS[type(asked)](sitting.environment.model, asked, sitting.surroundings)
+    assert result == No("this configuration is no longer open")
