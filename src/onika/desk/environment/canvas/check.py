@@ -14,7 +14,7 @@ _ORDER = ("fault", "warning", "note")
 
 
 @on_file
-def check(model: Model, file: AnyFile, _asked: act.Check, _outside: Surroundings) -> Done | No:
+def check(model: Model, file: AnyFile, _command: act.Check, _outside: Surroundings) -> Done | No:
     """The value is the sentences, what is wrong first; none where all is well."""
     if isinstance(file, OpenApplication):
         faults = (*file.file_faults, *(file.judgement.faults if file.judgement else ()))

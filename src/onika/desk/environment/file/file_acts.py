@@ -81,7 +81,7 @@ def close(model: Model, file: AnyFile, command: act.Close, _outside: Surrounding
 
 
 @on_file
-def reload(model: Model, file: AnyFile, _asked: act.Reload, outside: Surroundings) -> Done | No:
+def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Surroundings) -> Done | No:
     """Take over what stands in the file now, as a step that can be taken back."""
     refused = busy(model, file)
     if refused is not None:
@@ -93,7 +93,7 @@ def reload(model: Model, file: AnyFile, _asked: act.Reload, outside: Surrounding
 
 
 @on_file
-def keep(model: Model, file: AnyFile, _asked: act.Keep, _outside: Surroundings) -> Done | No:
+def keep(model: Model, file: AnyFile, _command: act.Keep, _outside: Surroundings) -> Done | No:
     """Go on with what is here; the next Save finds the file as it was seen now, and overwrites it."""
     file = file.differing(False)
     content = text.load(file.opened.path, str(file.opened.path))[0] if file.opened else None
