@@ -21,19 +21,19 @@ _LONGEST = 10_000
 _FAR = 10**9
 """Pixels: what a preference file can say of a place."""
 
-_HABITS = {one.name for one in fields(Habits)}
+_HABITS = {field.name for field in fields(Habits)}
 
 
 class _Wrong(ValueError):
     """A value that a preference cannot have; its text says what was expected."""
 
 
-def prefer(model: Model, asked: act.Prefer, outside: Surroundings) -> Done | No:
+def prefer(model: Model, command: act.Prefer, outside: Surroundings) -> Done | No:
     """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
     now = preference_values(model)
     taken: dict[str, Any] = {}
     wrong: dict[str, str] = {}
-    for name, value in asked.values.items():
+    for name, value in command.values.items():
         try:
             taken[name] = _taken(name, value, now)
         except _Wrong as why:
@@ -63,15 +63,15 @@ def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Su
     refused = [_filed(of_file, outside)] if of_file else []
     if of_habits:
         refused.append(settings.keep(outside.state, of_habits))
-    for one in refused:
-        if one is not None:
-            yield page.Say("warning", f"{plain(one.reason)}; it holds for this session")
+    for refusal in refused:
+        if refusal is not None:
+            yield page.Say("warning", f"{plain(refusal.reason)}; it holds for this session")
 
 
 def _filed(values: Mapping[str, Any], outside: Surroundings) -> Refusal | None:
     """The values into the user's file as it is now, where there is one."""
     opened, faults = outside.site.open_preferences()
-    wrong = [one for one in faults if not one.is_note]
+    wrong = [fault for fault in faults if not fault.is_note]
     if wrong:  # to write it again would lose what is wrong in it, which may be a word away from right
         return Refusal(f"the file of preferences is left as it is: {'; '.join(map(str, wrong))}")
     if opened is None:
@@ -124,7 +124,7 @@ def _range(part: str) -> tuple[int, int]:
 def _columns(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list | tuple) or len({*map(str, value)}) != len(value):
         raise _Wrong("expected names of columns, each once")
-    unknown = [str(one) for one in value if one not in STATUS_COLUMNS]
+    unknown = [str(name) for name in value if name not in STATUS_COLUMNS]
     if unknown:
         raise _Wrong(f"expected names out of {' '.join(STATUS_COLUMNS)}, found {' '.join(unknown)}")
     return tuple(value)

@@ -15,7 +15,7 @@ from onika.store.site import Site
 
 
 def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Done:
-    """With libraries, dictionaries, lists and open documents as the files are now; `site` is where the syntax is found.
+    """With libraries, dictionaries, lists and open documents as the files are now; `site` is where the syntax is listed.
 
     The same model where the files say what was known: what was saved here is nothing new.
     """
@@ -34,7 +34,7 @@ def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Don
 
 def _listed(model: Model, paths: Iterable[Path]) -> tuple[Model, Faults]:
     """With these configurations and applications in their lists as they are now."""
-    found, gone = file_index.Listed(), list[str]()
+    listed, gone = file_index.Listed(), list[str]()
     for path in paths:
         if not (file_index.is_configuration(path) or file_index.is_application(path)):
             continue
@@ -42,5 +42,5 @@ def _listed(model: Model, paths: Iterable[Path]) -> tuple[Model, Faults]:
         if again is None:
             gone.append(str(path))
         else:
-            found = found.and_(again)
-    return found.beside(file_index.without(model, gone)), found.faults
+            listed = listed.and_(again)
+    return listed.beside(file_index.without(model, gone)), listed.faults

@@ -101,7 +101,7 @@ def test_an_end_that_is_told_before_it_is_accepted_counts(play):
     survey = play._waiting.popleft()
     play.environment.replied(survey, play.runtime.ask(survey.asked))
     close = play._waiting.popleft()
-    play.environment.heard(event.Edited("Untitled-1", 99, "", 1.0))
+    play.environment.receive(event.Edited("Untitled-1", 99, "", 1.0))
     play.environment.replied(close, live.Accepted(99))
     play.is_held_back = False
     play.pump()

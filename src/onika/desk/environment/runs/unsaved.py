@@ -44,14 +44,14 @@ def saved(model: Model, changed: Sequence[Changed], outside: Surroundings) -> Do
     return Done(model)
 
 
-def refused(opened: OpenApplication, changed: Sequence[Changed], asked: act.Run) -> No | None:
+def refused(opened: OpenApplication, changed: Sequence[Changed], command: act.Run) -> No | None:
     """Why it does not run like this: what is shown is not what would run."""
-    if not changed or asked.ignores_unsaved:
+    if not changed or command.ignores_unsaved:
         return None
     names = ", ".join(name for _, name in changed)
     are, what = ("is", "its file says") if len(changed) == 1 else ("are", "their files say")
     remedies = (
-        Remedy("Save and run", msgspec.structs.replace(asked, saves_unsaved=True)),
-        Remedy(f"Run what {what}", msgspec.structs.replace(asked, ignores_unsaved=True)),
+        Remedy("Save and run", msgspec.structs.replace(command, saves_unsaved=True)),
+        Remedy(f"Run what {what}", msgspec.structs.replace(command, ignores_unsaved=True)),
     )
     return No(f"{names} {are} changed here and not saved; {opened.name} would run what {what}", remedies)
