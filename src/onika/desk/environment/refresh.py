@@ -15,7 +15,7 @@ from onika.store.site import Site
 
 
 def refreshed(model: Model, changed: Set[Path], site: Site | None = None) -> Done:
-    """With libraries, dictionaries, lists and open documents as the files are now; `site` is where the syntax is listed.
+    """With libraries, dictionaries, lists and open documents as the files are now; `site` is where the syntax is found.
 
     The same model where the files say what was known: what was saved here is nothing new.
     """
