@@ -357,7 +357,7 @@ export interface New {
   t: 'New';
 }
 
-/** Open a configuration, by its file or by its name on the search path, beside the others (decision 15). */
+/** Open a configuration, by its file or by its name on the search path, beside the others (reading 15). */
 export interface Open {
   t: 'Open';
   path: string;
@@ -495,7 +495,7 @@ export interface ForgetTask {
   task: string;
 }
 
-/** A task's rate in Hz for later placements of this session (decision 10). */
+/** A task's rate in Hz for later placements of this session (reading 10). */
 export interface LibraryRate {
   t: 'LibraryRate';
   task: string;

@@ -22,7 +22,7 @@ def test_why_there_is_none_is_told(tmp_path, capsys):
     assert "x.conf: expected a file NAME.conf or NAME.appl, found none" in captured.err
 
 
-def test_the_icon_of_something_else_is_replaced_only_when_it_is_said(tmp_path, capsys):  # decision 34
+def test_the_icon_of_something_else_is_replaced_only_when_it_is_said(tmp_path, capsys):  # reading 34
     base = BaseDirectory(tmp_path)
     base.save_task(RmodText(Task("servo", "pd", frequency=1.0)))
     base.save_configuration(Configuration("x", (Placed("servo"),)))

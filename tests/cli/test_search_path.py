@@ -6,7 +6,7 @@ import pytest
 from onika.cli.search_path import directory, site_here
 
 
-def test_directories_of_the_command_line_come_first_then_those_of_the_environment(tmp_path, monkeypatch):  # decision 11
+def test_directories_of_the_command_line_come_first_then_those_of_the_environment(tmp_path, monkeypatch):  # reading 11
     for name in ("one", "two", "three"):
         (tmp_path / name).mkdir()
     monkeypatch.setenv("ONIKA_LOCAL", str(tmp_path / "three"))

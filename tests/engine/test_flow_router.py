@@ -66,7 +66,7 @@ def test_who_waits_for_whom_is_told_by_number_and_as_a_position_by_subsystem(): 
     assert itinerary.waits_for(flows[1]) == []
 
 
-def test_a_flow_that_is_begun_by_another_has_not_ended_before_that_has():  # decision 26
+def test_a_flow_that_is_begun_by_another_has_not_ended_before_that_has():  # reading 26
     parent = build.flow([JOB, JOB], program(nested([(1, 0)], Do(0)), Do(1)))
     itinerary, flows = begun(parent, build.flow([MEET], (), 0), [MEET])
     itinerary.go_on([2])

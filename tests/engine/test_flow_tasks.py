@@ -89,7 +89,7 @@ def test_a_task_that_is_kept_before_it_has_said_that_it_is_on_is_still_awaited()
     assert not made.switched_off("puma")
 
 
-def test_a_kept_task_gets_the_rate_of_the_new_action_and_its_own_back_after_it():  # decision 13
+def test_a_kept_task_gets_the_rate_of_the_new_action_and_its_own_back_after_it():  # reading 13
     made, (reach, slow, again) = crew(REACH, build.job("grip", "puma", trigger="grip", rates={"puma": 50.0}), REACH)
     switch(made, reach)
     assert switch(made, slow).kept_rates == (("puma", 50.0),)
@@ -144,7 +144,7 @@ def test_only_what_is_on_rests():
     assert made.rest(("move",)) == []
 
 
-def test_a_task_that_was_given_up_stays_off():  # decision 17
+def test_a_task_that_was_given_up_stays_off():  # reading 17
     made, (reach,) = crew(REACH)
     switch(made, reach)
     made.given_up("puma")
@@ -152,7 +152,7 @@ def test_a_task_that_was_given_up_stays_off():  # decision 17
     assert made.change(reach) == Switch(0, (), on("move"))
 
 
-def test_a_task_that_is_given_up_before_it_lives_is_not_awaited():  # decision 17
+def test_a_task_that_is_given_up_before_it_lives_is_not_awaited():  # reading 17
     made, _ = crew(REACH)
     made.spawned("move")
     made.given_up("puma")

@@ -47,7 +47,7 @@ def test_where_a_condition_decides_on_one_way_the_other_is_foreseen():
     assert places(program(Do(0), branch([Do(1)], [Rest(-1, "X"), Do(2)]))) == [(0, None, 2)]
 
 
-def test_a_way_that_warns_is_not_foreseen():  # decision 20
+def test_a_way_that_warns_is_not_foreseen():  # reading 20
     script = program(Do(0), branch([branch([Do(1)], [Do(2)])], [Do(3)], [Do(4)]))
     assert [choice for choice, _, _ in places(script)] == [0, 1, 2]
     two = program(Do(0), branch([Do(1)], [Do(2)], [branch([Do(3)], [Do(4)])]))

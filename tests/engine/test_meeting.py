@@ -15,7 +15,7 @@ def meetings(*tags):
     return Meetings(programs)
 
 
-def test_a_flow_waits_for_all_others_in_whose_programs_the_tag_stands():  # R-E04, decision 26
+def test_a_flow_waits_for_all_others_in_whose_programs_the_tag_stands():  # R-E04, reading 26
     made = meetings("meet", "", "meet meet", "meet")
     assert made.arrive(3, "meet") == []
     assert made.absent(3) == [0, 2]
@@ -32,7 +32,7 @@ def test_the_last_to_come_takes_all_with_it_in_their_order():  # R-E04
     assert [made.waits_at(flow) for flow in range(3)] == ["", "", ""]
 
 
-def test_a_tag_of_one_flow_holds_nobody():  # decision 27
+def test_a_tag_of_one_flow_holds_nobody():  # reading 27
     assert meetings("meet", "").arrive(0, "meet") == [0]
 
 
@@ -43,7 +43,7 @@ def test_a_flow_at_another_tag_is_absent():
     assert (made.absent(0), made.absent(1)) == ([1], [0])
 
 
-def test_the_second_visit_of_one_meets_the_second_of_the_other():  # decision 26
+def test_the_second_visit_of_one_meets_the_second_of_the_other():  # reading 26
     made = meetings("meet", "meet")
     made.arrive(0, "meet")
     made.let_pass(0)
@@ -53,7 +53,7 @@ def test_the_second_visit_of_one_meets_the_second_of_the_other():  # decision 26
     assert made.arrive(1, "meet") == [0, 1]
 
 
-def test_who_was_let_pass_has_been_there():  # decision 26
+def test_who_was_let_pass_has_been_there():  # reading 26
     made = meetings("meet", "meet")
     made.arrive(0, "meet")
     made.let_pass(0)
@@ -61,7 +61,7 @@ def test_who_was_let_pass_has_been_there():  # decision 26
     assert made.arrive(1, "meet") == [1]
 
 
-def test_who_was_withdrawn_has_not_been_there():  # decision 26
+def test_who_was_withdrawn_has_not_been_there():  # reading 26
     made = meetings("meet", "meet")
     made.arrive(0, "meet")
     made.withdraw(0)

@@ -71,7 +71,7 @@ def test_a_job_without_a_trigger_is_noted():
     assert "no trigger" in note.text
 
 
-def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # decision 16
+def test_a_task_that_is_on_but_no_trigger_of_the_action_does_not_end_it():  # reading 16
     assert not running(REACH).finished("puma")
 
 
@@ -114,7 +114,7 @@ def test_the_value_of_an_action_leads_the_next_walk():
     assert flow.next == Do(0)
 
 
-def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there():  # decisions 21 and 22
+def test_who_is_sent_elsewhere_has_no_value_and_leaves_only_loops_around_there():  # readings 21 and 22
     flow = running(ALONE, ALONE, ALONE, script=program(bottom("outer", Do(0), bottom("inner", Do(1))), Do(2)))
     flow.ends_with(Value(0, loop=True))
     flow.leaving = frozenset({"outer", "inner"})

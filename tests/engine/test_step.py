@@ -16,7 +16,7 @@ def test_the_tasks_of_a_step_stand_in_the_order_of_their_ranks():
     assert step.tasks == ("puma", "move", "pd")
 
 
-def test_a_rate_of_the_action_overrides_that_of_the_task():  # decision 13
+def test_a_rate_of_the_action_overrides_that_of_the_task():  # reading 13
     step = made(build.job("move", "puma", rates={"move": 50.0}))
     assert step.rates == {"move": 50.0, "puma": 100.0}
 

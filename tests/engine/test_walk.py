@@ -43,12 +43,12 @@ def test_no_ops_are_passed_and_return_true_and_flow_0():  # R-D11
     assert Value(0, loop=True) == NOOP
 
 
-def test_a_flow_rests_behind_a_no_op_after_which_it_is_to_rest():  # decision 25
+def test_a_flow_rests_behind_a_no_op_after_which_it_is_to_rest():  # reading 25
     end = way(program(Do(0), Do(1), Do(2)), noops=[0, 1], rests=[0])
     assert (end.pc, end.passed, end.rests) == (1, (0,), True)
 
 
-def test_without_a_value_flow_0_is_taken_and_loops_are_left():  # decisions 21 and 22
+def test_without_a_value_flow_0_is_taken_and_loops_are_left():  # readings 21 and 22
     assert way(program(branch([Do(0)], [Do(1)]))).pc == 1
     assert way(program(bottom("round", Do(0)), Do(1)), pc=1).pc == 2
     assert way(program(top("round", Do(0), Do(1)), Do(2)), pc=1).pc == 4
@@ -82,7 +82,7 @@ def test_a_loop_without_jobs_ends_when_its_condition_does_not_hold():
     assert way(script, noops=[0], holding=["X"]).is_endless
 
 
-def test_a_value_too_large_is_noted_with_the_number_of_flows():  # decision 20
+def test_a_value_too_large_is_noted_with_the_number_of_flows():  # reading 20
     end = way(program(branch([Do(0)], [Do(1)], name="sort")), value=Value(2))
     assert (end.pc, end.notes) == (
         1,

@@ -39,7 +39,7 @@ def test_nine_numbers_and_pose_are_the_same_thing(rotation, x, y, z):
     assert np.allclose(pose_of_nine(nine_of_pose(pose).tolist(), np.empty((4, 4))), pose, atol=1e-12)
 
 
-def test_printed_digits_are_made_orthogonal_again():  # decision 44
+def test_printed_digits_are_made_orthogonal_again():  # reading 44
     nine = [-0.0417, -0.0328, -0.999, 0.00829, 0.999, -0.0332, 0.781, 0.159, -0.21]
     pose = pose_of_nine(nine)
     assert np.allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-14)

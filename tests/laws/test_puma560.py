@@ -6,7 +6,7 @@ from onika.laws.arm import Arm
 from onika.laws.frames import nine_of_pose
 
 
-def test_the_dissertations_joint_target_has_the_dissertations_approach_and_normal():  # R-K01, decision 44
+def test_the_dissertations_joint_target_has_the_dissertations_approach_and_normal():  # R-K01, reading 44
     arm = Arm(puma560.DH, tool=puma560.TOOL)
     nine = nine_of_pose(arm.forward([0.0114, -0.226, 2.35, -0.0371, 1.06, 1.61]))
     assert np.allclose(nine[:3], (-0.0417, -0.0328, -0.999), atol=5e-4)

@@ -102,7 +102,7 @@ def test_an_abort_after_everything_settled_comes_too_late():  # R-E14
     assert play >> Abort("stop") >> Killed(0, "puma") >> Killed(0, "move") << End(True)
 
 
-def test_an_abort_ends_all_flows():  # decision 28
+def test_an_abort_ends_all_flows():  # reading 28
     job = build.job("move", trigger="move")
     start = (Start("move", "", 100.0),)
     assert (

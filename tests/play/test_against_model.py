@@ -245,7 +245,7 @@ STORIES = {
         (Loop("l", (Loop("k", (Act(), Act())), Act())),),
         [("leave", 0), *[("finish", 0, True)] * 8],
     ),
-    "a value beyond the flows takes flow 0": (  # decision 20
+    "a value beyond the flows takes flow 0": (  # reading 20
         (Act(), Pick(((Act(),), (Act(),)))),
         [("finish", 2, False), ("finish", 0, False)],
     ),

@@ -1,4 +1,4 @@
-"""Stories of branches, chosen by a value or by conditions (§4.3.2, R-D10, R-D13, R-E06, decisions 19 to 21)."""
+"""Stories of branches, chosen by a value or by conditions (§4.3.2, R-D10, R-D13, R-E06, readings 19 to 21)."""
 
 import pytest
 
@@ -14,7 +14,7 @@ THREE = program(Do(0), branch([Do(1)], [Do(2)], [Do(3)], name="sort"), Do(4))
 
 
 @pytest.mark.parametrize("choice", [0, 1, 2])
-def test_the_action_before_chooses_the_flow(choice):  # R-D10, decision 19
+def test_the_action_before_chooses_the_flow(choice):  # R-D10, reading 19
     assert (
         started(build.flow([JOB] * 5, THREE))
         >> ends(0, choice) << Done(0, 0) << begins(0, 1 + choice)
@@ -23,14 +23,14 @@ def test_the_action_before_chooses_the_flow(choice):  # R-D10, decision 19
 
 
 @pytest.mark.parametrize("choice", [3, 17])
-def test_a_value_beyond_the_number_of_flows_takes_flow_0_and_both_numbers_are_told(choice):  # decision 20
+def test_a_value_beyond_the_number_of_flows_takes_flow_0_and_both_numbers_are_told(choice):  # reading 20
     told = (
         f"test.appl flow 0 action 0: sort has 3 flows and the action before it asks for flow {choice}: flow 0 is taken"
     )
     assert started(build.flow([JOB] * 5, THREE)) >> ends(0, choice) << Done(0, 0) << Note(0, told) << begins(0, 1)
 
 
-def test_a_value_before_a_single_flow_means_nothing_and_is_not_told():  # decision 20
+def test_a_value_before_a_single_flow_means_nothing_and_is_not_told():  # reading 20
     script = program(Do(0), branch([Do(1)]))
     assert started(build.flow([JOB] * 2, script)) >> ends(0, 2) << Done(0, 0) << begins(0, 1)
 
@@ -40,18 +40,18 @@ def test_a_branch_without_actions_is_legal():
     assert started(build.flow([JOB] * 3, script)) >> ends(0, 0) << Done(0, 0) << begins(0, 2)
 
 
-def test_a_conditional_that_comes_first_takes_flow_0():  # decision 21, R-D10
+def test_a_conditional_that_comes_first_takes_flow_0():  # reading 21, R-D10
     script = program(branch([Do(0)], [Do(1)]), Do(2))
     assert started(build.flow([JOB] * 3, script)) >> ends(0, 1) << Done(0, 0) << begins(0, 2)
 
 
-def test_a_conditional_after_a_skip_takes_flow_0():  # decision 21
+def test_a_conditional_after_a_skip_takes_flow_0():  # reading 21
     play = started(build.flow([JOB] * 5, THREE)) >> TurnedOn(0, "move")
     left = Note(0, "test.appl flow 0 action 0: left by the user")
     assert play >> Skip("0") << left << Off(0, "move") << begins(0, 1)
 
 
-def test_a_conditional_after_a_nested_application_takes_the_value_of_its_last_executed_action():  # decision 21
+def test_a_conditional_after_a_nested_application_takes_the_value_of_its_last_executed_action():  # reading 21
     script = program(Do(0), branch([Do(1), Do(2)], [Do(3)]), branch([Do(4)], [Do(5)]))
     assert (
         started(build.flow([JOB] * 6, script))
@@ -60,7 +60,7 @@ def test_a_conditional_after_a_nested_application_takes_the_value_of_its_last_ex
     )  # fmt: skip
 
 
-def test_a_conditional_after_an_empty_branch_still_has_the_value_before_it():  # decision 21
+def test_a_conditional_after_an_empty_branch_still_has_the_value_before_it():  # reading 21
     script = program(Do(0), branch([Do(1)], []), branch([Do(2)], [Do(3)]))
     assert started(build.flow([JOB] * 4, script)) >> ends(0, 1) << Done(0, 0) << begins(0, 3)
 
@@ -72,7 +72,7 @@ def test_a_conditional_after_a_no_op_takes_flow_0():  # R-D11
     )
 
 
-def test_a_conditional_after_a_loop_takes_the_value_of_its_last_round():  # decision 21
+def test_a_conditional_after_a_loop_takes_the_value_of_its_last_round():  # reading 21
     script = program(bottom("round", Do(0)), branch([Do(1)], [Do(2)]))
     assert (
         started(build.flow([JOB] * 3, script))
@@ -81,7 +81,7 @@ def test_a_conditional_after_a_loop_takes_the_value_of_its_last_round():  # deci
     )  # fmt: skip
 
 
-def test_a_conditional_after_a_nested_parallel_application_takes_the_value_of_the_flow_it_stands_in():  # decision 21
+def test_a_conditional_after_a_nested_parallel_application_takes_the_value_of_the_flow_it_stands_in():  # reading 21
     script = program(Do(0), nested([(1, 0)], Do(1)), branch([Do(2)], [Do(3)]))
     child = build.flow([JOB], (Do(0), Halt()), parent=0)
     assert (
@@ -123,7 +123,7 @@ def test_branches_stand_in_branches():  # R-E06
     )  # fmt: skip
 
 
-def test_the_last_action_of_a_branch_may_be_the_test_of_a_loop_around_it():  # decision 22
+def test_the_last_action_of_a_branch_may_be_the_test_of_a_loop_around_it():  # reading 22
     script = program(bottom("round", Do(0), branch([Do(1)], [Do(2)])), Do(3))
     assert (
         started(build.flow([JOB] * 4, script))
@@ -134,7 +134,7 @@ def test_the_last_action_of_a_branch_may_be_the_test_of_a_loop_around_it():  # d
     )  # fmt: skip
 
 
-def test_one_value_says_both_whether_to_go_round_and_where():  # decision 19
+def test_one_value_says_both_whether_to_go_round_and_where():  # reading 19
     script = program(top("round", Do(0), branch([Do(1)], [Do(2)])), Do(3))
     assert (
         started(build.flow([JOB] * 4, script))

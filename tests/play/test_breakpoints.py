@@ -1,4 +1,4 @@
-"""Stories of breakpoints, with and without conditions (§5.9.2, R-E07, decision 25)."""
+"""Stories of breakpoints, with and without conditions (§5.9.2, R-E07, reading 25)."""
 
 import pytest
 
@@ -16,7 +16,7 @@ def paused(index):
     return Moved(0, "paused", index)
 
 
-def test_a_breakpoint_of_the_file_pauses_after_its_action_also_after_the_last():  # decision 25
+def test_a_breakpoint_of_the_file_pauses_after_its_action_also_after_the_last():  # reading 25
     assert (
         started([MARKED, JOB, MARKED])
         >> ends(0) << Done(0, 0) << paused(0)
@@ -27,7 +27,7 @@ def test_a_breakpoint_of_the_file_pauses_after_its_action_also_after_the_last():
     )  # fmt: skip
 
 
-def test_a_breakpoint_in_a_loop_pauses_every_time_and_the_value_is_not_forgotten():  # decision 25
+def test_a_breakpoint_in_a_loop_pauses_every_time_and_the_value_is_not_forgotten():  # reading 25
     assert (
         started(build.flow([JOB, JOB], program(bottom("round", Do(0), Rest(0)), Do(1))))
         >> ends(0, loop=True) << Done(0, 0) << paused(0)
@@ -76,7 +76,7 @@ def test_there_is_no_breakpoint_after_an_action_that_is_not_there(action):
     )
 
 
-def test_a_breakpoint_after_a_nested_application_pauses_behind_it_on_every_way():  # decision 25
+def test_a_breakpoint_after_a_nested_application_pauses_behind_it_on_every_way():  # reading 25
     script = program(Do(0), branch([Do(1)], [Do(2)]), Rest(-1), Do(3))
     for choice in (0, 1):
         assert (
@@ -88,7 +88,7 @@ def test_a_breakpoint_after_a_nested_application_pauses_behind_it_on_every_way()
 
 
 @pytest.mark.parametrize("holds", [True, False])
-def test_a_breakpoint_after_a_nested_application_may_have_a_condition(holds):  # decision 25
+def test_a_breakpoint_after_a_nested_application_may_have_a_condition(holds):  # reading 25
     script = program(Do(0), Rest(-1, "X"), Do(1))
     play = started(build.flow([JOB] * 2, script), judge=lambda _flow, _condition: holds)
     assert play >> ends(0) << Done(0, 0) << (paused(0) if holds else begins(0, 1))

@@ -1,4 +1,4 @@
-"""Stories of errors that stop a flow, and of users who clear them and go on (§4.5.2, §5.9.2, R-E08, decision 28)."""
+"""Stories of errors that stop a flow, and of users who clear them and go on (§4.5.2, §5.9.2, R-E08, reading 28)."""
 
 import pytest
 
@@ -146,7 +146,7 @@ def test_a_task_that_had_no_part_in_the_action_stays_off_when_it_is_cleared():  
     )  # fmt: skip
 
 
-def test_every_trigger_of_the_action_goes_off_at_an_error_and_comes_back():  # R-E08, decision 16
+def test_every_trigger_of_the_action_goes_off_at_an_error_and_comes_back():  # R-E08, reading 16
     job = build.job("move", "timer", "puma", trigger="move", arguments="1 2")
     assert (
         started([job], others=[(0, "timer")])
@@ -167,7 +167,7 @@ def test_a_finish_that_comes_after_the_error_does_not_end_the_action():  # R-E08
     )  # fmt: skip
 
 
-def test_an_error_of_a_passive_task_stops_nobody():  # decision 17
+def test_an_error_of_a_passive_task_stops_nobody():  # reading 17
     job = build.job("move", "view", trigger="move", arguments="1 2")
     told = f"{where(0, 0)}: view is in error and stays off, the job goes on: no screen"
     assert started([job], passive=[(0, "view")]) >> Failed(0, "view", "no screen") << Note(0, told)

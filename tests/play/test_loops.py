@@ -1,4 +1,4 @@
-"""Stories of loops by value and by condition (§4.4.7, Table 9, R-E05, R-D13, decisions 21 to 23)."""
+"""Stories of loops by value and by condition (§4.4.7, Table 9, R-E05, R-D13, readings 21 to 23)."""
 
 import pytest
 
@@ -110,7 +110,7 @@ def test_a_loop_that_takes_no_time_at_all_ends_the_run():  # R-E05
     assert play >> Killed(0, "move") << End(False, cause)
 
 
-def test_a_loop_in_a_loop_begins_anew_in_each_round():  # decision 23
+def test_a_loop_in_a_loop_begins_anew_in_each_round():  # reading 23
     assert (
         started(build.flow([JOB] * 4, INNER))
         >> ends(0) << Done(0, 0) << begins(0, 1)
@@ -123,7 +123,7 @@ def test_a_loop_in_a_loop_begins_anew_in_each_round():  # decision 23
     )  # fmt: skip
 
 
-def test_two_loops_may_end_at_one_action_where_a_no_op_parts_them():  # decision 23
+def test_two_loops_may_end_at_one_action_where_a_no_op_parts_them():  # reading 23
     script = program(bottom("outer", Do(0), bottom("inner", Do(1)), Do(2)), Do(3))
     assert (
         started(build.flow([JOB, JOB, NOOP, JOB], script))
@@ -186,7 +186,7 @@ def test_outside_of_a_loop_there_is_none_to_leave():  # R-E07
     assert play.refuses(Leave("0"), "expected flow 0 in a loop")
 
 
-def test_a_skipped_test_leaves_the_loop():  # decision 22
+def test_a_skipped_test_leaves_the_loop():  # reading 22
     play = started(build.flow([JOB] * 3, TWO_THEN_ONE)) >> ends(0) << Done(0, 0) << begins(0, 1) >> TurnedOn(0, "move")
     left = Note(0, "test.appl flow 0 action 1: left by the user")
     assert play >> Skip("0") << left << Off(0, "move") << begins(0, 2)

@@ -89,7 +89,7 @@ TAGGED = build.job("move", trigger="move", synch_tag="meet a")
 MEETS = (Do(0), Meet("meet a"), Do(1), Halt())
 
 
-def test_the_flows_of_a_nested_application_meet_at_its_tags_in_every_round_anew():  # R-D13, decisions 26 and 27
+def test_the_flows_of_a_nested_application_meet_at_its_tags_in_every_round_anew():  # R-D13, readings 26 and 27
     flow = parent([JOB, JOB], bottom("round", nested([(1, 0)], Do(0), Meet("meet a"), Do(1))))
     play = opened(flow, child(JOB, JOB, script=MEETS)) >> Spawned(1, "move")
     play = play << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
@@ -104,7 +104,7 @@ def test_the_flows_of_a_nested_application_meet_at_its_tags_in_every_round_anew(
     assert play
 
 
-def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  # R-D13, decision 26
+def test_a_visit_that_was_let_pass_in_one_round_does_not_count_in_the_next():  # R-D13, reading 26
     flow = parent([JOB, JOB], bottom("round", nested([(1, 0)], Do(0), Meet("meet a"), Do(1))))
     play = opened(flow, child(JOB, JOB, script=MEETS)) >> Spawned(1, "move")
     play = play << [Together("", (0, 1)), *begins(0, 0), *goes_on(1, 0)]
@@ -280,7 +280,7 @@ def stopped(flow, index):
     return Moved(flow, "stopped", index, text=f"{where}: move is in error: it broke")
 
 
-def test_a_nested_flow_in_error_is_waited_for():  # R-E08, decision 28
+def test_a_nested_flow_in_error_is_waited_for():  # R-E08, reading 28
     assert (
         joined() >> TurnedOn(1, "move")
         >> Failed(1, "move", "it broke") << stopped(1, 0)

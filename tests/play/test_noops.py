@@ -31,7 +31,7 @@ def test_a_no_op_with_a_tag_waits_as_any_other_action():  # R-D11, R-E04
     )  # fmt: skip
 
 
-def test_a_breakpoint_after_a_no_op_pauses_behind_it():  # R-D11, decision 25
+def test_a_breakpoint_after_a_no_op_pauses_behind_it():  # R-D11, reading 25
     assert (
         started([JOB, build.noop(marker=True), NOOP, JOB])
         >> ends(0) << Done(0, 0) << passes(0, 1) << Moved(0, "paused", 1)

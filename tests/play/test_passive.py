@@ -1,4 +1,4 @@
-"""Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, decision 17)."""
+"""Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, reading 17)."""
 
 from kit import build
 from kit.play import Play
@@ -29,7 +29,7 @@ def test_a_passive_task_that_switches_itself_off_is_tried_again_with_the_next_ac
     )  # fmt: skip
 
 
-def test_a_passive_task_in_error_is_left_off_for_the_rest_of_the_run():  # decision 17
+def test_a_passive_task_in_error_is_left_off_for_the_rest_of_the_run():  # reading 17
     assert (
         started()
         >> Failed(0, "view", "no screen")

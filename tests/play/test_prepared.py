@@ -51,7 +51,7 @@ def test_a_top_test_has_a_case_for_each_answer_and_its_body_one():  # R-E05
     assert (play >> TurnedOn(0, "move")).cases(0) == [case(None, None, "1")]
 
 
-def test_a_branch_has_a_case_for_each_of_its_flows_but_none_for_a_value_beyond_them():  # R-D10, decision 20
+def test_a_branch_has_a_case_for_each_of_its_flows_but_none_for_a_value_beyond_them():  # R-D10, reading 20
     play = begun(build.flow(jobs("1", "2", "3"), program(Do(0), branch([Do(1)], [Do(2)]))))
     assert play.cases(0) == [case(0, None, "2"), case(1, None, "3")]
 
@@ -136,7 +136,7 @@ def test_nothing_is_prepared_before_everybody_is_on():
     assert (before, (play >> TurnedOn(0, "move")).cases(0)) == ([], [Case("move", None, None, NEXT)])
 
 
-def test_an_action_with_several_triggers_or_none_has_no_case():  # decision 16
+def test_an_action_with_several_triggers_or_none_has_no_case():  # reading 16
     job = build.job("move", "timer", trigger="move")
     engine = build.engine([job, job], other_triggers=[(0, "timer")])
     hold = build.engine([build.job("puma"), JOB])
@@ -222,7 +222,7 @@ def test_what_changes_nothing_leaves_the_revision_as_it_is():
     ("news", "comes_back"),
     [(SwitchedOff(0, "view"), True), (Failed(0, "view", "no screen"), False), (Refused(0, "view", "broken"), False)],
 )
-def test_a_passive_task_that_falls_silent_changes_what_follows(news, comes_back):  # decision 17
+def test_a_passive_task_that_falls_silent_changes_what_follows(news, comes_back):  # reading 17
     job = build.job("move", "view", trigger="move")
     engine = build.engine([job, job], passive=[(0, "view")])
     first = [kind(0, task) for kind in (Spawned, TurnedOn) for task in ("move", "view")]

@@ -1,4 +1,4 @@
-"""Stories of errors between two actions, and of what else the user may want of a flow in error (R-E08, decision 28)."""
+"""Stories of errors between two actions, and of what else the user may want of a flow in error (R-E08, reading 28)."""
 
 import pytest
 
@@ -23,7 +23,7 @@ def test_a_flow_that_was_paused_pauses_again_with_its_task_back_on_and_nothing_m
     )  # fmt: skip
 
 
-def test_a_trigger_that_fails_after_its_action_does_not_come_back_in_the_pause():  # R-E08, decision 16
+def test_a_trigger_that_fails_after_its_action_does_not_come_back_in_the_pause():  # R-E08, reading 16
     job = build.job("move", "timer", trigger="move", arguments="1 2")
     assert (
         started([job, job], others=[(0, "timer")])
@@ -44,7 +44,7 @@ def waiting():
     )  # fmt: skip
 
 
-def test_a_flow_that_was_waiting_waits_again_with_its_task_back_on():  # R-E08, decision 26
+def test_a_flow_that_was_waiting_waits_again_with_its_task_back_on():  # R-E08, reading 26
     assert (
         waiting()
         >> Failed(0, "puma", "joint limit") << stopped()
@@ -56,7 +56,7 @@ def test_a_flow_that_was_waiting_waits_again_with_its_task_back_on():  # R-E08, 
     )  # fmt: skip
 
 
-def test_the_others_run_on_to_their_next_tag_and_wait_there_for_who_has_stopped():  # decision 28
+def test_the_others_run_on_to_their_next_tag_and_wait_there_for_who_has_stopped():  # reading 28
     assert (
         waiting()
         >> Failed(0, "puma", "joint limit") << stopped()
@@ -68,7 +68,7 @@ def test_the_others_run_on_to_their_next_tag_and_wait_there_for_who_has_stopped(
     )  # fmt: skip
 
 
-def test_an_error_in_an_action_holds_up_nobody_before_his_tag():  # decision 28
+def test_an_error_in_an_action_holds_up_nobody_before_his_tag():  # reading 28
     assert (
         started([REACH, MEET], [REACH, AGAIN, MEET])
         >> Failed(0, "puma", "joint limit") << Off(0, "move") << stopped()

@@ -71,7 +71,7 @@ def test_tasks_come_on_in_the_order_of_their_ranks():  # law 1
     )  # fmt: skip
 
 
-def test_a_task_of_two_rates_changes_its_rate_at_the_switch():  # decision 13
+def test_a_task_of_two_rates_changes_its_rate_at_the_switch():  # reading 13
     slow = build.job("grip", "puma", trigger="grip", rates={"puma": 50.0})
     assert (
         Play(build.engine([GRASP, slow]))
@@ -122,14 +122,14 @@ def test_a_job_without_a_trigger_goes_on_and_says_so():
     )  # fmt: skip
 
 
-def test_a_finish_of_a_task_that_is_no_trigger_of_the_action_is_ignored():  # decision 16
+def test_a_finish_of_a_task_that_is_no_trigger_of_the_action_is_ignored():  # reading 16
     assert (
         started(REACH) >> TurnedOn(0, "puma") >> Finished(0, "puma")
         << Note(0, "test.appl flow 0 action 0: puma has finished, which ends no action now: ignored")
     )  # fmt: skip
 
 
-def test_the_second_finish_of_a_trigger_does_not_end_the_next_action():  # decision 16
+def test_the_second_finish_of_a_trigger_does_not_end_the_next_action():  # reading 16
     assert (
         started(REACH, AGAIN)
         >> TurnedOn(0, "move")
@@ -141,7 +141,7 @@ def test_the_second_finish_of_a_trigger_does_not_end_the_next_action():  # decis
     )  # fmt: skip
 
 
-def test_of_several_triggers_the_first_to_finish_ends_the_action():  # decision 16
+def test_of_several_triggers_the_first_to_finish_ends_the_action():  # reading 16
     job = build.job("move", "timer", trigger="move", arguments="1 2")
     assert (
         Play(build.engine([job, GRASP], other_triggers=[(0, "timer")]))

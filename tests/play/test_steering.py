@@ -93,7 +93,7 @@ def waits(flow, other, after=0, text=""):
     return Moved(flow, "waiting", after, "meet", (other,), text)
 
 
-def test_a_flow_that_waits_pauses_at_once_and_is_waited_for():  # R-E07, decision 26
+def test_a_flow_that_waits_pauses_at_once_and_is_waited_for():  # R-E07, reading 26
     assert (
         waiting()
         >> Pause("0") << paused(0, 0)
@@ -146,7 +146,7 @@ def test_a_no_op_is_a_step():  # R-E07, R-D11
     )  # fmt: skip
 
 
-def test_a_step_to_a_tag_waits_there_and_pauses_after_its_action():  # R-E07, decision 26
+def test_a_step_to_a_tag_waits_there_and_pauses_after_its_action():  # R-E07, reading 26
     assert (
         waiting()
         >> Pause("0") << paused(0, 0)
@@ -190,7 +190,7 @@ def test_a_skip_into_a_loop_goes_round_in_it():  # R-E13
     )  # fmt: skip
 
 
-def test_a_skip_to_an_action_with_a_tag_waits_at_it():  # R-E13, decision 26
+def test_a_skip_to_an_action_with_a_tag_waits_at_it():  # R-E13, reading 26
     play = started([JOB, JOB, MEET], [JOB, MEET], first=[Together("", (0, 1)), *begins(0, 0), *begins(1, 0)])
     assert (
         play >> TurnedOn(0, "move")
@@ -199,7 +199,7 @@ def test_a_skip_to_an_action_with_a_tag_waits_at_it():  # R-E13, decision 26
     )  # fmt: skip
 
 
-def test_a_skip_from_a_tag_is_no_visit_of_it():  # R-E13, decision 26
+def test_a_skip_from_a_tag_is_no_visit_of_it():  # R-E13, reading 26
     assert (
         waiting()
         >> Skip("0", 2) << goes_on(0, 2)
@@ -249,7 +249,7 @@ def test_a_flow_that_waits_is_let_pass_and_not_sent_to_the_next_action():  # R-E
 # Pass
 
 
-def test_a_waiting_flow_is_let_pass_and_counts_as_having_been_there():  # R-E07, decision 26
+def test_a_waiting_flow_is_let_pass_and_counts_as_having_been_there():  # R-E07, reading 26
     assert (
         waiting()
         >> Pass("0") << goes_on(0, 1)
@@ -257,7 +257,7 @@ def test_a_waiting_flow_is_let_pass_and_counts_as_having_been_there():  # R-E07,
     )  # fmt: skip
 
 
-def test_two_visits_let_pass_are_two_visits_that_nobody_waits_for():  # decision 26
+def test_two_visits_let_pass_are_two_visits_that_nobody_waits_for():  # reading 26
     flows = [MEET, MEET, JOB], [JOB, MEET, MEET]
     assert (
         started(*flows, first=[waits(0, 1, after=-1), *begins(1, 0)])
@@ -269,7 +269,7 @@ def test_two_visits_let_pass_are_two_visits_that_nobody_waits_for():  # decision
     )  # fmt: skip
 
 
-def test_one_of_three_is_let_pass_and_the_other_two_meet():  # decision 26
+def test_one_of_three_is_let_pass_and_the_other_two_meet():  # reading 26
     first = [*(Moved(flow, "waiting", -1, "meet", others) for flow, others in ((0, (1, 2)), (1, (2,)))), *begins(2, 0)]
     assert (
         started([MEET], [MEET], [JOB, MEET], first=first)

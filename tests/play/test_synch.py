@@ -1,4 +1,4 @@
-"""Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, decision 26)."""
+"""Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, reading 26)."""
 
 from kit import build, flow_program, play_lines
 from kit.play import Play
@@ -49,7 +49,7 @@ def test_a_tag_holds_a_flow_until_its_twin_arrives_and_both_begin_together():  #
     )  # fmt: skip
 
 
-def test_three_flows_wait_for_the_last_of_them():  # decision 26
+def test_three_flows_wait_for_the_last_of_them():  # reading 26
     play = started([FREE, MEET], [FREE, MEET], [FREE, MEET])
     assert (
         play
@@ -79,7 +79,7 @@ def test_a_tag_on_the_first_action_holds_it():
     )  # fmt: skip
 
 
-def test_repeated_tags_pair_in_their_order():  # decision 26
+def test_repeated_tags_pair_in_their_order():  # reading 26
     assert (
         met([FREE, MEET, MEET], [FREE, MEET, MEET])
         >> Finished(1, "move") << Done(1, 1) << waits(1, 0, after=1)
@@ -99,7 +99,7 @@ def test_those_who_begin_together_do_so_at_the_tag_where_they_met_though_one_wai
     )  # fmt: skip
 
 
-def test_a_flow_that_waits_for_an_ended_one_is_reported():  # decision 26
+def test_a_flow_that_waits_for_an_ended_one_is_reported():  # reading 26
     assert (
         met([FREE, MEET, MEET], [FREE, MEET])
         >> Finished(0, "move") << Done(0, 1) << waits(0, 1, after=1)
@@ -107,7 +107,7 @@ def test_a_flow_that_waits_for_an_ended_one_is_reported():  # decision 26
     )  # fmt: skip
 
 
-def test_a_flow_that_comes_to_wait_for_an_ended_one_is_reported_and_can_be_let_pass():  # decision 26, R-E07
+def test_a_flow_that_comes_to_wait_for_an_ended_one_is_reported_and_can_be_let_pass():  # reading 26, R-E07
     assert (
         met([FREE, MEET, MEET], [FREE, MEET])
         >> Finished(1, "move") << Done(1, 1) << Moved(1, "done", 1)
@@ -128,7 +128,7 @@ def test_flows_may_end_at_the_instant_at_which_they_meet():  # R-E14
     )  # fmt: skip
 
 
-def test_a_tag_that_no_other_flow_has_holds_nobody():  # decision 27
+def test_a_tag_that_no_other_flow_has_holds_nobody():  # reading 27
     assert (
         started([FREE, MEET])
         >> Finished(0, "move") << Done(0, 0) << begins(0, 1)
@@ -150,7 +150,7 @@ def test_a_waiting_flow_can_be_aborted():  # R-E07
     )  # fmt: skip
 
 
-def test_a_tag_in_loops_pairs_round_by_round():  # decision 26
+def test_a_tag_in_loops_pairs_round_by_round():  # reading 26
     loop = flow_program.program(flow_program.bottom("round", Meet("meet"), Do(0)))
     flows = build.flow([FREE], loop), build.flow([FREE], loop)
     both = [Together("meet", (0, 1)), *begins(0, 0), Moved(0, "running", 0), *begins(1, 0)]

@@ -127,7 +127,7 @@ def test_off_publishes_nothing(place):  # law 3
     assert place.table.ring("W").count == 0
 
 
-def test_a_first_value_that_was_never_written_is_warned_of(place):  # decision 6
+def test_a_first_value_that_was_never_written_is_warned_of(place):  # reading 6
     task = place.task(Steps)
     task.init()
     assert task.warnings == ["B was never written: its first value here is zero"]

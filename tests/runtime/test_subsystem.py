@@ -65,7 +65,7 @@ def test_a_task_waits_until_its_constants_are_written(table):  # law 10
     assert all(home.is_ready(name) for name in home.members)
 
 
-def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(table):  # decision 6
+def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(table):  # reading 6
     reader = wired("a", V=InBoth("int"))
     assert subsystem(table, [reader, wired("b", V=OutVar("int"))]).is_ready("a")
     assert not subsystem(table, [reader, wired("b", V=OutBoth("int"))]).is_ready("a")
@@ -123,7 +123,7 @@ def test_a_reference_that_nobody_reads_any_more_is_forgotten_when_jobs_switch(ta
     assert home.forgotten(["ctraj", "invkin"], ["jtraj"]) == ("X_MEZ", "X_REF")
 
 
-def test_a_reference_that_a_task_goes_on_reading_stays_in_force(table):  # law 3, decision 45
+def test_a_reference_that_a_task_goes_on_reading_stays_in_force(table):  # law 3, reading 45
     home = turned_on(subsystem(table, arm()), *JMOVE)
     assert home.forgotten(["jtraj"], ["jtraj"]) == ()
     assert "Q_REF" not in home.forgotten(["jtraj"], ["ctraj", "invkin"])

@@ -142,7 +142,7 @@ def test_the_first_cycle_after_on_is_told_once():
     assert [event.at_ns for event in rig.heard(news.Cycled)] == [0, 30 * MS]
 
 
-def test_a_reference_stays_in_force_while_it_is_read_and_a_stale_one_does_not():  # law 3, decision 45
+def test_a_reference_stays_in_force_while_it_is_read_and_a_stale_one_does_not():  # law 3, reading 45
     """cmove, jmove, cmove: the joint reference goes on without a jump; X_REF stood still, so it is not continued."""
     source = module(
         "    REF = OutVar('double')\n    Q = InVar('double')\n    def on(self, inputs):\n"

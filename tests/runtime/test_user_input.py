@@ -43,18 +43,18 @@ def test_a_vector_of_letters_is_a_list(kind):  # R-A10
     assert wanted(sheet(f"{kind}[2]")).parse("a b").x == ["a", "b"]
 
 
-def test_several_inputs_take_their_words_in_order_of_definition():  # decision 40
+def test_several_inputs_take_their_words_in_order_of_definition():  # reading 40
     values = wanted(sheet("double[2]", "endpoint"), sheet("line", "label"), sheet("int", "count")).parse('1 2 "a b" 3')
     assert (values.endpoint.tolist(), values.label, values.count) == ([1.0, 2.0], "a b", 3)
 
 
 @given(st.lists(st.text(max_size=20), min_size=3, max_size=3))
-def test_any_texts_arrive_through_the_argument_line(texts):  # decision 40
+def test_any_texts_arrive_through_the_argument_line(texts):  # reading 40
     assert wanted(sheet("line[3]")).parse(argument.join(texts)).x == texts
 
 
 @pytest.mark.parametrize("line", ["", "1", "1 2 3"])
-def test_missing_or_too_many_values_are_refused_with_what_is_wanted(line):  # R-A10, decision 40
+def test_missing_or_too_many_values_are_refused_with_what_is_wanted(line):  # R-A10, reading 40
     with pytest.raises(ValueError, match=r"expected 2 values \(x\[2\]\), found "):
         wanted(sheet("double[2]")).parse(line)
 

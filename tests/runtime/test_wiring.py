@@ -25,7 +25,7 @@ def test_the_dimensions_of_a_shape_are_aliased_too():  # R-A03
     assert wired_task.ports[0].shape == Shape.parse("double[NDOF_LEFT,4]")
 
 
-def test_variables_stand_in_the_lists_of_their_kinds():  # decision 7
+def test_variables_stand_in_the_lists_of_their_kinds():  # reading 7
     wired_task = wired(
         "one", A=InConst("int"), B=InBoth("int"), C=InVar("int"), D=OutConst("int"), E=OutBoth("int"), F=OutVar("int")
     )
@@ -69,14 +69,14 @@ def test_tasks_that_do_not_meet_cannot_disagree():
     assert disagreements([wired("a", [("X", "Y")], X=OutVar("int")), wired("b", X=InVar("double"))]) == []
 
 
-def test_a_constant_that_nobody_supplies_is_a_fault():  # law 10, decision 6
+def test_a_constant_that_nobody_supplies_is_a_fault():  # law 10, reading 6
     tasks = [wired("a", N=InConst("int"), M=InConst("int")), wired("b", M=OutConst("int")), wired("c", N=OutVar("int"))]
     assert [(fault.place.file, fault.expected) for fault in missing_constants(tasks)] == [
         ("a.rmod", "a task that supplies the constant N")
     ]
 
 
-def test_an_inboth_takes_any_output_but_needs_one():  # decision 6
+def test_an_inboth_takes_any_output_but_needs_one():  # reading 6
     reader = wired("a", X=InBoth("int"))
     assert missing_constants([reader, wired("b", X=OutVar("int"))]) == []
     assert missing_constants([reader, wired("b", X=OutBoth("int"))]) == []

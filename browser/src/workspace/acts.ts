@@ -57,7 +57,7 @@ export function selectAll(): void {
 
 export const deselect = (): void => pickSteps()
 
-/** A hole stands for the step before it (decision 33). */
+/** A hole stands for the step before it (reading 33). */
 export function placeBehind(step: number): void {
   const flow = flowOf(workspaceState.app, step)
   const steps = workspaceState.app?.flows?.[flow]?.steps ?? []

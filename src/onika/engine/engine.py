@@ -46,7 +46,7 @@ class Engine:
 
     `triggers` names, for every (flow, action), the task that takes the target and ends the action; none for a
     job without one. `other_triggers` are (flow, task) of further trigger tasks, which end an action too when
-    they finish first (decision 16). `passive` are the (flow, task) that may fall silent. `ranks` gives the order
+    they finish first (reading 16). `passive` are the (flow, task) that may fall silent. `ranks` gives the order
     in which the tasks of a flow come on. `judge` says whether a condition on variables of a flow holds now. With
     `stands_still` a flow in which a task has failed waits for its user, else the application is aborted.
     Raises ValueError or KeyError for a plan that these do not describe.

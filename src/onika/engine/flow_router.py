@@ -1,4 +1,4 @@
-"""The ways of all flows: who goes on, who waits for whom, who begins together (§5.5.4, decision 26, X03)."""
+"""The ways of all flows: who goes on, who waits for whom, who begins together (§5.5.4, reading 26, X03)."""
 
 from collections import deque
 from collections.abc import Iterable, Sequence

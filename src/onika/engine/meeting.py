@@ -1,4 +1,4 @@
-"""Where flows wait for each other: the synchronisation tags of a plan (§5.5.4, decision 26).
+"""Where flows wait for each other: the synchronisation tags of a plan (§5.5.4, reading 26).
 
 The n-th visit of one flow meets the n-th of every other flow in whose program the tag stands. Who was let pass has been
 there; who paused at the tag, or stopped there, has not come yet.

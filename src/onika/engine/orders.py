@@ -24,7 +24,7 @@ class Start:
 class Switch:
     """One reconfiguration: `off` goes off, `on` comes on in this order, at one instant; what stays is not touched.
 
-    `kept_rates` are tasks that stay ON and change their frequency at this switch (decision 13). `number` is that of the
+    `kept_rates` are tasks that stay ON and change their frequency at this switch (reading 13). `number` is that of the
     prepared case with which it was carried out already; 0: it is to be carried out.
     """
 

@@ -78,7 +78,7 @@ class Progress:
         self._pc += 1
 
     def go(self, action: int | None) -> None:
-        """To another action, or on from here, without any value of an action before (decisions 21 and 22)."""
+        """To another action, or on from here, without any value of an action before (readings 21 and 22)."""
         self.go_to(self._pc if action is None else self.program.entries[action])
 
     def go_to(self, place: int) -> None:

@@ -19,7 +19,7 @@ class Step:
     rates: Mapping[str, float | None]
     """Of every task, in hertz; none for a task without a rate."""
     triggers: tuple[str, ...]
-    """Whoever finishes first ends the action (decision 16); the first one takes the argument line."""
+    """Whoever finishes first ends the action (reading 16); the first one takes the argument line."""
     arguments: str
 
     def start(self, task: str) -> Start:

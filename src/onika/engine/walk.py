@@ -51,7 +51,7 @@ def walk(
     judge: Judge,
     rests_after: Callable[[int], bool],
 ) -> Way:
-    """From instruction `pc` on; without a value every loop is left and flow 0 is taken (decisions 21 and 22).
+    """From instruction `pc` on; without a value every loop is left and flow 0 is taken (readings 21 and 22).
 
     leaving      the loops that are to be left at their next test
     rests_after  whether the flow rests after this no-op
@@ -96,7 +96,7 @@ def _goes_on(instruction: Again | Unless, value: Value | None, judge: Judge) -> 
 
 
 def _choice(choose: Choose, value: Value | None, judge: Judge) -> tuple[int, str]:
-    """Which way, and what is worth saying of it (decision 20)."""
+    """Which way, and what is worth saying of it (reading 20)."""
     if choose.conditions:
         last = len(choose.to) - 1
         return next((at for at, condition in enumerate(choose.conditions) if judge(condition)), last), ""

@@ -72,7 +72,7 @@ class Module:
         """During `on`: whether the variable's present value still steers something, so that it must not jump.
 
         It was written since the last hold of the hardware, and a task that stays ON has been reading it. A motion then
-        starts from it (the port is preloaded with it), else from the measurement (law 3, decision 45).
+        starts from it (the port is preloaded with it), else from the measurement (law 3, reading 45).
         """
         return name in self.in_force
 

@@ -63,7 +63,7 @@ class WiredTask:
 
     @property
     def first_values(self) -> tuple[str, ...]:
-        """What it reads at initialisation if somebody supplies it by then, else as it stands (decision 6)."""
+        """What it reads at initialisation if somebody supplies it by then, else as it stands (reading 6)."""
         return self.svars(PortKind.INBOTH)
 
     @property

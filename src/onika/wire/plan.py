@@ -1,4 +1,4 @@
-"""A plan: an application compiled to what a runtime needs to execute it, without any file (house decision 2)."""
+"""A plan: an application compiled to what a runtime needs to execute it, without any file."""
 
 from msgspec import Struct
 

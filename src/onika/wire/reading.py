@@ -1,4 +1,4 @@
-"""What is shown of a runtime at a bounded rate: the newest value under a key, dropped when late (house decision 7)."""
+"""What is shown of a runtime at a bounded rate: the newest value under a key, dropped when late."""
 
 from typing import Any
 

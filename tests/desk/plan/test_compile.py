@@ -48,7 +48,7 @@ def test_a_task_is_planned_as_its_rmod_describes_it(laboratory):  # law 23
     assert (blink.place, blink.rtpu) == ("blink", "unknown")
 
 
-def test_code_is_named_by_its_content_and_goes_along_once(laboratory):  # decision 7, law 23
+def test_code_is_named_by_its_content_and_goes_along_once(laboratory):  # reading 7, law 23
     _, plan = compiled(laboratory.application("twice", [job("winkC"), job("blinkC")]))
     digest = sha256(SOURCE.encode()).hexdigest()
     assert [(code.module, code.digest, code.source) for code in plan.code] == [

@@ -52,7 +52,7 @@ def events_of(runtime):
                 return
 
 
-def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, decision 1
+def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, reading 1
     with Runtime(("rt0",), is_virtual=True) as runtime:
         assert runtime.ask(request.Prepare(bell(), ())) == request.Prepared(())
         assert runtime.ask(request.Begin()) == request.Done()

@@ -135,7 +135,7 @@ def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10
     raise AssertionError("the change is never through")
 
 
-def test_a_unit_that_is_gone_takes_no_tasks(hand):  # decision 12
+def test_a_unit_that_is_gone_takes_no_tasks(hand):  # reading 12
     hand = live_edits_with_tasks(("rt0", "rt1"), source="rt1")
     hand.driver.lose("rt1")
     assert "rt1 was lost" in hand.change(spawn=["source"])

@@ -95,7 +95,7 @@ def test_a_signal_that_ends_a_task_is_told_once(speaker, word, times):  # R-A07,
     assert speaker.states == {"speaker": "ERROR" if word == "ERROR" else "OFF"}
 
 
-def test_a_finish_tells_its_flow_and_a_user_signal_its_number(speaker):  # R-A07, decision 19
+def test_a_finish_tells_its_flow_and_a_user_signal_its_number(speaker):  # R-A07, reading 19
     say(speaker, "USER", 1)
     say(speaker, "FINISH", 1)
     assert [one.number for one in speaker.asker.of(event.Signalled)] == [19, 2]

@@ -53,7 +53,7 @@ def test_neighbours_on_one_unit_come_on_together(board, units):  # law 6
     assert units.take() == [("rt0", (), ("a", "c"))]
 
 
-def test_a_group_goes_out_when_the_whole_group_before_it_is_through(board, units):  # law 3, decision 14
+def test_a_group_goes_out_when_the_whole_group_before_it_is_through(board, units):  # law 3, reading 14
     board.put(switch("a", "c", "b", "d", "e", "a"), ())
     assert units.take() == [("rt0", (), ("a", "c"))]
     board.settled(0, "a")
@@ -75,7 +75,7 @@ def test_off_and_on_of_one_unit_are_one_command(board, units):  # law 6
     assert units.take() == [("rt0", ("a",), ("c",))]
 
 
-def test_rates_reach_the_unit_of_their_task_even_where_nothing_goes_off(board, units):  # decision 13
+def test_rates_reach_the_unit_of_their_task_even_where_nothing_goes_off(board, units):  # reading 13
     board.put(switch("a", rates=[("e", 5.0)]), ())
     sent = dict(units.sent)
     assert sent["rt2"].rates == (("e", 5.0),)

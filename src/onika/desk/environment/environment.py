@@ -1,4 +1,4 @@
-"""The environment: the one writer of what is open; every act gets exactly one answer (house decision 5)."""
+"""The environment: the one writer of what is open; every act gets exactly one answer."""
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace

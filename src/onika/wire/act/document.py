@@ -10,7 +10,7 @@ class New(Act, frozen=True):
 
 
 class Open(Act, frozen=True):
-    """Open a configuration, by its file or by its name on the search path, beside the others (decision 15)."""
+    """Open a configuration, by its file or by its name on the search path, beside the others (reading 15)."""
 
     path: str
 

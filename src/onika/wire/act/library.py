@@ -28,7 +28,7 @@ class Alias(Act, frozen=True):
 
 
 class LibraryRate(Act, frozen=True):
-    """A task's rate in Hz for later placements of this session (decision 10)."""
+    """A task's rate in Hz for later placements of this session (reading 10)."""
 
     task: str
     hz: float

@@ -13,7 +13,7 @@ class Run(Act, frozen=True):
 
     doc: str
     confirmed: bool = False
-    """Whether tasks that are in the way may be ended (decision 30)."""
+    """Whether tasks that are in the way may be ended (reading 30)."""
     ignores_unsaved: bool = False
     """Whether configurations run as their files say, although they were changed here."""
     passes_breakpoints: bool = False

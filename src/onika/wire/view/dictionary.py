@@ -72,7 +72,7 @@ class OnikonView(View, frozen=True):
     source: str = ""
     """The file of the configuration or application behind it."""
     trouble: str = ""
-    """Why it cannot run: what it stands for is missing, or makes another type of icon now (decision 36)."""
+    """Why it cannot run: what it stands for is missing, or makes another type of icon now (reading 36)."""
 
 
 class TaughtView(View, frozen=True):

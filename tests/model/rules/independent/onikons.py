@@ -117,7 +117,7 @@ def actions(line: Line, edges: Edges) -> list[tuple[int, ...]]:
 def loops_are_well_formed(
     groups: Sequence[tuple[int, ...]], tags: Mapping[int, str], tests: Mapping[int, bool]
 ) -> bool:
-    """Decision 23; an action's mark may stand on either of its icons and counts once (reading 24, D06)."""
+    """Reading 23; an action's mark may stand on either of its icons and counts once (reading 24, D06)."""
     marks: dict[str, list[tuple[int, bool]]] = {}
     for number, group in enumerate(groups):
         own = {tags[at] for at in group if at in tags}

@@ -1,6 +1,6 @@
 """Whether an application can be run (E01), read a second time with the naive rules of tasks and onikons.
 
-Written from §5.9.2, E01, D16, D22 and readings 1, 23, 33 and 36 of the specification and law 10.
+Written from §5.9.2, E01, D16, D22 and readings 1, 23, 33 and 36 and law 10.
 """
 
 from collections.abc import Mapping

@@ -1,6 +1,6 @@
 """Equations (2), (3), (5) and (6), the matrix of pins and the union of a flow, read a second time as tables and sets.
 
-Written from §4.2.2, §5.3.3 and readings 1, 5, 6, 7 and 9 of the specification alone; it shares no code with the rules.
+Written from §4.2.2, §5.3.3 and readings 1, 5, 6, 7 and 9 alone; it shares no code with the rules.
 """
 
 from collections.abc import Iterable
@@ -98,7 +98,7 @@ def device(task: Task) -> set[str]:
 
 
 def union_is_free(tasks: Iterable[Task]) -> bool:
-    """Decision 1, and what law 9 adds to it: constants have one supplier, which is no pure OUTVAR."""
+    """Reading 1, and what law 9 adds to it: constants have one supplier, which is no pure OUTVAR."""
     return not any(
         one.module == other.module
         or device(one) & device(other)

@@ -97,7 +97,7 @@ def _tasks(document: Document, site: Site) -> dict[str, Task]:
 
 
 def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[OpenedText[Onikon] | None, str]:
-    """The icon that a job or application has; and why what stands in its place is none of its own (decision 34)."""
+    """The icon that a job or application has; and why what stands in its place is none of its own (reading 34)."""
     path = home.onikon_file(name)
     if not path.exists():
         return None, ""
@@ -110,7 +110,7 @@ def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tupl
 
 
 def of_type(kind: ActionType, syntax: Syntax, former: OpenedText[Onikon] | None) -> Iterator[str]:
-    """A type that is not defined (D16), and an icon that says another one (decision 36)."""
+    """A type that is not defined (D16), and an icon that says another one (reading 36)."""
     if syntax.find(kind.type) is None:
         yield f"the syntax does not define {kind_named(kind.type)}: its icon acts as a complete {_role(kind, syntax)}"
     if former and (former.value.type, former.value.more_targets) != (kind.type, kind.more_targets):

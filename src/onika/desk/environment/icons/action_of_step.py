@@ -1,4 +1,4 @@
-"""The action to which a step belongs: a mark on a target is one of its job (decision 24, requirement D06)."""
+"""The action to which a step belongs: a mark on a target is one of its job (reading 24, requirement D06)."""
 
 from collections.abc import Iterable
 from dataclasses import replace

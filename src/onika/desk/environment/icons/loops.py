@@ -1,4 +1,4 @@
-"""Loops: two actions of one flow, one of which decides and one of which is gone back to (D06, D13, decision 23)."""
+"""Loops: two actions of one flow, one of which decides and one of which is gone back to (D06, D13, reading 23)."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""Breakpoints and synchronisation tags, which count once for an action (requirement D06, decisions 24 to 26)."""
+"""Breakpoints and synchronisation tags, which count once for an action (requirement D06, readings 24 to 26)."""
 
 import re
 from dataclasses import replace

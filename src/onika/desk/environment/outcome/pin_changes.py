@@ -1,4 +1,4 @@
-"""What becomes of open documents when the pins of library tasks change (decision 9, requirement C24)."""
+"""What becomes of open documents when the pins of library tasks change (reading 9, requirement C24)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

@@ -65,7 +65,7 @@ def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:
 
 
 def _unit(wanted: str, units: Mapping[str, view.UnitView]) -> str:
-    """The unit of a task: the one it names, else the first that lives (decision 12)."""
+    """The unit of a task: the one it names, else the first that lives (reading 12)."""
     if wanted in units:
         return wanted
     living = [name for name, unit in units.items() if not unit.is_lost]

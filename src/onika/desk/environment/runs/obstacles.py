@@ -1,4 +1,4 @@
-"""What lives already and stands in the way of a run: tasks of its names, its modules, its devices (decision 30)."""
+"""What lives already and stands in the way of a run: tasks of its names, its modules, its devices (reading 30)."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace

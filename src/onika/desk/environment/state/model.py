@@ -1,4 +1,4 @@
-"""Everything that is open in an environment, as one value (house decision 5)."""
+"""Everything that is open in an environment, as one value."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace

@@ -18,13 +18,13 @@ from onika.wire.sheet import ModuleSheet
 
 @dataclass(frozen=True)
 class Shelf:
-    """Tasks by name, from the libraries in search order; the first of a name counts (decision 11)."""
+    """Tasks by name, from the libraries in search order; the first of a name counts (reading 11)."""
 
     libraries: tuple[Library, ...] = ()
     edits: Mapping[str, Task] = field(default_factory=dict)
     """Tasks that are no longer as their files say."""
     rates: Mapping[str, float] = field(default_factory=dict)
-    """Rates for later placements of this session, in Hz (decision 10)."""
+    """Rates for later placements of this session, in Hz (reading 10)."""
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
     """What classes of modules declare, by the modules' names, as far as a runtime has read them."""
     unread: Mapping[str, str] = field(default_factory=dict)
