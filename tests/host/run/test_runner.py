@@ -329,12 +329,12 @@ def test_whoever_is_there_is_asked_and_answers():  # law 25, R-E15
     (asked,) = bench.of(event.Asked)
     assert (asked.subsystem, asked.task, asked.items[0].name, asked.items[0].high) == ("flow0", "bell", "level", (1.0,))
     assert bench.runner.is_asking
-    assert bench.runner.asks("flow0") == (asked,)  # for whoever comes later
-    assert bench.runner.asks("flow1") == ()
+    assert bench.runner.questions("flow0") == (asked,)  # for whoever comes later
+    assert bench.runner.questions("flow1") == ()
     bench.runner.answer("flow0", "bell", "0.5")
     assert answers(bench) == [("bell", "0.5")]
     bench.on("bell")
-    assert bench.runner.asks("flow0") == ()
+    assert bench.runner.questions("flow0") == ()
     assert not bench.runner.is_asking
 
 

@@ -1,11 +1,14 @@
+from itertools import count
+
 import pytest
 
 from kit.plan_builder import PlanBuilder, action
 from onika.engine.orders import Start, Switch
+from onika.host.execution.switch_dispatch import SwitchDispatch
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
-from onika.host.run.switch_dispatch import Switchboard
 from onika.ring.segment import Segment
+from onika.runtime import news
 from onika.runtime.subsystem import Subsystem
 from onika.runtime.table import SIZE, Table
 
@@ -35,17 +38,13 @@ def board(units):
     shop = PlanBuilder()
     for name in HOMES:
         shop.task(name, f"from onika.module import Module\nclass {name.upper()}(Module):\n    trigger = True\n")
-    flow = [action(*HOMES)]
-    prepared = prepare(shop.plan(flow, flow), (), DirectLoading())
-    subsystems = {
-        number: Subsystem(f"flow{number}", Table(Segment.create("table", SIZE)), prepared.flows[number], HOMES)
-        for number in range(2)
-    }
-    return Switchboard(subsystems, units)
+    prepared = prepare(shop.plan([action(*HOMES)]), (), DirectLoading())
+    subsystem = Subsystem("flow0", Table(Segment.create("table", SIZE)), prepared.flows[0], HOMES)
+    return SwitchDispatch(subsystem, units, count(1))
 
 
-def switch(*on, off=(), flow=0, rates=()):
-    return Switch(flow, tuple(off), tuple(Start(name) for name in on), tuple(rates))
+def switch(*on, off=(), rates=()):
+    return Switch(0, tuple(off), tuple(Start(name) for name in on), tuple(rates))
 
 
 def test_neighbours_on_one_unit_come_on_together(board, units):  # law 6
@@ -56,12 +55,12 @@ def test_neighbours_on_one_unit_come_on_together(board, units):  # law 6
 def test_a_group_goes_out_when_the_whole_group_before_it_is_through(board, units):  # law 3, reading 14
     board.put(switch("a", "c", "b", "d", "e", "a"), ())
     assert units.take() == [("rt0", (), ("a", "c"))]
-    board.settled(0, "a")
+    board.settled("a")
     assert units.take() == []
-    board.settled(0, "c")
+    board.settled("c")
     assert units.take() == [("rt1", (), ("b", "d"))]
-    board.settled(0, "d")
-    board.settled(0, "b")
+    board.settled("d")
+    board.settled("b")
     assert units.take() == [("rt2", (), ("e",))]
 
 
@@ -84,7 +83,7 @@ def test_rates_reach_the_unit_of_their_task_even_where_nothing_goes_off(board, u
 
 def test_what_is_forgotten_is_said_with_the_first_group(board, units):  # law 3
     board.put(switch("a", "b"), ("X_REF",))
-    board.settled(0, "a")
+    board.settled("a")
     assert [order.forget for _, order in units.sent] == [("X_REF",), ()]
 
 
@@ -92,39 +91,65 @@ def test_a_second_switch_waits_for_the_first(board, units):  # law 6
     board.put(switch("a"), ())
     board.put(switch("b"), ())
     assert units.take() == [("rt0", (), ("a",))]
-    board.settled(0, "a")
+    board.settled("a")
     assert units.take() == [("rt1", (), ("b",))]
 
 
-def test_flows_do_not_wait_for_each_other(board, units):  # R-E04
+def test_one_command_that_can_begin_now_is_left_to_the_caller(board, units):  # R-E04
+    rtpu, whole = board.launch_alone(switch("a", "c"), ())
+    assert (rtpu, [launch.task for launch in whole.on]) == ("rt0", ["a", "c"])
+    assert units.take() == []
+    assert board.launch_alone(switch("e"), ()) is None  # it waits for the first
+    assert units.take() == []
+    for task in ("a", "c"):
+        board.settled(task)
+    assert units.take() == [("rt2", (), ("e",))]
+
+
+def test_a_switch_on_several_units_is_never_left_to_the_caller(board, units):  # law 3
+    assert board.launch_alone(switch("a", "b"), ()) is None
+    assert units.take() == [("rt0", (), ("a",))]
+
+
+@pytest.mark.parametrize(
+    ("message", "is_late"),
+    [
+        (news.Changed("flow0", "a", "ON", 5, activation=1), True),
+        (news.Changed("flow0", "a", "ON", 5, activation=2), False),
+        (news.Changed("flow0", "a", "KILLED", 5, activation=1), False),
+        (news.Failed("flow0", "a", "cycle", "no", "", 0, "", 5, activation=1), False),
+        (news.Warned("flow0", "a", "hot", 5), False),
+    ],
+)
+def test_news_of_an_earlier_activation_is_late_but_for_an_error_and_the_end(board, message, is_late):  # decision 4
     board.put(switch("a"), ())
-    board.put(switch("a", flow=1), ())
-    assert len(units.take()) == 2
+    board.settled("a")
+    board.put(switch("a"), ())
+    assert board.is_late(message) is is_late
 
 
 def test_after_a_kill_nothing_more_comes_on(board, units):  # R-E14
     board.put(switch("a", "b"), ())
-    board.drop(0)
+    board.drop()
     units.take()
-    board.settled(0, "a")
+    board.settled("a")
     assert units.take() == []
 
 
 def test_whoever_nobody_waits_for_changes_nothing(board, units):
-    board.settled(0, "a")
-    board.settled(7, "a")
+    board.settled("a")
     board.put(switch("a", "b"), ())
-    board.settled(0, "e")
+    board.settled("e")
     assert units.take() == [("rt0", (), ("a",))]
 
 
 def test_who_is_turned_off_does_not_come_on_later_either(board, units):  # R-E08
     board.put(switch("a", "b", "c"), ())
     units.take()
-    board.turn_off(0, "c")
-    board.turn_off(0, "a")
+    board.turn_off("c")
+    board.turn_off("a")
     assert units.take() == [("rt0", ("c",), ()), ("rt0", ("a",), ())]
-    board.settled(0, "a")
+    board.settled("a")
     assert units.take() == [("rt1", (), ("b",))]
-    board.settled(0, "b")
+    board.settled("b")
     assert units.take() == [("rt0", (), ())]  # nobody is left to come on

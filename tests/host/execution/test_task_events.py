@@ -4,7 +4,7 @@ import pytest
 from msgspec import structs
 
 from kit.live_edits import LiveEdits
-from onika.host.edit.task_events import told
+from onika.host.execution.task_events import asked, by_hand, in_a_run
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
 from onika.wire import event, live
@@ -121,11 +121,25 @@ STEPPED = news.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2_000_
 
 
 def test_a_step_at_a_live_change_is_told_with_its_numbers():  # R-X04
-    (one,) = told(STEPPED, 9.0)
+    one = by_hand(STEPPED, 2.0)
     assert one == event.Stepped("s0", "arm", "TAU", "N m", 1, 40.0, 10.0, 10.0, 8, 2.0)
     assert one.is_too_far
-    assert not told(structs.replace(STEPPED, step=10.0), 9.0)[0].is_too_far
-    assert not told(structs.replace(STEPPED, limit=0.0), 9.0)[0].is_too_far
+    assert not by_hand(structs.replace(STEPPED, step=10.0), 2.0).is_too_far
+    assert not by_hand(structs.replace(STEPPED, limit=0.0), 2.0).is_too_far
+
+
+def test_a_run_tells_only_steps_that_are_too_far():  # R-X04
+    assert in_a_run(STEPPED, 2.0) == by_hand(STEPPED, 2.0)
+    assert in_a_run(structs.replace(STEPPED, step=10.0), 2.0) is None
+
+
+def test_a_run_tells_failures_and_warnings_and_leaves_signals_to_the_engine():  # R-A08, R-A18, Table 9
+    failed = news.Failed("left", "arm", "cycle", "no", "arm.py", 7, "trace", 1, values={"X": 1})
+    told = in_a_run(failed, 0.125)
+    assert (told.text, told.line, told.at_s, told.values) == ("cycle: no", 7, 0.125, {"X": 1})
+    assert in_a_run(news.Warned("left", "arm", "hot", 1), 0.0) == event.Warned("left", "arm", "hot", 0.0)
+    assert in_a_run(news.Finished("left", "arm", 0, False, 1), 0.0) is None
+    assert in_a_run(news.Signalled("left", "arm", "LEGAL", 0, "", 1), 0.0) is None
 
 
 def test_a_task_is_turned_on_again_after_each_end(speaker):  # R-A05, R-A09
@@ -150,11 +164,11 @@ def test_where_a_module_failed_is_told_with_its_values(speaker):  # R-A18
 
 def test_what_a_task_asks_for_is_told_item_by_item():  # R-A10
     item = AskedItem("goal", "double", 1, "m", "where to", None, (-9.0,), (9.0,))
-    (one,) = told(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
+    one = asked(news.Asked("s0", "servo", "too far", (item,), 5), 0.5)
     assert (one.task, one.reason, one.at_s) == ("servo", "too far", 0.5)
-    assert [(asked.name, asked.low, asked.high) for asked in one.items] == [("goal", (-9.0,), (9.0,))]
+    assert [(item.name, item.low, item.high) for item in one.items] == [("goal", (-9.0,), (9.0,))]
 
 
 def test_a_change_by_command_is_told_by_its_state_alone():
-    assert told(news.Changed("s0", "servo", "OFF", 5), 0.5) == ()
-    assert told(news.Initialised("s0", "servo"), 0.5) == ()
+    assert by_hand(news.Changed("s0", "servo", "OFF", 5), 0.5) is None
+    assert by_hand(news.Initialised("s0", "servo"), 0.5) is None
