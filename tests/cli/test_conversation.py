@@ -7,7 +7,7 @@ from kit.live_runtime import LiveRuntime
 from onika.cli.conversation import converse, run_batch, serve
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Session
+from onika.desk.console.session import ConsoleSession
 from onika.store.site import open_site
 from onika.wire import event
 
@@ -41,7 +41,7 @@ class Played:
 def seat(desk, **given):
     runtime = LiveRuntime(**given)
     ticks = iter(range(10**9))
-    session = Session(runtime, open_site([], {}, None), desk, lambda: next(ticks) * 0.01)
+    session = ConsoleSession(runtime, open_site([], {}, None), desk, lambda: next(ticks) * 0.01)
     session.begin()
     return runtime, Console(session)
 

@@ -1,10 +1,10 @@
 import pytest
 
 from onika.cli import doctor as room, main
-from onika.desk.run.machine import Offer
+from onika.desk.run.machine import Feature
 
-GOOD = Offer("python", True, "3.11.7", "Onika needs it")
-BAD = Offer("graphics", False, "none [bold]", "no pictures")
+GOOD = Feature("python", True, "3.11.7", "Onika needs it")
+BAD = Feature("graphics", False, "none [bold]", "no pictures")
 
 
 @pytest.mark.parametrize(("is_there", "code"), [([GOOD], 0), ([GOOD, BAD], 1)])

@@ -1,8 +1,8 @@
 import pytest
 
 from onika.cli.key_bindings import KEYS, KeyBindings
-from onika.desk.plan.flow_index import Cast, Part
-from onika.desk.run.steering import VERBS, Look, Order, act
+from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
+from onika.desk.run.steering import VERBS, PositionQuery, SteeringOrder, act
 
 TWO = ("flow0", "flow1")
 
@@ -17,7 +17,7 @@ def press(bindings, keys):
 def test_every_key_says_a_line_that_steering_knows(key):  # R-E07
     (line,) = press(KeyBindings(("flow0",)), [key])
     assert line.split()[0] in VERBS
-    assert isinstance(act(line, Cast((Part("flow0", ("a",), frozenset()),))), Order | Look)
+    assert isinstance(act(line, FlowIndex((IndexedFlow("flow0", ("a",), frozenset()),))), SteeringOrder | PositionQuery)
 
 
 def test_a_flow_is_chosen_by_its_number_and_let_go_by_the_same():  # R-E07

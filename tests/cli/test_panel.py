@@ -5,14 +5,14 @@ from rich.console import Console
 
 from onika.cli.key_bindings import KEYS
 from onika.cli.panel import FLOWS, MARKS, Panel
-from onika.desk.plan.flow_index import Cast, Part
+from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.engine.flow import FlowState
 from onika.model.lifecycle import State
 from onika.wire import event
 from onika.wire.steer import Position
 
-ONE = Cast((Part("flow0", ("lift", "turn", "drop")),))
-TWO = Cast((*ONE.parts, Part("flow1", ("wait",))))
+ONE = FlowIndex((IndexedFlow("flow0", ("lift", "turn", "drop")),))
+TWO = FlowIndex((*ONE.parts, IndexedFlow("flow1", ("wait",))))
 
 
 def shown(panel, width=120):

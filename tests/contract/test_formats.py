@@ -75,7 +75,7 @@ def test_a_line_with_a_control_sign_is_reported(form: Format, data: st.DataObjec
 @given(data=st.data())
 @settings(max_examples=15, deadline=None)
 def test_two_lines_exchanged_are_reported_or_mean_the_same(form: Format, data: st.DataObject) -> None:
-    lines = form.write(data.draw(form.models)).splitlines()  # decision 41
+    lines = form.write(data.draw(form.models)).splitlines()  # reading 41
     solid = [at for at, line in enumerate(lines) if line]
     one, other = data.draw(st.sampled_from(solid)), data.draw(st.sampled_from(solid))
     is_order_free = lines[one].split()[0] == lines[other].split()[0] or form.name in ("picture", "task")

@@ -100,7 +100,7 @@ def test_the_end_is_reached_from_everywhere_and_never_left(machine):
 
 
 @pytest.mark.parametrize("machine", [one for one in MACHINES if one.diagram], ids=lambda one: one.name)
-def test_the_diagram_is_the_table(machine):  # house, decision 8
+def test_the_diagram_is_the_table(machine):  # house, reading 8
     drawn = re.findall(r"^    (\S+) --> (\S+?) ?: (.+)$", machine.diagram(), re.MULTILINE)
     arrows = {(start, end, event) for start, end, event in drawn if start != "[*]"}
     told = {

@@ -14,7 +14,7 @@ from onika.model.button import Button
 from onika.model.configuration import Configuration, Group, Locus, Placed
 from onika.model.onikon import Onikon
 from onika.model.picture import SIZE, framed
-from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
+from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.model.task import LocalLine, Task, TaskType
 from onika.words.fault import Fault
@@ -165,7 +165,7 @@ def icons(draw: st.DrawFn) -> Icon:
     tag = draw(st.none() | words)
     onikon = draw(onikons)
     if TYPES.find(onikon.type) in TYPES.types[-2:]:
-        return Icon(onikon)  # marks live on the action (decision 24)
+        return Icon(onikon)  # marks live on the action (reading 24)
     marks = draw(st.booleans()), draw(st.none() | words), tag, tag is not None and draw(st.booleans())
     conditions_ = st.just("") | conditions
     return Icon(onikon, *marks, draw(conditions_), draw(conditions_) if tag is not None else "")
@@ -190,7 +190,7 @@ def _flows(steps: st.SearchStrategy[Any]) -> st.SearchStrategy[AppFlow]:
 flows = _flows(icons()) | st.recursive(_flows(icons()), lambda inner: _flows(branches(inner)), max_leaves=4)
 applications = st.builds(Application, st.just("a"), st.booleans(), st.lists(flows, min_size=1, max_size=2).map(tuple))
 
-spots = st.builds(Spot, numbers, numbers)
+spots = st.builds(WindowCorner, numbers, numbers)
 windows = st.builds(Window, numbers, numbers, sizes, sizes)
 columns = st.lists(st.sampled_from(STATUS_COLUMNS), unique=True).map(tuple)
 all_preferences = st.builds(

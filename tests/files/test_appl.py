@@ -74,7 +74,7 @@ def test_comments_of_the_former_text_are_kept() -> None:
 
 def test_start_and_end_icons_are_accepted_and_left_out() -> None:
     text = application(icon("s", "Application start"), icon("grip", "Complete job"), icon("e", "Application end"))
-    assert flows(text) == ["grip"]  # decision 46
+    assert flows(text) == ["grip"]  # reading 46
     assert found(text) == []
 
 
@@ -108,7 +108,7 @@ def test_the_marks_of_a_target_belong_to_its_job() -> None:
     home = icon("home", "Joint object", "SYNCHTAG meet\nWHILETAG again\nWHILETEST yes\n").replace(
         "MARKER      no", "MARKER yes"
     )
-    read_, faults = read(application(icon("move", "Joint job"), home), "work", "f", SYNTAX)  # decision 24
+    read_, faults = read(application(icon("move", "Joint job"), home), "work", "f", SYNTAX)  # reading 24
     assert faults == ()
     assert read_
     assert read_.flows == (AppFlow((MOVE, HOME)),)

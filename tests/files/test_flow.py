@@ -1,7 +1,7 @@
 import pytest
 
 from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
-from onika.files.line import Reading, split
+from onika.files.line import TextReading, split
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -14,7 +14,7 @@ DEEP = AppFlow((OPEN, Branch((AppFlow((CHOICE, OPEN)), AppFlow(())))))
 
 
 def read(text: str, version: str = "2.0") -> tuple[tuple[AppFlow, ...], list[str]]:
-    reading = Reading("f", "it is left out")
+    reading = TextReading("f", "it is left out")
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     flows = read_flows(split(reading.lines, HEADS)[1:], SYNTAX, reading)
     return flows, [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
@@ -121,7 +121,7 @@ def test_marks_of_targets_in_branches_go_to_their_jobs() -> None:
     text = write_flow(AppFlow((Branch((AppFlow((move, home)),)),)))
     at = text.rindex("MARKER      no")
     (flow,), found = read(text[:at] + "MARKER yes" + text[at + 14 :])
-    assert found == []  # decision 24
+    assert found == []  # reading 24
     (step,) = flow.steps
     assert isinstance(step, Branch)
     assert [isinstance(one, Icon) and one.marker for one in step.flows[0].steps] == [True, False]

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.files.icon import SLOTS, read_icon, write_icon
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 from onika.model.syntax import DataItem, IconType, Syntax
@@ -20,7 +20,7 @@ UI = 'UI 1 2.5 -3e-1\nUI a.txt "b c"\nUI turn  left\n'
 
 
 def given(lines: str) -> tuple[Onikon | None, list[str], bool]:
-    reading = Reading("f", "")
+    reading = TextReading("f", "")
     reading.open(lines + "EOF")
     onikon = read_icon("x", reading.arrange(reading.lines, SLOTS), SYNTAX, reading)
     faults = [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
@@ -32,7 +32,7 @@ def target(ui: str = UI) -> tuple[Onikon | None, list[str], bool]:
 
 
 def test_values_are_read_by_the_data_items_of_the_type() -> None:
-    values = ((1.0, 2.5, -0.3), ("a.txt", "b c"), ("turn  left",))  # R-B03, decision 40
+    values = ((1.0, 2.5, -0.3), ("a.txt", "b c"), ("turn  left",))  # R-B03, reading 40
     assert target() == (Onikon("x", "Joint object", "go there", values, blank()), [], False)
 
 

@@ -2,7 +2,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from onika.files.kept import read, write
-from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun, Meeting
+from onika.model.kept import Demand, KeptAction, KeptFlow, KeptMeeting, KeptRun
 
 DEMANDS = (Demand("LAMP", (1.0,)), Demand("GRIP_MEZ[0]", (0.112,), "m", 0.002), Demand("Q", (0.5, -1.2), "rad", 0.005))
 KEPT = KeptRun(
@@ -17,7 +17,7 @@ KEPT = KeptRun(
         ),
         KeptFlow("flow1"),
     ),
-    meetings=(Meeting("triangle", ("flow0", "flow1")),),
+    meetings=(KeptMeeting("triangle", ("flow0", "flow1")),),
     seed=3,
     answers=(("wait", "duration", "0.5"), ("aim", "place", "1 2")),
     expectations=("LAMP == 1",),

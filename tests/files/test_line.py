@@ -1,17 +1,33 @@
 import pytest
 
-from onika.files.line import Line, Need, Reading, Slot, is_number, one_line, row, show, show_number, split
+from onika.files.line import (
+    FileLine,
+    KeywordSlot,
+    Need,
+    TextReading,
+    is_number,
+    one_line,
+    row,
+    show,
+    show_number,
+    split,
+)
 
-SLOTS = (Slot("A"), Slot("B", Need.SINCE_1_3), Slot("C", Need.OPTIONAL, many=True), Slot("D", Need.OPTIONAL))
+SLOTS = (
+    KeywordSlot("A"),
+    KeywordSlot("B", Need.SINCE_1_3),
+    KeywordSlot("C", Need.OPTIONAL, many=True),
+    KeywordSlot("D", Need.OPTIONAL),
+)
 
 
-def opened(text: str, versioned: bool = False) -> Reading:
-    reading = Reading("f", "it is left out")
+def opened(text: str, versioned: bool = False) -> TextReading:
+    reading = TextReading("f", "it is left out")
     (reading.open_versioned if versioned else reading.open)(text)
     return reading
 
 
-def found(reading: Reading) -> list[str]:
+def found(reading: TextReading) -> list[str]:
     return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
 
 
@@ -24,7 +40,7 @@ def arranged(text: str, is_old: bool = False) -> list[str]:
 
 def test_comments_and_blank_lines_are_no_lines_and_blanks_count_as_one() -> None:
     reading = opened("# x\n\n \tA \t 1  2\t\n  # y\nB\r\nEOF\n\n# end")  # R-B01
-    assert reading.lines == [Line(3, "A", "1  2"), Line(5, "B", "")]
+    assert reading.lines == [FileLine(3, "A", "1  2"), FileLine(5, "B", "")]
     assert reading.lines[0].words == ("1", "2")
     assert reading.lines[0].text == "1 2"
     assert found(reading) == []
@@ -61,7 +77,7 @@ def test_a_fault_prints_as_the_requirement_says() -> None:
 
 
 def test_a_whole_text_or_a_part_of_it_is_left_out_or_nothing_at_all() -> None:
-    reading = Reading("f", "all of it is left out")  # R-B07
+    reading = TextReading("f", "all of it is left out")  # R-B07
     reading.note(1, "a", "b", "it is read as c")
     reading.part(2, "a", "b", "this is left out")
     assert not reading.broken
@@ -75,7 +91,7 @@ def test_a_whole_text_or_a_part_of_it_is_left_out_or_nothing_at_all() -> None:
 
 
 def test_faults_come_in_the_order_of_the_lines() -> None:
-    reading = Reading("f", "")
+    reading = TextReading("f", "")
     reading.note(5, "a", "b", "c")
     reading.fault(2, "d", "e")
     assert [fault.place.line for fault in reading.faults] == [2, 5]
@@ -83,7 +99,7 @@ def test_faults_come_in_the_order_of_the_lines() -> None:
 
 @pytest.mark.parametrize("text", ["A\nB", "A\nB\nC\nC\nD", "A\nB\nD"])
 def test_lines_in_order_are_right(text: str) -> None:
-    assert arranged(text) == []  # decision 41
+    assert arranged(text) == []  # reading 41
 
 
 @pytest.mark.parametrize(
@@ -102,7 +118,7 @@ def test_lines_in_order_are_right(text: str) -> None:
     ],
 )
 def test_every_line_out_of_order_is_named(text: str, expected: list[str]) -> None:
-    assert arranged(text) == expected  # decision 41
+    assert arranged(text) == expected  # reading 41
 
 
 def test_an_older_file_may_lack_lines() -> None:
@@ -133,16 +149,16 @@ def test_a_version_that_is_no_number_is_a_fault(version: str) -> None:
 
 
 def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -> None:
-    reading = Reading("f", "")
-    assert reading.whole(Line(1, "N", "7"), 3) == 7
+    reading = TextReading("f", "")
+    assert reading.whole(FileLine(1, "N", "7"), 3) == 7
     assert reading.whole(None, 3) == 3
-    assert reading.whole(Line(2, "N", "x"), 3) == 3
-    assert reading.whole(Line(3, "N", "-1"), 3, low=0) == 3
-    assert reading.wholes(Line(4, "XY", "1 2 3"), (5, 6)) == (5, 6)
-    assert reading.wholes(Line(5, "XY", "1 99999999999"), (5, 6)) == (5, 6)
-    assert reading.yes(Line(6, "Y", "yes"), default=False) is True
-    assert reading.yes(Line(7, "Y", "Yes"), default=False) is False
-    assert reading.word(Line(8, "W", "one two"), "a tag", "d") == "d"
+    assert reading.whole(FileLine(2, "N", "x"), 3) == 3
+    assert reading.whole(FileLine(3, "N", "-1"), 3, low=0) == 3
+    assert reading.wholes(FileLine(4, "XY", "1 2 3"), (5, 6)) == (5, 6)
+    assert reading.wholes(FileLine(5, "XY", "1 99999999999"), (5, 6)) == (5, 6)
+    assert reading.yes(FileLine(6, "Y", "yes"), default=False) is True
+    assert reading.yes(FileLine(7, "Y", "Yes"), default=False) is False
+    assert reading.word(FileLine(8, "W", "one two"), "a tag", "d") == "d"
     assert found(reading) == [
         "2: a whole number after N / 'N x'",
         "3: a whole number of at least 0 after N / 'N -1'",
@@ -154,7 +170,7 @@ def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -
 
 
 def test_lines_are_cut_into_blocks_at_their_heads() -> None:
-    lines = [Line(number, keyword, "") for number, keyword in enumerate("VABBA")]
+    lines = [FileLine(number, keyword, "") for number, keyword in enumerate("VABBA")]
     assert [[line.keyword for line in block] for block in split(lines, {"A"})] == [["V"], ["A", "B", "B"], ["A"]]
     assert split([], {"A"}) == [[]]
 

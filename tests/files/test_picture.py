@@ -1,4 +1,4 @@
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.files.picture import read, read_rows, write
 from onika.model.picture import SIZE, blank
 
@@ -18,7 +18,7 @@ def test_a_picture_file_is_32_lines_of_32_digits() -> None:
 
 
 def test_a_9_is_read_as_black_with_a_note() -> None:
-    text = TEXT.replace("8777", "8977", 1)  # decision 38
+    text = TEXT.replace("8777", "8977", 1)  # reading 38
     assert found(text) == ["2: colours from 0 to 8 / a 9 / it is read as black"]
     picture, _ = read(text, "start", "f")
     assert picture
@@ -39,7 +39,7 @@ def test_missing_and_wrong_rows_are_faults() -> None:
 
 
 def test_rows_of_icons_go_the_same_way() -> None:
-    reading = Reading("f", "")
+    reading = TextReading("f", "")
     rows = [(number + 5, row) for number, row in enumerate(blank().rows)]
     assert read_rows(rows, 36, reading) == blank()
     read_rows(rows[:-1], 36, reading)

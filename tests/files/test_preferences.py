@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 
 from onika.files.preferences import read, write
-from onika.model.preferences import Preferences, Spot, Window
+from onika.model.preferences import Preferences, Window, WindowCorner
 
 TEXT = write(Preferences())
 
@@ -20,7 +20,7 @@ def test_preferences_are_read_and_written() -> None:
         show_invar=False,
         shows_period=True,
         library=Window(1, 2, 3, 4),
-        main=Spot(-5, 6),
+        main=WindowCorner(-5, 6),
         status_columns=("tid", "S"),
     )
     text = write(mine)

@@ -148,11 +148,11 @@ def test_a_parameter_given_twice_is_noted_and_both_lines_stay() -> None:
 
 def test_the_order_of_lines_is_law() -> None:
     text = TEXT.replace("MODULE      quintic\n", "").replace("TASKTYPE", "MODULE quintic\nTASKTYPE")
-    assert found(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # decision 41
+    assert found(text) == ["11: MODULE before OUTVAR / 'MODULE quintic' after it"]  # reading 41
 
 
 def test_a_port_line_may_give_an_aliased_name() -> None:
-    record, _ = read(TEXT.replace("INCONST     JOINTS", "INCONST NDOF"), "jmove", "f")  # decision 8
+    record, _ = read(TEXT.replace("INCONST     JOINTS", "INCONST NDOF"), "jmove", "f")  # reading 8
     assert record
     assert record.task == TASK
 

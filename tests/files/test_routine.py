@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
@@ -18,8 +18,8 @@ CONDITIONAL = replace(
 )
 
 
-def opened(text: str, version: str = "2.0") -> Reading:
-    reading = Reading("f", "it is left out")
+def opened(text: str, version: str = "2.0") -> TextReading:
+    reading = TextReading("f", "it is left out")
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     reading.lines = reading.lines[1:]
     return reading
@@ -103,7 +103,7 @@ def test_no_line_is_no_condition() -> None:
 def test_the_marks_of_a_target_go_to_its_job(
     job: dict[str, object], target: dict[str, object], expected: dict[str, object]
 ) -> None:
-    reading = opened("")  # decision 24
+    reading = opened("")  # reading 24
     whole, bare = marked(replace(MOVE, **job), replace(HOME, **target), reading)  # type: ignore[arg-type]
     assert reading.faults == ()
     assert whole == replace(MOVE, **expected)  # type: ignore[arg-type]

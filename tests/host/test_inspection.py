@@ -88,7 +88,7 @@ def test_memory_that_was_overwritten_is_found(hand):  # R-A12
     assert "task source on rt0 (writes it)" in finding
 
 
-def test_readings_are_shown_when_they_have_changed_and_it_is_time(hand):  # house decision 7
+def test_readings_are_shown_when_they_have_changed_and_it_is_time(hand):
     hand.asker.ask(live.Attend(readings=("s0/COUNT", "s0/NO", "no/COUNT"), hz=10.0))
     show(hand, 10**15)
     assert [key for key, _ in shown(hand)] == ["s0/COUNT"]
@@ -146,7 +146,7 @@ def test_who_attends_nothing_or_is_gone_is_shown_nothing(hand):
 
 
 @pytest.mark.parametrize(("hz", "period"), [(0.0, 10.0), (1e9, 1 / 60), (float("inf"), 1 / 60), (2.0, 0.5)])
-def test_how_often_is_kept_within_bounds(hand, hz, period):  # house decision 7
+def test_how_often_is_kept_within_bounds(hand, hz, period):
     hand.asker.ask(live.Attend(readings=("s0/COUNT",), hz=hz))
     show(hand, 10**15)
     assert hand.asker.program._look.due_ns(10**15) == pytest.approx(period * SECOND, rel=1e-6)

@@ -131,7 +131,7 @@ def test_tasks_are_checked_against_their_modules_without_a_run(desk):  # R-B01
     assert any("DEVICE" in fault.expected for fault in faults)
 
 
-def test_a_task_on_a_unit_that_is_not_there_runs_on_the_first():  # decision 12
+def test_a_task_on_a_unit_that_is_not_there_runs_on_the_first():  # reading 12
     desk = DirectClient(("left", "right"))
     desk.ask(request.Prepare(plan("1.0", rtpu="nowhere"), ()))
     desk.ask(request.Begin())

@@ -22,7 +22,7 @@ def test_a_wish_to_end_is_noted():
 
 
 @pytest.mark.parametrize(("is_launched", "is_asked"), [(True, False), (False, True)])
-def test_a_ctrl_c_is_the_launching_programs_to_answer(is_launched, is_asked):  # house decision 11
+def test_a_ctrl_c_is_the_launching_programs_to_answer(is_launched, is_asked):  # decision 11
     ending = Ending(is_launched)
     os.kill(os.getpid(), signal.SIGINT)
     assert ending.is_asked is is_asked

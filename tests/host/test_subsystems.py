@@ -103,7 +103,7 @@ def test_the_device_server_is_lost_without_the_tasks(hand, stage):  # law 17
     assert stage.lost_units == {}
 
 
-def test_a_task_is_put_on_the_unit_it_names_or_on_one_that_lives(stage):  # decision 12
+def test_a_task_is_put_on_the_unit_it_names_or_on_one_that_lives(stage):  # reading 12
     assert (stage.unit("rt1"), stage.unit("unknown")) == ("rt1", "rt0")
     stage.lost("rt0", "gone", 0)
     assert (stage.unit("rt0"), stage.unit("unknown")) == ("rt0", "rt1")

@@ -84,7 +84,7 @@ class FakeRuntimeEnv(EnvironmentFixture):
     def hear(self) -> None:
         """Hear what the runtime has told."""
         for one in self.runtime.events(0.0):
-            self.environment.heard(one)
+            self.environment.receive(one)
 
     def document(self, doc: str) -> Document:
         """A document as it is now."""

@@ -1,6 +1,6 @@
 """The engine once more, small, slow and obvious: it walks the trees of `kit.program_tree` themselves, step by step.
 
-Written from E04 to E08, E13, D10, D11 and decisions 16 to 28 of the specification; it shares no code with the engine,
+Written from E04 to E08, E13, D10, D11 and readings 16 to 28 of the specification; it shares no code with the engine,
 knows no orders and no late news. Where each flow is and which tasks are ON is all it tells.
 """
 

@@ -23,7 +23,7 @@ def begun(small):
         ((NOOP, Pick(((Act(),), (Act(),)))), [], [0, 1]),
     ],
 )
-def test_actions_follow_as_the_tree_says(tree, values, actions):  # R-E05, R-E06, decision 20
+def test_actions_follow_as_the_tree_says(tree, values, actions):  # R-E05, R-E06, reading 20
     small = ReferenceEngine(tree)
     small.run()
     for choice, loop in values:
@@ -59,7 +59,7 @@ def test_an_error_is_cleared_and_the_step_repeated():  # R-E08
     assert (small.flows[0].state, small.flows[0].on, begun(small)) == ("running", {"move", "arm"}, [0, 0])
 
 
-def test_a_skip_goes_into_a_loop_and_takes_the_value_away():  # R-E13, decision 22
+def test_a_skip_goes_into_a_loop_and_takes_the_value_away():  # R-E13, reading 22
     small = ReferenceEngine((Act(), Loop("l", (Act(), Act())), Act()))
     small.run()
     small.skip(0, 2)

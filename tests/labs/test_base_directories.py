@@ -160,13 +160,13 @@ def test_pictures_differ_unless_they_show_the_same_job_of_another_arm():
     assert all(len(same) == 1 for same in shown.values())
 
 
-def test_the_lamp_is_watched_in_all_jobs_of_the_left_arm():  # decision 19 of the runtime's law
+def test_the_lamp_is_watched_in_all_jobs_of_the_left_arm():  # law 19
     for name in ("jmoveC", "cmoveC", "opengripC", "closegripC", "jmove_scaraC", "cmove_scaraC"):
         assert "led_monitor" in tasks_of(name)
 
 
 @pytest.mark.parametrize(("name", "count", "icons"), [("assemble", 25, 43), ("assemble24", 24, 41)])
-def test_the_assembly_has_the_actions_of_chapter_6(name, count, icons):  # R-K01, decision 50
+def test_the_assembly_has_the_actions_of_chapter_6(name, count, icons):  # R-K01, reading 50
     (flow,) = read("application", name, SYNTAX).flows
     assert len(actions(flow, SYNTAX)) == count
     assert len(flow.steps) == icons

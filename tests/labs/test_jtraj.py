@@ -58,7 +58,7 @@ def test_the_speed_is_the_derivative_of_the_position():
     assert np.abs(middle - speeds[1:-1])[:2990].max() < 1e-4
 
 
-def test_a_reference_in_force_is_where_the_motion_starts():  # decision 45, law 3
+def test_a_reference_in_force_is_where_the_motion_starts():  # reading 45, law 3
     bench = jtraj()
     bench["Q_MEZ"], bench["Q_REF"] = HOME, HOME + 0.002
     bench.on(line(TARGET, 3))

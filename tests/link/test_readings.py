@@ -5,7 +5,7 @@ def keys(readings, room=10_000, now_ns=0):
     return [(r.key, r.body) for r in readings.take(room, now_ns)]
 
 
-def test_the_newest_reading_of_a_key_replaces_the_older_one_in_its_turn():  # decision 21
+def test_the_newest_reading_of_a_key_replaces_the_older_one_in_its_turn():
     readings = Readings()
     for key, body in (("a", b"1"), ("b", b"1"), ("a", b"2")):
         readings.put(key, body, 0)

@@ -2,7 +2,7 @@ from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Placed
 
 
 def test_a_task_that_was_never_spawned_is_on_an_unknown_rtpu() -> None:
-    assert Placed("cubic").rtpu == UNKNOWN_RTPU == "unknown"  # decision 12
+    assert Placed("cubic").rtpu == UNKNOWN_RTPU == "unknown"  # reading 12
 
 
 def test_two_configurations_of_the_same_content_are_equal() -> None:

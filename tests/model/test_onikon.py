@@ -15,7 +15,7 @@ SYNTAX = Syntax((IconType("Joint object", 1, 0, ITEMS), IconType("Complete job",
 
 def test_the_argument_line_joins_the_values_in_the_order_of_the_definition() -> None:
     onikon = Onikon("home", "joint object", "", ((0.5, -1.0), (3,), ("go home",)), blank())
-    assert onikon.argument_line(SYNTAX) == '0.5 -1.0 3 "go home"'  # decision 40
+    assert onikon.argument_line(SYNTAX) == '0.5 -1.0 3 "go home"'  # reading 40
 
 
 def test_an_action_has_an_empty_argument_line() -> None:

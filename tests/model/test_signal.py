@@ -22,7 +22,7 @@ def test_a_finish_carries_the_flow_and_whether_loops_go_on(flow, loop):  # R-A07
     assert (finish(flow, loop).flow, finish(flow, loop).loop) == (flow, loop)
 
 
-def test_without_a_flow_it_is_flow_0_and_no_loop():  # decision 19
+def test_without_a_flow_it_is_flow_0_and_no_loop():  # reading 19
     assert (finish().flow, finish().loop) == (0, False)
 
 
@@ -32,12 +32,12 @@ def test_there_is_no_flow_below_0():
 
 
 @given(st.integers(0, 50))
-def test_a_user_signal_beyond_whilecontinue_is_go_to_flow(flow):  # decision 19
+def test_a_user_signal_beyond_whilecontinue_is_go_to_flow(flow):  # reading 19
     signal = user_signal(END + 2 + flow)
     assert (signal.flow, signal.loop) == (flow, False)
 
 
-def test_the_first_user_signal_is_whilecontinue():  # decision 19
+def test_the_first_user_signal_is_whilecontinue():  # reading 19
     assert (user_signal(END + 1).flow, user_signal(END + 1).loop) == (0, True)
 
 

@@ -23,7 +23,7 @@ def kind(name: str) -> IconType:
 
 
 def test_types_are_found_without_case_and_named_as_defined() -> None:
-    assert kind("joint JOB").name == "Joint job"  # decision 37
+    assert kind("joint JOB").name == "Joint job"  # reading 37
     assert SYNTAX.find("Jointjob") is None
 
 
@@ -47,7 +47,7 @@ def test_the_role_of_a_type_follows_from_its_words(name: str, roles: set[str]) -
 
 
 def test_the_target_type_goes_by_the_words_of_the_action() -> None:
-    assert SYNTAX.target_type_of("Joint job") == "Joint object"  # decision 32
+    assert SYNTAX.target_type_of("Joint job") == "Joint object"  # reading 32
     assert SYNTAX.target_type_of("joint application") == "Joint object"
     assert SYNTAX.target_type_of("Lonely job") is None
     assert SYNTAX.target_type_of("Complete job") is None
@@ -73,7 +73,7 @@ def test_a_word_is_a_whole_word() -> None:
 
 
 def test_the_target_of_a_job_goes_by_its_name_else_by_the_only_edge_that_fits() -> None:
-    kinds = (IconType("Fast job", 1, 5), IconType("Slow job", 1, 6), IconType("Slow object", 9, 1))  # decision 32
+    kinds = (IconType("Fast job", 1, 5), IconType("Slow job", 1, 6), IconType("Slow object", 9, 1))  # reading 32
     two = (*kinds, IconType("Pose object", 5, 1))
     assert Syntax(kinds, ()).object_of(kinds[0]) == "Fast object"
     assert Syntax(two, ()).object_of(kinds[0]) == "Pose object"

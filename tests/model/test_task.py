@@ -16,7 +16,7 @@ TASK = Task(
 )
 
 
-def test_a_name_in_two_lines_is_one_port_of_both_kinds():  # decision 7
+def test_a_name_in_two_lines_is_one_port_of_both_kinds():  # reading 7
     assert TASK.kinds() == {
         "NDOF": PortKind.INCONST,
         "A": PortKind.INBOTH,

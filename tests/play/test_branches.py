@@ -1,4 +1,4 @@
-"""Stories of branches, chosen by a value or by conditions (§4.3.2, R-D10, R-D13, R-E06, decisions 19 to 21)."""
+"""Stories of branches, chosen by a value or by conditions (§4.3.2, R-D10, R-D13, R-E06, readings 19 to 21)."""
 
 import pytest
 

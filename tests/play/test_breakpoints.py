@@ -1,4 +1,4 @@
-"""Stories of breakpoints, with and without conditions (§5.9.2, R-E07, decision 25)."""
+"""Stories of breakpoints, with and without conditions (§5.9.2, R-E07, reading 25)."""
 
 import pytest
 

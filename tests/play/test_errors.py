@@ -1,4 +1,4 @@
-"""Stories of errors that stop a flow, and of users who clear them and go on (§4.5.2, §5.9.2, R-E08, decision 28)."""
+"""Stories of errors that stop a flow, and of users who clear them and go on (§4.5.2, §5.9.2, R-E08, reading 28)."""
 
 import pytest
 

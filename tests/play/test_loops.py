@@ -1,4 +1,4 @@
-"""Stories of loops by value and by condition (§4.4.7, Table 9, R-E05, R-D13, decisions 21 to 23)."""
+"""Stories of loops by value and by condition (§4.4.7, Table 9, R-E05, R-D13, readings 21 to 23)."""
 
 import pytest
 

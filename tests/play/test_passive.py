@@ -1,4 +1,4 @@
-"""Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, decision 17)."""
+"""Stories of passive tasks, which may fall silent and harm nothing, and of others that do (§C.2, reading 17)."""
 
 from kit import build
 from kit.play import Play

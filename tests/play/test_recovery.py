@@ -1,4 +1,4 @@
-"""Stories of errors between two actions, and of what else the user may want of a flow in error (R-E08, decision 28)."""
+"""Stories of errors between two actions, and of what else the user may want of a flow in error (R-E08, reading 28)."""
 
 import pytest
 

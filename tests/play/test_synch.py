@@ -1,4 +1,4 @@
-"""Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, decision 26)."""
+"""Stories of flows that wait for each other at synchronisation tags (§5.5.4, R-E04, reading 26)."""
 
 from kit import build, flow_program, play_lines
 from kit.play import Play
@@ -150,7 +150,7 @@ def test_a_waiting_flow_can_be_aborted():  # R-E07
     )  # fmt: skip
 
 
-def test_a_tag_in_loops_pairs_round_by_round():  # decision 26
+def test_a_tag_in_loops_pairs_round_by_round():  # reading 26
     loop = flow_program.program(flow_program.bottom("round", Meet("meet"), Do(0)))
     flows = build.flow([FREE], loop), build.flow([FREE], loop)
     both = [Together("meet", (0, 1)), *begins(0, 0), Moved(0, "running", 0), *begins(1, 0)]

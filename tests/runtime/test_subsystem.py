@@ -57,18 +57,26 @@ def test_tasks_rank_in_data_flow_order_with_hardware_as_the_source(table):  # la
 
 
 def test_a_task_waits_until_its_constants_are_written(table):  # law 10
-    home = subsystem(table, arm())
-    assert {name for name in home.members if home.is_ready(name)} == {"ctraj", "puma"}
-    assert home.unsupplied("servo") == ["NDOF"]
-    assert home.members["servo"].state is State.WAITING
+    one = subsystem(table, arm())
+    assert {name for name in one.members if not one.lacking(name)} == {"ctraj", "puma"}
+    assert one.lacking("servo") == ["NDOF"]
+    assert one.members["servo"].state is State.WAITING
     write_constant(table, "NDOF", 6)
-    assert all(home.is_ready(name) for name in home.members)
+    assert not any(one.lacking(name) for name in one.members)
 
 
 def test_a_first_value_is_waited_for_if_somebody_supplies_one_and_only_then(table):  # reading 6
     reader = wired("a", V=InBoth("int"))
-    assert subsystem(table, [reader, wired("b", V=OutVar("int"))]).is_ready("a")
-    assert not subsystem(table, [reader, wired("b", V=OutBoth("int"))]).is_ready("a")
+    assert subsystem(table, [reader, wired("b", V=OutVar("int"))]).lacking("a") == []
+    assert subsystem(table, [reader, wired("b", V=OutBoth("int"))]).lacking("a") == ["V"]
+
+
+def test_what_was_written_before_its_supplier_was_there_is_waited_for(table):  # law 10, law 12
+    write_constant(table, "NDOF", 6)
+    one = subsystem(table, arm())
+    assert one.lacking("servo") == ["NDOF"]
+    one.members["puma"].state = State.OFF
+    assert one.lacking("servo") == []
 
 
 def test_a_spawn_command_carries_everything_a_unit_needs(table):  # R-A03, R-A06

@@ -25,7 +25,7 @@ def test_the_tasks_of_another_site_are_without_fault(capsys):  # R-B01
     assert capsys.readouterr().out.splitlines()[-1].endswith("no faults")
 
 
-def test_tasks_in_other_names_drive_our_robot(capsys):  # R-B01, R-C04, decision 8
+def test_tasks_in_other_names_drive_our_robot(capsys):  # R-B01, R-C04, reading 8
     code, result = run(capsys, OTHER)
     assert (code, result["state"], result["actions_done"]) == (0, "completed", 2)
 

@@ -141,7 +141,7 @@ def nine(text):
     return text.replace("8" * 32 + "\nPICT        " + "8" * 32, "8" * 32 + "\nPICT        18898" + "8" * 27, 1)
 
 
-def test_a_colour_or_border_cell_is_a_note_and_the_run_goes_on(capsys, tmp_path):  # decision 38, R-B11, R-B07
+def test_a_colour_or_border_cell_is_a_note_and_the_run_goes_on(capsys, tmp_path):  # reading 38, R-B11, R-B07
     laboratory = Laboratory(tmp_path)
     path = laboratory.application("odd", [nine(job("opengripC"))])
     code, lines, last = check(capsys, path)

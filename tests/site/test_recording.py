@@ -13,7 +13,7 @@ from kit.environment_fixture import EnvironmentFixture
 from kit.laboratory import Laboratory, job
 from onika.cli import main
 from onika.desk.environment.initial_model import opened
-from onika.desk.run.recorded_run import Source, inputs_of
+from onika.desk.run.recorded_run import RecordingSource, inputs_of
 from onika.desk.run.run import start
 from onika.desk.run.run_review import Review
 from onika.desk.run.settings import RunSettings
@@ -102,7 +102,7 @@ def test_a_run_repeated_to_its_end_is_the_same_bit_for_bit(recorded, tmp_path, c
 def test_continued_from_an_instant_with_the_same_inputs_it_is_the_same_run(recorded):  # R-X05
     path, paused_s, result = recorded
     for at_s in (paused_s - 0.05, paused_s - 0.0123):  # it is paused there; one of them is no time of any task
-        with start(RunSettings("", is_virtual=True, source=Source(path, at_s)), SITE) as running:
+        with start(RunSettings("", is_virtual=True, source=RecordingSource(path, at_s)), SITE) as running:
             assert running.wait(f"{paused_s - at_s:.9f}") == ()
             assert running.now_s == pytest.approx(paused_s, abs=1e-9)
             assert running.steer("skip 25") == ()
@@ -112,7 +112,7 @@ def test_continued_from_an_instant_with_the_same_inputs_it_is_the_same_run(recor
 def test_continued_from_an_instant_with_other_inputs_it_is_another_run(recorded, tmp_path):  # R-X05
     path, paused_s, result = recorded
     other = tmp_path / "other.mcap"
-    settings = RunSettings("", is_virtual=True, source=Source(path, paused_s - 0.1), record=other)
+    settings = RunSettings("", is_virtual=True, source=RecordingSource(path, paused_s - 0.1), record=other)
     with start(settings, SITE) as running:
         assert running.wait("paused") == ()
         assert running.steer("skip 24") == ()
@@ -193,7 +193,7 @@ def test_what_was_recorded_before_a_kill_is_there(tmp_path, options):  # R-X05, 
         assert review.span_s[1] > seen_s - 2.0
         assert review.at(1.0).tasks["flow0/puma"] == "ON"
         assert review.flows[0].intervals[0].begin_s < 0.5
-    with start(RunSettings("", is_virtual=True, source=Source(path, 1.0)), SITE) as running:  # law 29
+    with start(RunSettings("", is_virtual=True, source=RecordingSource(path, 1.0)), SITE) as running:  # law 29
         assert running.wait("0.25") == ()
         assert running.now_s == 1.25
         notes = running.outcome.notes

@@ -273,7 +273,7 @@ def test_a_runtime_that_is_killed_aborts_the_run_and_another_takes_over(page):  
     page.ends()
 
 
-def test_what_lives_in_the_way_is_named_and_ended_only_if_the_user_wants_it(page):  # decision 30, R-E12
+def test_what_lives_in_the_way_is_named_and_ended_only_if_the_user_wants_it(page):  # reading 30, R-E12
     other = page.do(act.New())
     page.do(act.Connect(other))
     page.do(act.Place(other, "puma", 0, 0))

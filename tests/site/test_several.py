@@ -64,11 +64,11 @@ def test_a_configuration_may_be_spread_over_processing_units(capsys, two_units, 
     assert set(units.values()) == {"rt0", "rt1"}
     turned_on = [event["task"] for event in events if event["event"] == "taskstate" and event["state"] == "ON"]
     for early, late in (("puma", "diff"), ("jtraj", "pd"), ("pd", "torque_sum"), ("gravcomp", "torque_sum")):
-        assert turned_on.index(early) < turned_on.index(late)  # producers before consumers (decision 14)
+        assert turned_on.index(early) < turned_on.index(late)  # producers before consumers (reading 14)
     drives = [event["state"] for event in events if event["event"] == "drive"]
     assert drives == ["DRIVEN", "HELD"]  # the arm does not fall into a hold between the two actions
     hertz = {task["task"]: task["hz"] for task in result["tasks"]}
-    assert (hertz["jtraj"], hertz["puma"]) == (125, 500)  # each action sets its rates (decision 13)
+    assert (hertz["jtraj"], hertz["puma"]) == (125, 500)  # each action sets its rates (reading 13)
 
 
 def test_several_processing_units_in_virtual_time_are_the_same_every_time(capsys, two_units):  # R-X08, law 14

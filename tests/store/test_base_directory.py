@@ -12,7 +12,7 @@ from onika.model.picture import blank
 from onika.model.syntax import IconType, Syntax
 from onika.model.task import Task, TaskType
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.words.fault import Refusal
 
 SYNTAX = Syntax((IconType("Complete job", 0, 0),), ())
@@ -92,7 +92,7 @@ def test_saving_keeps_the_comments_of_the_file(base: BaseDirectory) -> None:
     assert former
     saved = base.save_configuration(replace(CONFIGURATION, placed=(Placed("pid", 3, 4),)), former)
     assert path.read_text() == "# how to hold\n" + conf.write(Configuration("hold", (Placed("pid", 3, 4),)))
-    assert isinstance(saved, Opened)
+    assert isinstance(saved, OpenedText)
     assert base.open_configuration("hold") == (saved, ())
     base.save_onikon(ONIKON)
     path = base.onikon_file("hold")
@@ -111,7 +111,7 @@ def test_what_another_changed_meanwhile_is_not_overwritten(base: BaseDirectory) 
     assert isinstance(refusal, Refusal)
     assert "has changed since it was read" in refusal.reason
     assert path.read_text() == theirs
-    assert isinstance(base.save_application(APPLICATION, former, overwrites=True), Opened)
+    assert isinstance(base.save_application(APPLICATION, former, overwrites=True), OpenedText)
     assert path.read_text() == theirs
 
 
@@ -140,15 +140,15 @@ def test_a_task_is_saved_over_the_text_it_was_read_from(base: BaseDirectory) -> 
 
 
 def test_a_configuration_and_an_application_of_one_name_do_not_take_each_others_icon(base: BaseDirectory) -> None:
-    base.save_configuration(CONFIGURATION)  # decision 34
+    base.save_configuration(CONFIGURATION)  # reading 34
     base.save_application(replace(APPLICATION, name="hold"))
-    assert isinstance(base.save_onikon(ONIKON), Opened)
+    assert isinstance(base.save_onikon(ONIKON), OpenedText)
     refusal = base.save_onikon(replace(ONIKON, type="Complete application"))
     assert isinstance(refusal, Refusal)
     assert "the configuration and the application hold share it" in refusal.reason
     assert refusal.remedies[0] == "rename the configuration or the application hold"
     confirmed = base.save_onikon(replace(ONIKON, type="Complete application"), overwrites=True)
-    assert isinstance(confirmed, Opened)
+    assert isinstance(confirmed, OpenedText)
     assert base.onikon_file("hold").read_text() == confirmed.text
 
 

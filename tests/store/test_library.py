@@ -42,7 +42,7 @@ def test_every_task_is_there_and_exactly_the_broken_ones_are_told(base: BaseDire
 
 
 def test_a_task_that_an_earlier_library_has_is_noted_and_not_added(tmp_path: Path) -> None:
-    one, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01, decision 11
+    one, two = BaseDirectory(tmp_path / "one"), BaseDirectory(tmp_path / "two")  # R-C01, reading 11
     for base, module_ in ((one, "first"), (two, "second")):
         base.save_task(RmodText(Task("pid", module_, frequency=1.0)))
     two.save_task(RmodText(Task("other", "m", frequency=1.0)))

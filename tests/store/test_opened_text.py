@@ -1,6 +1,6 @@
 from pathlib import Path
 
-from onika.store.opened_text import Opened, open_file, put, save
+from onika.store.opened_text import OpenedText, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 
 FAULT = Fault(Place("f"), "a", "b", "c")
@@ -17,7 +17,7 @@ def write(value: str, former: str) -> str:
 def test_what_is_opened_has_the_text_it_was_read_from(tmp_path: Path) -> None:
     path = tmp_path / "a"  # R-B07
     path.write_text("one")
-    assert open_file(path, "a", read) == (Opened("a one", path, "one"), ())
+    assert open_file(path, "a", read) == (OpenedText("a one", path, "one"), ())
     path.write_text("bad")
     assert open_file(path, "a", read) == (None, (FAULT,))
     opened, (fault,) = open_file(tmp_path / "b", "b", read)
@@ -27,17 +27,17 @@ def test_what_is_opened_has_the_text_it_was_read_from(tmp_path: Path) -> None:
 def test_what_is_saved_goes_over_what_was_opened_and_over_nothing_else(tmp_path: Path) -> None:
     path = tmp_path / "new" / "a"  # R-B07
     opened = save(path, "1", write, None, overwrites=False)
-    assert opened == Opened("1", path, "1")
+    assert opened == OpenedText("1", path, "1")
     assert isinstance(save(path, "2", write, None, overwrites=False), Refusal)
-    assert isinstance(opened, Opened)
-    assert save(path, "2", write, opened, overwrites=False) == Opened("2", path, "12")
+    assert isinstance(opened, OpenedText)
+    assert save(path, "2", write, opened, overwrites=False) == OpenedText("2", path, "12")
     assert isinstance(save(path, "3", write, opened, overwrites=False), Refusal)
-    assert save(path, "3", write, opened, overwrites=True) == Opened("3", path, "123")
+    assert save(path, "3", write, opened, overwrites=True) == OpenedText("3", path, "123")
 
 
 def test_a_copy_under_another_name_keeps_the_comments_and_replaces_nothing(tmp_path: Path) -> None:
-    opened = Opened("1", tmp_path / "a", "# mine ")  # R-B01
-    assert save(tmp_path / "b", "1", write, opened, overwrites=False) == Opened("1", tmp_path / "b", "# mine 1")
+    opened = OpenedText("1", tmp_path / "a", "# mine ")  # R-B01
+    assert save(tmp_path / "b", "1", write, opened, overwrites=False) == OpenedText("1", tmp_path / "b", "# mine 1")
     assert isinstance(save(tmp_path / "b", "1", write, opened, overwrites=False), Refusal)
 
 

@@ -34,7 +34,7 @@ def site(bases: tuple[BaseDirectory, BaseDirectory], tmp_path: Path) -> Site:
 def test_what_an_application_needs_is_gathered_its_own_base_first(
     site: Site, bases: tuple[BaseDirectory, BaseDirectory]
 ) -> None:
-    own, shared = bases  # decision 35
+    own, shared = bases  # reading 35
     work = application("work", ("hold", "job"), ("part", "application"), ("wait", "NOP"), ("hold", "job"))
     own.save_application(work)
     part = application("part", ("grip", "job"), ("part", "application"))

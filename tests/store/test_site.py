@@ -40,7 +40,7 @@ def task(name: str, module: str) -> RmodText:
 
 
 def test_the_first_directory_that_has_a_name_wins(site: Site) -> None:
-    one, two = site.directories  # decision 11
+    one, two = site.directories  # reading 11
     two.save_task(task("pid", "second"))
     record, _ = site.task("pid")
     assert record
@@ -116,7 +116,7 @@ def test_one_directory_can_come_first(site: Site) -> None:
 
 
 def test_the_users_syntax_wins_over_the_shipped_one(site: Site) -> None:
-    assert site.syntax() == (SHIPPED, ())  # decision 39, R-D02
+    assert site.syntax() == (SHIPPED, ())  # reading 39, R-D02
     (home(site) / syntax.NAME).write_text(syntax.write(OWN))
     assert site.syntax() == (OWN, ())
     (home(site) / ".OnikaUpperSetUp.dta").write_text(syntax.write(SHIPPED))

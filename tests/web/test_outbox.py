@@ -32,7 +32,7 @@ def test_patches_and_answers_keep_their_order(outbox, sent):
     assert sent(outbox, 3) == [b"1", b"2", b"3"]
 
 
-def test_of_frames_the_newest_is_sent_and_after_all_else(outbox, sent):  # decision 21
+def test_of_frames_the_newest_is_sent_and_after_all_else(outbox, sent):
     outbox.frame(b"old")
     outbox.put(b"answer")
     outbox.frame(b"new")

@@ -7,7 +7,7 @@ from onika.words.argument import join, split
 
 
 @given(st.lists(st.text()))
-def test_whatever_words_are_joined_are_split_again(words):  # decision 40
+def test_whatever_words_are_joined_are_split_again(words):  # reading 40
     assert split(join(words)) == words
 
 
@@ -15,7 +15,7 @@ def test_plain_words_are_written_plainly():
     assert join(["0.5", "-1e3", "box"]) == "0.5 -1e3 box"
 
 
-def test_words_with_blanks_quotes_and_nothing_at_all_stand_in_quotes():  # decision 40
+def test_words_with_blanks_quotes_and_nothing_at_all_stand_in_quotes():  # reading 40
     assert join(["two words", 'a"b', ""]) == '"two words" "a\\"b" ""'
 
 

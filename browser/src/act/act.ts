@@ -8,7 +8,7 @@ import { workspace } from '../state/workspace.svelte'
 import { send } from '../link/link'
 import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal, type Point } from './refused.svelte'
-import { hindrance } from './hindering'
+import { reviewLock } from './reviewLock'
 import { show } from './documents.svelte'
 import { heard } from '../texts/heard'
 
@@ -16,7 +16,7 @@ import { heard } from '../texts/heard'
 export async function act(a: AnyAct, at?: Point): Promise<unknown> {
   hideRefusal()
   try {
-    const why = hindrance(a)
+    const why = reviewLock(a)
     if (why) throw why
     return (await send(a)) ?? null
   } catch (why) {

@@ -2,10 +2,10 @@
 import { areaOf, grown, overlaps } from '../geom/rect'
 import { snap, type Snappable } from '../geom/snap'
 import { canvas } from '../state/canvas.svelte'
-import { move, onGrid } from '../scene/deeds'
+import { move, onGrid } from '../scene/acts'
 import type { Gesture } from '../gesture/gesture'
 import type { Box, Dot } from '../scene/scene.svelte'
-import { stage } from '../scene/stage.svelte'
+import { canvasState } from '../scene/canvasState.svelte'
 
 interface Corner {
   x: number
@@ -18,7 +18,7 @@ const NEAR_PX = 320
 const snappable = (box: Box): Snappable => ({ ...box.rect, rows: box.pins.map((pin) => pin.y) })
 
 export class DragBoxes implements Gesture {
-  private readonly scene = stage.scene
+  private readonly scene = canvasState.scene
   private readonly from = new Map<Box, Corner>()
   private readonly fromDot = new Map<Dot, Corner>()
   private readonly neighbours: Snappable[]
@@ -40,25 +40,25 @@ export class DragBoxes implements Gesture {
       this.fromDot.set(dot, { x: dot.x, y: dot.y })
       dot.isHeld = true
     }
-    this.neighbours = this.scene.boxesIn(stage.view.area).filter((box) => !this.from.has(box)).map(snappable)
-    this.start = stage.view.toScene(event.clientX, event.clientY)
-    stage.isHolding = true
+    this.neighbours = this.scene.boxesIn(canvasState.view.area).filter((box) => !this.from.has(box)).map(snappable)
+    this.start = canvasState.view.toScene(event.clientX, event.clientY)
+    canvasState.isHolding = true
   }
 
   move(event: PointerEvent): void {
-    const [x, y] = stage.view.toScene(event.clientX, event.clientY)
+    const [x, y] = canvasState.view.toScene(event.clientX, event.clientY)
     const from = this.from.get(this.grabbed)!
     const wished = { ...snappable(this.grabbed), x: from.x + x - this.start[0], y: from.y + y - this.start[1] }
     const near = grown(areaOf(wished), NEAR_PX)
     const neighbours = this.neighbours.filter((other) => overlaps(areaOf(other), near))
-    const rest = snap(wished, neighbours, { suspended: event.altKey, reach: 4 / stage.view.scale })
-    stage.guides = rest.guides
+    const rest = snap(wished, neighbours, { suspended: event.altKey, reach: 4 / canvasState.view.scale })
+    canvasState.guides = rest.guides
     this.put(Math.round(rest.x - from.x), Math.round(rest.y - from.y))
   }
 
   up(): void {
-    stage.guides = []
-    stage.isHolding = false
+    canvasState.guides = []
+    canvasState.isHolding = false
     const moved: Record<string, [number, number]> = {}
     for (const [box, from] of this.from) if (box.x !== from.x || box.y !== from.y) moved[box.name] = [box.x, box.y]
     const dots: Record<string, [number, number]> = {}
@@ -68,8 +68,8 @@ export class DragBoxes implements Gesture {
   }
 
   cancel(): void {
-    stage.guides = []
-    stage.isHolding = false
+    canvasState.guides = []
+    canvasState.isHolding = false
     this.put(0, 0)
     this.release()
   }
@@ -83,7 +83,7 @@ export class DragBoxes implements Gesture {
   /** From now on they stand where the document says, which has the move by now or has refused it. */
   private release(): void {
     for (const held of [...this.from.keys(), ...this.fromDot.keys()]) held.isHeld = false
-    stage.turn += 1
+    canvasState.turn += 1
   }
 }
 
@@ -92,18 +92,18 @@ const isOverPlots = (event: PointerEvent): boolean =>
   document.elementFromPoint(event.clientX, event.clientY)?.closest('[data-drop="plots"]') != null
 
 export class DragDot implements Gesture {
-  private readonly scene = stage.scene
+  private readonly scene = canvasState.scene
   private readonly from: Corner
 
   constructor(private readonly svar: string) {
     const dot = this.scene.dots.get(svar)!
     dot.isHeld = true
     this.from = { x: dot.x, y: dot.y }
-    stage.isHolding = true
+    canvasState.isHolding = true
   }
 
   move(event: PointerEvent): void {
-    const [x, y] = stage.view.toScene(event.clientX, event.clientY)
+    const [x, y] = canvasState.view.toScene(event.clientX, event.clientY)
     this.put(event.altKey ? Math.round(x) : onGrid(x), event.altKey ? Math.round(y) : onGrid(y))
   }
 
@@ -112,14 +112,14 @@ export class DragDot implements Gesture {
       canvas.plots = [...new Set([...canvas.plots, this.svar])]
       return this.cancel()
     }
-    stage.isHolding = false
+    canvasState.isHolding = false
     const dot = this.scene.dots.get(this.svar)
     if (!dot || (dot.x === this.from.x && dot.y === this.from.y)) return this.release()
     void move({}, { [this.svar]: [dot.x, dot.y] }).finally(() => this.release())
   }
 
   cancel(): void {
-    stage.isHolding = false
+    canvasState.isHolding = false
     this.put(this.from.x, this.from.y)
     this.release()
   }
@@ -132,6 +132,6 @@ export class DragDot implements Gesture {
   private release(): void {
     const dot = this.scene.dots.get(this.svar)
     if (dot) dot.isHeld = false
-    stage.turn += 1
+    canvasState.turn += 1
   }
 }

@@ -1,5 +1,5 @@
 // What is dragged to the edge of the canvas draws the paper along.
-import { stage } from '../scene/stage.svelte'
+import { canvasState } from '../scene/canvasState.svelte'
 
 /** How near the edge, and how far at most with each picture of the screen. */
 const NEAR_PX = 28
@@ -35,14 +35,14 @@ export class Edge {
     this.frame = 0
     const step = this.step()
     if (!step || !this.last) return
-    stage.view.pan(...step)
+    canvasState.view.pan(...step)
     again(this.last)
     this.frame = requestAnimationFrame(() => this.go(again))
   }
 
   private step(): [number, number] | undefined {
-    if (!this.last || !(stage.isHolding || stage.marquee)) return undefined
-    const { left, top, size } = stage.view
+    if (!this.last || !(canvasState.isHolding || canvasState.marquee)) return undefined
+    const { left, top, size } = canvasState.view
     const step: [number, number] = [pull(this.last.clientX, left, left + size.w), pull(this.last.clientY, top, top + size.h)]
     return step[0] || step[1] ? step : undefined
   }

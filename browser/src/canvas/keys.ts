@@ -1,10 +1,10 @@
 // The keys of the canvas that mean something by how they are held or where the keyboard is; all others are commands.
 import { neighbour, type Direction, type Named } from '../geom/spatial'
 import { canvas } from '../state/canvas.svelte'
-import { nudge, pickedTasks } from '../scene/deeds'
+import { nudge, pickedTasks } from '../scene/acts'
 import { selectAlsoAll, wholeOf } from '../group/grouping'
 import { membersOf } from '../scene/groups'
-import { stage } from '../scene/stage.svelte'
+import { canvasState } from '../scene/canvasState.svelte'
 
 const STEP = 5
 const STRIDE = 25
@@ -16,22 +16,22 @@ let seenAtSpace: unknown
 
 /** True where the key meant something here. */
 export function keyDown(event: KeyboardEvent): boolean {
-  if (!stage.hasKeyboard || stage.opened.kind !== '' || event.ctrlKey || event.metaKey) return false
+  if (!canvasState.hasKeyboard || canvasState.opened.kind !== '' || event.ctrlKey || event.metaKey) return false
   const way = WAY[event.key]
   if (way) return arrow(way, event)
   if (event.key !== ' ' || event.altKey || event.shiftKey) return false
-  if (!stage.isSpaceDown) seenAtSpace = stage.view.seen
-  stage.isSpaceDown = true
+  if (!canvasState.isSpaceDown) seenAtSpace = canvasState.view.seen
+  canvasState.isSpaceDown = true
   return true
 }
 
 export function keyUp(event: KeyboardEvent): void {
-  if (event.key !== ' ' || !stage.isSpaceDown) return
-  stage.isSpaceDown = false
-  if (seenAtSpace !== stage.view.seen) return
+  if (event.key !== ' ' || !canvasState.isSpaceDown) return
+  canvasState.isSpaceDown = false
+  if (seenAtSpace !== canvasState.view.seen) return
   const [name, group] = [focusedTask(), focusedGroup()]
   if (name) selectAlsoAll(wholeOf(name), `task:${name}`)
-  if (group) selectAlsoAll(membersOf(stage.document, group), `group:${group}`)
+  if (group) selectAlsoAll(membersOf(canvasState.document, group), `group:${group}`)
 }
 
 /** Arrows move what is picked; with Alt, or with nothing picked, they walk from one thing to the next. */
@@ -46,20 +46,20 @@ function arrow(way: Direction, event: KeyboardEvent): boolean {
 
 function walk(way: Direction): boolean {
   const all = things()
-  const from = stage.rectOf(stage.focus)
-  const to = from ? neighbour(from, way, all.filter((one) => one.id !== stage.focus)) : (all[0]?.id ?? null)
+  const from = canvasState.rectOf(canvasState.focus)
+  const to = from ? neighbour(from, way, all.filter((one) => one.id !== canvasState.focus)) : (all[0]?.id ?? null)
   if (to === null) return all.length > 0
-  stage.focusOn(to)
+  canvasState.focusOn(to)
   return true
 }
 
 function things(): Named[] {
-  const { boxes, dots } = stage.scene
+  const { boxes, dots } = canvasState.scene
   return [
     ...[...boxes.values()].map((box) => ({ id: `task:${box.name}`, ...box.rect })),
     ...[...dots.values()].map((dot) => ({ id: `locus:${dot.svar}`, ...dot.rect })),
-    ...Object.keys(stage.document?.groups ?? {}).flatMap((name) => {
-      const rect = stage.rectOf(`group:${name}`)
+    ...Object.keys(canvasState.document?.groups ?? {}).flatMap((name) => {
+      const rect = canvasState.rectOf(`group:${name}`)
       return rect ? [{ id: `group:${name}`, ...rect }] : []
     }),
   ]
@@ -72,5 +72,5 @@ export const focusedGroup = (): string => focused('group')
 
 function focused(kind: 'task' | 'locus' | 'group'): string {
   const at = document.activeElement
-  return at && stage.svg?.contains(at) ? (at.closest<SVGElement>(`[data-${kind}]`)?.dataset[kind] ?? '') : ''
+  return at && canvasState.svg?.contains(at) ? (at.closest<SVGElement>(`[data-${kind}]`)?.dataset[kind] ?? '') : ''
 }

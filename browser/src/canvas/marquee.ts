@@ -3,28 +3,28 @@ import { pick } from '../state/canvas.svelte'
 import { areaOf, type Rect } from '../geom/rect'
 import type { Gesture } from '../gesture/gesture'
 import { wholeOf } from '../group/grouping'
-import { stage } from '../scene/stage.svelte'
+import { canvasState } from '../scene/canvasState.svelte'
 
 export class Marquee implements Gesture {
   private readonly start: readonly [number, number]
 
   /** `before` stays picked: with Shift or Ctrl a rectangle adds. */
   constructor(first: PointerEvent, private readonly before: readonly string[]) {
-    this.start = stage.view.toScene(first.clientX, first.clientY)
+    this.start = canvasState.view.toScene(first.clientX, first.clientY)
   }
 
   move(event: PointerEvent): void {
-    const rect = between(this.start, stage.view.toScene(event.clientX, event.clientY))
-    stage.marquee = rect
-    pick(...this.before, ...wholeOf(...stage.scene.boxesIn(areaOf(rect)).map((box) => box.name)))
+    const rect = between(this.start, canvasState.view.toScene(event.clientX, event.clientY))
+    canvasState.marquee = rect
+    pick(...this.before, ...wholeOf(...canvasState.scene.boxesIn(areaOf(rect)).map((box) => box.name)))
   }
 
   up(): void {
-    stage.marquee = undefined
+    canvasState.marquee = undefined
   }
 
   cancel(): void {
-    stage.marquee = undefined
+    canvasState.marquee = undefined
     pick(...this.before)
   }
 }

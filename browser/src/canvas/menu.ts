@@ -7,10 +7,10 @@ import { t } from '../texts/index.svelte'
 import {
   align, check, clear, copy, cut, flip, openSheet, openSource, paste, pickedTasks, placeAt, remove, selectAll, toggleConstants, toggleLines,
   togglePin, turn, type Edge,
-} from '../scene/deeds'
+} from '../scene/acts'
 import { askForChange, askForName, openInsert, openSaving, pickedGroups, turnGroup, ungroup } from '../group/grouping'
 import { isAllOn, summary } from '../scene/groups'
-import { stage, type Opened } from '../scene/stage.svelte'
+import { canvasState, type Opened } from '../scene/canvasState.svelte'
 
 export function menuOf(opened: Opened): { label: string; items: Item[] } | undefined {
   if (opened.kind !== 'menu') return undefined
@@ -23,11 +23,11 @@ export function menuOf(opened: Opened): { label: string; items: Item[] } | undef
 
 function taskItems(name: string, at: Point): Item[] {
   const tasks = pickedTasks()
-  const placed = stage.document?.tasks?.[name]
+  const placed = canvasState.document?.tasks?.[name]
   const task = desk.tree.tasks[name]
   return [
-    ...(stage.isLive ? liveItems(tasks, name, at) : []),
-    { label: t('canvas.parameters'), keys: 'Enter', run: () => openSheet(name), begins: stage.isLive },
+    ...(canvasState.isLive ? liveItems(tasks, name, at) : []),
+    { label: t('canvas.parameters'), keys: 'Enter', run: () => openSheet(name), begins: canvasState.isLive },
     { label: t('canvas.source'), run: () => openSource(name, 'code'), isOff: !task?.code, note: task?.code ? undefined : t('canvas.noSource') },
     { label: t('canvas.rmod'), run: () => openSource(name, 'rmod'), isOff: placed?.is_missing === true },
     { label: t('canvas.cut'), keys: 'Delete', run: () => cut(), begins: true },
@@ -43,8 +43,8 @@ function taskItems(name: string, at: Point): Item[] {
 function tabItems(group: string, at: Point): Item[] {
   const tasks = pickedTasks()
   return [
-    ...(stage.isLive ? turnItems(group, at) : []),
-    { label: t('canvas.group.change'), run: () => askForChange(group), begins: stage.isLive },
+    ...(canvasState.isLive ? turnItems(group, at) : []),
+    { label: t('canvas.group.change'), run: () => askForChange(group), begins: canvasState.isLive },
     { label: t('canvas.group.expand'), keys: 'Ctrl+Shift+G', run: () => ungroup([group]) },
     { label: t('canvas.group.save'), run: () => openSaving(group) },
     { label: t('canvas.cut'), keys: 'Delete', run: () => cut(), begins: true },
@@ -56,7 +56,7 @@ function tabItems(group: string, at: Point): Item[] {
 }
 
 function turnItems(group: string, at: Point): Item[] {
-  const { document } = stage
+  const { document } = canvasState
   return [
     { label: t('canvas.turnOn'), keys: 'Shift+Enter', run: () => turnGroup(group, true, at), isOff: isAllOn(document, group) },
     { label: t('canvas.turnOff'), run: () => turnGroup(group, false, at), isOff: summary(document, group).look === 'OFF' },
@@ -66,7 +66,7 @@ function turnItems(group: string, at: Point): Item[] {
 /** Several tasks become one; what is one already may be taken apart, or saved. */
 function groupItems(tasks: string[]): Item[] {
   const groups = pickedGroups()
-  const isOne = groups.length === 1 && stage.document?.groups?.[groups[0]!]?.tasks.length === tasks.length
+  const isOne = groups.length === 1 && canvasState.document?.groups?.[groups[0]!]?.tasks.length === tasks.length
   const make: Item = { label: t('canvas.group.makeIt'), keys: 'Ctrl+G', run: () => askForName(tasks), begins: true }
   if (!groups.length) return [make]
   return [
@@ -77,8 +77,8 @@ function groupItems(tasks: string[]): Item[] {
 }
 
 function liveItems(tasks: string[], name: string, at: Point): Item[] {
-  const states = tasks.map((one) => stage.document?.tasks?.[one]?.state)
-  if (stage.document?.tasks?.[name]?.state === 'ERROR')
+  const states = tasks.map((one) => canvasState.document?.tasks?.[one]?.state)
+  if (canvasState.document?.tasks?.[name]?.state === 'ERROR')
     return [
       { label: t('canvas.clear'), run: () => clear(name, true, at) },
       { label: t('canvas.clearOnly'), run: () => clear(name, false, at) },
@@ -97,11 +97,11 @@ function alignItems(count: number): Item[] {
 }
 
 function locusItems(svar: string, at: Point): Item[] {
-  const locus = stage.document?.loci?.[svar]
-  const isDrawn = stage.scene.dots.has(svar) && locus?.is_shown !== false
+  const locus = canvasState.document?.loci?.[svar]
+  const isDrawn = canvasState.scene.dots.has(svar) && locus?.is_shown !== false
   return [
-    { label: t('canvas.information'), keys: 'Enter', run: () => (stage.opened = { kind: 'locus', at, svar }) },
-    { label: t(canvas.pinned.includes(svar) ? 'canvas.unpinIt' : 'canvas.pinIt'), run: () => togglePin(svar), isOff: !stage.scene.dots.has(svar) },
+    { label: t('canvas.information'), keys: 'Enter', run: () => (canvasState.opened = { kind: 'locus', at, svar }) },
+    { label: t(canvas.pinned.includes(svar) ? 'canvas.unpinIt' : 'canvas.pinIt'), run: () => togglePin(svar), isOff: !canvasState.scene.dots.has(svar) },
     { label: t('canvas.plotIt'), run: () => (canvas.plots = [...new Set([...canvas.plots, svar])]), isOff: canvas.plots.includes(svar) },
     { label: t(isDrawn ? 'canvas.hideLines' : 'canvas.showLines'), keys: 'Shift+Enter', run: () => toggleLines(svar) },
   ]
@@ -110,12 +110,12 @@ function locusItems(svar: string, at: Point): Item[] {
 function groundItems(at: Point): Item[] {
   return [
     ...(canvas.libraryTask ? [{ label: t('canvas.placeIt', { name: canvas.libraryTask }), run: () => placeAt(canvas.libraryTask, at, false) }] : []),
-    { label: t('canvas.addTask'), keys: '/', run: () => (stage.opened = { kind: 'quick', at }) },
+    { label: t('canvas.addTask'), keys: '/', run: () => (canvasState.opened = { kind: 'quick', at }) },
     { label: t('canvas.paste'), keys: 'Ctrl+V', run: () => paste(), isOff: !desk.tree.clipboard, note: desk.tree.clipboard || undefined },
     { label: t('canvas.group.insert'), run: () => openInsert(at) },
     { label: t('canvas.selectAll'), keys: 'Ctrl+A', run: selectAll },
-    { label: t('canvas.fit'), keys: '1', run: () => stage.fit(), begins: true },
-    { label: t(stage.isConstantsShown ? 'canvas.hideConstants' : 'canvas.showConstants'), run: toggleConstants },
+    { label: t('canvas.fit'), keys: '1', run: () => canvasState.fit(), begins: true },
+    { label: t(canvasState.isConstantsShown ? 'canvas.hideConstants' : 'canvas.showConstants'), run: toggleConstants },
     { label: t('canvas.check'), run: () => check(at), begins: true },
   ]
 }

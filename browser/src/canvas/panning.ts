@@ -1,26 +1,26 @@
 // The hand moves the paper: with one pointer, or with two that also scale it.
 import type { Gesture } from '../gesture/gesture'
-import { stage } from '../scene/stage.svelte'
+import { canvasState } from '../scene/canvasState.svelte'
 
 export class Pan implements Gesture {
   private last: { x: number; y: number }
 
   constructor(first: PointerEvent) {
     this.last = { x: first.clientX, y: first.clientY }
-    stage.isPanning = true
+    canvasState.isPanning = true
   }
 
   move({ clientX: x, clientY: y }: PointerEvent): void {
-    stage.view.pan(x - this.last.x, y - this.last.y)
+    canvasState.view.pan(x - this.last.x, y - this.last.y)
     this.last = { x, y }
   }
 
   up(): void {
-    stage.isPanning = false
+    canvasState.isPanning = false
   }
 
   cancel(): void {
-    stage.isPanning = false
+    canvasState.isPanning = false
   }
 }
 
@@ -37,8 +37,8 @@ export class Pinch implements Gesture {
     const before = this.shape()
     this.at.set(event.pointerId, { x: event.clientX, y: event.clientY })
     const now = this.shape()
-    stage.view.pan(now.x - before.x, now.y - before.y)
-    if (before.apart > 0) stage.view.zoom(now.apart / before.apart, now.x, now.y)
+    canvasState.view.pan(now.x - before.x, now.y - before.y)
+    if (before.apart > 0) canvasState.view.zoom(now.apart / before.apart, now.x, now.y)
   }
 
   up(): void {}

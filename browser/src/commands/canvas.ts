@@ -5,10 +5,10 @@ import { t, type TextKey } from '../texts/index.svelte'
 import {
   align, check, copy, cut, deselect, flip, openSheet, paste, pickedTasks, placeInMiddle, remove, selectAll, toggle, toggleConstants, toggleLines,
   turn, type Edge,
-} from '../scene/deeds'
+} from '../scene/acts'
 import { askForChange, askForName, openInsert, openSaving, pickedGroups, selectGroup, toggleGroup, turnGroup, ungroup } from '../group/grouping'
 import { focusedGroup, focusedLocus, focusedTask } from '../canvas/keys'
-import { stage } from '../scene/stage.svelte'
+import { canvasState } from '../scene/canvasState.svelte'
 
 type Given = Omit<Command, 'id' | 'title' | 'group'> & { group?: Command['group'] }
 
@@ -16,25 +16,25 @@ function add(id: string, title: TextKey, given: Given): void {
   command({ group: 'canvas', level: 'tasks', ...given, id: `canvas.${id}`, title: () => t(title) })
 }
 
-const isHere = (): boolean => stage.document !== undefined && stage.hasKeyboard
+const isHere = (): boolean => canvasState.document !== undefined && canvasState.hasKeyboard
 const isPicked = (): boolean => isHere() && pickedTasks().length > 0
 /** Text that is marked somewhere on the page is what Ctrl+C then means. */
 const isNoText = (): boolean => window.getSelection()?.isCollapsed ?? true
 const isFocused = (): boolean => (focusedTask() || focusedLocus() || focusedGroup()) !== ''
 const isGrouped = (): boolean => pickedGroups().length > 0
-const live = (): boolean => stage.isLive && pickedTasks().length > 0
+const live = (): boolean => canvasState.isLive && pickedTasks().length > 0
 
 /** Where a click would have been: on the thing that the keyboard is on, else in the middle. */
 function pointed(): { x: number; y: number } {
-  if (stage.pointer) return stage.pointer
-  const { left, top, size } = stage.view
+  if (canvasState.pointer) return canvasState.pointer
+  const { left, top, size } = canvasState.view
   return { x: left + size.w / 2 - 140, y: top + size.h / 3 }
 }
 
 function focusPoint(): { x: number; y: number } | undefined {
-  const rect = stage.rectOf(stage.focus)
+  const rect = canvasState.rectOf(canvasState.focus)
   if (!rect) return undefined
-  const [x, y] = stage.view.toClient(rect.x + rect.w, rect.y)
+  const [x, y] = canvasState.view.toClient(rect.x + rect.w, rect.y)
   return { x, y }
 }
 
@@ -43,7 +43,7 @@ function openFocused(): void {
   const at = focusPoint() ?? pointed()
   if (focusedGroup()) selectGroup(focusedGroup())
   else if (task) openSheet(task)
-  else if (svar) stage.opened = { kind: 'locus', at, svar }
+  else if (svar) canvasState.opened = { kind: 'locus', at, svar }
 }
 
 function toggleFocused(): void {
@@ -57,7 +57,7 @@ function turnGroups(isOn: boolean): void {
 }
 
 function registerCanvas(): void {
-  add('add', 'canvas.addTask', { keys: ['/'], when: isHere, run: () => (stage.opened = { kind: 'quick', at: pointed() }) })
+  add('add', 'canvas.addTask', { keys: ['/'], when: isHere, run: () => (canvasState.opened = { kind: 'quick', at: pointed() }) })
   add('placeAtCentre', 'canvas.placeSelected', { when: () => canvas.libraryTask !== '', run: () => placeInMiddle(canvas.libraryTask) })
   add('open', 'canvas.parameters', { keys: ['Enter'], when: () => isHere() && isFocused(), run: openFocused })
   add('toggle', 'canvas.toggle', { keys: ['Shift+Enter'], when: () => isHere() && isFocused(), run: toggleFocused })
@@ -79,16 +79,16 @@ function registerCanvas(): void {
   add('changeGroup', 'canvas.group.change', { group: 'edit', when: () => pickedGroups().length === 1, run: () => askForChange(pickedGroups()[0]!) })
   add('ungroup', 'canvas.group.expand', { group: 'edit', keys: ['Ctrl+Shift+G'], when: () => isHere() && isGrouped(), run: () => ungroup() })
   add('saveGroup', 'canvas.group.save', { group: 'file', when: () => pickedGroups().length === 1, run: () => openSaving(pickedGroups()[0]!) })
-  add('insert', 'canvas.group.insert', { group: 'file', when: () => stage.document !== undefined, run: () => openInsert() })
-  add('groupOn', 'canvas.group.turnOn', { group: 'run', when: () => stage.isLive && isGrouped(), run: () => turnGroups(true) })
-  add('groupOff', 'canvas.group.turnOff', { group: 'run', when: () => stage.isLive && isGrouped(), run: () => turnGroups(false) })
-  add('check', 'canvas.check', { when: () => stage.document !== undefined, run: () => check() })
-  add('fit', 'canvas.fitAll', { group: 'view', keys: ['1'], when: isHere, run: () => stage.fit() })
-  add('fitPicked', 'canvas.fitPicked', { group: 'view', keys: ['2'], when: isPicked, run: () => stage.fit(pickedTasks()) })
-  add('fullSize', 'canvas.fullSize', { group: 'view', keys: ['0'], when: isHere, run: () => stage.view.zoomTo(1) })
-  add('zoomIn', 'canvas.zoomIn', { group: 'view', keys: ['+', '='], when: isHere, run: () => stage.view.zoom(1.2) })
-  add('zoomOut', 'canvas.zoomOut', { group: 'view', keys: ['-'], when: isHere, run: () => stage.view.zoom(1 / 1.2) })
-  add('constants', 'canvas.toggleConstants', { group: 'view', when: () => stage.document !== undefined, run: toggleConstants })
+  add('insert', 'canvas.group.insert', { group: 'file', when: () => canvasState.document !== undefined, run: () => openInsert() })
+  add('groupOn', 'canvas.group.turnOn', { group: 'run', when: () => canvasState.isLive && isGrouped(), run: () => turnGroups(true) })
+  add('groupOff', 'canvas.group.turnOff', { group: 'run', when: () => canvasState.isLive && isGrouped(), run: () => turnGroups(false) })
+  add('check', 'canvas.check', { when: () => canvasState.document !== undefined, run: () => check() })
+  add('fit', 'canvas.fitAll', { group: 'view', keys: ['1'], when: isHere, run: () => canvasState.fit() })
+  add('fitPicked', 'canvas.fitPicked', { group: 'view', keys: ['2'], when: isPicked, run: () => canvasState.fit(pickedTasks()) })
+  add('fullSize', 'canvas.fullSize', { group: 'view', keys: ['0'], when: isHere, run: () => canvasState.view.zoomTo(1) })
+  add('zoomIn', 'canvas.zoomIn', { group: 'view', keys: ['+', '='], when: isHere, run: () => canvasState.view.zoom(1.2) })
+  add('zoomOut', 'canvas.zoomOut', { group: 'view', keys: ['-'], when: isHere, run: () => canvasState.view.zoom(1 / 1.2) })
+  add('constants', 'canvas.toggleConstants', { group: 'view', when: () => canvasState.document !== undefined, run: toggleConstants })
 }
 
 registerCanvas()

@@ -1,7 +1,7 @@
 // The commands of the dictionaries, for keys, palette and help sheet (table B.3).
 import { command, type Command } from '../state/commands'
 import { desk } from '../link/desk.svelte'
-import { edit, editPicture, expand, gapHere, insert, isAction, newTarget, openDictionary, takePresent, turnFitsOnly } from '../dictionary/deeds'
+import { edit, editPicture, expand, gapHere, insert, isAction, newTarget, openDictionary, takePresent, turnFitsOnly } from '../dictionary/acts'
 import { look, type Presentation } from '../state/look.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { t, type TextKey } from '../texts/index.svelte'

@@ -5,7 +5,7 @@ import { desk } from '../link/desk.svelte'
 import { openDialog } from '../state/dialogs.svelte'
 import { workspace } from '../state/workspace.svelte'
 import { options } from '../state/options.svelte'
-import { openRecording } from '../recording/deeds'
+import { openRecording } from '../recording/acts'
 import { isReviewing } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'
 

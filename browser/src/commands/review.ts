@@ -1,7 +1,7 @@
 // Commands of recordings: open one, scrub it, lay another beside it, go on from it.
 import { command } from '../state/commands'
 import { openDialog } from '../state/dialogs.svelte'
-import { closeRecording, compareWith, continueHere, toMark } from '../recording/deeds'
+import { closeRecording, compareWith, continueHere, toMark } from '../recording/acts'
 import { isFree } from '../review/keys'
 import { PACES, review } from '../recording/review.svelte'
 import { t } from '../texts/index.svelte'

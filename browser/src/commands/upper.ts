@@ -3,39 +3,39 @@ import { act } from '../act/act'
 import { command, type Command } from '../state/commands'
 import { workspace } from '../state/workspace.svelte'
 import { topsOf } from '../application/actions'
-import { board, SIZES } from '../workspace/board.svelte'
+import { workspaceState, SIZES } from '../workspace/workspaceState.svelte'
 import {
   addFlow, copy, cut, deselect, edit, editPicture, expand, insert, meant, meantHeads, paste, remove, removeFlow, selectAll, setParallel, turnBreakpoint,
   whyNotExpand,
-} from '../workspace/deeds'
+} from '../workspace/acts'
 import { t, type TextKey } from '../texts/index.svelte'
 
 function add(id: string, title: TextKey, rest: Omit<Command, 'id' | 'title' | 'group' | 'level'> & { group?: Command['group'] }): void {
   command({ group: 'application', level: 'applications', ...rest, id: `upper.${id}`, title: () => t(title) })
 }
 
-const isOpen = (): boolean => board.app !== undefined
-const isHere = (): boolean => board.hasKeyboard
-const isFree = (): boolean => isHere() && !board.isRunning
+const isOpen = (): boolean => workspaceState.app !== undefined
+const isHere = (): boolean => workspaceState.hasKeyboard
+const isFree = (): boolean => isHere() && !workspaceState.isRunning
 const isPicked = (): boolean => workspace.steps.size > 0
 /** What is picked, or the icon that the cursor stands behind. */
 const isMeant = (): boolean => isHere() && meant().length > 0
 const hasAction = (): boolean => isHere() && meantHeads().length > 0
 /** A letter alone means what is picked; with nothing picked it begins a search. */
-const isLetterFree = (): boolean => isPicked() || board.isRunning
+const isLetterFree = (): boolean => isPicked() || workspaceState.isRunning
 const isNoText = (): boolean => window.getSelection()?.isCollapsed ?? true
 const head = (): number => meantHeads()[0] ?? 0
 const one = (): number => meant()[0] ?? 0
 
 function nextSize(by: 1 | -1): void {
-  const at = SIZES.findIndex((size) => size === board.size) + by
-  board.resize(SIZES[Math.max(0, Math.min(SIZES.length - 1, at))]!)
+  const at = SIZES.findIndex((size) => size === workspaceState.size) + by
+  workspaceState.resize(SIZES[Math.max(0, Math.min(SIZES.length - 1, at))]!)
 }
 
 function registerUpper(): void {
-  add('add', 'upper.add', { keys: ['/', 'Enter'], when: isFree, run: () => (board.opened = { kind: 'quick', words: '' }) })
+  add('add', 'upper.add', { keys: ['/', 'Enter'], when: isFree, run: () => (workspaceState.opened = { kind: 'quick', words: '' }) })
   add('insertSelected', 'upper.insertSelected', { when: () => isOpen() && workspace.onikon !== '', run: () => insert(workspace.onikon) })
-  add('insertBranch', 'upper.insertBranch', { keys: ['B'], when: () => isFree() && isLetterFree(), run: () => (board.opened = { kind: 'branch', step: 0 }) })
+  add('insertBranch', 'upper.insertBranch', { keys: ['B'], when: () => isFree() && isLetterFree(), run: () => (workspaceState.opened = { kind: 'branch', step: 0 }) })
   add('edit', 'upper.edit', { keys: ['F2'], when: isMeant, run: () => edit(one()) })
   add('picture', 'upper.picture', { keys: ['Shift+F2'], when: isMeant, run: () => editPicture(one()) })
   add('expand', 'upper.expand', { keys: ['Shift+Enter'], when: () => isMeant() && !whyNotExpand(one()), run: () => expand(one()) })
@@ -48,17 +48,17 @@ function registerUpper(): void {
   add('selectAll', 'upper.selectAll', { group: 'edit', keys: ['Ctrl+A'], when: isHere, run: selectAll })
   add('deselect', 'upper.deselect', { group: 'edit', keys: ['Escape'], when: () => isHere() && (isPicked() || workspace.onikon !== ''), run: leave })
   add('break', 'upper.breakTurn', { keys: ['M'], when: () => hasAction() && isLetterFree(), run: () => turnBreakpoint() })
-  add('breakIf', 'upper.breakIf', { when: hasAction, run: () => (board.opened = { kind: 'condition', step: head() }) })
-  add('tag', 'upper.tag', { keys: ['S'], when: () => isFree() && hasAction() && isLetterFree(), run: () => (board.opened = { kind: 'tag', step: head() }) })
-  add('loop', 'upper.loop', { keys: ['W'], when: () => isFree() && hasAction() && isLetterFree(), run: () => (board.opened = { kind: 'loop', step: head(), other: 0 }) })
+  add('breakIf', 'upper.breakIf', { when: hasAction, run: () => (workspaceState.opened = { kind: 'condition', step: head() }) })
+  add('tag', 'upper.tag', { keys: ['S'], when: () => isFree() && hasAction() && isLetterFree(), run: () => (workspaceState.opened = { kind: 'tag', step: head() }) })
+  add('loop', 'upper.loop', { keys: ['W'], when: () => isFree() && hasAction() && isLetterFree(), run: () => (workspaceState.opened = { kind: 'loop', step: head(), other: 0 }) })
   add('menu', 'upper.openMenu', { keys: ['Shift+F10', 'ContextMenu'], when: isHere, run: openMenu })
-  add('skipTo', 'upper.skipHere', { group: 'run', when: () => board.isRunning && head() > 0, run: () => act({ t: 'SkipTo', step: head() }) })
+  add('skipTo', 'upper.skipHere', { group: 'run', when: () => workspaceState.isRunning && head() > 0, run: () => act({ t: 'SkipTo', step: head() }) })
   add('addFlow', 'upper.addFlow', { when: isOpen, run: () => addFlow() })
-  add('removeFlow', 'upper.removeThisFlow', { when: () => isOpen() && (topsOf(board.app!).length > 1 || workspace.place.flow.includes('/')), run: () => removeFlow(workspace.place.flow) })
-  add('turnKind', 'upper.turnKind', { when: () => isOpen() && topsOf(board.app!).length > 1, run: () => setParallel(!board.app?.is_parallel) })
+  add('removeFlow', 'upper.removeThisFlow', { when: () => isOpen() && (topsOf(workspaceState.app!).length > 1 || workspace.place.flow.includes('/')), run: () => removeFlow(workspace.place.flow) })
+  add('turnKind', 'upper.turnKind', { when: () => isOpen() && topsOf(workspaceState.app!).length > 1, run: () => setParallel(!workspaceState.app?.is_parallel) })
   add('larger', 'upper.larger', { group: 'view', keys: ['+', '='], when: isHere, run: () => nextSize(1) })
   add('smaller', 'upper.smaller', { group: 'view', keys: ['-'], when: isHere, run: () => nextSize(-1) })
-  add('letters', 'upper.turnLetters', { group: 'view', when: isOpen, run: () => board.turnLetters() })
+  add('letters', 'upper.turnLetters', { group: 'view', when: isOpen, run: () => workspaceState.turnLetters() })
   add('walk', 'upper.walk', { keys: ['←↑→↓', 'Home', 'End'], when: () => false, run: () => undefined }) // for the help sheet; see keys.ts
   add('pick', 'upper.pick', { keys: ['Space', 'Shift+←→'], when: () => false, run: () => undefined })
 }
@@ -70,9 +70,9 @@ function leave(): void {
 
 /** Where a click would have been: at the cursor. */
 function openMenu(): void {
-  const { caret } = board
-  const at = board.toWindow({ x: caret?.x ?? 60, y: (caret?.y ?? 60) + board.size })
-  board.opened = { kind: 'menu', at, over: board.step(workspace.place.after) ? { kind: 'step', step: workspace.place.after } : { kind: 'flow', flow: workspace.place.flow } }
+  const { caret } = workspaceState
+  const at = workspaceState.toWindow({ x: caret?.x ?? 60, y: (caret?.y ?? 60) + workspaceState.size })
+  workspaceState.opened = { kind: 'menu', at, over: workspaceState.step(workspace.place.after) ? { kind: 'step', step: workspace.place.after } : { kind: 'flow', flow: workspace.place.flow } }
 }
 
 registerUpper()

@@ -6,7 +6,7 @@ import { look } from '../state/look.svelte'
 import type { Point } from '../act/refused.svelte'
 import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
-import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, takePresent } from './deeds'
+import { edit, editPicture, expand, expandInPlace, insert, newTarget, remove, takePresent } from './acts'
 
 export function menuOf(name: string, at: Point): Item[] {
   const one = desk.tree.onikons[name]

@@ -1,12 +1,12 @@
 // The copy of the environment's tree that this page draws from. Only what the environment sends changes it.
 import type { Patch, Snapshot, Tree } from '../api.gen'
-import { Exchange, withParts } from './exchanged'
+import { Exchange, withParts } from './treeParts'
 
 /** A tree whose maps are all there. What is optional inside a document or a task stays optional. */
 export type FullTree = Required<Tree>
 
 /** How the tree is shown where something else than the present is looked at: a recorded run. */
-export type Lens = (live: FullTree) => FullTree
+export type TreeAt = (live: FullTree) => FullTree
 
 export function fullTree(tree: Tree): FullTree {
   const empty: FullTree = {
@@ -28,11 +28,11 @@ class Desk {
   /** The name of this browser. */
   you = $state('')
   version = $state('')
-  lens: Lens | undefined
+  treeAt: TreeAt | undefined
 
   /** What is shown: the present, or the instant of a recorded run that is looked at. */
   get tree(): FullTree {
-    return this.live.review && this.lens ? this.lens(this.live) : this.live
+    return this.live.review && this.treeAt ? this.treeAt(this.live) : this.live
   }
 
   set tree(tree: FullTree) {

@@ -10,10 +10,10 @@ import { send } from '../link/link'
 import { Past } from '../progress/past'
 import { Refusal } from '../link/refusal'
 import type { Marked } from '../values/marks'
-import { Asker } from './asker'
+import { LatestRequest } from './latestRequest'
 import { Courses, RecordedPast, type Course } from './courses'
 import { beginnings, blocksUntil, endOf, nextTo, stepsOf } from './lanes'
-import { lensOf } from './lens'
+import { treeAt } from './treeAt'
 
 export const PACES = [0.5, 1, 2, 4] as const
 const KEEP_MS = 300
@@ -35,7 +35,7 @@ class Review implements Source {
   }
   private courses: [Courses?, Courses?] = []
   private keeping: ReturnType<typeof setTimeout> | undefined
-  private readonly asker = new Asker<[InstantView, InstantView | undefined]>(
+  private readonly request = new LatestRequest<[InstantView, InstantView | undefined]>(
     (at_s) => this.ask(at_s),
     ([instant, beside]) => this.take(instant, beside),
     (why) => (this.trouble = why instanceof Refusal ? why.reason : String(why)),
@@ -84,7 +84,7 @@ class Review implements Source {
   go(at_s: number): void {
     if (!this.isOpen || !Number.isFinite(at_s)) return
     this.at_s = Math.min(this.end_s, Math.max(this.begin_s, at_s))
-    this.asker.want(this.at_s)
+    this.request.want(this.at_s)
     clearTimeout(this.keeping)
     this.keeping = setTimeout(() => this.isOpen && keep('review', { path: this.recording?.path ?? '', at_s: this.at_s }), KEEP_MS)
   }
@@ -153,7 +153,7 @@ class Review implements Source {
   /** Another recording is looked at, or none. */
   turnTo(path: string): void {
     this.isPlaying = false
-    this.asker.forget()
+    this.request.forget()
     this.instant = this.beside = undefined
     this.trouble = ''
     showFrom(path ? this : undefined)
@@ -207,7 +207,7 @@ class Review implements Source {
 }
 
 export const review = new Review()
-desk.lens = lensOf(() => ({ instant: review.instant, worlds: review.recording?.worlds ?? [], doc: review.recording?.doc ?? '', redirects: review.recording?.redirects ?? [] }))
+desk.treeAt = treeAt(() => ({ instant: review.instant, worlds: review.recording?.worlds ?? [], doc: review.recording?.doc ?? '', redirects: review.recording?.redirects ?? [] }))
 /** Asks what a world consists of: the one that is there, or as it was recorded. */
 export const sceneOf = (world: string, of_other = false): AnyAct =>
   review.isOpen ? { t: 'RecordedScene', world, at_s: review.shown_s, of_other } : { t: 'Scene', world }

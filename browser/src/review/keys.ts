@@ -1,5 +1,5 @@
 // The keys of the line of time: they are its own where the keyboard is with it, or with nothing else.
-import { toMark } from '../recording/deeds'
+import { toMark } from '../recording/acts'
 import { review } from '../recording/review.svelte'
 
 const SMALL = 1 / 1000 // of the whole, at least a tenth of a second

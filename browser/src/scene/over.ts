@@ -1,5 +1,5 @@
 // What the pointer is over on the canvas.
-import type { Over } from './stage.svelte'
+import type { Over } from './canvasState.svelte'
 
 /** What lies under a pointer, told by the element that it is over. */
 export function overOf(target: EventTarget | null): Over {

@@ -2,7 +2,7 @@
 import type { LocusView, PinView } from '../api.gen'
 import { desk } from '../link/desk.svelte'
 import { canvas } from '../state/canvas.svelte'
-import { stage } from './stage.svelte'
+import { canvasState } from './canvasState.svelte'
 
 export interface Variable {
   svar: string
@@ -16,7 +16,7 @@ export const keyOf = (svar: string): string => `${canvas.doc}/${svar}`
 
 /** The first of its pins that says something speaks for it, those that write it before those that read it. */
 export function variable(svar: string): Variable {
-  const locus = stage.document?.loci?.[svar]
+  const locus = canvasState.document?.loci?.[svar]
   const tasks = [...(locus?.writers ?? []), ...(locus?.readers ?? [])]
   const pins = tasks.flatMap((name) => desk.tree.tasks[name]?.pins.filter((pin) => pin.svar === svar) ?? [])
   const say = (what: 'shape' | 'unit' | 'meaning'): string => pins.find((pin: PinView) => pin[what])?.[what] ?? ''

@@ -5,7 +5,7 @@ import { compose, glue, type Part, plain } from './phrase'
 import { inWords, type RelationKey } from './relation'
 
 /** The words between descriptions, in one language. */
-export interface Tongue {
+export interface Connectives {
   code: string
   say(key: SayKey): string
 }
@@ -51,24 +51,24 @@ export function asText(tales: readonly Tale[]): string {
 }
 
 /** The top flows of an application, in order. */
-export function tell(app: ApplicationView, types: Readonly<Record<string, TypeView>>, tongue: Tongue): Tale[] {
+export function tell(app: ApplicationView, types: Readonly<Record<string, TypeView>>, connectives: Connectives): Tale[] {
   const tops = Object.keys(app.flows ?? {}).filter((path) => !path.includes('/')).sort((one, other) => Number(one) - Number(other))
   return tops.map((path) => {
-    const teller = new Teller(app, types, tongue, tops)
+    const teller = new Teller(app, types, connectives, tops)
     const sentences = teller.flow(path, 0)
-    if (!sentences.length) sentences.push(note(tongue.say('say.empty'), 0))
-    return { path, title: fillOne(tongue.say('say.flow'), path), note: when(app, path, tops, tongue), sentences }
+    if (!sentences.length) sentences.push(note(connectives.say('say.empty'), 0))
+    return { path, title: fillOne(connectives.say('say.flow'), path), note: when(app, path, tops, connectives), sentences }
   })
 }
 
 /** What each action is about, without its marks and times: "move the joints above the box"; a target's is its action's. */
-export function briefs(app: ApplicationView, types: Readonly<Record<string, TypeView>>, tongue: Tongue): Map<number, string> {
-  return new Teller(app, types, tongue, []).briefs()
+export function briefs(app: ApplicationView, types: Readonly<Record<string, TypeView>>, connectives: Connectives): Map<number, string> {
+  return new Teller(app, types, connectives, []).briefs()
 }
 
-function when(app: ApplicationView, path: string, tops: readonly string[], tongue: Tongue): string {
+function when(app: ApplicationView, path: string, tops: readonly string[], connectives: Connectives): string {
   if (app.is_parallel || tops.length < 2) return ''
-  return path === '0' ? tongue.say('say.byDefault') : fillOne(tongue.say('say.onlyNested'), path)
+  return path === '0' ? connectives.say('say.byDefault') : fillOne(connectives.say('say.onlyNested'), path)
 }
 
 const fillOne = (text: string, n: string): string => text.replaceAll('{n}', n)
@@ -98,10 +98,10 @@ class Teller {
   constructor(
     private readonly app: ApplicationView,
     private readonly types: Readonly<Record<string, TypeView>>,
-    private readonly tongue: Tongue,
+    private readonly connectives: Connectives,
     private readonly tops: readonly string[],
   ) {
-    this.numbers = new Intl.NumberFormat(tongue.code, { maximumFractionDigits: 3, useGrouping: false })
+    this.numbers = new Intl.NumberFormat(connectives.code, { maximumFractionDigits: 3, useGrouping: false })
   }
 
   flow(path: string, depth: number): Sentence[] {
@@ -142,7 +142,7 @@ class Teller {
   private group({ step, view, rest }: Group, path: string, depth: number): Sentence {
     const common = { step, steps: [step, ...rest], depth }
     if (view.kind === 'hole') return { ...common, kind: 'hole', number: 0, parts: this.ended([this.hole(view)]) }
-    if (!isAction(view)) return { ...common, kind: 'hole', number: 0, parts: this.ended(compose(this.tongue.say('say.stray'), { target: [this.name(view)] })) }
+    if (!isAction(view)) return { ...common, kind: 'hole', number: 0, parts: this.ended(compose(this.connectives.say('say.stray'), { target: [this.name(view)] })) }
     const has = rest.some((one) => this.app.steps?.[one]?.kind === 'hole')
     return { ...common, kind: has ? 'hole' : 'action', number: this.count, parts: this.ended(this.action(view, rest, path)) }
   }
@@ -150,10 +150,10 @@ class Teller {
   /** Prefix, what is done, suffix. */
   private action(view: StepView, rest: readonly number[], path: string): Part[] {
     let core = this.core(view, rest)
-    if (view.role === 'application' && view.name) core = compose(this.tongue.say('say.nested'), { what: core, name: glue(view.name) })
+    if (view.role === 'application' && view.name) core = compose(this.connectives.say('say.nested'), { what: core, name: glue(view.name) })
     if (view.synch_tag && this.app.is_parallel) core = this.together(core, view.synch_tag, path)
     if (!view.breaks) return core
-    const pause = view.break_if ? compose(this.tongue.say('say.pauseIf'), { condition: glue(this.condition(view.break_if)) }) : glue(this.tongue.say('say.pause'))
+    const pause = view.break_if ? compose(this.connectives.say('say.pauseIf'), { condition: glue(this.condition(view.break_if)) }) : glue(this.connectives.say('say.pause'))
     return [...core, { text: ', ' }, ...pause.map((part) => ({ ...part, kind: 'mark' as const }))]
   }
 
@@ -161,8 +161,8 @@ class Teller {
     const job = this.words(view)
     const targets = rest.flatMap((one) => this.app.steps?.[one] ?? []).map((one) => (one.kind === 'hole' ? [this.hole(one, true)] : isTimed ? this.target(one) : [this.name(one)]))
     if (!targets.length) return glue(job)
-    const joined = targets.flatMap((target, k) => (k ? [{ text: this.tongue.say('say.and') }, ...target] : target))
-    const isOpen = goesOn(this.tongue.code, job, joined[0]?.text ?? '') && !joined.some((part) => part.kind === 'fault')
+    const joined = targets.flatMap((target, k) => (k ? [{ text: this.connectives.say('say.and') }, ...target] : target))
+    const isOpen = goesOn(this.connectives.code, job, joined[0]?.text ?? '') && !joined.some((part) => part.kind === 'fault')
     return [{ text: isOpen ? `${job} ` : `${job}: ` }, ...joined]
   }
 
@@ -174,14 +174,14 @@ class Teller {
     const isTold = items.length === 1 && !!this.description(view) // it speaks of nothing else
     const name = this.name(view)
     if (at < 0 || isTold || !Number.isFinite(seconds)) return [name]
-    return compose(this.tongue.say(isLong(name.text) ? 'say.takesComma' : 'say.takes'), { target: [name], seconds: glue(this.number(seconds)) })
+    return compose(this.connectives.say(isLong(name.text) ? 'say.takesComma' : 'say.takes'), { target: [name], seconds: glue(this.number(seconds)) })
   }
 
   private together(core: Part[], tag: string, path: string): Part[] {
     const own = path.split('/')[0]
     const others = this.tops.filter((top) => top !== own && this.hasTag(top, tag))
-    const list = new Intl.ListFormat(this.tongue.code).format(others.map((top) => fillOne(this.tongue.say('say.flow'), top).toLowerCase()))
-    const template = this.tongue.say(others.length ? 'say.together' : 'say.alone')
+    const list = new Intl.ListFormat(this.connectives.code).format(others.map((top) => fillOne(this.connectives.say('say.flow'), top).toLowerCase()))
+    const template = this.connectives.say(others.length ? 'say.together' : 'say.alone')
     return compose(template, { others: glue(list), tag: [{ text: tag, kind: 'mark' }], what: core })
   }
 
@@ -193,9 +193,9 @@ class Teller {
 
   private hole(view: StepView, isInside = false): Part {
     const kinds = (view.wants ?? []).map((type) => type.replace(/\s+object$/i, ''))
-    if (!kinds.length) return { text: this.tongue.say('say.missingAction'), kind: 'fault' }
-    const list = new Intl.ListFormat(this.tongue.code, { type: 'disjunction' }).format(kinds)
-    const text = fillType(this.tongue.say(/^[aeio]/i.test(list) ? 'say.missingTargetAn' : 'say.missingTarget'), list)
+    if (!kinds.length) return { text: this.connectives.say('say.missingAction'), kind: 'fault' }
+    const list = new Intl.ListFormat(this.connectives.code, { type: 'disjunction' }).format(kinds)
+    const text = fillType(this.connectives.say(/^[aeio]/i.test(list) ? 'say.missingTargetAn' : 'say.missingTarget'), list)
     return { text: isInside ? text : capital(text), kind: 'fault' }
   }
 
@@ -204,33 +204,33 @@ class Teller {
     return (view.flows ?? []).flatMap((path, k) => {
       const parts = this.caseOf(conditions, k)
       const inner = this.flow(path, depth + 1)
-      if (!inner.length) inner.push(note(this.tongue.say('say.nothing'), depth + 1))
+      if (!inner.length) inner.push(note(this.connectives.say('say.nothing'), depth + 1))
       return [{ kind: 'case', step, steps: [step], number: 0, depth, parts } as const, ...inner]
     })
   }
 
   private caseOf(conditions: readonly string[], k: number): Part[] {
-    if (!conditions.length) return glue(fillOne(this.tongue.say('say.way'), String(k)))
+    if (!conditions.length) return glue(fillOne(this.connectives.say('say.way'), String(k)))
     const condition = conditions[k]
-    if (condition === undefined) return glue(this.tongue.say('say.else'))
-    return compose(this.tongue.say(k ? 'say.elseIf' : 'say.if'), { condition: glue(this.condition(condition)) })
+    if (condition === undefined) return glue(this.connectives.say('say.else'))
+    return compose(this.connectives.say(k ? 'say.elseIf' : 'say.if'), { condition: glue(this.condition(condition)) })
   }
 
   /** What is said behind a group about the loops that end, or are asked, there. */
   private looped(loops: readonly Loop[], at: number, groups: readonly Group[], numbers: readonly number[], depth: number): Sentence[] {
     const tag = groups[at]?.view.loop
     const broken = tag && !loops.some((loop) => loop.tag === tag)
-    if (broken) return [this.loopSentence(groups[at]!, compose(this.tongue.say('say.loopBroken'), { tag: [{ text: tag, kind: 'mark' }] }), depth)]
+    if (broken) return [this.loopSentence(groups[at]!, compose(this.connectives.say('say.loopBroken'), { tag: [{ text: tag, kind: 'mark' }] }), depth)]
     return loops.filter((loop) => (loop.test === loop.from ? loop.from : loop.to) === at).map((loop) => {
       const test = groups[loop.test]!
       const isTop = loop.test === loop.from
       const values = {
         from: glue(String(isTop ? numbers[at] : numbers[loop.from])),
         to: glue(String(isTop ? numbers[at]! + this.actionsBetween(groups, at, loop.to) : numbers[loop.to])),
-        condition: glue(test.view.loop_if ? this.condition(test.view.loop_if) : fillOne(this.tongue.say('say.saysSo'), String(numbers[loop.test]))),
+        condition: glue(test.view.loop_if ? this.condition(test.view.loop_if) : fillOne(this.connectives.say('say.saysSo'), String(numbers[loop.test]))),
         tag: [{ text: loop.tag, kind: 'mark' as const }],
       }
-      return this.loopSentence(test, compose(this.tongue.say(isTop ? 'say.loopTop' : 'say.loopBottom'), values), depth)
+      return this.loopSentence(test, compose(this.connectives.say(isTop ? 'say.loopTop' : 'say.loopBottom'), values), depth)
     })
   }
 
@@ -249,7 +249,7 @@ class Teller {
   }
 
   private condition(text: string): string {
-    return inWords(text, (key) => this.tongue.say(key), (value) => this.number(value))
+    return inWords(text, (key) => this.connectives.say(key), (value) => this.number(value))
   }
 
   private number(value: number): string {
@@ -261,11 +261,11 @@ class Teller {
   }
 
   private words(view: StepView): string {
-    return this.description(view) || view.name || this.tongue.say('say.nameless')
+    return this.description(view) || view.name || this.connectives.say('say.nameless')
   }
 
   private description(view: StepView): string {
-    return (view.words?.[this.tongue.code] ?? view.description ?? '').trim().replace(/\.$/, '')
+    return (view.words?.[this.connectives.code] ?? view.description ?? '').trim().replace(/\.$/, '')
   }
 
   /** With a capital and a full stop. */

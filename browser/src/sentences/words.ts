@@ -2,7 +2,7 @@
 import type { ApplicationView, FlowRunView, RunView } from '../api.gen'
 import { look } from '../state/look.svelte'
 import { t } from '../texts/index.svelte'
-import { saying } from './saying.svelte'
+import { actionTexts } from './actionTexts.svelte'
 
 export const flowName = (order: number): string => t('perform.flow', { n: order })
 
@@ -37,7 +37,7 @@ export function clockText(at_s: number): string {
 }
 
 /** What an action of the application that runs is about, by any of its steps. */
-export const actionOf = (step: number): string => saying.of(step)
+export const actionOf = (step: number): string => actionTexts.of(step)
 
 /** What a flow carries out, in short; what it waits for is told elsewhere. */
 export function doing(flow: FlowRunView, step = flow.step ?? 0): string {

@@ -7,7 +7,7 @@ import { Refusal } from '../link/refusal'
 import { hideRefusal, showRefusal } from '../act/refused.svelte'
 import { heard } from '../texts/heard'
 import { t } from '../texts/index.svelte'
-import { stopAsked } from './stopAsked.svelte'
+import { stopRequest } from './stopRequest.svelte'
 
 export function stopEverything(): void {
   if (desk.isLinked) {
@@ -16,29 +16,29 @@ export function stopEverything(): void {
     void ask()
     return
   }
-  stopAsked.isUnsent = true
+  stopRequest.isUnsent = true
   announce(t('stop.unheard'))
   showRefusal(new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
 }
 
 async function ask(): Promise<void> {
-  stopAsked.begin()
+  stopRequest.begin()
   try {
     const answer = await send({ t: 'Stop' })
-    stopAsked.answered()
+    stopRequest.answered()
     if (typeof answer === 'string') announce(answer) // there was nothing to stop
   } catch (why) {
-    stopAsked.failed()
+    stopRequest.failed()
     if (!(why instanceof Refusal)) throw why
-    if (!desk.isLinked) stopAsked.isUnsent = true // nobody knows whether it was heard: it is said again
+    if (!desk.isLinked) stopRequest.isUnsent = true // nobody knows whether it was heard: it is said again
     showRefusal(desk.isLinked ? why : new Refusal(t('stop.unheard')), { x: window.innerWidth, y: 40 })
     announce(heard(why.reason))
   }
 }
 
 hear('Snapshot', () => {
-  if (!stopAsked.isUnsent) return
-  stopAsked.isUnsent = false
+  if (!stopRequest.isUnsent) return
+  stopRequest.isUnsent = false
   hideRefusal()
   announce(t('stop.sent'))
   void ask()

@@ -1,7 +1,7 @@
 // A rectangle drawn on empty ground picks what it touches.
 import { pickSteps } from '../state/workspace.svelte'
 import type { Gesture } from '../gesture/gesture'
-import { board } from './board.svelte'
+import { workspaceState } from './workspaceState.svelte'
 import { edgeScroll } from './scrolling'
 
 export class Marquee implements Gesture {
@@ -9,26 +9,26 @@ export class Marquee implements Gesture {
 
   /** `before` stays picked: with Shift or Ctrl a rectangle adds. */
   constructor(first: PointerEvent, private readonly before: readonly number[]) {
-    this.start = board.toPaper({ x: first.clientX, y: first.clientY })
+    this.start = workspaceState.toPaper({ x: first.clientX, y: first.clientY })
   }
 
   move(event: PointerEvent): void {
-    const { x, y } = board.toPaper({ x: event.clientX, y: event.clientY })
+    const { x, y } = workspaceState.toPaper({ x: event.clientX, y: event.clientY })
     const area = { x: Math.min(x, this.start.x), y: Math.min(y, this.start.y), w: Math.abs(x - this.start.x), h: Math.abs(y - this.start.y) }
-    board.marquee = area
-    const touched = board.base.cells.filter(
-      (cell) => cell.step > 0 && cell.x < area.x + area.w && cell.x + cell.w > area.x && cell.y < area.y + area.h && cell.y + board.size > area.y,
+    workspaceState.marquee = area
+    const touched = workspaceState.base.cells.filter(
+      (cell) => cell.step > 0 && cell.x < area.x + area.w && cell.x + cell.w > area.x && cell.y < area.y + area.h && cell.y + workspaceState.size > area.y,
     )
     pickSteps(...this.before, ...touched.map((cell) => cell.step))
     edgeScroll(event)
   }
 
   up(): void {
-    board.marquee = undefined
+    workspaceState.marquee = undefined
   }
 
   cancel(): void {
-    board.marquee = undefined
+    workspaceState.marquee = undefined
     pickSteps(...this.before)
   }
 }

@@ -4,34 +4,34 @@ import { desk } from '../link/desk.svelte'
 import { openDialog } from '../state/dialogs.svelte'
 import { workspace } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
-import { homeOf } from '../application/wishes'
+import { homeOf } from '../application/redirectChoices'
 import type { Item } from '../widgets/Menu.svelte'
 import { t } from '../texts/index.svelte'
 import { headOf, topsOf } from '../application/actions'
-import { board, type Opened } from './board.svelte'
+import { workspaceState, type Opened } from './workspaceState.svelte'
 import {
   addFlow, copy, cut, edit, editPicture, expand, insert, meantHeads, paste, remove, removeFlow, setParallel, turnBreakpoint, whyNotExpand,
-} from './deeds'
+} from './acts'
 import { flowName, nameOf } from '../application/words'
 
 export function menuOf(opened: Opened): { label: string; at: Point; items: Item[] } | undefined {
   if (opened.kind !== 'menu') return undefined
   const { at, over } = opened
-  if (over.kind === 'step') return { label: nameOf(board.step(over.step)), at, items: stepItems(over.step, at) }
+  if (over.kind === 'step') return { label: nameOf(workspaceState.step(over.step)), at, items: stepItems(over.step, at) }
   return { label: t('upper.menu'), at, items: [...placeItems(at), ...flowItems(over.kind === 'flow' ? over.flow : '')] }
 }
 
 /** Nothing but breakpoints is changed while the application runs (D18). */
 function locked(item: Item): Item {
-  return board.isRunning ? { ...item, isOff: true, note: t('upper.locked') } : item
+  return workspaceState.isRunning ? { ...item, isOff: true, note: t('upper.locked') } : item
 }
 
 function stepItems(step: number, at: Point): Item[] {
-  const one = board.step(step)
+  const one = workspaceState.step(step)
   if (one?.kind === 'hole') return [...placeItems(at), ...holeItems(step)]
   const isBranch = one?.kind === 'branch'
   return [
-    ...(board.isRunning ? [{ label: t('upper.skipHere'), run: () => act({ t: 'SkipTo', step: headOf(board.actions, step) }, at) }] : []),
+    ...(workspaceState.isRunning ? [{ label: t('upper.skipHere'), run: () => act({ t: 'SkipTo', step: headOf(workspaceState.actions, step) }, at) }] : []),
     { label: t(isBranch ? 'upper.conditions' : one?.role === 'target' ? 'upper.values' : 'upper.words'), keys: 'F2', run: () => edit(step) },
     ...(isBranch ? [locked({ label: t('upper.addLane'), run: () => addFlow(step) })] : iconItems(step, at)),
     locked({ label: t('upper.cut'), keys: 'X', run: () => cut(), begins: true }),
@@ -42,13 +42,13 @@ function stepItems(step: number, at: Point): Item[] {
 }
 
 function holeItems(hole: number): Item[] {
-  const [type] = board.step(hole)?.wants ?? []
+  const [type] = workspaceState.step(hole)?.wants ?? []
   if (!type) return []
   return [locked({ label: t('upper.newTarget'), run: () => openDialog('target', { type }), begins: true })]
 }
 
 function iconItems(step: number, at: Point): Item[] {
-  const one = board.step(step)
+  const one = workspaceState.step(step)
   const why = whyNotExpand(step)
   const onikon = desk.tree.onikons[workspace.onikon]
   return [
@@ -63,15 +63,15 @@ function iconItems(step: number, at: Point): Item[] {
 function markItems(): Item[] {
   const heads = meantHeads()
   const [head] = heads
-  const one = head === undefined ? undefined : board.step(head)
+  const one = head === undefined ? undefined : workspaceState.step(head)
   const noAction = one?.role === 'target' ? t('upper.noAction') : undefined
   if (head === undefined || !one) return []
   const off = { isOff: noAction !== undefined, note: noAction }
   return [
     { label: t(one.breaks ? 'upper.unbreak' : 'upper.break'), keys: 'M', run: () => turnBreakpoint(), begins: true, ...off },
-    { label: t('upper.breakIf'), run: () => (board.opened = { kind: 'condition', step: head }), ...off },
-    locked({ label: t('upper.tag'), keys: 'S', run: () => (board.opened = { kind: 'tag', step: head }), ...off }),
-    locked({ label: t(one.loop ? 'upper.changeLoop' : 'upper.loop'), keys: 'W', run: () => (board.opened = { kind: 'loop', step: head, other: 0 }), ...off }),
+    { label: t('upper.breakIf'), run: () => (workspaceState.opened = { kind: 'condition', step: head }), ...off },
+    locked({ label: t('upper.tag'), keys: 'S', run: () => (workspaceState.opened = { kind: 'tag', step: head }), ...off }),
+    locked({ label: t(one.loop ? 'upper.changeLoop' : 'upper.loop'), keys: 'W', run: () => (workspaceState.opened = { kind: 'loop', step: head, other: 0 }), ...off }),
     ...(one.loop ? [locked({ label: t('upper.removeLoop'), run: () => act({ t: 'RemoveLoop', doc: workspace.app, step: head }) })] : []),
   ]
 }
@@ -80,15 +80,15 @@ function placeItems(at: Point): Item[] {
   const buffer = desk.tree.icon_clipboard
   const { onikon } = workspace
   return [
-    locked({ label: t('upper.add'), keys: '/', run: () => (board.opened = { kind: 'quick', words: '' }), begins: true }),
+    locked({ label: t('upper.add'), keys: '/', run: () => (workspaceState.opened = { kind: 'quick', words: '' }), begins: true }),
     ...(onikon ? [locked({ label: t('upper.insertIt', { name: onikon }), run: () => insert(onikon, workspace.place, at) })] : []),
     locked({ label: t('upper.paste'), keys: 'V', run: () => paste(), isOff: !buffer, note: buffer || t('upper.nothingCopied') }),
-    locked({ label: t('upper.insertBranch'), keys: 'B', run: () => (board.opened = { kind: 'branch', step: 0 }) }),
+    locked({ label: t('upper.insertBranch'), keys: 'B', run: () => (workspaceState.opened = { kind: 'branch', step: 0 }) }),
   ]
 }
 
 function flowItems(path: string): Item[] {
-  const { app } = board
+  const { app } = workspaceState
   if (!app) return []
   const tops = topsOf(app)
   const flow = path || workspace.place.flow
@@ -98,6 +98,6 @@ function flowItems(path: string): Item[] {
     locked({ label: t('upper.removeFlow', { name: flowName(flow) }), run: () => removeFlow(flow), isOff: isAlone, note: isAlone ? t('upper.lastFlow') : undefined }),
     ...(tops.length > 1 ? [locked({ label: t(app.is_parallel ? 'upper.makeConditional' : 'upper.makeParallel'), run: () => setParallel(!app.is_parallel) })] : []),
     locked({ label: t('redirect.menu'), keys: 'Alt+I', run: () => openDialog('redirect', { flow: homeOf(flow) }) }),
-    { label: t(board.isLettered ? 'upper.hideLetters' : 'upper.showLetters'), run: () => board.turnLetters(), begins: true },
+    { label: t(workspaceState.isLettered ? 'upper.hideLetters' : 'upper.showLetters'), run: () => workspaceState.turnLetters(), begins: true },
   ]
 }

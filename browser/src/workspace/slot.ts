@@ -5,25 +5,25 @@ import { typeTitle } from '../onikon/typewords'
 import type { Place } from '../state/workspace.svelte'
 import type { Point } from '../act/refused.svelte'
 import { t } from '../texts/index.svelte'
-import { board, type Slot } from './board.svelte'
+import { workspaceState, type Slot } from './workspaceState.svelte'
 import { gapAt } from '../application/gaps'
 import { nameOf } from '../application/words'
 
 /** The slot under a place of the window, for something with these edges. */
 export function slotAt(at: Point, left: string, right: string): Slot | undefined {
-  const { x, y } = board.toPaper(at)
-  const gap = gapAt(board.base.gaps, x, y, board.size)
+  const { x, y } = workspaceState.toPaper(at)
+  const gap = gapAt(workspaceState.base.gaps, x, y, workspaceState.size)
   if (!gap) return undefined
-  const edges = edgesAt(board.app, gap)
+  const edges = edgesAt(workspaceState.app, gap)
   const isFilled = gap.hole !== 0 && (edges?.right === right || gap.hole < 0)
   return { flow: gap.flow, after: gap.after, hole: isFilled ? gap.hole : 0, why: edges?.left === left ? '' : misfit(gap) }
 }
 
 /** Why something with another left edge may not stand behind a step. */
 export function misfit({ flow, after }: Place): string {
-  const edge = edgesAt(board.app, { flow, after })?.left ?? ''
+  const edge = edgesAt(workspaceState.app, { flow, after })?.left ?? ''
   const kinds = Object.entries(desk.tree.types).filter(([, type]) => type.left === edge && type.role === 'target').map(([name, type]) => typeTitle(name, type.role))
   const what = kinds.length ? kinds.join(t('upper.or')) : t('upper.anAction')
-  const before = board.step(after)
+  const before = workspaceState.step(after)
   return before ? t('upper.fitsNot', { name: nameOf(before), what }) : t('upper.fitsNotAtStart', { what })
 }

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest'
 import type { ApplicationView, FlowRunView, RunView, StepView } from '../../src/api.gen'
 import { isAction, nextBreakpoint, placeOf, stepsOfAction } from '../../src/progress/ahead'
 import { canPause, flowsOf, stateOf } from '../../src/run/orders'
-import { newly } from '../../src/progress/spoken'
+import { newFlowStates } from '../../src/progress/newFlowStates'
 import { clockText } from '../../src/sentences/words'
 
 const STEPS: Record<string, StepView> = {
@@ -83,10 +83,10 @@ describe('what is said aloud', () => {
   const at = (state: string, more: Partial<RunView> = {}): RunView => ({ doc: 'a1', name: 'r', number: 1, flows: { flow0: { order: 0, state } }, ...more })
 
   it('is that a flow has come to rest, once', () => {
-    expect(newly(at('running'), at('paused')).map((flow) => flow.order)).toEqual([0])
-    expect(newly(at('paused'), at('paused'))).toEqual([])
-    expect(newly(at('paused'), at('running'))).toEqual([])
-    expect(newly(at('paused'), at('paused', { number: 2 }))).toHaveLength(1)
-    expect(newly(undefined, at('waiting'))).toHaveLength(1)
+    expect(newFlowStates(at('running'), at('paused')).map((flow) => flow.order)).toEqual([0])
+    expect(newFlowStates(at('paused'), at('paused'))).toEqual([])
+    expect(newFlowStates(at('paused'), at('running'))).toEqual([])
+    expect(newFlowStates(at('paused'), at('paused', { number: 2 }))).toHaveLength(1)
+    expect(newFlowStates(undefined, at('waiting'))).toHaveLength(1)
   })
 })

@@ -12,13 +12,13 @@ vi.mock('../../src/link/link', () => ({ send: (act: AnyAct) => (act.t === 'Note'
 const { desk, fullTree } = await import('../../src/link/desk.svelte')
 const { canvas, pick } = await import('../../src/state/canvas.svelte')
 const { dialogs } = await import('../../src/state/dialogs.svelte')
-const { nudge } = await import('../../src/scene/deeds')
+const { nudge } = await import('../../src/scene/acts')
 const { askForName, insert, openInsert, ungroup } = await import('../../src/group/grouping')
 const { earlier, frameOf, freeName, groupOf, groupsIn, isAllOn, ownLoci, summary, whole } = await import('../../src/scene/groups')
-const { Hand } = await import('../../src/canvas/hand')
+const { PointerGestures } = await import('../../src/canvas/pointer')
 const { menuOf } = await import('../../src/canvas/menu')
 const { KINDS } = await import('../../src/scene/scene.svelte')
-const { stage } = await import('../../src/scene/stage.svelte')
+const { canvasState } = await import('../../src/scene/canvasState.svelte')
 
 type State = NonNullable<PlacedView['state']>
 const inStates = (...states: State[]): DocumentView => ({
@@ -94,7 +94,7 @@ const PD = new Thing({ task: 'pd' })
 const TAB = new Thing({ group: 'balance' })
 const GROUND = new Thing({})
 
-const hand = new Hand()
+const hand = new PointerGestures()
 const event = (target: Thing, more: Partial<PointerEvent> = {}): PointerEvent =>
   ({ target, clientX: 120, clientY: 120, button: 0, pointerId: 1, pointerType: 'mouse', preventDefault: () => undefined, ...more }) as unknown as PointerEvent
 
@@ -107,10 +107,10 @@ function drag(target: Thing, dx: number, dy: number, more: Partial<PointerEvent>
   hand.move(event(target, { ...more, clientX: 120 + dx, clientY: 120 + dy }))
   hand.up(event(target, { ...more, clientX: 120 + dx, clientY: 120 + dy }))
 }
-const labels = (): string[] => menuOf(stage.opened)?.items.map(({ label }) => label) ?? []
+const labels = (): string[] => menuOf(canvasState.opened)?.items.map(({ label }) => label) ?? []
 function choose(label: string): void {
-  const item = menuOf(stage.opened)!.items.find((one) => one.label === label)!
-  stage.close()
+  const item = menuOf(canvasState.opened)!.items.find((one) => one.label === label)!
+  canvasState.close()
   item.run()
 }
 
@@ -132,10 +132,10 @@ beforeEach(() => {
   canvas.libraryTask = ''
   dialogs.current = { name: '', data: {} }
   pick()
-  stage.show('d1')
-  Object.assign(stage.view, { left: 0, top: 0, seen: { x: 0, y: 0, scale: 1 }, size: { w: 900, h: 700 } })
-  stage.scene.follow(desk.tree.documents.d1!, desk.tree.tasks, { kinds: new Set(KINDS), constants: true, opened: new Set() })
-  stage.pointer = undefined
+  canvasState.show('d1')
+  Object.assign(canvasState.view, { left: 0, top: 0, seen: { x: 0, y: 0, scale: 1 }, size: { w: 900, h: 700 } })
+  canvasState.scene.follow(desk.tree.documents.d1!, desk.tree.tasks, { kinds: new Set(KINDS), constants: true, opened: new Set() })
+  canvasState.pointer = undefined
   sent.length = 0
 })
 
@@ -150,7 +150,7 @@ describe('the hand on a supermodule', () => { // R-C17
   test('a click on the tab selects all members, and puts the keyboard there', () => {
     pick('puma')
     click(TAB)
-    expect([[...canvas.picked], stage.focus, sent]).toEqual([['sum', 'pd'], 'group:balance', []])
+    expect([[...canvas.picked], canvasState.focus, sent]).toEqual([['sum', 'pd'], 'group:balance', []])
   })
 
   test('Ctrl adds the whole of it, and takes the whole away', () => {
@@ -164,9 +164,9 @@ describe('the hand on a supermodule', () => { // R-C17
   test('dragging a member or the tab moves all, and the dots that are theirs alone', () => {
     const moved = { t: 'Move', doc: 'd1', tasks: { sum: [450, 350], pd: [150, 150] }, loci: { TAU: [350, 250] } }
     drag(PD, 50, 50)
-    stage.scene.hold('pd', 100, 100)
-    stage.scene.hold('sum', 400, 300)
-    stage.scene.holdDot('TAU', 300, 200)
+    canvasState.scene.hold('pd', 100, 100)
+    canvasState.scene.hold('sum', 400, 300)
+    canvasState.scene.holdDot('TAU', 300, 200)
     drag(TAB, 50, 50)
     expect(sent).toEqual([moved, moved])
   })
@@ -180,7 +180,7 @@ describe('the hand on a supermodule', () => { // R-C17
     hand.down(event(TAB))
     hand.move(event(TAB, { clientX: 200 }))
     hand.cancel()
-    expect([stage.scene.boxes.get('sum')!.x, stage.scene.dots.get('TAU')!.x, sent]).toEqual([400, 300, []])
+    expect([canvasState.scene.boxes.get('sum')!.x, canvasState.scene.dots.get('TAU')!.x, sent]).toEqual([400, 300, []])
   })
 
   test('Shift and a click on the tab turn all ON, and OFF where all are ON', () => {
@@ -245,7 +245,7 @@ test('without a pointer a supermodule is inserted in the middle of what is seen'
 test('the name is asked beside the boxes, with one that is free', () => { // R-C17
   desk.tree.documents.d1!.groups!.super1 = { tasks: [] }
   askForName(['puma', 'pd'])
-  expect(stage.opened).toEqual({ kind: 'group', at: { x: 100, y: 100 }, tasks: ['puma', 'pd'], name: 'super2' })
+  expect(canvasState.opened).toEqual({ kind: 'group', at: { x: 100, y: 100 }, tasks: ['puma', 'pd'], name: 'super2' })
 })
 
 test('all that are selected are expanded', async () => { // R-C17

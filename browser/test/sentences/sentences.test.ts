@@ -3,10 +3,10 @@ import { describe, expect, it } from 'vitest'
 import type { ApplicationView, StepView, TypeView } from '../../src/api.gen'
 import { en } from '../../src/texts/en'
 import { es } from '../../src/texts/es'
-import { asText, briefs, tell, textOf, type Tongue } from '../../src/sentences/sentences'
+import { asText, briefs, tell, textOf, type Connectives } from '../../src/sentences/sentences'
 
-const english: Tongue = { code: 'en', say: (key) => en[key] }
-const spanish: Tongue = { code: 'es', say: (key) => es[key] }
+const english: Connectives = { code: 'en', say: (key) => en[key] }
+const spanish: Connectives = { code: 'es', say: (key) => es[key] }
 const item = (name: string, count: number) => ({ name, type: 'double', count })
 const TYPES: Record<string, TypeView> = {
   'Joint object': { order: 1, role: 'target', left: 'j', right: 'n', items: [item('endpoint', 6), item('duration', 1)] },
@@ -29,8 +29,8 @@ function app(flows: Record<string, Record<number, StepView>>, more: Partial<Appl
   }
 }
 
-const lines = (one: ApplicationView, tongue = english): string[] => tell(one, TYPES, tongue).flatMap((tale) => tale.sentences.map(textOf))
-const said = (steps: Record<number, StepView>, tongue = english): string[] => lines(app({ 0: steps }), tongue)
+const lines = (one: ApplicationView, connectives = english): string[] => tell(one, TYPES, connectives).flatMap((tale) => tale.sentences.map(textOf))
+const said = (steps: Record<number, StepView>, connectives = english): string[] => lines(app({ 0: steps }), connectives)
 
 describe('an action', () => {
   it('is its description, with a capital and a full stop', () => expect(said({ 1: job('open the hand') })).toEqual(['Open the hand.']))

@@ -9,7 +9,7 @@ import { read, written } from '../../src/shell/address'
 import { inOrder, settle, show, step } from '../../src/act/documents.svelte'
 import { find, type Entry } from '../../src/shell/palette'
 import { grouped, typed } from '../../src/shell/preferences'
-import { wear } from '../../src/shell/theme'
+import { applyTheme } from '../../src/shell/applyTheme'
 
 describe('the address of the page', () => {
   test.each([
@@ -123,8 +123,8 @@ describe('R-X01: a remedy leads to what it names', () => {
 test('the look of 1994 is light with other wires', () => {
   const worn = new Set(['dark'])
   const root = { classList: { remove: (...names: string[]) => names.forEach((name) => worn.delete(name)), add: (...names: string[]) => names.forEach((name) => worn.add(name)) } }
-  wear('1994', root as unknown as Element)
+  applyTheme('1994', root as unknown as Element)
   expect([...worn]).toEqual(['light', 'y1994'])
-  wear('auto', root as unknown as Element)
+  applyTheme('auto', root as unknown as Element)
   expect([...worn]).toEqual([])
 })

@@ -10,8 +10,8 @@ from onika.cli.orderly_exit import in_order
 from onika.cli.plain_console import PlainConsole
 from onika.cli.terminal import Terminal
 from onika.desk.console.console import Console
-from onika.desk.console.display import Face, Tone
-from onika.desk.console.session import Runtime, Session
+from onika.desk.console.display import ConsoleDisplay, Tone
+from onika.desk.console.session import ConsoleSession, Runtime
 from onika.store.site import Site
 
 
@@ -19,7 +19,7 @@ class _RemoteRuntime:
     """A face that is chosen once the console, which completes what is typed, is there."""
 
     def __init__(self) -> None:
-        self.face: Face | None = None
+        self.face: ConsoleDisplay | None = None
 
     def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:
         """Pass it on."""
@@ -32,7 +32,7 @@ def sit_down(
 ) -> int:
     """Hold the conversation, or carry out the script alone, or only serve; the exit code."""
     wire = _RemoteRuntime()
-    session = Session(runtime, site, wire, time.monotonic, addresses=addresses)
+    session = ConsoleSession(runtime, site, wire, time.monotonic, addresses=addresses)
     console = Console(session)
     with in_order(), _desk(console) if has_console else PlainConsole() as desk:
         wire.face = desk
@@ -47,7 +47,7 @@ def sit_down(
         return serve(console) if script is None else run_batch(console, desk, script)
 
 
-def _welcome(session: Session, desk: LineDesk) -> None:
+def _welcome(session: ConsoleSession, desk: LineDesk) -> None:
     standing = session.standing()
     units = ", ".join(rtpu.name for rtpu in standing.rtpus)
     time_kind = "virtual" if standing.is_virtual else "wall"

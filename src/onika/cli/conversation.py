@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import Protocol
 
 from onika.desk.console.console import Console
-from onika.desk.console.display import Face, Tone
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.display import ConsoleDisplay, Tone
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run.interruption import Interruption
 from onika.words.fault import Place
 
@@ -15,7 +15,7 @@ _LOOK_S = 0.05
 _SERVED_S = 0.5
 
 
-class LineDesk(Face, Protocol):
+class LineDesk(ConsoleDisplay, Protocol):
     """Where lines come from and go to."""
 
     is_person: bool
@@ -48,7 +48,7 @@ def converse(console: Console, desk: LineDesk, script: Path | None) -> int:
             return code
 
 
-def run_batch(console: Console, desk: Face, script: Path) -> int:
+def run_batch(console: Console, desk: ConsoleDisplay, script: Path) -> int:
     """Carry out a script and nothing else; the exit code."""
     faults = _guarded(console.session, lambda: console.run_script(script) or console.finish())
     _show(desk, faults, typed=False)
@@ -99,7 +99,7 @@ def _carry_out(console: Console, line: str, place: Place | None) -> Faults:
     return _guarded(console.session, lambda: console.carry_out(line, place))
 
 
-def _guarded(session: Session, act: Callable[[], Faults]) -> Faults:
+def _guarded(session: ConsoleSession, act: Callable[[], Faults]) -> Faults:
     """Do it; Ctrl-C meanwhile stops everything, the second one is a KeyboardInterrupt."""
     with Interruption() as interruption:
         session.is_interrupted = interruption.is_new
@@ -107,7 +107,7 @@ def _guarded(session: Session, act: Callable[[], Faults]) -> Faults:
         return (*faults, *session.interrupt()) if interruption.is_new() else faults
 
 
-def _interrupted(session: Session, desk: LineDesk) -> None:
+def _interrupted(session: ConsoleSession, desk: LineDesk) -> None:
     """Ctrl-C at the prompt: stop where something may move, else only forget what was typed."""
     desk.drop()
     moves = session.running or any(
@@ -119,14 +119,14 @@ def _interrupted(session: Session, desk: LineDesk) -> None:
         desk.say("nothing moves; `quit` or Ctrl-D ends this console", Tone.DIM)
 
 
-def _prompt(session: Session) -> str:
+def _prompt(session: ConsoleSession) -> str:
     if session.questions:
         subsystem, name = next(iter(session.questions))
         return f"{name if subsystem == session.subsystem else f'{subsystem}/{name}'}? "
     return f"{session.subsystem}{' (stopped)' if session.is_stopped else ''}> "
 
 
-def _show(desk: Face, faults: Faults, typed: bool) -> None:
+def _show(desk: ConsoleDisplay, faults: Faults, typed: bool) -> None:
     for fault in faults:
         whole = str(fault)
         desk.say(whole.partition(": ")[2] if typed and fault.place == Place("line") else whole, Tone.FAULT)

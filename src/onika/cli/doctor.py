@@ -5,7 +5,7 @@ import argparse
 from rich.console import Console
 from rich.text import Text
 
-from onika.desk.run.machine import offers
+from onika.desk.run.machine import features
 
 
 def describe(parser: argparse.ArgumentParser) -> None:
@@ -17,7 +17,7 @@ def carry_out(given: argparse.Namespace) -> int:
     """Look and say; 0 if everything is there, 1 if something is missing."""
     del given
     console, missing = Console(highlight=False), 0
-    for offer in offers():
+    for offer in features():
         missing += not offer.is_there
         mark = Text("ok  ", style="green") if offer.is_there else Text("no  ", style="red")
         console.print(mark, Text(f"{offer.name:<12}"), Text(offer.actual), sep="")

@@ -11,7 +11,7 @@ from onika.cli.event_text import item_text, lines, summary
 from onika.cli.keyboard import Keyboard
 from onika.cli.panel import Panel
 from onika.cli.typed import typed_line
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run import positions as places
 from onika.desk.run.outcome import Outcome
@@ -66,14 +66,14 @@ class LiveDisplay:
         del runtime_pid
         if prepared.plan is not None:
             self._total = max((len(flow.actions) for flow in prepared.plan.flows), default=0)
-            self._panel.begins(prepared.name, Cast.of(prepared.plan))
+            self._panel.begins(prepared.name, FlowIndex.of(prepared.plan))
             self._panel.has_keys = self.can_steer
 
     def happens(self, happening: event.Event) -> None:
         """Remember it for the panel; say it above where it is worth a line."""
         self._panel.happens(happening)
         self._has_moved = self._has_moved or isinstance(happening, event.Began | event.Moved)
-        for line in lines(happening, self._total, self._panel.cast.subsystems, self._console.width):
+        for line in lines(happening, self._total, self._panel.flow_index.subsystems, self._console.width):
             self._console.print(Text(line, style=_STYLES.get(type(happening), "")))
 
     def answer(self, question: event.Asked) -> str | None:
@@ -106,7 +106,7 @@ class LiveDisplay:
         """What came of a line: where the flows are, or why it was not carried out."""
         self._has_moved = True
         self._console.print(Text(f"> {line}", style="bright_black"))
-        for text in places.lines(positions, self._panel.cast) if positions else ():
+        for text in places.lines(positions, self._panel.flow_index) if positions else ():
             self._console.print(Text(text))
         for fault in faults:
             text = str(fault)

@@ -10,8 +10,8 @@ from rich.table import Table
 from rich.text import Text
 
 from onika.cli.key_bindings import KEYS, KeyBindings
-from onika.desk.plan.flow_index import Cast
-from onika.desk.run.flow_tracker import Spot, Whereabouts
+from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.run.flow_tracker import FlowStatus, FlowTracker
 from onika.desk.run.positions import waits
 from onika.wire import event
 from onika.wire.steer import Position
@@ -48,18 +48,18 @@ class Panel:
     """What is shown; it is told what happens and drawn whenever somebody looks."""
 
     name: str = ""
-    cast: Cast = field(default_factory=lambda: Cast(()))
-    where: Whereabouts = field(default_factory=lambda: Whereabouts(Cast(())))
+    flow_index: FlowIndex = field(default_factory=lambda: FlowIndex(()))
+    where: FlowTracker = field(default_factory=lambda: FlowTracker(FlowIndex(())))
     bindings: KeyBindings = field(default_factory=KeyBindings)
     has_keys: bool = False
     since: float = field(default_factory=monotonic)
     _positions: dict[str, Position] = field(default_factory=dict)
     _states: dict[tuple[str, str], str] = field(default_factory=dict)
 
-    def begins(self, name: str, cast: Cast) -> None:
+    def begins(self, name: str, flow_index: FlowIndex) -> None:
         """A run of these flows begins."""
-        self.name, self.cast, self.where = name, cast, Whereabouts(cast)
-        self.bindings = KeyBindings(cast.subsystems)
+        self.name, self.flow_index, self.where = name, flow_index, FlowTracker(flow_index)
+        self.bindings = KeyBindings(flow_index.subsystems)
         self.since = monotonic()
 
     def happens(self, happening: event.Event) -> None:
@@ -75,7 +75,7 @@ class Panel:
 
     def draw(self) -> RenderableType:
         """As it is now."""
-        if not self.cast.parts:
+        if not self.flow_index.parts:
             return Text("preparing …", style="bright_black")
         rows: list[RenderableType] = [Text(), self._head(), self._flows(), self._tasks()]
         if self.bindings.typed is not None:
@@ -89,13 +89,13 @@ class Panel:
 
     def _flows(self) -> Table:
         grid = Table.grid(padding=(0, 2))
-        several = len(self.cast.parts) > 1
-        for number, subsystem in enumerate(self.cast.subsystems):
+        several = len(self.flow_index.parts) > 1
+        for number, subsystem in enumerate(self.flow_index.subsystems):
             grid.add_row(*self._flow(number, subsystem, several))
         return grid
 
     def _flow(self, number: int, subsystem: str, several: bool) -> tuple[RenderableType, ...]:
-        spot, count = self.where.spots[subsystem], max(self.cast.count(subsystem), 1)
+        spot, count = self.where.statuses[subsystem], max(self.flow_index.count(subsystem), 1)
         mark, style = FLOWS.get(spot.state, ("·", ""))
         is_chosen = self.bindings.chosen == number
         label = f"{'›' if is_chosen else ' '}{number} {subsystem}" if several else " "
@@ -106,7 +106,7 @@ class Panel:
             Text(f"{max(spot.action + 1, 0):>3}/{count}", no_wrap=True),
             Text(f"{mark} {_state(spot, position)}", style=style, no_wrap=True),
             Text(
-                _doing(self.cast, subsystem, spot, position),
+                _doing(self.flow_index, subsystem, spot, position),
                 style="bold cyan" if spot.state == "running" else "",
                 no_wrap=True,
                 overflow="ellipsis",
@@ -134,18 +134,18 @@ class Panel:
             return Text(short, style="bright_black")
         words = [f"{key} {text}" for key, (_, text) in KEYS.items()]
         words += ["b N break after action N", ": any line, as in `skip 3`"]
-        words += ["0-9 choose a flow, again: all"] * (len(self.cast.parts) > 1)
+        words += ["0-9 choose a flow, again: all"] * (len(self.flow_index.parts) > 1)
         return Text("   ".join([*words, "? less"]), style="bright_black")
 
 
-def _state(spot: Spot, position: Position | None) -> str:
+def _state(spot: FlowStatus, position: Position | None) -> str:
     is_pausing = position is not None and position.is_pausing and spot.state == "running"
     return "will pause" if is_pausing else spot.state
 
 
-def _doing(cast: Cast, subsystem: str, spot: Spot, position: Position | None) -> str:
+def _doing(flow_index: FlowIndex, subsystem: str, spot: FlowStatus, position: Position | None) -> str:
     """What it does, or whom it waits for, and the loops it is in."""
     loops = "" if position is None or not position.loops else f"  ↺ {' ↺ '.join(position.loops)}"
     if spot.state in ("waiting", "joining"):
         return waits(spot.tag, spot.waits_for) + loops
-    return (cast.name(subsystem, spot.action) if spot.state not in ("killing", "ended") else "") + loops
+    return (flow_index.name(subsystem, spot.action) if spot.state not in ("killing", "ended") else "") + loops

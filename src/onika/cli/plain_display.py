@@ -4,7 +4,7 @@ from types import TracebackType
 
 from onika.cli.event_text import item_text, lines, summary
 from onika.cli.typed import typed_line
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run import positions as places
 from onika.desk.run.outcome import Outcome
@@ -18,7 +18,7 @@ class PlainDisplay:
 
     def __init__(self) -> None:
         self._total = 0
-        self._cast = Cast(())
+        self._cast = FlowIndex(())
 
     def __enter__(self) -> "PlainDisplay":
         return self
@@ -32,7 +32,7 @@ class PlainDisplay:
         """The name and how much there is to do."""
         del runtime_pid
         if prepared.plan is not None:
-            self._cast = Cast.of(prepared.plan)
+            self._cast = FlowIndex.of(prepared.plan)
             self._total = max(len(flow.actions) for flow in prepared.plan.flows)
             self._write(f"{prepared.name}: {sum(len(flow.actions) for flow in prepared.plan.flows)} actions")
 

@@ -16,7 +16,7 @@ from onika.cli.search_path import directory, site_here
 from onika.cli.time_scale import scale
 from onika.desk.run import world_picture
 from onika.desk.run.outcome import Outcome
-from onika.desk.run.recorded_run import Source
+from onika.desk.run.recorded_run import RecordingSource
 from onika.desk.run.run import run
 from onika.desk.run.settings import Elsewhere, RunSettings
 from onika.desk.trial.keeping import keep_in, unkeepable
@@ -119,7 +119,7 @@ def carry_out(given: argparse.Namespace) -> int:
         script=given.script,
         redirects=tuple(given.redirect),
         record=given.record,
-        source=None if given.source is None else Source(given.source, given.at),
+        source=None if given.source is None else RecordingSource(given.source, given.at),
         elsewhere=None if given.runtime is None else Elsewhere(given.runtime, given.token or "", given.ca),
     )
     objection = "" if given.keep_test is None else unkeepable(settings, given.keep_test)

@@ -2,7 +2,7 @@
 
 from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
 from onika.files.layout import carry_comments
-from onika.files.line import Need, Reading, Slot, row, split
+from onika.files.line import KeywordSlot, Need, TextReading, row, split
 from onika.files.version import EXTENDED, VERSION
 from onika.model.application import Application
 from onika.model.syntax import Syntax
@@ -10,7 +10,7 @@ from onika.words.fault import Fault
 
 ENDING = ".appl"
 
-_HEAD = (Slot("VERSION", Need.OPTIONAL), Slot("APPLTYPE", Need.SINCE_1_3))
+_HEAD = (KeywordSlot("VERSION", Need.OPTIONAL), KeywordSlot("APPLTYPE", Need.SINCE_1_3))
 
 
 def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, tuple[Fault, ...]]:
@@ -18,8 +18,8 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applica
 
     A target of unknown type leaves a hole that keeps its lines, a job of unknown type acts as a complete one
     (requirement D16).
-    Start and end icons are left out (decision 46), adjacent holes are one (decision 33), the marks of a target go to
-    its job (decision 24).
+    Start and end icons are left out (reading 46), adjacent holes are one (reading 33), the marks of a target go to
+    its job (reading 24).
     """
     found, reading = _read(text, name, place_file, syntax)
     return (None if reading.broken else found), reading.faults
@@ -35,8 +35,8 @@ def salvage(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Appl
     return (None if found is None or depth(found.flows) > DEEPEST else found), reading.faults
 
 
-def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, Reading]:
-    reading = Reading(place_file, "the application is left out")
+def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, TextReading]:
+    reading = TextReading(place_file, "the application is left out")
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading

@@ -4,7 +4,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import Line, Need, Reading, Slot, one_line, row, split
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row, split
 from onika.files.version import VERSION
 from onika.model.button import Button
 from onika.words.fault import Fault
@@ -13,17 +13,17 @@ NAME = ".onika.buttons"
 
 # §A.6 spells the last keyword SPAWNNTTY in the format and in the text; SPAWNTTY is what it means. Both are read.
 _SPAWN = "SPAWNNTTY"
-_HEAD = (Slot("VERSION", Need.OPTIONAL),)
-_BUTTON = (Slot("BUTTON"), Slot("FUNCTION"), Slot(_SPAWN, Need.SINCE_1_3))
+_HEAD = (KeywordSlot("VERSION", Need.OPTIONAL),)
+_BUTTON = (KeywordSlot("BUTTON"), KeywordSlot("FUNCTION"), KeywordSlot(_SPAWN, Need.SINCE_1_3))
 
 
 def read(text: str, name: str, place_file: str) -> tuple[tuple[Button, ...] | None, tuple[Fault, ...]]:
     """The buttons of a text, all or none; `name` completes the form of all formats."""
-    reading = Reading(place_file, f"no button of {name} is made")
+    reading = TextReading(place_file, f"no button of {name} is made")
     reading.open_versioned(text)
     if reading.is_over:
         return None, reading.faults
-    lines = [Line(at.number, _SPAWN, at.rest) if at.keyword == "SPAWNTTY" else at for at in reading.lines]
+    lines = [FileLine(at.number, _SPAWN, at.rest) if at.keyword == "SPAWNTTY" else at for at in reading.lines]
     head, *blocks = split(lines, {"BUTTON"})
     reading.arrange(head, _HEAD)
     buttons = tuple(_button(block, reading) for block in blocks)
@@ -44,7 +44,7 @@ def _command(text: str) -> str:
     return re.sub(r"[\x00-\x08\x0a-\x1f\x7f-\x9f]+", " ", text).strip(" \t")
 
 
-def _button(block: Sequence[Line], reading: Reading) -> Button:
+def _button(block: Sequence[FileLine], reading: TextReading) -> Button:
     found = {keyword: lines[0] if lines else None for keyword, lines in reading.arrange(block, _BUTTON).items()}
     for line in found.values():
         if line and not line.rest:

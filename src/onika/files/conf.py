@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence, Set
 
 from onika.files.layout import carry_comments
-from onika.files.line import Line, Need, Reading, Slot, is_number, row, show_number, split
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, is_number, row, show_number, split
 from onika.files.version import EXTENDED, VERSION
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Locus, Placed
 from onika.words.fault import Fault
@@ -12,27 +12,27 @@ from onika.words.name import SVAR_NAME, TASK_NAME
 
 ENDING = ".conf"
 
-_HEAD = (Slot("VERSION", Need.OPTIONAL),)
+_HEAD = (KeywordSlot("VERSION", Need.OPTIONAL),)
 _TASK = (
-    Slot("RMODFILE"),
-    Slot("COORDS"),
-    Slot("INLEFT", Need.SINCE_1_3),
-    Slot("FREQ", Need.SINCE_1_3),
-    Slot("RTPU", Need.SINCE_1_3),
+    KeywordSlot("RMODFILE"),
+    KeywordSlot("COORDS"),
+    KeywordSlot("INLEFT", Need.SINCE_1_3),
+    KeywordSlot("FREQ", Need.SINCE_1_3),
+    KeywordSlot("RTPU", Need.SINCE_1_3),
 )
 _COUNTS = ("CONNS", "NUMINCONST", "NUMOUTCONST", "NUMINVAR", "NUMOUTVAR", "NUMDOUBLEIN")
 _LOCUS = (
-    Slot("LOCUS"),
-    Slot("COORDS"),
-    *(Slot(keyword, Need.SINCE_1_3) for keyword in _COUNTS),
-    Slot("SHOW", Need.SINCE_1_3),
+    KeywordSlot("LOCUS"),
+    KeywordSlot("COORDS"),
+    *(KeywordSlot(keyword, Need.SINCE_1_3) for keyword in _COUNTS),
+    KeywordSlot("SHOW", Need.SINCE_1_3),
 )
-_GROUP = (Slot("GROUP", Need.OF_2_0),)
+_GROUP = (KeywordSlot("GROUP", Need.OF_2_0),)
 
 
 def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, tuple[Fault, ...]]:
     """The configuration `name` (no ending) of a text; with any fault it is left out."""
-    reading = Reading(place_file, "the configuration is left out")
+    reading = TextReading(place_file, "the configuration is left out")
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -86,7 +86,7 @@ def _show_locus(locus: Locus) -> str:
     )
 
 
-def _placed(found: Mapping[str, list[Line]], reading: Reading) -> Placed:
+def _placed(found: Mapping[str, list[FileLine]], reading: TextReading) -> Placed:
     line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
     return Placed(
@@ -99,7 +99,7 @@ def _placed(found: Mapping[str, list[Line]], reading: Reading) -> Placed:
     )
 
 
-def _frequency(line: Line | None, reading: Reading) -> float:
+def _frequency(line: FileLine | None, reading: TextReading) -> float:
     """Hz; 0 where the task is aperiodic."""
     if line is None:
         return 0.0
@@ -110,7 +110,7 @@ def _frequency(line: Line | None, reading: Reading) -> float:
     return abs(value)
 
 
-def _locus(found: Mapping[str, list[Line]], reading: Reading) -> Locus:
+def _locus(found: Mapping[str, list[FileLine]], reading: TextReading) -> Locus:
     line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
     return Locus(
@@ -127,7 +127,7 @@ def _locus(found: Mapping[str, list[Line]], reading: Reading) -> Locus:
     )
 
 
-def _check_twice(heads: Sequence[Line], reading: Reading) -> None:
+def _check_twice(heads: Sequence[FileLine], reading: TextReading) -> None:
     """A task, and the locus of a variable, stands in a configuration once."""
     seen: dict[tuple[str, str], int] = {}
     for line in heads:
@@ -136,7 +136,7 @@ def _check_twice(heads: Sequence[Line], reading: Reading) -> None:
             reading.fault(line.number, f"{line.keyword} {line.rest} once", f"it again after line {first}")
 
 
-def _groups(lines: Sequence[Line], placed: Set[str], reading: Reading) -> tuple[Group, ...]:
+def _groups(lines: Sequence[FileLine], placed: Set[str], reading: TextReading) -> tuple[Group, ...]:
     """Supermodules: each name once, and each task in one of them."""
     named: dict[str, int] = {}
     home: dict[str, int] = {}

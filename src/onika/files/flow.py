@@ -7,7 +7,7 @@ condition behind FLOW of each but the last, the first that holds chooses its flo
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
-from onika.files.line import Line, Need, Reading, Slot, row
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, row
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
 from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, flows_within
 from onika.model.syntax import Syntax
@@ -19,7 +19,7 @@ DEEPEST = 100
 """How many branches may stand within each other."""
 
 
-def read_flows(blocks: Sequence[Sequence[Line]], syntax: Syntax, reading: Reading) -> tuple[AppFlow, ...]:
+def read_flows(blocks: Sequence[Sequence[FileLine]], syntax: Syntax, reading: TextReading) -> tuple[AppFlow, ...]:
     """The flows of the blocks of an application, which begin with the words of `HEADS`."""
     nest = _Nest(syntax, reading)
     for block in blocks:
@@ -63,7 +63,7 @@ def _show(step: Step) -> str:
 class _OpenFlow:
     """A flow that has not ended."""
 
-    head: Line
+    head: FileLine
     steps: list[Step] = field(default_factory=list)
 
 
@@ -71,21 +71,21 @@ class _OpenFlow:
 class _OpenBranch:
     """A branch that has not ended, with the lines of the flows that have."""
 
-    head: Line
-    heads: list[Line] = field(default_factory=list)
+    head: FileLine
+    heads: list[FileLine] = field(default_factory=list)
     flows: list[AppFlow] = field(default_factory=list)
 
 
 class _Nest:
     """What is open at a line, outermost first, and the flows that are closed."""
 
-    def __init__(self, syntax: Syntax, reading: Reading) -> None:
+    def __init__(self, syntax: Syntax, reading: TextReading) -> None:
         self.flows: list[AppFlow] = []
         self._syntax = syntax
         self._reading = reading
         self._open: list[_OpenFlow | _OpenBranch] = []
 
-    def take(self, block: Sequence[Line]) -> None:
+    def take(self, block: Sequence[FileLine]) -> None:
         """One block: the words alone on their lines, or an icon."""
         first = block[0]
         match first.keyword:
@@ -117,28 +117,28 @@ class _Nest:
         while self._open:
             self._close()
 
-    def _alone(self, block: Sequence[Line], need: Need = Need.ALWAYS, *, is_bare: bool = True) -> None:
-        self._reading.arrange(block, (Slot(block[0].keyword, need),))
+    def _alone(self, block: Sequence[FileLine], need: Need = Need.ALWAYS, *, is_bare: bool = True) -> None:
+        self._reading.arrange(block, (KeywordSlot(block[0].keyword, need),))
         if is_bare:
             self._reading.bare(block[0])
 
-    def _flow(self, line: Line) -> _OpenFlow:
+    def _flow(self, line: FileLine) -> _OpenFlow:
         """The flow in which a line stands; a fault where there is none, and then one is taken to begin there."""
         top = self._open[-1] if self._open else None
         if isinstance(top, _OpenFlow):
             return top
         self._reading.fault(line.number, "FLOW", str(line))
-        flow = _OpenFlow(Line(line.number, "FLOW", ""))
+        flow = _OpenFlow(FileLine(line.number, "FLOW", ""))
         self._open.append(flow)
         return flow
 
-    def _begin_flow(self, line: Line) -> None:
+    def _begin_flow(self, line: FileLine) -> None:
         if self._open and isinstance(self._open[-1], _OpenFlow):
             self._reading.fault(line.number, "ENDFLOW before the next FLOW", str(line))
             self._close()
         self._open.append(_OpenFlow(line))
 
-    def _end_flow(self, line: Line) -> None:
+    def _end_flow(self, line: FileLine) -> None:
         if not self._open:
             self._reading.fault(line.number, "FLOW", str(line))
             return
@@ -147,13 +147,13 @@ class _Nest:
             self._close()
         self._close()
 
-    def _begin_branch(self, line: Line) -> None:
+    def _begin_branch(self, line: FileLine) -> None:
         self._flow(line)
         self._open.append(_OpenBranch(line))
         if sum(isinstance(one, _OpenBranch) for one in self._open) == DEEPEST + 1:
             self._reading.fault(line.number, f"at most {DEEPEST} branches within each other", "one more")
 
-    def _end_branch(self, line: Line) -> None:
+    def _end_branch(self, line: FileLine) -> None:
         if not any(isinstance(one, _OpenBranch) for one in self._open):
             self._reading.fault(line.number, "BRANCH before ENDBRANCH", str(line))
             return
@@ -192,8 +192,8 @@ class _Nest:
                 yield read_condition(head, self._reading)
 
 
-def _settled(steps: list[Step], syntax: Syntax, reading: Reading) -> AppFlow:
-    """A flow with the marks of its targets on their jobs (decision 24) and one hole for several (decision 33)."""
+def _settled(steps: list[Step], syntax: Syntax, reading: TextReading) -> AppFlow:
+    """A flow with the marks of its targets on their jobs (reading 24) and one hole for several (reading 33)."""
     for action in actions(AppFlow(tuple(steps)), syntax):
         for at in range(action.position + 1, action.end):
             job, target = steps[action.position], steps[at]

@@ -7,7 +7,7 @@ description in another language behind its code: `DESCIN es abre la mano`.
 import re
 from collections.abc import Mapping, Sequence
 
-from onika.files.line import Line, Need, Reading, Slot, one_line, row, show
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row, show
 from onika.files.picture import read_rows
 from onika.model.onikon import Onikon
 from onika.model.syntax import DataItem, IconType, Syntax, has_word
@@ -15,12 +15,12 @@ from onika.words import argument
 from onika.words.value import Value, ValueType
 
 SLOTS = (
-    Slot("ONIKON"),
-    Slot("TARGET", Need.OF_2_0, many=True),
-    Slot("DESC", Need.SINCE_1_3),
-    Slot("DESCIN", Need.OF_2_0, many=True),
-    Slot("UI", many=True),
-    Slot("PICT", many=True),
+    KeywordSlot("ONIKON"),
+    KeywordSlot("TARGET", Need.OF_2_0, many=True),
+    KeywordSlot("DESC", Need.SINCE_1_3),
+    KeywordSlot("DESCIN", Need.OF_2_0, many=True),
+    KeywordSlot("UI", many=True),
+    KeywordSlot("PICT", many=True),
 )
 
 _LANGUAGE = re.compile(r"[a-z]{2,3}(?:-[A-Za-z0-9]+)*\Z")
@@ -28,7 +28,7 @@ _LANGUAGE = re.compile(r"[a-z]{2,3}(?:-[A-Za-z0-9]+)*\Z")
 Values = tuple[tuple[Value, ...], ...]
 
 
-def read_icon(name: str, found: Mapping[str, list[Line]], syntax: Syntax, reading: Reading) -> Onikon | None:
+def read_icon(name: str, found: Mapping[str, list[FileLine]], syntax: Syntax, reading: TextReading) -> Onikon | None:
     """The onikon of arranged lines; None for a target of unknown type, which is noted (requirement D16).
 
     A job or application of unknown type keeps its type's name and acts as a complete one. Other faults break `reading`.
@@ -61,7 +61,7 @@ def write_icon(onikon: Onikon) -> str:
     )
 
 
-def _kind(line: Line, syntax: Syntax, reading: Reading) -> IconType | None:
+def _kind(line: FileLine, syntax: Syntax, reading: TextReading) -> IconType | None:
     known = syntax.find(line.text)
     acting = known or syntax.acting(line.text)
     if acting is None:
@@ -72,7 +72,7 @@ def _kind(line: Line, syntax: Syntax, reading: Reading) -> IconType | None:
     return acting
 
 
-def _target(line: Line, kind: IconType, is_own: bool, syntax: Syntax, reading: Reading) -> str:
+def _target(line: FileLine, kind: IconType, is_own: bool, syntax: Syntax, reading: TextReading) -> str:
     """The name of one more target's type, as the syntax writes it; an icon of unknown type keeps it as it is."""
     target = syntax.find(line.text)
     if is_own and not kind.needs_target:
@@ -87,7 +87,7 @@ def needs_extension(onikon: Onikon) -> bool:
     return bool(onikon.more_targets or onikon.words)
 
 
-def _words_in(lines: Sequence[Line], reading: Reading) -> tuple[tuple[str, str], ...]:
+def _words_in(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:
     """The description in other languages, each once."""
     found: dict[str, str] = {}
     for line in lines:
@@ -101,7 +101,7 @@ def _words_in(lines: Sequence[Line], reading: Reading) -> tuple[tuple[str, str],
     return tuple(found.items())
 
 
-def _values(lines: Sequence[Line], kind: IconType, reading: Reading) -> Values:
+def _values(lines: Sequence[FileLine], kind: IconType, reading: TextReading) -> Values:
     """One tuple for every data item of the type; `none` where it has none."""
     if not lines:
         return ()
@@ -116,7 +116,7 @@ def _values(lines: Sequence[Line], kind: IconType, reading: Reading) -> Values:
     return tuple(_elements(line, item, reading) for line, item in zip(lines, kind.items, strict=False))
 
 
-def _elements(line: Line, item: DataItem, reading: Reading) -> tuple[Value, ...]:
+def _elements(line: FileLine, item: DataItem, reading: TextReading) -> tuple[Value, ...]:
     try:
         words = _words(line, item)
     except ValueError as error:
@@ -134,8 +134,8 @@ def _elements(line: Line, item: DataItem, reading: Reading) -> tuple[Value, ...]
     return tuple(values) if len(values) == len(words) else ()  # fewer would be others
 
 
-def _words(line: Line, item: DataItem) -> list[str]:
-    """The elements as written; a single `line` is the rest of the line unless it is one quoted word (decision 40)."""
+def _words(line: FileLine, item: DataItem) -> list[str]:
+    """The elements as written; a single `line` is the rest of the line unless it is one quoted word (reading 40)."""
     if item.type is not ValueType.LINE or item.count != 1:
         return argument.split(line.rest)
     if not line.rest.startswith('"'):

@@ -1,13 +1,13 @@
-"""The test file, `.test`: a kept run (requirement X07). A format of our own, in the style of Appendix A."""
+"""The test file, `.test`: a kept run, in a format of our own in the style of Appendix A (requirement X07)."""
 
 import math
 import re
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import Line, Need, Reading, Slot, is_number, row, show_number, split
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, is_number, row, show_number, split
 from onika.files.version import EXTENDED
-from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun, Meeting
+from onika.model.kept import Demand, KeptAction, KeptFlow, KeptMeeting, KeptRun
 from onika.model.redirect import Redirect
 from onika.words.condition import Condition
 from onika.words.fault import Fault
@@ -15,26 +15,31 @@ from onika.words.fault import Fault
 ENDING = ".test"
 
 _HEAD = (
-    Slot("VERSION"),
-    Slot("APPLICATION"),
-    Slot("DIGEST", Need.OPTIONAL),
-    Slot("SEED", Need.OPTIONAL),
-    Slot("SETTLE", Need.OPTIONAL),
-    Slot("REDIRECT", Need.OPTIONAL, many=True),
-    Slot("ANSWER", Need.OPTIONAL, many=True),
-    Slot("EXPECT", Need.OPTIONAL, many=True),
+    KeywordSlot("VERSION"),
+    KeywordSlot("APPLICATION"),
+    KeywordSlot("DIGEST", Need.OPTIONAL),
+    KeywordSlot("SEED", Need.OPTIONAL),
+    KeywordSlot("SETTLE", Need.OPTIONAL),
+    KeywordSlot("REDIRECT", Need.OPTIONAL, many=True),
+    KeywordSlot("ANSWER", Need.OPTIONAL, many=True),
+    KeywordSlot("EXPECT", Need.OPTIONAL, many=True),
 )
-_FLOW = (Slot("FLOW"), Slot("ROBOT", Need.OPTIONAL, many=True))
-_ACTION = (Slot("ACTION"), Slot("LASTS"), Slot("ONTHEWAY", Need.OPTIONAL), Slot("AFTER", Need.OPTIONAL, many=True))
-_END = (Slot("END"), Slot("AFTER", Need.OPTIONAL, many=True))
-_MEET = (Slot("MEET"),)
+_FLOW = (KeywordSlot("FLOW"), KeywordSlot("ROBOT", Need.OPTIONAL, many=True))
+_ACTION = (
+    KeywordSlot("ACTION"),
+    KeywordSlot("LASTS"),
+    KeywordSlot("ONTHEWAY", Need.OPTIONAL),
+    KeywordSlot("AFTER", Need.OPTIONAL, many=True),
+)
+_END = (KeywordSlot("END"), KeywordSlot("AFTER", Need.OPTIONAL, many=True))
+_MEET = (KeywordSlot("MEET"),)
 _ADDRESS = re.compile(r"[A-Z][A-Z0-9_^]*(?:\[[0-9]+\])?\Z")
 _PLUS_MINUS = ("+-", "±")
 
 
 def read(text: str, name: str, place_file: str) -> tuple[KeptRun | None, tuple[Fault, ...]]:
     """The kept run of a text; left out with any fault. `name` completes the form of all formats."""
-    reading = Reading(place_file, f"the test {name} is left out")
+    reading = TextReading(place_file, f"the test {name} is left out")
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -88,7 +93,9 @@ def _show_demand(demand: Demand) -> str:
     return row("AFTER", *words)
 
 
-def _body(blocks: Sequence[Sequence[Line]], reading: Reading) -> tuple[tuple[KeptFlow, ...], tuple[Meeting, ...]]:
+def _body(
+    blocks: Sequence[Sequence[FileLine]], reading: TextReading
+) -> tuple[tuple[KeptFlow, ...], tuple[KeptMeeting, ...]]:
     flows: list[KeptFlow] = []
     meetings = []
     actions: list[KeptAction] = []
@@ -117,7 +124,7 @@ def _body(blocks: Sequence[Sequence[Line]], reading: Reading) -> tuple[tuple[Kep
     return tuple(flows), tuple(meetings)
 
 
-def _flow(found: Mapping[str, list[Line]], reading: Reading) -> KeptFlow:
+def _flow(found: Mapping[str, list[FileLine]], reading: TextReading) -> KeptFlow:
     robots = []
     for line in found["ROBOT"]:
         if len(line.words) == 2:
@@ -127,7 +134,7 @@ def _flow(found: Mapping[str, list[Line]], reading: Reading) -> KeptFlow:
     return KeptFlow(reading.word(next(iter(found["FLOW"]), None), "the name of a subsystem"), tuple(robots))
 
 
-def _action(found: Mapping[str, list[Line]], reading: Reading) -> KeptAction:
+def _action(found: Mapping[str, list[FileLine]], reading: TextReading) -> KeptAction:
     name, lasts, way = (next(iter(found[keyword]), None) for keyword in ("ACTION", "LASTS", "ONTHEWAY"))
     if name is not None and not name.rest:
         reading.fault(name.number, "the name of an action after ACTION", str(name))
@@ -136,11 +143,11 @@ def _action(found: Mapping[str, list[Line]], reading: Reading) -> KeptAction:
     return KeptAction(name.text if name else "", lasts_s, within_s, _demands(found["AFTER"], reading), is_on_way)
 
 
-def _demands(lines: Sequence[Line], reading: Reading) -> tuple[Demand, ...]:
+def _demands(lines: Sequence[FileLine], reading: TextReading) -> tuple[Demand, ...]:
     return tuple(demand for line in lines if (demand := _demand(line, reading)))
 
 
-def _demand(line: Line, reading: Reading) -> Demand | None:
+def _demand(line: FileLine, reading: TextReading) -> Demand | None:
     """`Q_MEZ 0.5 -1.2 rad +- 0.005`; unit and tolerance may be left out."""
     address, *behind = line.words or ("",)
     words, tolerance = _tolerance(behind)
@@ -156,7 +163,7 @@ def _demand(line: Line, reading: Reading) -> Demand | None:
     return Demand(address, values, unit[0] if unit else "", tolerance)
 
 
-def _quantity(line: Line | None, default: float, reading: Reading) -> tuple[float, float]:
+def _quantity(line: FileLine | None, default: float, reading: TextReading) -> tuple[float, float]:
     """`2.3 s +- 0.05`: seconds and how exactly."""
     if line is None:
         return default, 0.0
@@ -177,7 +184,7 @@ def _tolerance(words: Sequence[str]) -> tuple[tuple[str, ...], float]:
     return tuple(words[:at]), float(behind[0]) if len(behind) == 1 and is_number(behind[0]) else -1.0
 
 
-def _answer(line: Line, reading: Reading) -> tuple[str, str, str] | None:
+def _answer(line: FileLine, reading: TextReading) -> tuple[str, str, str] | None:
     if len(line.words) < 3:
         reading.fault(line.number, "a task, the name of an input and its values after ANSWER", str(line))
         return None
@@ -185,7 +192,7 @@ def _answer(line: Line, reading: Reading) -> tuple[str, str, str] | None:
     return task, name, " ".join(values)
 
 
-def _expectation(line: Line, reading: Reading) -> str:
+def _expectation(line: FileLine, reading: TextReading) -> str:
     try:
         return Condition.parse(line.text).text
     except ValueError:
@@ -193,7 +200,7 @@ def _expectation(line: Line, reading: Reading) -> str:
         return ""
 
 
-def _redirect(line: Line, reading: Reading) -> str:
+def _redirect(line: FileLine, reading: TextReading) -> str:
     try:
         return str(Redirect.parse(line.text))
     except ValueError:
@@ -201,11 +208,11 @@ def _redirect(line: Line, reading: Reading) -> str:
         return ""
 
 
-def _meeting(lines: Sequence[Line], reading: Reading) -> list[Meeting]:
+def _meeting(lines: Sequence[FileLine], reading: TextReading) -> list[KeptMeeting]:
     found = []
     for line in lines:
         if len(line.words) < 2:
             reading.fault(line.number, "a tag and the flows that met there after MEET", str(line))
         else:
-            found.append(Meeting(line.words[0], line.words[1:]))
+            found.append(KeptMeeting(line.words[0], line.words[1:]))
     return found

@@ -1,4 +1,4 @@
-"""The layout of a text, its comments and blank lines, carried into a newer text of the same file (requirement B01)."""
+"""Keeps the layout of a file: carries its comments and blank lines over into a newer text (requirement B01)."""
 
 import re
 from collections.abc import Callable, Iterator

@@ -1,7 +1,7 @@
 """The lines all formats of Appendix A are made of: a keyword and its words, with `#` comments and blank lines between.
 
 A comment is a line whose first sign is `#`. Runs of blanks and tabs count as one. The order of lines within a block
-is law (decision 41), EOF is the last one, VERSION the first (requirement B06). Every fault of a text is collected.
+is law (reading 41), EOF is the last one, VERSION the first (requirement B06). Every fault of a text is collected.
 """
 
 import re
@@ -22,7 +22,7 @@ _NUMBER = re.compile(r"[+-]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?\Z")
 _WHOLE = re.compile(r"[+-]?[0-9]{1,18}\Z")
 
 
-class Line(NamedTuple):
+class FileLine(NamedTuple):
     """One line that is no comment: its number from 1, its keyword and what follows, with inner blanks as they are."""
 
     number: int
@@ -53,7 +53,7 @@ class Need(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Slot:
+class KeywordSlot:
     """A line's place in the order of a block."""
 
     keyword: str
@@ -61,7 +61,7 @@ class Slot:
     many: bool = False
 
 
-class Reading:
+class TextReading:
     """One text on its way to a model: its lines up to EOF and the faults found so far.
 
     `broken` tells that nothing may be made of it, `is_over` that there is nothing more to find, as it is empty or of
@@ -77,7 +77,7 @@ class Reading:
         self.is_old = False
         self.is_extended = False
         self.end = 0
-        self.lines: list[Line] = []
+        self.lines: list[FileLine] = []
         self._faults: list[Fault] = []
 
     @property
@@ -139,10 +139,10 @@ class Reading:
             self.fault(line.number, expected, f"version {line.rest}, which is newer")
             self.is_over = True
 
-    def arrange(self, block: Sequence[Line], slots: Sequence[Slot]) -> Mapping[str, list[Line]]:
+    def arrange(self, block: Sequence[FileLine], slots: Sequence[KeywordSlot]) -> Mapping[str, list[FileLine]]:
         """Check a block of lines against its slots; gives the lines of every keyword, lists empty where none is."""
         places = {slot.keyword: place for place, slot in enumerate(slots)}
-        found: dict[str, list[Line]] = {slot.keyword: [] for slot in slots}
+        found: dict[str, list[FileLine]] = {slot.keyword: [] for slot in slots}
         told: set[str] = set()
         reached = -1
         for line in block:
@@ -163,7 +163,7 @@ class Reading:
         self._check_missing(block, [slot for slot in slots if slot.keyword not in told], found)
         return found
 
-    def _expected(self, slots: Sequence[Slot], reached: int) -> list[str]:
+    def _expected(self, slots: Sequence[KeywordSlot], reached: int) -> list[str]:
         """The keywords that may come after slot `reached`, up to the first that must."""
         names = [slots[reached].keyword] if reached >= 0 and slots[reached].many else []
         for slot in slots[reached + 1 :]:
@@ -174,10 +174,12 @@ class Reading:
                 break
         return names
 
-    def _needs(self, slot: Slot) -> bool:
+    def _needs(self, slot: KeywordSlot) -> bool:
         return slot.need is Need.ALWAYS or (slot.need is Need.SINCE_1_3 and not self.is_old)
 
-    def _check_missing(self, block: Sequence[Line], slots: Sequence[Slot], found: Mapping[str, list[Line]]) -> None:
+    def _check_missing(
+        self, block: Sequence[FileLine], slots: Sequence[KeywordSlot], found: Mapping[str, list[FileLine]]
+    ) -> None:
         """A line that is missing, but for those in whose place another one stood, as it is told already."""
         later = {slot.keyword: place for place, slot in enumerate(slots)}
         for place, slot in enumerate(slots):
@@ -188,34 +190,34 @@ class Reading:
 
     # -- the words of one line; each gives `default` where the line is missing or wrong
 
-    def bare(self, line: Line) -> None:
+    def bare(self, line: FileLine) -> None:
         """A keyword that stands alone."""
         if line.rest:
             self.fault(line.number, f"{line.keyword} alone on its line", str(line))
 
-    def match(self, line: Line | None, pattern: re.Pattern[str], meaning: str, default: str = "") -> str:
+    def match(self, line: FileLine | None, pattern: re.Pattern[str], meaning: str, default: str = "") -> str:
         """One word of a form; `meaning` says which."""
         if line is None or pattern.match(line.rest):
             return line.rest if line else default
         self.fault(line.number, f"{meaning} after {line.keyword}", str(line))
         return default
 
-    def word(self, line: Line | None, meaning: str, default: str = "") -> str:
+    def word(self, line: FileLine | None, meaning: str, default: str = "") -> str:
         """One word of any form."""
         return self.match(line, re.compile(r"[^ \t]+\Z"), meaning, default)
 
-    def choice(self, line: Line | None, choices: Mapping[str, _T], default: _T) -> _T:
+    def choice(self, line: FileLine | None, choices: Mapping[str, _T], default: _T) -> _T:
         """One of several words."""
         if line is None or line.rest in choices:
             return choices[line.rest] if line else default
         self.fault(line.number, f"{' or '.join(choices)} after {line.keyword}", str(line))
         return default
 
-    def yes(self, line: Line | None, default: bool) -> bool:
+    def yes(self, line: FileLine | None, default: bool) -> bool:
         """The word yes or no."""
         return self.choice(line, {"yes": True, "no": False}, default)
 
-    def wholes(self, line: Line | None, default: tuple[int, ...], low: int = -(10**9)) -> tuple[int, ...]:
+    def wholes(self, line: FileLine | None, default: tuple[int, ...], low: int = -(10**9)) -> tuple[int, ...]:
         """As many whole numbers from `low` to 10⁹ as `default` has."""
         if line is None:
             return default
@@ -229,14 +231,14 @@ class Reading:
         self.fault(line.number, f"{what}{above} after {line.keyword}", str(line))
         return default
 
-    def whole(self, line: Line | None, default: int, low: int = -(10**9)) -> int:
+    def whole(self, line: FileLine | None, default: int, low: int = -(10**9)) -> int:
         """One whole number of at least `low`."""
         return self.wholes(line, (default,), low)[0]
 
 
-def split(lines: Sequence[Line], heads: Set[str]) -> list[list[Line]]:
+def split(lines: Sequence[FileLine], heads: Set[str]) -> list[list[FileLine]]:
     """Cut lines into blocks, each but the first beginning with one of the keywords `heads`."""
-    blocks: list[list[Line]] = [[]]
+    blocks: list[list[FileLine]] = [[]]
     for line in lines:
         if line.keyword in heads:
             blocks.append([])
@@ -269,7 +271,7 @@ def show(text: str) -> str:
     return repr(text if len(text) <= 60 else text[:57] + "…")
 
 
-def _content(text: str, reading: Reading) -> list[Line]:
+def _content(text: str, reading: TextReading) -> list[FileLine]:
     """The lines that are no comments; signs that no text file holds are reported."""
     found = []
     is_clean = _STRANGE.search(text) is None
@@ -283,5 +285,5 @@ def _content(text: str, reading: Reading) -> list[Line]:
             keyword, _, rest = line.partition(" ")
             if "\t" in keyword:
                 keyword, rest = _BLANK.split(line, maxsplit=1)
-            found.append(Line(number, keyword, rest.lstrip(" \t")))
+            found.append(FileLine(number, keyword, rest.lstrip(" \t")))
     return found

@@ -2,7 +2,7 @@
 
 from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
 from onika.files.layout import carry_comments
-from onika.files.line import Need, Reading, Slot, row
+from onika.files.line import KeywordSlot, Need, TextReading, row
 from onika.files.version import EXTENDED, VERSION
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
@@ -10,7 +10,7 @@ from onika.words.fault import Fault
 
 ENDING = ".onk"
 
-_SLOTS = (Slot("VERSION", Need.OPTIONAL), *SLOTS)
+_SLOTS = (KeywordSlot("VERSION", Need.OPTIONAL), *SLOTS)
 
 
 def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon | None, tuple[Fault, ...]]:
@@ -18,7 +18,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
 
     A job of unknown type is kept and acts as a complete one, with a note (requirement D16).
     """
-    reading = Reading(place_file, "the icon is left out")
+    reading = TextReading(place_file, "the icon is left out")
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults

@@ -1,9 +1,9 @@
-"""The rows of a picture: in PICT lines of icons, and alone in the `.dta` files of the start and stop icons (§A.8)."""
+"""The rows of a picture, in PICT lines of icons and in the `.dta` files of start and stop icons (§A.8)."""
 
 import re
 from collections.abc import Sequence
 
-from onika.files.line import Reading, show
+from onika.files.line import TextReading, show
 from onika.model.picture import BLACK, SIZE, Picture, blank, framed, is_digits
 from onika.words.fault import Fault
 
@@ -15,7 +15,7 @@ _ROW = re.compile(rf"[0-9]{{{SIZE}}}\Z")
 
 def read(text: str, name: str, place_file: str) -> tuple[Picture | None, tuple[Fault, ...]]:
     """The picture of a start or stop icon: 32 lines of 32 digits and nothing else; `name` only completes the form."""
-    reading = Reading(place_file, f"the shipped picture stands for {name}")
+    reading = TextReading(place_file, f"the shipped picture stands for {name}")
     lines = [(number, line.removesuffix("\r")) for number, line in enumerate(text.split("\n"), start=1)]
     while lines and not lines[-1][1].strip(" \t"):
         lines.pop()
@@ -28,10 +28,10 @@ def write(picture: Picture) -> str:
     return "".join(line + "\n" for line in picture.rows)
 
 
-def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: Reading) -> Picture:
+def read_rows(rows: Sequence[tuple[int, str]], last: int, reading: TextReading) -> Picture:
     """The picture of numbered rows; faults go to `reading`, a missing row to line `last`; then it is blank.
 
-    A 9 is read as black (decision 38) and the border is made black (requirement B11), each with one note.
+    A 9 is read as black (reading 38) and the border is made black (requirement B11), each with one note.
     """
     if len(rows) != SIZE:
         reading.fault(rows[SIZE][0] if len(rows) > SIZE else last, f"{SIZE} rows of a picture", f"{len(rows)}")

@@ -1,9 +1,9 @@
 """The preference file, `.onika` (dissertation §A.5)."""
 
 from onika.files.layout import carry_comments
-from onika.files.line import Line, Need, Reading, Slot, row
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, row
 from onika.files.version import VERSION
-from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
+from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.words.fault import Fault
 
 NAME = ".onika"
@@ -14,7 +14,7 @@ _KEYWORDS = (
     *("INCONST", "OUTCONST", "INVAR", "OUTVAR", "LOCISIZE", "HITTOL", "RATE"),
     *("LEXI", "CONF", "STAT", "LOCUS", "DICT", "APPL", "MAIN", "BUTTON", "STATINFO"),
 )
-_SLOTS = tuple(Slot(keyword, Need.OPTIONAL) for keyword in _KEYWORDS)
+_SLOTS = tuple(KeywordSlot(keyword, Need.OPTIONAL) for keyword in _KEYWORDS)
 
 
 def read(text: str, name: str, place_file: str) -> tuple[Preferences, tuple[Fault, ...]]:
@@ -22,11 +22,11 @@ def read(text: str, name: str, place_file: str) -> tuple[Preferences, tuple[Faul
 
     `name` completes the form of all formats.
     """
-    reading = Reading(place_file, f"the defaults stand for what is wrong in {name}")
+    reading = TextReading(place_file, f"the defaults stand for what is wrong in {name}")
     reading.open_versioned(text)
     if reading.is_over:
         return Preferences(), reading.faults
-    lines = [Line(at.number, "STEPSIZE", at.rest) if at.keyword == "STEPWISE" else at for at in reading.lines]
+    lines = [FileLine(at.number, "STEPSIZE", at.rest) if at.keyword == "STEPWISE" else at for at in reading.lines]
     line = {key: found[0] if found else None for key, found in reading.arrange(lines, _SLOTS).items()}
     default = Preferences()
     preferences = Preferences(
@@ -94,16 +94,16 @@ def _yes(shown: bool) -> str:
     return "yes" if shown else "no"
 
 
-def _place(place: Spot | Window) -> tuple[str, ...]:
+def _place(place: WindowCorner | Window) -> tuple[str, ...]:
     size = (place.height, place.width) if isinstance(place, Window) else ()
     return tuple(map(str, (place.x, place.y, *size)))
 
 
-def _spot(line: Line | None, default: Spot, reading: Reading) -> Spot:
-    return Spot(*reading.wholes(line, (default.x, default.y)))
+def _spot(line: FileLine | None, default: WindowCorner, reading: TextReading) -> WindowCorner:
+    return WindowCorner(*reading.wholes(line, (default.x, default.y)))
 
 
-def _window(line: Line | None, default: Window, reading: Reading) -> Window:
+def _window(line: FileLine | None, default: Window, reading: TextReading) -> Window:
     window = Window(*reading.wholes(line, (default.x, default.y, default.height, default.width)))
     if line and min(window.height, window.width) < 1:
         reading.fault(line.number, f"a height and width above 0 after {line.keyword}", str(line))
@@ -111,7 +111,7 @@ def _window(line: Line | None, default: Window, reading: Reading) -> Window:
     return window
 
 
-def _columns(line: Line | None, default: tuple[str, ...], reading: Reading) -> tuple[str, ...]:
+def _columns(line: FileLine | None, default: tuple[str, ...], reading: TextReading) -> tuple[str, ...]:
     if line is None:
         return default
     known = set(line.words) <= set(STATUS_COLUMNS) and len(set(line.words)) == len(line.words)

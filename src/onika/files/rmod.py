@@ -8,7 +8,7 @@ from decimal import Context, Decimal
 from fractions import Fraction
 
 from onika.files.layout import Key, carry, words_of
-from onika.files.line import Line, Need, Reading, Slot, is_number, one_line, row, show_number
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, is_number, one_line, row, show_number
 from onika.model.syntax import has_word
 from onika.model.task import LocalLine, Task, TaskType
 from onika.words.fault import Fault
@@ -17,20 +17,20 @@ from onika.words.name import SVAR_NAME, TASK_NAME
 ENDING = ".rmod"
 
 _SLOTS = (
-    Slot("MODULE"),
-    Slot("DESC"),
-    Slot("SVARALIAS", Need.OPTIONAL, many=True),
-    Slot("INCONST"),
-    Slot("OUTCONST"),
-    Slot("INVAR"),
-    Slot("OUTVAR"),
-    Slot("TASKTYPE"),
-    Slot("FREQ", Need.OPTIONAL),
-    Slot("PERIOD", Need.OPTIONAL),
-    Slot("ONIKA", Need.OPTIONAL),
-    Slot("OBJECT", Need.OPTIONAL),
-    Slot("TARGET", Need.OPTIONAL, many=True),
-    Slot("LOCAL", Need.OPTIONAL),
+    KeywordSlot("MODULE"),
+    KeywordSlot("DESC"),
+    KeywordSlot("SVARALIAS", Need.OPTIONAL, many=True),
+    KeywordSlot("INCONST"),
+    KeywordSlot("OUTCONST"),
+    KeywordSlot("INVAR"),
+    KeywordSlot("OUTVAR"),
+    KeywordSlot("TASKTYPE"),
+    KeywordSlot("FREQ", Need.OPTIONAL),
+    KeywordSlot("PERIOD", Need.OPTIONAL),
+    KeywordSlot("ONIKA", Need.OPTIONAL),
+    KeywordSlot("OBJECT", Need.OPTIONAL),
+    KeywordSlot("TARGET", Need.OPTIONAL, many=True),
+    KeywordSlot("LOCAL", Need.OPTIONAL),
 )
 _KEYWORDS = frozenset(slot.keyword for slot in _SLOTS) - {"TARGET"}  # parameters of that name are older than the line
 _PORTS = ("INCONST", "OUTCONST", "INVAR", "OUTVAR")
@@ -49,7 +49,7 @@ class RmodText:
 
 def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[Fault, ...]]:
     """The task `name` (no ending) of a text; with any fault the task is left out. `place_file` names the file."""
-    reading = Reading(place_file, "the task is left out")
+    reading = TextReading(place_file, "the task is left out")
     reading.open(text)
     if reading.is_over:
         return None, reading.faults
@@ -116,11 +116,11 @@ def _key(line: str) -> Key:
     return words
 
 
-def _first(lines: Sequence[Line]) -> Line | None:
+def _first(lines: Sequence[FileLine]) -> FileLine | None:
     return lines[0] if lines else None
 
 
-def _aliases(lines: Sequence[Line], reading: Reading) -> tuple[tuple[str, str], ...]:
+def _aliases(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str, str], ...]:
     aliases: dict[str, str] = {}
     for line in lines:
         found = _ALIAS.match(line.rest)
@@ -134,7 +134,7 @@ def _aliases(lines: Sequence[Line], reading: Reading) -> tuple[tuple[str, str], 
 
 
 def _ports(
-    found: Mapping[str, list[Line]], aliases: Sequence[tuple[str, str]], reading: Reading
+    found: Mapping[str, list[FileLine]], aliases: Sequence[tuple[str, str]], reading: TextReading
 ) -> dict[str, tuple[str, ...]]:
     listed = {keyword: _names(_first(found[keyword]), reading) for keyword in _PORTS}
     ports = {keyword: _coded(names, listed, aliases) for keyword, names in listed.items()}
@@ -145,7 +145,7 @@ def _ports(
     return ports
 
 
-def _names(line: Line | None, reading: Reading) -> tuple[str, ...]:
+def _names(line: FileLine | None, reading: TextReading) -> tuple[str, ...]:
     """The words of a port line; `none` stands for no ports."""
     if line is None or line.words == ("none",):
         return ()
@@ -158,7 +158,7 @@ def _names(line: Line | None, reading: Reading) -> tuple[str, ...]:
 def _coded(
     names: Sequence[str], listed: Mapping[str, Sequence[str]], aliases: Sequence[tuple[str, str]]
 ) -> tuple[str, ...]:
-    """Coded names for those given by their alias (decision 8).
+    """Coded names for those given by their alias (reading 8).
 
     A name counts as an alias where the coded name it belongs to stands on no port line.
     """
@@ -169,12 +169,12 @@ def _coded(
 
 
 def _check_aliases(
-    found: Mapping[str, list[Line]],
+    found: Mapping[str, list[FileLine]],
     ports: Mapping[str, Sequence[str]],
     aliases: Sequence[tuple[str, str]],
-    reading: Reading,
+    reading: TextReading,
 ) -> None:
-    """Every alias belongs to a port, and no two outputs become one variable (decision 9)."""
+    """Every alias belongs to a port, and no two outputs become one variable (reading 9)."""
     present = {name for names in ports.values() for name in names}
     if reading.broken:
         return
@@ -190,7 +190,7 @@ def _check_aliases(
             reading.fault(line.number, "one output for each variable", f"{other} and {name} as {svars.get(name, name)}")
 
 
-def _frequency(found: Mapping[str, list[Line]], kind: TaskType, reading: Reading) -> float | None:
+def _frequency(found: Mapping[str, list[FileLine]], kind: TaskType, reading: TextReading) -> float | None:
     """Hz; exactly one of FREQ and PERIOD where the task is periodic or synchronous."""
     lines = found["FREQ"] + found["PERIOD"]
     tasktype = _first(found["TASKTYPE"])
@@ -207,7 +207,7 @@ def _frequency(found: Mapping[str, list[Line]], kind: TaskType, reading: Reading
     return rates[0] if rates else None
 
 
-def _rate(line: Line, reading: Reading) -> float:
+def _rate(line: FileLine, reading: TextReading) -> float:
     value = float(line.rest) if is_number(line.rest) else math.nan
     if not (math.isfinite(value) and value > 0):
         unit = "Hz" if line.keyword == "FREQ" else "s"
@@ -233,7 +233,7 @@ def _show_period(frequency: float) -> str:
     raise ValueError(f"expected a frequency with a period, found {frequency!r}")
 
 
-def _object_type(found: Mapping[str, list[Line]], reading: Reading) -> str | None:
+def _object_type(found: Mapping[str, list[FileLine]], reading: TextReading) -> str | None:
     onika, line = _first(found["ONIKA"]), _first(found["OBJECT"])
     if onika and not line:
         reading.fault(onika.number, "OBJECT after ONIKA", "none")
@@ -244,7 +244,7 @@ def _object_type(found: Mapping[str, list[Line]], reading: Reading) -> str | Non
     return line.text if line else None
 
 
-def _more_targets(found: Mapping[str, list[Line]], reading: Reading) -> tuple[str, ...]:
+def _more_targets(found: Mapping[str, list[FileLine]], reading: TextReading) -> tuple[str, ...]:
     for line in found["TARGET"]:
         if not found["OBJECT"]:
             reading.fault(line.number, "OBJECT before TARGET", str(line))
@@ -253,7 +253,7 @@ def _more_targets(found: Mapping[str, list[Line]], reading: Reading) -> tuple[st
     return tuple(line.text for line in found["TARGET"])
 
 
-def _local(lines: Sequence[Line], reading: Reading) -> tuple[LocalLine, ...]:
+def _local(lines: Sequence[FileLine], reading: TextReading) -> tuple[LocalLine, ...]:
     """The parameters of the module; the words of the lines above LOCAL are no names for them."""
     seen = set()
     for line in lines:

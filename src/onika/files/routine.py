@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from onika.files.icon import SLOTS, needs_extension, read_icon, write_icon
-from onika.files.line import Line, Need, Reading, Slot, one_line, row
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon, fits
 from onika.model.syntax import Syntax
@@ -15,20 +15,20 @@ from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
 
 _ROUTINE = (
-    Slot("ROUTINE"),
-    Slot("MARKER", Need.SINCE_1_3),
-    Slot("MARKERIF", Need.OF_2_0),
-    Slot("SYNCHTAG", Need.OPTIONAL),
-    Slot("WHILETAG", Need.OPTIONAL),
-    Slot("WHILETEST", Need.OPTIONAL),
-    Slot("WHILEIF", Need.OF_2_0),
+    KeywordSlot("ROUTINE"),
+    KeywordSlot("MARKER", Need.SINCE_1_3),
+    KeywordSlot("MARKERIF", Need.OF_2_0),
+    KeywordSlot("SYNCHTAG", Need.OPTIONAL),
+    KeywordSlot("WHILETAG", Need.OPTIONAL),
+    KeywordSlot("WHILETEST", Need.OPTIONAL),
+    KeywordSlot("WHILEIF", Need.OF_2_0),
     *SLOTS,
 )
 
 _EXTENSIONS = frozenset(slot.keyword for slot in _ROUTINE if slot.need is Need.OF_2_0)
 
 
-def read_routine(block: Sequence[Line], syntax: Syntax, reading: Reading) -> Icon | Hole | None:
+def read_routine(block: Sequence[FileLine], syntax: Syntax, reading: TextReading) -> Icon | Hole | None:
     """A routine as icon; None for the icons that begin and end a flow.
 
     A hole with its lines for a target of unknown type, and for what is too broken for an icon.
@@ -80,7 +80,7 @@ def is_extended(step: Icon | Hole) -> bool:
     return bool(icon.marker_if or (icon.while_if and icon.while_tag is not None)) or needs_extension(icon.onikon)
 
 
-def read_condition(line: Line | None, reading: Reading) -> str:
+def read_condition(line: FileLine | None, reading: TextReading) -> str:
     """The condition on a line; empty where there is no line, or a wrong one, which is a fault."""
     if line is None:
         return ""
@@ -91,8 +91,8 @@ def read_condition(line: Line | None, reading: Reading) -> str:
         return ""
 
 
-def marked(job: Icon, target: Icon, reading: Reading) -> tuple[Icon, Icon]:
-    """An action's icon with all marks on it, and its target without any (decision 24)."""
+def marked(job: Icon, target: Icon, reading: TextReading) -> tuple[Icon, Icon]:
+    """An action's icon with all marks on it, and its target without any (reading 24)."""
     _agree(job.synch_tag, target.synch_tag, "synch tag", target, reading)
     _agree(job.while_tag, target.while_tag, "while tag", target, reading)
     _agree(job.while_if or None, target.while_if or None, "condition of a loop", target, reading)
@@ -117,11 +117,11 @@ def _is_whole(icon: Onikon, syntax: Syntax) -> bool:
     return kind is None or fits(icon.values, kind.items)
 
 
-def _agree(one: str | None, other: str | None, meaning: str, target: Icon, reading: Reading) -> None:
+def _agree(one: str | None, other: str | None, meaning: str, target: Icon, reading: TextReading) -> None:
     if one is not None and other is not None and one != other:
         found = f"{one or 'always'} and {other or 'always'}"
         reading.fault(target.line, f"one {meaning} for a job and its target", found)
 
 
-def _tag(line: Line | None, reading: Reading) -> str | None:
+def _tag(line: FileLine | None, reading: TextReading) -> str | None:
     return reading.word(line, "a tag of one word") if line else None

@@ -7,7 +7,7 @@ the robot says, and NELEMS is what is usual.
 from collections.abc import Mapping, Sequence
 
 from onika.files.layout import carry_comments
-from onika.files.line import Line, Need, Reading, Slot, one_line, row, show, split
+from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line, row, show, split
 from onika.files.version import EXTENDED, VERSION
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.words.fault import Fault
@@ -16,18 +16,18 @@ from onika.words.value import ValueType
 
 NAME = "OnikaUpperSetUp.dta"
 
-_HEAD = (Slot("VERSION", Need.OPTIONAL),)
-_TYPE = (Slot("ONIKON"), Slot("LEFTEDGE"), Slot("RIGHTEDGE"))
-_ITEM = (Slot("VARNAME"), Slot("DATATYPE"), Slot("NELEMS"), Slot("DIMENSION", Need.OF_2_0))
-_EDGE = (Slot("EDGENUM"), Slot("RGB"), Slot("NUMVERTS"), Slot("VERTICES"))
+_HEAD = (KeywordSlot("VERSION", Need.OPTIONAL),)
+_TYPE = (KeywordSlot("ONIKON"), KeywordSlot("LEFTEDGE"), KeywordSlot("RIGHTEDGE"))
+_ITEM = (KeywordSlot("VARNAME"), KeywordSlot("DATATYPE"), KeywordSlot("NELEMS"), KeywordSlot("DIMENSION", Need.OF_2_0))
+_EDGE = (KeywordSlot("EDGENUM"), KeywordSlot("RGB"), KeywordSlot("NUMVERTS"), KeywordSlot("VERTICES"))
 _TYPES = {kind.value: kind for kind in ValueType}
 
-_Found = Mapping[str, Line | None]
+_Found = Mapping[str, FileLine | None]
 
 
 def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fault, ...]]:
     """The syntax of a text, whole or not at all; `name` completes the form of all formats."""
-    reading = Reading(place_file, f"{name} is left out")
+    reading = TextReading(place_file, f"{name} is left out")
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -83,11 +83,11 @@ def _show_edge(edge: Edge) -> str:
     )
 
 
-def _arranged(block: Sequence[Line], slots: Sequence[Slot], reading: Reading) -> _Found:
+def _arranged(block: Sequence[FileLine], slots: Sequence[KeywordSlot], reading: TextReading) -> _Found:
     return {keyword: lines[0] if lines else None for keyword, lines in reading.arrange(block, slots).items()}
 
 
-def _type(block: Sequence[Line], reading: Reading) -> IconType:
+def _type(block: Sequence[FileLine], reading: TextReading) -> IconType:
     head, *items = split(block, {"VARNAME"})
     found = _arranged(head, _TYPE, reading)
     kind = IconType(
@@ -101,7 +101,7 @@ def _type(block: Sequence[Line], reading: Reading) -> IconType:
     return kind
 
 
-def _item(found: _Found, reading: Reading) -> DataItem:
+def _item(found: _Found, reading: TextReading) -> DataItem:
     return DataItem(
         _text(found["VARNAME"], "the name of a data item", reading),
         reading.choice(found["DATATYPE"], _TYPES, ValueType.STRING),
@@ -110,13 +110,13 @@ def _item(found: _Found, reading: Reading) -> DataItem:
     )
 
 
-def _text(line: Line | None, meaning: str, reading: Reading) -> str:
+def _text(line: FileLine | None, meaning: str, reading: TextReading) -> str:
     if line and not line.rest:
         reading.fault(line.number, f"{meaning} after {line.keyword}", str(line))
     return line.text if line else ""
 
 
-def _edge(found: _Found, reading: Reading) -> Edge:
+def _edge(found: _Found, reading: TextReading) -> Edge:
     red, green, blue = reading.wholes(found["RGB"], (0, 0, 0), low=0)
     if found["RGB"] and max(red, green, blue) > 255:
         reading.fault(found["RGB"].number, "three numbers from 0 to 255 after RGB", str(found["RGB"]))
@@ -131,7 +131,7 @@ def _edge(found: _Found, reading: Reading) -> Edge:
     return Edge(reading.whole(found["EDGENUM"], 0, low=0), (red, green, blue), pairs)
 
 
-def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading: Reading) -> None:
+def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading: TextReading) -> None:
     """Names are unique without case, edges are defined, the types with a meaning of their own are there."""
     seen: set[str] = set()
     for number, kind in types:
@@ -145,7 +145,7 @@ def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading
             reading.fault(reading.end, f"the type {name}", "none")
 
 
-def _check_edges(edges: Sequence[tuple[int, Edge]], reading: Reading) -> None:
+def _check_edges(edges: Sequence[tuple[int, Edge]], reading: TextReading) -> None:
     seen: set[int] = set()
     for number, edge in edges:
         if edge.number in seen:

@@ -1,4 +1,4 @@
-"""The text of a file: its bytes as UTF-8, with faults where they are not (requirement B07)."""
+"""Reads the text of a file: decodes UTF-8, with faults where it is none (requirement B07)."""
 
 import os
 import stat

@@ -1,4 +1,4 @@
-"""The versions of files: which are read, and under which a text is written (requirement B06, B09)."""
+"""File versions: which are read, and under which a text is written (requirements B06, B09)."""
 
 import re
 

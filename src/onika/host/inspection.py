@@ -175,15 +175,15 @@ class Look:
         members = self._stage.members(name)
         if performance is not None:
             tasks = tuple(_task(one, one.state is State.ON, None, "") for one in members.values())
-            asks, on_loss = performance.runner.asks(name), performance.on_loss
+            asks, on_loss = performance.runner.questions(name), performance.on_loss
             return live.SubsystemStanding(name, performance.session, performance.application, tasks, asks, on_loss)
         if by_hand is None:
             return live.SubsystemStanding(name, "", "", ())
         tasks = tuple(
-            _task(one, task in by_hand.wanted, by_hand.rates.get(task), by_hand.reasons.get(task, ""))
+            _task(one, by_hand.desired.is_on(task), by_hand.desired.rate(task), by_hand.reason(task))
             for task, one in members.items()
         )
-        return live.SubsystemStanding(name, by_hand.holder, "", tasks, tuple(by_hand.asks.values()))
+        return live.SubsystemStanding(name, by_hand.holder, "", tasks, by_hand.executor.questions)
 
 
 def _task(member: Member, is_wanted_on: bool, rate: float | None, reason: str) -> live.TaskStanding:

@@ -134,7 +134,7 @@ class Program:
         if asked.is_held and self._driver.is_virtual:
             tell = self.stage.hold.begin(session, name, self._driver.now)
         self.stage.repeat.begin(session, asked, self._driver.now)
-        self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, tell))
+        self.stage.perform(Performance(session, prepared, asked, subsystems, self._driver, tell, self.stage.lost_units))
         self.holders.began(session)
         return request.Done()
 
@@ -294,7 +294,7 @@ class Program:
             for performance in self.stage.performances:
                 performance.runner.abort(cause, self._driver.now)
             for one in self.stage.live.values():
-                one.wanted.clear()
+                one.desired.turn_everything_off()
         else:
             self._driver.reset()
         self.is_stopped = isinstance(asked, request.Stop)

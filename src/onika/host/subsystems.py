@@ -106,7 +106,7 @@ class Stage:
         self.tables.pop(name).segment.close()
 
     def unit(self, wanted: str) -> str:
-        """The unit a task runs on: the named one, else the first that lives (decision 12)."""
+        """The unit a task runs on: the named one, else the first that lives (reading 12)."""
         if wanted in self._rtpus:
             return wanted
         return next(iter(self._alive()), self._rtpus[0])

@@ -59,7 +59,7 @@ Step = Icon | Hole | Branch
 
 @dataclass(frozen=True, slots=True)
 class AppFlow:
-    """A sequence of steps; the start and end icons are implied (decision 46)."""
+    """A sequence of steps; the start and end icons are implied (reading 46)."""
 
     steps: tuple[Step, ...]
 

@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 UNKNOWN_RTPU = "unknown"
-"""The RTPU of a task that was never spawned (decision 12)."""
+"""The RTPU of a task that was never spawned (reading 12)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +25,7 @@ class Placed:
 class Locus:
     """Where the lines of one state variable meet: its corner in pixels and the pins that use it.
 
-    An INBOTH counts in `double_in` only, an OUTBOTH in `outconst` only (decision 7).
+    An INBOTH counts in `double_in` only, an OUTBOTH in `outconst` only (reading 7).
     """
 
     svar: str

@@ -10,7 +10,7 @@ from typing import NamedTuple
 from onika.model.application import AppFlow, Application, Branch, Step
 
 
-class Spot(NamedTuple):
+class StepAddress(NamedTuple):
     """A step of an application."""
 
     path: str
@@ -24,21 +24,21 @@ def flows_by_path(application: Application) -> Iterator[tuple[str, AppFlow]]:
         yield from _within(flow, str(number))
 
 
-def spots(application: Application) -> dict[int, Spot]:
+def spots(application: Application) -> dict[int, StepAddress]:
     """Every step by its number."""
     return {
-        step.number: Spot(path, position, step)
+        step.number: StepAddress(path, position, step)
         for path, flow in flows_by_path(application)
         for position, step in enumerate(flow.steps)
     }
 
 
-def spot_of(application: Application, number: int) -> Spot | None:
+def spot_of(application: Application, number: int) -> StepAddress | None:
     """Where the step of this number is; None: there is none. Cheaper than `spots`, whose one it is."""
     for path, flow in flows_by_path(application):
         for position, step in enumerate(flow.steps):
             if step.number == number:
-                return Spot(path, position, step)
+                return StepAddress(path, position, step)
     return None
 
 

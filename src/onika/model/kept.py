@@ -36,7 +36,7 @@ class KeptFlow:
 
 
 @dataclass(frozen=True, slots=True)
-class Meeting:
+class KeptMeeting:
     """Flows that went on together from a tag."""
 
     tag: str
@@ -51,7 +51,7 @@ class KeptRun:
     digest: str
     """Of all that the application consists of; empty: whatever it is."""
     flows: tuple[KeptFlow, ...]
-    meetings: tuple[Meeting, ...] = ()
+    meetings: tuple[KeptMeeting, ...] = ()
     seed: int = 0
     settle_s: float = 0.5
     answers: tuple[tuple[str, str, str], ...] = ()

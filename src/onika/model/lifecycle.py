@@ -1,4 +1,4 @@
-"""The life of a task as one table: everything that affects its state is in this file (requirement A05, law 11).
+"""The lifecycle of a task as one table: everything that affects its state is in this file (law 11, requirement A05).
 
 WAITING: spawned, but a constant it needs has no supplier yet; `init` is postponed.
 OFF: initialised, not cycling.                ASKING: told to go on, waits for user input.

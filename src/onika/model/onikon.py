@@ -33,7 +33,7 @@ class Onikon:
         return replace(self, words=()) if self.words else self
 
     def argument_line(self, syntax: Syntax) -> str:
-        """The values in the order of the definition, as the argument line of a task (decision 40).
+        """The values in the order of the definition, as the argument line of a task (reading 40).
 
         Raises ValueError where the type is unknown or the values are not those of its data items.
         """

@@ -1,4 +1,4 @@
-"""A task that came with a plan, as its file described it: everything but what is only the canvas's."""
+"""Restores the task that a plan describes, without what only the canvas needs."""
 
 from onika.model.task import LocalLine, Task, TaskType
 from onika.wire.plan import PlannedTask

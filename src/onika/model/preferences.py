@@ -30,7 +30,7 @@ STATUS_COLUMNS = (
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class WindowCorner:
     """The upper left corner of a window, in pixels."""
 
     x: int
@@ -71,10 +71,10 @@ class Preferences:
     """Whether rates are shown as periods rather than frequencies."""
     library: Window = Window(0, 0, 480, 320)
     canvas: Window = Window(330, 0, 640, 960)
-    status: Spot = Spot(0, 520)
-    variables: Spot = Spot(330, 680)
+    status: WindowCorner = WindowCorner(0, 520)
+    variables: WindowCorner = WindowCorner(330, 680)
     dictionary: Window = Window(0, 0, 480, 320)
     workspace: Window = Window(330, 0, 640, 960)
-    main: Spot = Spot(0, 760)
-    buttons: Spot = Spot(160, 760)
+    main: WindowCorner = WindowCorner(0, 760)
+    buttons: WindowCorner = WindowCorner(160, 760)
     status_columns: tuple[str, ...] = ("rmod", "rtpu", "state", "cycle", "miss", "ref-F", "mez-F", "avg-U", "warn")

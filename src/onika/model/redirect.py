@@ -1,4 +1,4 @@
-"""A redirection: the task that stands for another one while an application runs, its file unchanged (E09, §5.9.1)."""
+"""A redirection: the task that stands for another in a run, whose file stays as it is (requirement E09, §5.9.1)."""
 
 import re
 from collections.abc import Sequence

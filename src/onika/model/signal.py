@@ -59,7 +59,7 @@ def shutdown(text: str) -> Signal:
 
 
 def user_signal(number: int) -> Signal:
-    """A signal of the laboratory's own: END + 1 is WHILECONTINUE, END + i + 2 is GO_TO_FLOW(i) (decision 19)."""
+    """A signal of the laboratory's own: END + 1 is WHILECONTINUE, END + i + 2 is GO_TO_FLOW(i) (reading 19)."""
     if number <= END:
         raise ValueError(f"expected a number above {END}, found {number}")
     return Signal(SignalKind.USER, flow=max(0, number - END - 2), loop=number == END + 1, number=number)

@@ -109,7 +109,7 @@ class Syntax:
         object.__setattr__(self, "_by_words", {_words(kind.name): kind for kind in reversed(self.types)})
 
     def find(self, name: str) -> IconType | None:
-        """The type of this name, compared without case (decision 37)."""
+        """The type of this name, compared without case (reading 37)."""
         return self._by_words.get(_words(name))
 
     def acting(self, name: str) -> IconType | None:
@@ -128,7 +128,7 @@ class Syntax:
     def target_type_of(self, name: str) -> str | None:
         """The target type that goes with an action type by its words: "Joint job" gives "Joint object".
 
-        None where the action takes no target or the syntax lacks that type (decision 32).
+        None where the action takes no target or the syntax lacks that type (reading 32).
         """
         kind = self.find(name)
         if kind is None or not kind.needs_target:
@@ -139,7 +139,7 @@ class Syntax:
     def object_of(self, kind: IconType) -> str:
         """The type of the target behind an action of this type: by its words, else the only one whose edge fits.
 
-        Where the syntax has neither, the name that its words say (decision 32).
+        Where the syntax has neither, the name that its words say (reading 32).
         """
         name = object_name(kind.name)
         if found := self.find(name):
@@ -168,7 +168,7 @@ def application_name(name: str) -> str:
 
 
 def same_type(one: str, other: str) -> bool:
-    """Whether two names mean one type: without case (decision 37)."""
+    """Whether two names mean one type: without case (reading 37)."""
     return _words(one) == _words(other)
 
 

@@ -28,7 +28,7 @@ class LocalLine:
 class Task:
     """What a `.rmod` file says; port lists hold coded names in the file's order.
 
-    An INBOTH stands in `inconst` and in `invar`, an OUTBOTH in `outconst` and in `outvar` (decision 7).
+    An INBOTH stands in `inconst` and in `invar`, an OUTBOTH in `outconst` and in `outvar` (reading 7).
     """
 
     name: str

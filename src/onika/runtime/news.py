@@ -227,7 +227,7 @@ class Loads(Struct, frozen=True, tag=True):
     tasks: tuple[TaskLoad, ...]
 
 
-News = (
+TaskNews = (
     Initialised
     | Reinitialised
     | Rebound
@@ -235,17 +235,16 @@ News = (
     | Changed
     | Cycled
     | Finished
-    | Unprepared
     | Failed
     | Warned
     | Signalled
     | Stepped
     | Asked
     | Refused
-    | Got
-    | Statuses
-    | Loads
 )
+"""Of one task, which each names."""
+
+News = TaskNews | Unprepared | Got | Statuses | Loads
 
 
 def _plain(value: Any) -> Any:

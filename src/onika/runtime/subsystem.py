@@ -29,7 +29,7 @@ class Member:
 class RunningSubsystem:
     """Owned by the runner; tasks themselves live on RTPUs.
 
-    `known` are constants that robot modules state before they live: a supplier's own shapes may depend on them.
+    `constants` are what robot modules state before they live: a supplier's own shapes may depend on them.
     """
 
     def __init__(
@@ -45,20 +45,29 @@ class RunningSubsystem:
         self.table = table
         self.members = {wired.name: Member(wired, rtpus[wired.name]) for wired in tasks}
         wired_tasks = [member.wired for member in self.members.values()]
-        self._supplied = {svar for wired in wired_tasks for svar in wired.outconst}
+        self._suppliers = {svar: member for member in self.members.values() for svar in member.wired.outconst}
+        self._written_before = {svar for svar in self._suppliers if self._is_written(svar)}
         hardware = [wired.name for wired in wired_tasks if wired.sheet.hardware]
         self._fed = {wired.name: upstream(wired_tasks, wired.invar) for wired in wired_tasks if wired.sheet.hardware}
         self.ranks = rank([wired.meeting for wired in wired_tasks], hardware)
 
-    def is_ready(self, task: str) -> bool:
-        """Whether every constant the task needs has a value."""
-        return not self.unsupplied(task)
-
-    def unsupplied(self, task: str) -> list[str]:
-        """The constants the task still waits for."""
+    def lacking(self, task: str) -> list[str]:
+        """The constants that a task waits for: those it reads at initialisation, and those its shapes depend on."""
         wired = self.members[task].wired
-        needed = [svar for svar in wired.inconst if svar not in wired.first_values or svar in self._supplied]
-        return [svar for svar in needed if not self._is_written(svar)]
+        return [svar for svar in wired.placed.ports.inconst if self._is_lacking(svar, wired)]
+
+    def _is_lacking(self, svar: str, wired: WiredTask) -> bool:
+        """Whether nobody supplies it, or its supplier has not written it since it is here."""
+        is_dimension = svar not in wired.inconst
+        if is_dimension and svar in self._constants:
+            return False
+        supplier = self._suppliers.get(svar)
+        if supplier is None:
+            return svar not in wired.first_values
+        if supplier.wired is wired:
+            return False
+        is_outdated = supplier.state is State.WAITING and svar in self._written_before
+        return is_outdated or not self._is_written(svar)
 
     def spawn(
         self, task: str, source: str, path: str, seed: int, device: DeviceGrant | None, load_ns: int = 0

@@ -6,7 +6,7 @@ from functools import cached_property
 
 from onika.model.port import PortKind
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Placed
+from onika.model.rules.reconfiguration import PlacedTask
 from onika.wire.plan import PlannedTask
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
@@ -72,12 +72,12 @@ class WiredTask:
         return Ports(self.name, self.inconst, self.outconst, self.invar, self.outvar)
 
     @property
-    def placed(self) -> Placed:
+    def placed(self) -> PlacedTask:
         """As reconfiguration sees it; what its shapes depend on counts as a constant that it reads."""
         dimensions = (name for port in self.ports for name in port.shape.names if name not in self.outconst)
         inconst = tuple(dict.fromkeys((*self.inconst, *dimensions)))
         ports = Ports(self.name, inconst, self.outconst, self.invar, self.outvar)
-        return Placed(ports, self.task.module, self.device if self.sheet.hardware else None)
+        return PlacedTask(ports, self.task.module, self.device if self.sheet.hardware else None)
 
     @property
     def device(self) -> str | None:

@@ -13,7 +13,7 @@ from onika.model.configuration import Configuration
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.store.opened_text import Faults, Opened, Read, open_file, put, save
+from onika.store.opened_text import Faults, OpenedText, Read, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 
@@ -116,19 +116,19 @@ class BaseDirectory:
 
     # -- to edit: opened with the text of the file, saved where that text still is
 
-    def open_configuration(self, name: str) -> tuple[Opened[Configuration] | None, Faults]:
+    def open_configuration(self, name: str) -> tuple[OpenedText[Configuration] | None, Faults]:
         """The configuration `name`, to be saved again."""
         return open_file(self.configuration_file(name), name, conf.read)
 
-    def open_onikon(self, name: str, syntax: Syntax) -> tuple[Opened[Onikon] | None, Faults]:
+    def open_onikon(self, name: str, syntax: Syntax) -> tuple[OpenedText[Onikon] | None, Faults]:
         """The onikon `name`, to be saved again."""
         return open_file(self.onikon_file(name), name, partial(onk.read, syntax=syntax))
 
-    def open_application(self, name: str, syntax: Syntax) -> tuple[Opened[Application] | None, Faults]:
+    def open_application(self, name: str, syntax: Syntax) -> tuple[OpenedText[Application] | None, Faults]:
         """The application `name`, to be saved again."""
         return open_file(self.application_file(name), name, partial(appl.read, syntax=syntax))
 
-    def salvage_application(self, name: str, syntax: Syntax) -> tuple[Opened[Application] | None, Faults]:
+    def salvage_application(self, name: str, syntax: Syntax) -> tuple[OpenedText[Application] | None, Faults]:
         """The application `name` as far as its file can be read, also where that is at fault."""
         return open_file(self.application_file(name), name, partial(appl.salvage, syntax=syntax))
 
@@ -145,18 +145,18 @@ class BaseDirectory:
         return found if isinstance(found, Refusal) else RmodText(task, content)
 
     def save_configuration(
-        self, configuration: Configuration, former: Opened[Configuration] | None = None, *, overwrites: bool = False
-    ) -> Opened[Configuration] | Refusal:
+        self, configuration: Configuration, former: OpenedText[Configuration] | None = None, *, overwrites: bool = False
+    ) -> OpenedText[Configuration] | Refusal:
         """Save a configuration opened as `former`, or a new one; see `opened.save`."""
         path = self.configuration_file(configuration.name)
         return save(path, configuration, conf.write, former, overwrites=overwrites)
 
     def save_onikon(
-        self, onikon: Onikon, former: Opened[Onikon] | None = None, *, overwrites: bool = False
-    ) -> Opened[Onikon] | Refusal:
+        self, onikon: Onikon, former: OpenedText[Onikon] | None = None, *, overwrites: bool = False
+    ) -> OpenedText[Onikon] | Refusal:
         """Save an onikon opened as `former`, or a new one; see `opened.save`.
 
-        A configuration and an application of one name would share it: whose icon it is first keeps it (decision 34).
+        A configuration and an application of one name would share it: whose icon it is first keeps it (reading 34).
         """
         path, name = self.onikon_file(onikon.name), onikon.name
         found = save(path, onikon, onk.write, former, overwrites=overwrites)
@@ -167,8 +167,8 @@ class BaseDirectory:
         return found
 
     def save_application(
-        self, application: Application, former: Opened[Application] | None = None, *, overwrites: bool = False
-    ) -> Opened[Application] | Refusal:
+        self, application: Application, former: OpenedText[Application] | None = None, *, overwrites: bool = False
+    ) -> OpenedText[Application] | Refusal:
         """Save an application opened as `former`, or a new one; see `opened.save`."""
         path = self.application_file(application.name)
         return save(path, application, appl.write, former, overwrites=overwrites)

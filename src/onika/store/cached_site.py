@@ -1,4 +1,4 @@
-"""A site that remembers what it has read: a file is read again only when it has changed."""
+"""A site that caches what it has read, and reads a file again only when it has changed."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field

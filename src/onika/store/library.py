@@ -1,4 +1,4 @@
-"""A library: all tasks of a base directory, read at once; what is at fault is left out and told (C01, §5.2.1)."""
+"""A library: all tasks of a base directory, read at once, with the faults of the rest (requirement C01, §5.2.1)."""
 
 from collections.abc import Iterable, Mapping, Set
 from dataclasses import dataclass, field

@@ -1,4 +1,4 @@
-"""Something opened from a file, with the text it was read from: to save it again is to change that text (B01, B07)."""
+"""An opened file: its value and the text it was read from, which saving changes (requirements B01, B07)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ Read = Callable[[str, str, str], tuple[_T | None, Faults]]
 
 
 @dataclass(frozen=True, slots=True)
-class Opened(Generic[_T]):
+class OpenedText(Generic[_T]):
     """A value, the file it was read from or saved to, and what stood there then."""
 
     value: _T
@@ -23,18 +23,18 @@ class Opened(Generic[_T]):
     text: str
 
 
-def open_file(path: Path, name: str, read: Read[_T]) -> tuple[Opened[_T] | None, Faults]:
+def open_file(path: Path, name: str, read: Read[_T]) -> tuple[OpenedText[_T] | None, Faults]:
     """What `read` makes of the file; None with the faults where that is nothing."""
     content, faults = text.load(path, str(path))
     if content is None:
         return None, faults
     value, faults = read(content, name, str(path))
-    return (None if value is None else Opened(value, path, content)), faults
+    return (None if value is None else OpenedText(value, path, content)), faults
 
 
 def save(
-    path: Path, value: _T, write: Callable[[_T, str], str], former: Opened[_T] | None, *, overwrites: bool
-) -> Opened[_T] | Refusal:
+    path: Path, value: _T, write: Callable[[_T, str], str], former: OpenedText[_T] | None, *, overwrites: bool
+) -> OpenedText[_T] | Refusal:
     """Save a value, with the comments of `former`; gives what is opened now.
 
     Refused where the file is another than `former` was read from, and, without `former` or under another name, where
@@ -47,11 +47,11 @@ def save(
     return put(path, value, write(value, kept), expected)
 
 
-def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> Opened[_T] | Refusal:
+def put(path: Path, value: _T, content: str, expected: whole.Stamp) -> OpenedText[_T] | Refusal:
     """Write the text of a value where the stamp `expected` is, and make the directory if need be."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         return Refusal(f"{path} cannot be saved: {error.strerror}", ("save it elsewhere",))
     found = whole.write(path, content, expected)
-    return found if isinstance(found, Refusal) else Opened(value, path, content)
+    return found if isinstance(found, Refusal) else OpenedText(value, path, content)

@@ -1,4 +1,4 @@
-"""A program: an application with all that was found for it on a site (dissertation §5.9.2)."""
+"""Loads an application with everything it needs from a site (§5.9.2)."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
@@ -15,7 +15,7 @@ from onika.words.fault import Fault
 
 
 @dataclass(frozen=True, slots=True)
-class Program:
+class ApplicationProgram:
     """What a run needs, by name; what was not found is lacking. `faults` are those of the files read."""
 
     application: Application
@@ -32,10 +32,10 @@ class Program:
     """The files of the nested applications."""
 
 
-def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults]:
+def load(path: Path, site: Site, syntax: Syntax) -> tuple[ApplicationProgram | None, Faults]:
     """The application in the file `path` with the configurations, tasks and code it needs; nothing else is read.
 
-    The base directory of the file, if it lies in an `appl/`, comes before the search path (decision 35). None with
+    The base directory of the file, if it lies in an `appl/`, comes before the search path (reading 35). None with
     the faults where the application itself cannot be read.
     """
     content, faults = text.load(path, str(path))
@@ -48,12 +48,12 @@ def load(path: Path, site: Site, syntax: Syntax) -> tuple[Program | None, Faults
     return program, program.faults
 
 
-def gather(application: Application, site: Site, syntax: Syntax, faults: Faults = ()) -> Program:
+def gather(application: Application, site: Site, syntax: Syntax, faults: Faults = ()) -> ApplicationProgram:
     """An application with the configurations, tasks and code it needs; `faults` are those of its own file."""
     return _Gathering(site, syntax).program(application, faults)
 
 
-def joined(program: Program, names: Iterable[str], site: Site) -> Program:
+def joined(program: ApplicationProgram, names: Iterable[str], site: Site) -> ApplicationProgram:
     """A program with further tasks that may live in it, and their code; those that are nowhere are left out."""
     tasks, code, faults = dict(program.tasks), dict(program.code), list(program.faults)
     for name in names:
@@ -69,7 +69,7 @@ def joined(program: Program, names: Iterable[str], site: Site) -> Program:
 
 
 def home_of(path: Path, site: Site) -> Site:
-    """The site as the application in the file `path` sees it: its own base directory comes first (decision 35)."""
+    """The site as the application in the file `path` sees it: its own base directory comes first (reading 35)."""
     folder = path.absolute().parent
     return site.at(folder.parent) if folder.name == "appl" else site
 
@@ -88,14 +88,14 @@ class _Gathering:
         self._unread: set[str] = set()
         self._files: dict[str, str] = {}
 
-    def program(self, application: Application, faults: Faults) -> Program:
+    def program(self, application: Application, faults: Faults) -> ApplicationProgram:
         self._faults += faults
         self._enter(application)
         paths = {task.module: self._site.code_file(task) for task in self._tasks.values()}
         code = {module: path for module, path in paths.items() if path}
         found = tuple(self._faults)
         unread = frozenset(self._unread)
-        return Program(
+        return ApplicationProgram(
             application, self._configurations, self._tasks, code, self._applications, found, unread, self._files
         )
 

@@ -1,4 +1,4 @@
-"""A site: the base directories of a search path and one user's own files, in which names are found (decision 11)."""
+"""A site: the search path of base directories and one user's own files, in which names are looked up (reading 11)."""
 
 import os
 from collections.abc import Callable, Iterable, Iterator, Mapping
@@ -17,7 +17,7 @@ from onika.model.preferences import Preferences
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Faults, Opened, open_file, put, save
+from onika.store.opened_text import Faults, OpenedText, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
 
@@ -56,7 +56,7 @@ class Site:
         return (*own, self.prefs / syntax.NAME)
 
     def syntax(self) -> tuple[Syntax | None, Faults]:
-        """The user's own syntax definition, else the shipped one; whole, never merged (decision 39).
+        """The user's own syntax definition, else the shipped one; whole, never merged (reading 39).
 
         A faulty one is reported and the next is taken; None only where the shipped one is at fault.
         """
@@ -88,14 +88,14 @@ class Site:
         found = put(path, preferred, preferences.write(preferred), whole.ABSENT)
         return found if isinstance(found, Refusal) else None
 
-    def open_preferences(self) -> tuple[Opened[Preferences] | None, Faults]:
+    def open_preferences(self) -> tuple[OpenedText[Preferences] | None, Faults]:
         """The preferences to be edited and saved again; None where the user has no file of them that can be read."""
         path = self._own_path(preferences.NAME)
         return open_file(path, preferences.NAME, preferences.read) if path and path.exists() else (None, ())
 
     def save_preferences(
-        self, preferred: Preferences, former: Opened[Preferences] | None = None, *, overwrites: bool = False
-    ) -> Opened[Preferences] | Refusal:
+        self, preferred: Preferences, former: OpenedText[Preferences] | None = None, *, overwrites: bool = False
+    ) -> OpenedText[Preferences] | Refusal:
         """Save preferences opened as `former`, or new ones; see `opened.save`."""
         path = self._own_path(preferences.NAME)
         if path is None:
@@ -110,14 +110,18 @@ class Site:
         read, faults = buttons.read(content, buttons.NAME, str(self._own_path(buttons.NAME)))
         return read or (), faults
 
-    def open_buttons(self) -> tuple[Opened[tuple[Button, ...]] | None, Faults]:
+    def open_buttons(self) -> tuple[OpenedText[tuple[Button, ...]] | None, Faults]:
         """The buttons to be edited and saved again; None where the user has no file of them that can be read."""
         path = self._own_path(buttons.NAME)
         return open_file(path, buttons.NAME, buttons.read) if path and path.exists() else (None, ())
 
     def save_buttons(
-        self, made: tuple[Button, ...], former: Opened[tuple[Button, ...]] | None = None, *, overwrites: bool = False
-    ) -> Opened[tuple[Button, ...]] | Refusal:
+        self,
+        made: tuple[Button, ...],
+        former: OpenedText[tuple[Button, ...]] | None = None,
+        *,
+        overwrites: bool = False,
+    ) -> OpenedText[tuple[Button, ...]] | Refusal:
         """Save buttons opened as `former`, or new ones; see `opened.save`."""
         path = self._own_path(buttons.NAME)
         if path is None:

@@ -1,4 +1,4 @@
-"""The argument line of a task: the words of a target's values, in order (dissertation §C.4, decision 40).
+"""The argument line of a task: the words of a target's values, in order (dissertation §C.4, reading 40).
 
 Words are parted by blanks. A word that is empty or holds blanks or quotes stands in double quotes, in which
 `\\"` and `\\\\` mean the sign itself.

@@ -3,7 +3,7 @@ import pytest
 from kit.live_runtime import LiveRuntime
 from onika.desk.console.console import Console
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Session
+from onika.desk.console.session import ConsoleSession
 from onika.store.site import open_site
 from onika.wire import event
 
@@ -21,7 +21,7 @@ class ConsoleFixture:
         self._now_s = 0.0
         self.interrupts = 0
         site = open_site([home], {}, home)
-        self.session = Session(runtime, site, self, self.clock, is_interrupted=self._is_interrupted, **given)
+        self.session = ConsoleSession(runtime, site, self, self.clock, is_interrupted=self._is_interrupted, **given)
         self.console = Console(self.session)
         self.begun = self.session.begin()
 

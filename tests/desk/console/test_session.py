@@ -1,7 +1,7 @@
 import pytest
 
 from kit.live_runtime import LiveRuntime
-from onika.desk.console.session import Session
+from onika.desk.console.session import ConsoleSession
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
 
@@ -10,7 +10,7 @@ def test_a_console_listens_to_all_and_chooses_the_only_subsystem(sit):  # R-A06
     sitting = sit()
     assert sitting.requests_of(live.Attend)[0].subsystems == ("*",)
     sitting.does("spawn left/puma")
-    other = Session(sitting.runtime, sitting.session.site, sitting, sitting.clock)
+    other = ConsoleSession(sitting.runtime, sitting.session.site, sitting, sitting.clock)
     other.begin()
     assert (sitting.session.subsystem, other.subsystem) == ("main", "left")
 

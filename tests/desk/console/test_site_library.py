@@ -1,14 +1,14 @@
 import pytest
 
 from kit.build import task
-from onika.desk.console.site_library import Library, altered
+from onika.desk.console.site_library import SiteLibrary, altered
 from onika.store.site import open_site
 from onika.words.fault import Place
 
 
 @pytest.fixture
 def library(tmp_path):
-    return Library(open_site([tmp_path], {}, tmp_path), Place("line"))
+    return SiteLibrary(open_site([tmp_path], {}, tmp_path), Place("line"))
 
 
 def test_a_task_comes_with_its_code_from_the_search_path(library):  # R-A14

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.console.steering_lines import cast_of
+from onika.desk.console.steering_lines import flow_index_of
 from onika.wire import event, live, request, steer
 
 HERE = steer.Position("flow0", "paused", 1)
@@ -61,10 +61,10 @@ def test_runs_lists_the_applications_with_their_flows(steered):  # R-E11
 
 def test_actions_of_an_own_run_go_by_their_names_too(steered):  # R-E13
     steered.console.carry_out("run go_home")
-    name = steered.session.cast.parts[0].actions[0]
+    name = steered.session.flow_index.parts[0].actions[0]
     steered.does(f"skip {name}")
     assert steered.runtime.asked[-1] == steer.Skip("flow0", 0)
-    assert cast_of(steered.session, (HERE, THERE)).name("flow0", 0) == ""
+    assert flow_index_of(steered.session, (HERE, THERE)).name("flow0", 0) == ""
 
 
 def test_to_clear_a_flow_is_to_clear_and_continue(steered):  # R-E08

@@ -22,7 +22,7 @@ def variable(value, at_s=1.0, count=1):
     return reading.encode(reading.Variable(round(at_s * 1e9), count, value))
 
 
-def test_a_frame_holds_what_has_come_since_the_one_before(model):  # R-C14, house decision 7
+def test_a_frame_holds_what_has_come_since_the_one_before(model):  # R-C14
     frames = Frames()
     assert frames.take() is None
     frames.put({"Untitled-1/A": variable(1.0)}, None, model)

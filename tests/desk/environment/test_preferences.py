@@ -6,7 +6,7 @@ from kit.environment_fixture import EnvironmentFixture
 from onika.desk.environment.preferences import leave
 from onika.desk.environment.state import settings
 from onika.files import preferences as file
-from onika.model.preferences import STATUS_COLUMNS, Preferences, Spot, Window
+from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.model.task import Task
 from onika.wire import act
 
@@ -39,7 +39,7 @@ def test_preferences_of_every_kind_are_changed(sitting):  # R-G01
     }
     sitting.do(act.Prefer(values))
     now = preferred(sitting)
-    assert (now.pin_length, now.shows_period, now.main) == (20, True, Spot(0, 9))
+    assert (now.pin_length, now.shows_period, now.main) == (20, True, WindowCorner(0, 9))
     assert now.canvas == Window(-5, 0, 640, 700)
     assert now.status_columns == ("rmod", "tick")
     assert sitting.environment.model.habits.keeps_diary is False

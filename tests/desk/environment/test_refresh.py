@@ -125,7 +125,7 @@ def test_a_task_at_fault_or_gone_is_left_out_told_and_stays_placed_as_missing(si
     assert not any(one.is_missing for one in sitting.environment.tree.documents[doc].tasks.values())
 
 
-def test_a_file_that_clashes_in_an_open_configuration_is_taken_and_told(sitting):  # decision 9
+def test_a_file_that_clashes_in_an_open_configuration_is_taken_and_told(sitting):  # reading 9
     saved(sitting)
     rewrite(sitting, Task("b", "b", outvar=("Q",), frequency=10.0))
     sitting.look()

@@ -12,7 +12,7 @@ from kit.live_runtime import LiveRuntime
 from onika.desk.environment.environment import Environment
 from onika.desk.environment.outcome.outcome import Order, Reach, Simulator
 from onika.desk.environment.runtime_thread import Station
-from onika.desk.run.runtime import Reply
+from onika.desk.run.runtime import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.model.lifecycle import State
 from onika.model.task import Task
@@ -38,7 +38,7 @@ class Line:
         self.asked.append(asked)
         number = len(self.asked)
         if not isinstance(asked, self.silent):
-            self.say(Reply(number, self.runtime.ask(asked)), *self.runtime.events(0.0))
+            self.say(NumberedResponse(number, self.runtime.ask(asked)), *self.runtime.events(0.0))
         return number
 
     def say(self, *words):

@@ -32,7 +32,7 @@ def compiled(path):
     return compiler, compiler.plan()
 
 
-def test_a_task_is_planned_as_its_rmod_describes_it(laboratory):  # house decision 2, law 23
+def test_a_task_is_planned_as_its_rmod_describes_it(laboratory):  # law 23
     _, plan = compiled(laboratory.application("twice", [job("winkC")]))
     (flow,) = plan.flows
     wink, blink = flow.tasks
@@ -48,7 +48,7 @@ def test_a_task_is_planned_as_its_rmod_describes_it(laboratory):  # house decisi
     assert (blink.place, blink.rtpu) == ("blink", "unknown")
 
 
-def test_code_is_named_by_its_content_and_goes_along_once(laboratory):  # house decision 11, law 23
+def test_code_is_named_by_its_content_and_goes_along_once(laboratory):  # reading 7, law 23
     _, plan = compiled(laboratory.application("twice", [job("winkC"), job("blinkC")]))
     digest = sha256(SOURCE.encode()).hexdigest()
     assert [(code.module, code.digest, code.source) for code in plan.code] == [
@@ -58,7 +58,7 @@ def test_code_is_named_by_its_content_and_goes_along_once(laboratory):  # house 
     assert {task.digest for task in plan.flows[0].tasks} == {digest}
 
 
-def test_the_first_configuration_gives_the_unit_and_each_its_rates(laboratory):  # decision 13
+def test_the_first_configuration_gives_the_unit_and_each_its_rates(laboratory):  # reading 13
     _, plan = compiled(laboratory.application("twice", [job("winkC"), job("blinkC")]))
     assert {task.name: task.rtpu for task in plan.flows[0].tasks} == {"wink": "rt1", "blink": "unknown"}
     first, second = plan.flows[0].actions
@@ -66,7 +66,7 @@ def test_the_first_configuration_gives_the_unit_and_each_its_rates(laboratory): 
     assert (second.tasks, second.rates) == (("blink", "wink"), (("wink", 50.0),))  # 0 Hz: as the task itself says
 
 
-def test_the_rate_of_a_configuration_overrides_that_of_the_task(laboratory):  # decision 10
+def test_the_rate_of_a_configuration_overrides_that_of_the_task(laboratory):  # reading 10
     laboratory.plain_task("wink", hz=40)
     _, plan = compiled(laboratory.application("twice", [job("winkC")]))
     (wink,) = (task for task in plan.flows[0].tasks if task.name == "wink")
@@ -116,7 +116,7 @@ def test_code_that_is_no_text_is_a_fault(laboratory):  # R-B07
     assert [fault.place.file.rpartition("/")[2] for fault in compiler.faults] == ["wink.py"]
 
 
-def test_the_units_of_a_plan_are_those_it_names(laboratory):  # R-A15, decision 12
+def test_the_units_of_a_plan_are_those_it_names(laboratory):  # R-A15, reading 12
     _, plan = compiled(laboratory.application("twice", [job("winkC")], [job("blinkC")], parallel=True))
     assert rtpus_of(plan) == ("rt0", "rt1", "rt7")
     assert rtpus_of(Plan("none", (), ())) == ("rt0",)

@@ -1,13 +1,13 @@
 import pytest
 
-from onika.desk.plan.flow_index import Cast, Part
+from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.wire.steer import Position
 
-CAST = Cast(
+CAST = FlowIndex(
     (
-        Part("left", ("lift", "turn", "lift"), frozenset({"LAMP", "Q"})),
-        Part("right", ("wait",), frozenset({"Q", "X"})),
-        Part("left.1", ("help",), frozenset(), is_nested=True),
+        IndexedFlow("left", ("lift", "turn", "lift"), frozenset({"LAMP", "Q"})),
+        IndexedFlow("right", ("wait",), frozenset({"Q", "X"})),
+        IndexedFlow("left.1", ("help",), frozenset(), is_nested=True),
     )
 )
 
@@ -21,7 +21,7 @@ def test_a_flow_goes_by_its_subsystem_or_its_number(word, flow):  # R-E07
 
 def test_a_flow_need_not_be_said_where_there_is_one_besides_nested_ones():  # R-E07
     assert CAST.lone == ""
-    assert Cast((CAST.parts[0], CAST.parts[2])).lone == "left"
+    assert FlowIndex((CAST.parts[0], CAST.parts[2])).lone == "left"
 
 
 @pytest.mark.parametrize(("word", "index"), [("1", 0), ("3", 2), ("turn", 1)])
@@ -44,7 +44,7 @@ def test_an_action_that_is_none_is_refused_with_those_that_are(word, sentence): 
 
 
 def test_of_a_run_that_somebody_else_began_numbers_alone_are_known():  # R-E13
-    seen = Cast.seen([Position("left", "running", 2)])
+    seen = FlowIndex.seen([Position("left", "running", 2)])
     assert (seen.lone, seen.action("left", "9"), seen.count("left"), seen.name("left", 2)) == ("left", 8, 0, "")
     with pytest.raises(ValueError, match="by its number"):
         seen.action("left", "lift")

@@ -60,7 +60,7 @@ def test_a_configuration_and_an_application_get_icons_of_their_types(base: BaseD
 def test_an_icon_that_is_there_keeps_its_picture_its_description_and_its_comments(
     base: BaseDirectory, site: Site
 ) -> None:
-    old = Onikon("move", "Complete job", "moves", (), blank())  # decision 36: its type is stale
+    old = Onikon("move", "Complete job", "moves", (), blank())  # reading 36: its type is stale
     base.save_onikon(old)
     file = base.onikon_file("move")
     file.write_text("# mine\n" + file.read_text())
@@ -86,7 +86,7 @@ def test_several_targets_are_told_in_the_icon(base: BaseDirectory, site: Site) -
 
 
 def test_an_icon_of_something_else_is_kept_unless_it_is_to_be_replaced(base: BaseDirectory, site: Site) -> None:
-    made(base.configuration_file("move"), site)  # decision 34
+    made(base.configuration_file("move"), site)  # reading 34
     base.save_application(Application("move", False, (AppFlow((MOVE, Hole())),)))
     (reason,) = reasons(base.application_file("move"), site)
     assert "is the icon of something else, a Joint job" in reason

@@ -28,7 +28,7 @@ def test_a_shipped_application_is_ready(site, name):  # R-E01, R-K01
     }
 
 
-def test_a_file_is_found_by_its_path_and_its_own_directory_comes_first(laboratory):  # decision 35
+def test_a_file_is_found_by_its_path_and_its_own_directory_comes_first(laboratory):  # reading 35
     laboratory.plain_task("opengrip", reads="GRIP_MEZ", writes="GRIP", hz=50)
     path = laboratory.application("mine", [job("opengripC")])
     prepared = prepare_run(str(path), open_site([], {}, None))
@@ -70,7 +70,7 @@ def test_no_fault_is_told_twice(laboratory, site):
     assert len(set(prepared.faults)) == len(prepared.faults)
 
 
-def test_without_a_syntax_nothing_can_be_read(tmp_path, laboratory):  # decision 39
+def test_without_a_syntax_nothing_can_be_read(tmp_path, laboratory):  # reading 39
     path = laboratory.application("mine", [job("opengripC")])
     site = open_site([], {"ONIKA_DIR": str(tmp_path / "nowhere")}, None)
     prepared = prepare_run(str(path), site)
@@ -78,7 +78,7 @@ def test_without_a_syntax_nothing_can_be_read(tmp_path, laboratory):  # decision
     assert "OnikaUpperSetUp.dta" in prepared.faults[0].place.file
 
 
-def test_what_files_are_read_with_and_what_nobody_writes_are_notes(laboratory, site):  # decision 38, R-B11
+def test_what_files_are_read_with_and_what_nobody_writes_are_notes(laboratory, site):  # reading 38, R-B11
     laboratory.plain_task("both", reads="X", writes="Y")
     path = laboratory.path / "module" / "both.rmod"
     path.write_text(path.read_text().replace("INCONST", "SVARALIAS   Y = X\nINCONST").replace("DESC ", "DESC  "))
@@ -89,7 +89,7 @@ def test_what_files_are_read_with_and_what_nobody_writes_are_notes(laboratory, s
     assert prepared.faults == ()
     assert [(note.expected, note.is_note) for note in prepared.notes] == [
         ("colours from 0 to 8", True),
-        ("variables that `both` reads or writes", True),  # decision 9, Equation (5)
+        ("variables that `both` reads or writes", True),  # reading 9, Equation (5)
     ]
 
 

@@ -68,13 +68,13 @@ def test_a_top_test_loop_tests_again_after_its_anchor():  # R-E05, §4.4.7.3
     assert program(*steps) == [Do(0), Unless("l", 5, "N < 3"), Do(1), Do(2), Jump(0, "l"), Halt()]
 
 
-def test_a_round_meets_again_at_the_tag_of_its_anchor():  # decision 26
+def test_a_round_meets_again_at_the_tag_of_its_anchor():  # reading 26
     flow = [job("a", while_tag="l", synch_tag="m"), job("t", while_tag="l", while_test=True)]
     first, _ = lines(flow, [job("c", synch_tag="m")], parallel=True)
     assert first.program == [Meet("m"), Do(0), Do(1), Again("l", 0), Halt()]
 
 
-def test_loops_in_loops_close_inside_out():  # decision 23
+def test_loops_in_loops_close_inside_out():  # reading 23
     flow = [
         job("o", while_tag="outer"),
         job("i", while_tag="inner"),
@@ -84,7 +84,7 @@ def test_loops_in_loops_close_inside_out():  # decision 23
     assert program(*flow) == [Do(0), Do(1), Do(2), Again("inner", 1), Do(3), Again("outer", 0), Halt()]
 
 
-def test_a_tag_where_nobody_meets_is_left_out():  # decision 27
+def test_a_tag_where_nobody_meets_is_left_out():  # reading 27
     assert program(job("a", synch_tag="m")) == [Do(0), Halt()]
     inner = application("inner", [job("b", synch_tag="m")])
     first, _ = lines([nested("inner")], [job("c")], parallel=True, others=[inner])
@@ -154,7 +154,7 @@ def targets(line):
     return [tuple(target.onikon.name for target in doing.targets) for doing in line.doings]
 
 
-def test_an_outer_target_fills_every_hole_of_its_type_also_in_nested_ones():  # R-D09, decision 32
+def test_an_outer_target_fills_every_hole_of_its_type_also_in_nested_ones():  # R-D09, reading 32
     reach = application(
         "reach", [icon("jmove", "Joint job"), Hole(), icon("jmove", "Joint job"), icon("home", "Joint object")]
     )

@@ -4,15 +4,15 @@ from importlib import metadata
 import pytest
 
 from onika.desk.run import machine
-from onika.desk.run.machine import Offer, offers
+from onika.desk.run.machine import Feature, features
 
 
 def test_every_offer_says_what_was_found_and_what_lacking_it_costs():  # law 31
-    features = list(offers())
-    names = [feature.name for feature in features]
+    every = list(features())
+    names = [feature.name for feature in every]
     assert names[:5] == ["system", "python", "processors", "SCHED_FIFO", "memory lock"]
     assert {"numpy", "msgspec", "mujoco", "ruckig", "rich", "graphics"} <= set(names)
-    for feature in features:
+    for feature in every:
         assert feature.actual
         assert "\n" not in feature.actual
         assert feature.is_there or feature.cost
@@ -23,7 +23,7 @@ def test_a_library_that_is_missing_is_told_with_its_cost(monkeypatch):  # law 31
         raise metadata.PackageNotFoundError(name)
 
     monkeypatch.setattr(machine.metadata, "version", missing)
-    assert machine._library("numpy", "nothing runs") == Offer("numpy", False, "not installed", "nothing runs")
+    assert machine._library("numpy", "nothing runs") == Feature("numpy", False, "not installed", "nothing runs")
 
 
 @pytest.mark.parametrize(("code", "there", "actual"), [(0, True, "granted"), (1, False, "refused")])
@@ -53,4 +53,4 @@ def test_one_processor_is_too_few(monkeypatch):  # law 31
     monkeypatch.setattr(machine.os, "sched_getaffinity", lambda _pid: {0})
     assert not machine._processors().is_there
     monkeypatch.setattr(machine.os, "sched_getaffinity", lambda _pid: {0, 1})
-    assert machine._processors() == Offer("processors", True, "2", machine._processors().cost)
+    assert machine._processors() == Feature("processors", True, "2", machine._processors().cost)

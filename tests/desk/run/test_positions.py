@@ -1,10 +1,10 @@
 import pytest
 
-from onika.desk.plan.flow_index import Cast, Part
+from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.desk.run.positions import lines, remark, state, waits
 from onika.wire.steer import Position
 
-CAST = Cast((Part("flow0", ("lift", "turn"), frozenset()), Part("flow1", ("wait",), frozenset())))
+CAST = FlowIndex((IndexedFlow("flow0", ("lift", "turn"), frozenset()), IndexedFlow("flow1", ("wait",), frozenset())))
 
 
 def test_each_flow_is_a_row_with_what_it_does_and_whom_it_waits_for():  # R-E11, R-X03
@@ -17,7 +17,7 @@ def test_each_flow_is_a_row_with_what_it_does_and_whom_it_waits_for():  # R-E11,
 
 
 def test_where_names_are_not_known_numbers_stand_alone():  # R-E11
-    assert lines([Position("main", "paused", 4)], Cast.seen([]))[1] == "main  paused       5"
+    assert lines([Position("main", "paused", 4)], FlowIndex.seen([]))[1] == "main  paused       5"
 
 
 @pytest.mark.parametrize(

@@ -1,7 +1,7 @@
 import pytest
 
 from kit.recording_builder import RecordingBuilder, run
-from onika.desk.run.recorded_run import RecordedRun, Source, events_of, inputs_of, recorded_run
+from onika.desk.run.recorded_run import RecordedRun, RecordingSource, events_of, inputs_of, recorded_run
 from onika.wire import event, request, steer
 from onika.wire.request import decode_request
 
@@ -35,7 +35,7 @@ def test_events_are_told_with_their_times(path):
 
 def test_a_run_is_begun_as_it_was_with_what_is_wanted_beside(path):  # R-X05
     taped(path, seed=9).end(hash="abc")
-    record = recorded_run(Source(path, 1.5))
+    record = recorded_run(RecordingSource(path, 1.5))
     assert isinstance(record, RecordedRun)
     begin = record.begin(request.Begin(watch=("X",), is_held=True, record="b.mcap", seed=1))
     assert (begin.seed, begin.watch, begin.is_held, begin.record) == (9, ("X",), True, "b.mcap")
@@ -46,18 +46,18 @@ def test_a_run_is_begun_as_it_was_with_what_is_wanted_beside(path):  # R-X05
 
 def test_one_that_was_cut_short_is_repeated_as_far_as_it_goes(path):  # R-X05
     taped(path).cut()
-    cut = recorded_run(Source(path))
+    cut = recorded_run(RecordingSource(path))
     assert cut.until_ns == 3_000_000_000
     assert cut.notes[0].startswith("the recording was cut short: it is repeated up to 3 s, and from there")
-    assert recorded_run(Source(path, 1.0)).notes == ()
+    assert recorded_run(RecordingSource(path, 1.0)).notes == ()
     taped(path).end()
-    record = recorded_run(Source(path))
+    record = recorded_run(RecordingSource(path))
     assert (record.until_ns, record.is_before(1e9), record.notes) == (-1, True, ())
 
 
 def test_a_wall_run_is_approximate_and_says_so(path):  # law 29
     taped(path, is_virtual=False).end()
-    record = recorded_run(Source(path, 1.0))
+    record = recorded_run(RecordingSource(path, 1.0))
     assert not record.is_exact
     assert record.notes[0].startswith("approximate:")
 
@@ -72,11 +72,11 @@ def test_a_wall_run_is_approximate_and_says_so(path):  # law 29
 )
 def test_what_cannot_be_repeated_is_refused_with_the_reason(path, other, words, at_s, expected):  # R-E01
     taped(path, **other).end(**words)
-    (fault,) = recorded_run(Source(path, at_s))
+    (fault,) = recorded_run(RecordingSource(path, at_s))
     assert expected in str(fault)
 
 
 def test_a_file_that_is_no_recording_is_refused(tmp_path, path):  # R-E01
     path.write_text("no recording")
-    assert "found something else" in str(recorded_run(Source(path))[0])
-    assert "no such file" in str(recorded_run(Source(tmp_path / "nothing"))[0])
+    assert "found something else" in str(recorded_run(RecordingSource(path))[0])
+    assert "no such file" in str(recorded_run(RecordingSource(tmp_path / "nothing"))[0])

@@ -1,6 +1,6 @@
 import pytest
 
-from onika.desk.run.steering import Order
+from onika.desk.run.steering import SteeringOrder
 from onika.wire import event, live, request, steer
 from onika.words.condition import Condition
 from onika.words.fault import Place
@@ -112,7 +112,7 @@ def test_after_its_end_there_is_nothing_to_steer(running):  # R-E07
     run, runtime = running(GOOD)
     run.result()
     count = len(runtime.requests)
-    (fault,) = run.do(Order(steer.Pause("")), Place("s", 4))
+    (fault,) = run.do(SteeringOrder(steer.Pause("")), Place("s", 4))
     assert (fault.place, fault.found) == (Place("s", 4), "its end")
     assert len(runtime.requests) == count
 
@@ -131,7 +131,7 @@ def test_where_every_flow_is_can_be_asked_at_any_time(running):  # R-X03
     runtime.positions = (steer.Position("flow0", "waiting", 0, "a", ("flow1",)),)
     assert run.who() == runtime.positions
     assert run.steer("who") == ()
-    assert run.whereabouts.spots["flow0"].tag == "a"
+    assert run.flow_tracker.statuses["flow0"].tag == "a"
     runtime.refusals["Who"] = "no"
     assert run.who() == ()
 
@@ -139,13 +139,13 @@ def test_where_every_flow_is_can_be_asked_at_any_time(running):  # R-X03
 def test_it_stands_still_only_if_the_runtime_says_so_too(running):  # R-X03
     run, runtime = running(is_held=False)
     for flow in ("flow0", "flow1"):
-        run.whereabouts.hear(event.Moved(flow, "paused", 0, 0.5))
+        run.flow_tracker.hear(event.Moved(flow, "paused", 0, 0.5))
     runtime.positions = (steer.Position("flow0", "running", 1), steer.Position("flow1", "paused", 0))
     assert not run.is_stuck()
-    run.whereabouts.hear(event.Moved("flow0", "paused", 1, 0.5))
+    run.flow_tracker.hear(event.Moved("flow0", "paused", 1, 0.5))
     runtime.positions = (steer.Position("flow0", "paused", 1), steer.Position("flow1", "paused", 0))
     assert run.is_stuck()
-    run.whereabouts.hear(event.Asked("flow0", "gauge", "", (), 0.5))
+    run.flow_tracker.hear(event.Asked("flow0", "gauge", "", (), 0.5))
     assert not run.is_stuck()
 
 

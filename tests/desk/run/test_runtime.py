@@ -8,7 +8,7 @@ import pytest
 from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import rail_tasks
 from onika.desk.run import runtime as room
-from onika.desk.run.runtime import Reply, Runtime
+from onika.desk.run.runtime import NumberedResponse, Runtime
 from onika.link.launcher import launch
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request
@@ -52,7 +52,7 @@ def events_of(runtime):
                 return
 
 
-def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, house decision 1
+def test_a_runtime_is_asked_and_listened_to_until_the_block_ends():  # R-F01, reading 1
     with Runtime(("rt0",), is_virtual=True) as runtime:
         assert runtime.ask(request.Prepare(bell(), ())) == request.Prepared(())
         assert runtime.ask(request.Begin()) == request.Done()
@@ -113,14 +113,14 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
     assert any(fault.found == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
 
 
-def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():  # house decision 3
+def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():
     with Runtime(("rt0",), is_virtual=True) as runtime:
         numbers = [runtime.send(message) for message in (live.Survey(), live.Take("main"), live.Scene("moon"))]
         messages = []
-        while sum(isinstance(message, Reply) for message in messages) < len(numbers):
+        while sum(isinstance(message, NumberedResponse) for message in messages) < len(numbers):
             assert runtime.readers() and runtime.due_s() is not None and runtime.writers() == []
             messages += runtime.messages(1.0)
-        replies = {message.number: message.response for message in messages if isinstance(message, Reply)}
+        replies = {message.number: message.response for message in messages if isinstance(message, NumberedResponse)}
     assert isinstance(replies[numbers[0]], live.Standing)
     assert replies[numbers[1]] == request.Done()
     assert replies[numbers[2]] == request.Refused("no world moon is open")

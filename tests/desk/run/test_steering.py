@@ -1,12 +1,12 @@
 import pytest
 
-from onika.desk.plan.flow_index import Cast, Part
-from onika.desk.run.steering import VERBS, Expect, Look, Order, Wait, act
-from onika.desk.run.wait_condition import Moment
+from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
+from onika.desk.run.steering import VERBS, Expectation, PositionQuery, SteeringOrder, SteeringWait, act
+from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import live, request, steer
 
-ONE = Cast((Part("flow0", ("lift", "turn home"), frozenset({"LAMP"})),))
-TWO = Cast((*ONE.parts, Part("flow1", ("wait", "lift"), frozenset({"X"}))))
+ONE = FlowIndex((IndexedFlow("flow0", ("lift", "turn home"), frozenset({"LAMP"})),))
+TWO = FlowIndex((*ONE.parts, IndexedFlow("flow1", ("wait", "lift"), frozenset({"X"}))))
 
 
 @pytest.mark.parametrize(
@@ -33,7 +33,7 @@ TWO = Cast((*ONE.parts, Part("flow1", ("wait", "lift"), frozenset({"X"}))))
 )
 def test_a_line_becomes_a_request_for_the_only_flow(line, message):  # R-E07, R-E08, R-E13
     order = act(line, ONE)
-    assert isinstance(order, Order)
+    assert isinstance(order, SteeringOrder)
     assert order.message == message
 
 
@@ -60,42 +60,42 @@ def test_where_there_are_several_the_others_want_to_know_which(line):  # R-E07
 
 
 @pytest.mark.parametrize(
-    ("line", "moment", "within_s"),
+    ("line", "condition", "within_s"),
     [
-        ("wait 2.5", Moment("seconds", seconds=2.5), 60.0),
-        ("wait began 2", Moment("began", "flow0", 1), 60.0),
-        ("wait done turn home within 5", Moment("done", "flow0", 1), 5.0),
-        ("wait done", Moment("done", "flow0"), 60.0),
-        ("wait done flow0", Moment("done", "flow0"), 60.0),
-        ("wait paused within 0.5", Moment("paused", "flow0"), 0.5),
-        ("wait stopped", Moment("stopped", "flow0"), 60.0),
+        ("wait 2.5", WaitCondition("seconds", seconds=2.5), 60.0),
+        ("wait began 2", WaitCondition("began", "flow0", 1), 60.0),
+        ("wait done turn home within 5", WaitCondition("done", "flow0", 1), 5.0),
+        ("wait done", WaitCondition("done", "flow0"), 60.0),
+        ("wait done flow0", WaitCondition("done", "flow0"), 60.0),
+        ("wait paused within 0.5", WaitCondition("paused", "flow0"), 0.5),
+        ("wait stopped", WaitCondition("stopped", "flow0"), 60.0),
     ],
 )
-def test_a_script_waits_for_times_actions_and_states(line, moment, within_s):  # R-E07
-    assert act(line, ONE) == Wait(moment, within_s)
+def test_a_script_waits_for_times_actions_and_states(line, condition, within_s):  # R-E07
+    assert act(line, ONE) == SteeringWait(condition, within_s)
 
 
 @pytest.mark.parametrize(
-    ("line", "moment"),
+    ("line", "condition"),
     [
-        ("wait done 1", Moment("done", "flow1")),
-        ("wait done 1 2", Moment("done", "flow1", 1)),
-        ("wait waiting", Moment("waiting", "")),
-        ("wait began flow1 lift", Moment("began", "flow1", 1)),
+        ("wait done 1", WaitCondition("done", "flow1")),
+        ("wait done 1 2", WaitCondition("done", "flow1", 1)),
+        ("wait waiting", WaitCondition("waiting", "")),
+        ("wait began flow1 lift", WaitCondition("began", "flow1", 1)),
     ],
 )
-def test_where_there_are_several_a_lone_number_is_a_flow(line, moment):  # R-E07
-    assert act(line, TWO) == Wait(moment)
+def test_where_there_are_several_a_lone_number_is_a_flow(line, condition):  # R-E07
+    assert act(line, TWO) == SteeringWait(condition)
 
 
 def test_an_expectation_knows_where_its_variable_is():  # R-X07
     order = act("expect X < 3", TWO)
-    assert isinstance(order, Expect)
+    assert isinstance(order, Expectation)
     assert (order.subsystem, order.name, order.condition.text) == ("flow1", "X", "X < 3")
 
 
 def test_who_asks_where_the_flows_are():  # R-X03
-    assert act("who", TWO) == Look()
+    assert act("who", TWO) == PositionQuery()
 
 
 @pytest.mark.parametrize(

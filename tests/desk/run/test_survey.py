@@ -111,7 +111,7 @@ def test_code_that_is_no_text_is_a_fault(laboratory, site, runtime):  # R-B07
     assert "wink.py:1" in places(survey(laboratory.path, site)[1])
 
 
-def test_a_task_may_use_code_of_the_search_path(laboratory, site, runtime):  # decision 11
+def test_a_task_may_use_code_of_the_search_path(laboratory, site, runtime):  # reading 11
     laboratory.task(
         "slow_open",
         "MODULE opengrip\nDESC slow\nINCONST none\nOUTCONST none\n"
@@ -134,14 +134,14 @@ def test_nothing_there_is_a_fault(tmp_path, site, runtime):  # R-B07
     assert (files, fault.found) == ([], "nothing there")
 
 
-def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory, site, runtime):  # decision 35
+def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory, site, runtime):  # reading 35
     path = laboratory.application("go", [job("jmoveC", "Joint job"), joints("far", 9.0, 0.0, 0.0, 0.0, 0.0, 0.0)])
     survey(path, site)
     (prepare,) = [message for message in runtime.messages if isinstance(message, request.Prepare)]
     assert prepare.targets[0].values[0] == 9.0
 
 
-def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):  # R-B07, decision 38
+def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):  # R-B07, reading 38
     (laboratory.path / "dict").mkdir()
     picture = "PICT        " + "9" * 32 + "\n"
     text = f"VERSION 1.3\nONIKON Complete job\nDESC\nUI none\n{picture * 32}EOF\n"
@@ -155,7 +155,7 @@ def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):
     assert note.startswith(f"{tmp_path.name}/dict/nine.onk:5: expected colours from 0 to 8")
 
 
-def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, decision 11
+def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, reading 11
     laboratory.configuration("winkC", "wink 100")
     _, faults = survey(laboratory.path, site)
     assert [fault.found for fault in faults] == ["no wink"]

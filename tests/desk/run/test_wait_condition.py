@@ -1,20 +1,20 @@
 import pytest
 
-from onika.desk.run.wait_condition import Moment
+from onika.desk.run.wait_condition import WaitCondition
 
 
 @pytest.mark.parametrize(
-    ("moment", "sentence"),
+    ("condition", "sentence"),
     [
-        (Moment("seconds", seconds=2.5), "2.5 s"),
-        (Moment("began", "flow0", 2), "action 3 of flow0 has begun"),
-        (Moment("done", "flow0", 0), "action 1 of flow0 is done"),
-        (Moment("paused", "flow1"), "flow1 is paused"),
-        (Moment("paused"), "every flow is paused"),
-        (Moment("done"), "every flow is done"),
-        (Moment("waiting"), "a flow waits"),
-        (Moment("stopped", "flow0"), "flow0 has stopped"),
+        (WaitCondition("seconds", seconds=2.5), "2.5 s"),
+        (WaitCondition("began", "flow0", 2), "action 3 of flow0 has begun"),
+        (WaitCondition("done", "flow0", 0), "action 1 of flow0 is done"),
+        (WaitCondition("paused", "flow1"), "flow1 is paused"),
+        (WaitCondition("paused"), "every flow is paused"),
+        (WaitCondition("done"), "every flow is done"),
+        (WaitCondition("waiting"), "a flow waits"),
+        (WaitCondition("stopped", "flow0"), "flow0 has stopped"),
     ],
 )
-def test_a_moment_says_what_it_is(moment, sentence):  # R-E07
-    assert str(moment) == sentence
+def test_a_moment_says_what_it_is(condition, sentence):  # R-E07
+    assert str(condition) == sentence

@@ -1,20 +1,20 @@
 import pytest
 
 from onika.desk.run.settings import RunSettings
-from onika.desk.trial.account import Account, Part, Passed
+from onika.desk.trial.account import CompletedAction, FlowAccount, RunAccount
 from onika.desk.trial.keeping import kept_of
-from onika.desk.trial.variables import Variable
-from onika.model.kept import Meeting
+from onika.desk.trial.variables import KeptVariable
+from onika.model.kept import KeptMeeting
 
 ARM = (
-    Variable("Q_MEZ", ("rad",), True, True, "puma"),
-    Variable("LAMP", ("-",), False, True, "led_monitor"),
-    Variable("Q_REF", ("rad",), True, False, "jtraj"),
+    KeptVariable("Q_MEZ", ("rad",), True, True, "puma"),
+    KeptVariable("LAMP", ("-",), False, True, "led_monitor"),
+    KeptVariable("Q_REF", ("rad",), True, False, "jtraj"),
 )
 HAND = (
-    Variable("GRIP_MEZ", ("m", "m/s", "N"), True, True, "gripper"),
-    Variable("LAMP", ("-",), False, True, "led_monitor"),
-    Variable("GRIP", ("-",), True, False, "shut"),
+    KeptVariable("GRIP_MEZ", ("m", "m/s", "N"), True, True, "gripper"),
+    KeptVariable("LAMP", ("-",), False, True, "led_monitor"),
+    KeptVariable("GRIP", ("-",), True, False, "shut"),
 )
 PLACES = {"above": 0.5, "down": 0.2, "aside": -0.7, "stack": -0.4, "elsewhere": 1.4}
 WAY = ("open", "move above", "move down", "close", "move above", "move aside", "move stack", "open", "move aside")
@@ -40,12 +40,12 @@ class TrialFixture:
                 values = {"GRIP_MEZ[0]": (hand,), "GRIP_MEZ[1]": (off,), "GRIP_MEZ[2]": (force,), "GRIP": (sign,)}
                 values["LAMP"] = (lamp,)
             lasts = seconds if job == "move" else 0.18
-            passed.append(Passed(name, at, at + lasts, ARM if job == "move" else HAND, values))
+            passed.append(CompletedAction(name, at, at + lasts, ARM if job == "move" else HAND, values))
             at += lasts
         end = {"Q_MEZ": (where + off,), "LAMP": (lamp,), "GRIP_MEZ[0]": (hand,)}
-        part = Part("flow0", ((robot, "boxes:arm"),), passed, end)
+        part = FlowAccount("flow0", ((robot, "boxes:arm"),), passed, end)
         fields = {"digest": "d" if way == WAY else "other", "lasted_s": at, "hash": "h"}
-        return Account(parts=[part], meetings=[Meeting(tag, ("flow0", "flow1"))], **(fields | more))
+        return RunAccount(parts=[part], meetings=[KeptMeeting(tag, ("flow0", "flow1"))], **(fields | more))
 
     def kept(self, *others, settings=None, **more):
         """What is kept of its usual run."""

@@ -3,7 +3,7 @@ from dataclasses import replace
 import pytest
 
 from onika.desk.trial.judging import judge
-from onika.model.kept import Demand, Meeting
+from onika.model.kept import Demand, KeptMeeting
 from onika.words.fault import Fault, Place
 
 WAY = ("open", "move above", "move down", "close", "move above", "move aside", "move stack", "open", "move aside")
@@ -128,7 +128,7 @@ def test_flows_that_meet_elsewhere_are_caught(workshop):  # R-X07
         "meetings: expected meet of flow0 and flow1; found later of flow0 and flow1",
     )
     account = workshop.run()
-    account.meetings = [Meeting("meet", ("flow1", "flow0"))]
+    account.meetings = [KeptMeeting("meet", ("flow1", "flow0"))]
     assert judge(workshop.kept().kept, account).is_passed
 
 

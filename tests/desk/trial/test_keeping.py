@@ -4,10 +4,10 @@ import pytest
 
 from onika.desk.run.settings import Elsewhere, RunSettings
 from onika.desk.trial import keeping
-from onika.desk.trial.account import Account
+from onika.desk.trial.account import RunAccount
 from onika.desk.trial.keeping import keep, keep_in
 from onika.files import kept
-from onika.model.kept import Demand, Meeting
+from onika.model.kept import Demand, KeptMeeting
 from onika.store.site import open_site
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
@@ -35,7 +35,7 @@ def test_what_robots_reach_and_what_is_measured_is_kept_and_forces_are_not(works
     assert above.after == (Demand("Q_MEZ", (0.5,), "rad", 0.005), Demand("Q_REF", (0.5,), "rad", 0.005))
     assert shut.after == (Demand("GRIP_MEZ[0]", (0.08,), "m", 0.002), Demand("GRIP", (-1.0,), "", 0.01))
     assert (above.lasts_s, above.within_s) == (1.0, 0.05)
-    assert keepsake.meetings == (Meeting("meet", ("flow0", "flow1")),)
+    assert keepsake.meetings == (KeptMeeting("meet", ("flow0", "flow1")),)
 
 
 def test_a_lamp_is_told_when_it_changes_and_in_the_end(workshop):  # R-X07
@@ -152,4 +152,4 @@ def test_what_cannot_be_written_is_told(repeated, tmp_path):  # R-B07
 
 
 def test_an_account_of_nothing_keeps_nothing():
-    assert keeping.kept_of(SETTINGS, Account(), []).kept.flows == ()
+    assert keeping.kept_of(SETTINGS, RunAccount(), []).kept.flows == ()

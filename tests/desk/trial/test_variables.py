@@ -1,4 +1,4 @@
-from onika.desk.trial.variables import Variable, kept_after, robots
+from onika.desk.trial.variables import KeptVariable, kept_after, robots
 from onika.wire.plan import PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.sheet import ModuleSheet, PortSheet
 
@@ -54,9 +54,9 @@ def test_tasks_that_are_off_say_nothing():  # R-X07
 
 
 def test_elements_of_several_units_have_their_own():
-    variable = Variable("GRIP_MEZ", ("m", "m/s", "N"), True, True, "hand")
+    variable = KeptVariable("GRIP_MEZ", ("m", "m/s", "N"), True, True, "hand")
     assert [variable.unit_of(f"GRIP_MEZ[{at}]") for at in range(3)] == ["m", "m/s", "N"]
-    assert Variable("Q", ("rad",), True, True, "arm").unit_of("Q") == "rad"
+    assert KeptVariable("Q", ("rad",), True, True, "arm").unit_of("Q") == "rad"
 
 
 def test_the_robots_of_a_flow_are_its_hardware_tasks_and_their_devices():  # R-X07

@@ -3,8 +3,8 @@ from tests.files.models import TYPES
 
 from onika.files.al import action_statement
 from onika.files.al.logical_line import sentences
-from onika.files.al.where_section import Glossary
-from onika.files.line import Reading
+from onika.files.al.where_section import WhereSection
+from onika.files.line import TextReading
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -16,8 +16,8 @@ KNOWN = {one.name: one for one in (GO, GRIP, HOME)}
 
 
 def read(text: str) -> list[Icon | Hole]:
-    (sentence,), _ = sentences(text, Reading("f", ""))
-    return action_statement.read(sentence, Glossary(KNOWN.get, holes={1: "ROUTINE x\n"}), TYPES)
+    (sentence,), _ = sentences(text, TextReading("f", ""))
+    return action_statement.read(sentence, WhereSection(KNOWN.get, holes={1: "ROUTINE x\n"}), TYPES)
 
 
 def home(*values: object) -> Icon:

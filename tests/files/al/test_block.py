@@ -1,11 +1,11 @@
 from onika.files.al.block import Block, LoopMark, marked
 from onika.files.al.logical_line import sentences
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 
-(SENTENCE,), _ = sentences("\nIF LAMP == 1 THEN", Reading("f", ""))
+(SENTENCE,), _ = sentences("\nIF LAMP == 1 THEN", TextReading("f", ""))
 ICON = Icon(Onikon("x", "Complete job", "", (), blank()))
 
 
@@ -48,7 +48,7 @@ def test_holes_side_by_side_are_one() -> None:
     block = Block("BEGIN", SENTENCE)
     for steps in ([Hole()], [Hole()], [Hole(kept="ROUTINE x\n")], [ICON]):
         block.add(steps)
-    assert block.flow() == AppFlow((Hole(), Hole(kept="ROUTINE x\n"), ICON))  # decision 33
+    assert block.flow() == AppFlow((Hole(), Hole(kept="ROUTINE x\n"), ICON))  # reading 33
 
 
 def test_a_branch_has_the_parts_that_were_read() -> None:

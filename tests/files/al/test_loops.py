@@ -1,6 +1,6 @@
 from hypothesis import given, strategies as st
 
-from onika.files.al.loops import Loop, loops
+from onika.files.al.loops import LoopBlock, loops
 from onika.model.application import Icon
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -27,7 +27,7 @@ def test_loops_stand_apart_or_within_each_other() -> None:
 
 
 def test_of_crossing_loops_one_is_shown_as_a_block() -> None:
-    assert found("abAB") == ["bottom b 1 3"]  # decision 23
+    assert found("abAB") == ["bottom b 1 3"]  # reading 23
 
 
 def test_lonely_tags_several_tests_and_conditions_at_the_anchor_are_no_loops() -> None:
@@ -42,7 +42,7 @@ def test_the_condition_is_that_of_the_test() -> None:
     (anchor,) = heads("a")
     assert anchor
     test = Icon(anchor.onikon, while_tag="a", while_test=True, while_if="LAMP == 1")
-    assert loops([test, anchor]) == (Loop("a", 0, 1, True, "LAMP == 1"),)
+    assert loops([test, anchor]) == (LoopBlock("a", 0, 1, True, "LAMP == 1"),)
 
 
 @given(st.text("aAbBcC.", max_size=12))

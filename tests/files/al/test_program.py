@@ -2,9 +2,9 @@ import pytest
 from tests.files.models import TYPES
 
 from onika.files.al.logical_line import sentences
-from onika.files.al.program import Program
-from onika.files.al.where_section import Glossary
-from onika.files.line import Reading
+from onika.files.al.program import TextProgram
+from onika.files.al.where_section import WhereSection
+from onika.files.line import TextReading
 from onika.model.application import AppFlow, Branch, Hole, Step
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -12,11 +12,11 @@ from onika.model.picture import blank
 KNOWN = {name: Onikon(name, "Complete job", "", (), blank()) for name in "abcdefg"}
 
 
-def run(text: str) -> tuple[Program, tuple[AppFlow, ...] | None, list[str]]:
+def run(text: str) -> tuple[TextProgram, tuple[AppFlow, ...] | None, list[str]]:
     """A program after all its sentences, `/` standing for the end of a line; its flows and faults."""
-    reading = Reading("f", "nothing")
+    reading = TextReading("f", "nothing")
     found, _ = sentences(text.replace(" / ", "\n"), reading)
-    program = Program(TYPES, Glossary(KNOWN.get), reading)
+    program = TextProgram(TYPES, WhereSection(KNOWN.get), reading)
     for one in found:
         program.take(one)
     flows = program.end()

@@ -117,7 +117,7 @@ def test_comments_blank_lines_and_indents_mean_nothing() -> None:
 def test_the_marks_of_a_target_are_those_of_its_job() -> None:
     job = Onikon("go", "Joint job", "", (), blank())
     target = Onikon("home", "Joint object", "", ((1.0, 2.0), ("x",)), blank())
-    text = "BEGIN\nDRIVE go\nSYNCH meet\nTO home\nBREAK\nEND\n"  # decision 24
+    text = "BEGIN\nDRIVE go\nSYNCH meet\nTO home\nBREAK\nEND\n"  # reading 24
     read_, faults = read(text, "a", "f", TYPES, {"go": job, "home": target}.get)
     assert faults == ()
     assert read_

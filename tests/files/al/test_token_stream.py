@@ -4,13 +4,13 @@ import pytest
 
 from onika.files.al.logical_line import sentences
 from onika.files.al.token import KEYWORDS
-from onika.files.al.token_stream import Phrase, halves
-from onika.files.line import Reading
+from onika.files.al.token_stream import TokenStream, halves
+from onika.files.line import TextReading
 
 
-def phrase(text: str, at: int = 0) -> Phrase:
-    (sentence,), _ = sentences(text, Reading("f", "nothing"))
-    return Phrase(sentence, at)
+def phrase(text: str, at: int = 0) -> TokenStream:
+    (sentence,), _ = sentences(text, TextReading("f", "nothing"))
+    return TokenStream(sentence, at)
 
 
 def test_words_are_read_from_left_to_right() -> None:
@@ -45,7 +45,7 @@ def test_a_condition_is_the_rest_of_a_sentence(text: str, end: str, found: str) 
     assert phrase(text).condition(end) == found  # R-D13
 
 
-READS: list[tuple[str, Callable[[Phrase], object], str]] = [
+READS: list[tuple[str, Callable[[TokenStream], object], str]] = [
     ("DO", lambda one: one.end(), "expected the end of the line, found 'DO'"),
     ("DO", lambda one: phrase("DO", 1).tag(), "expected a tag of one word, found the end of the line"),
     ('"a b"', lambda one: one.tag(), "expected a tag of one word, found 'a b'"),
@@ -57,7 +57,7 @@ READS: list[tuple[str, Callable[[Phrase], object], str]] = [
 
 @pytest.mark.parametrize(("text", "read", "told"), READS)
 def test_what_does_not_fit_is_told_as_expected_and_found(
-    text: str, read: Callable[[Phrase], object], told: str
+    text: str, read: Callable[[TokenStream], object], told: str
 ) -> None:
     with pytest.raises(ValueError, match=told.replace("(", r"\(")):
         read(phrase(text))

@@ -3,8 +3,8 @@ from dataclasses import replace
 import pytest
 from tests.files.models import TYPES
 
-from onika.files.al.where_section import Glossary, read
-from onika.files.line import Reading
+from onika.files.al.where_section import WhereSection, read
+from onika.files.line import TextReading
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
 
@@ -14,38 +14,38 @@ DOWN = replace(HOME, description="down")
 KEPT = "ROUTINE     push\nMARKER      no\nONIKON      Force object\n"
 
 
-def again(text: str, known: dict[str, Onikon] | None = None) -> tuple[Glossary, list[str]]:
+def again(text: str, known: dict[str, Onikon] | None = None) -> tuple[WhereSection, list[str]]:
     """The glossary of a section alone, and its faults."""
-    reading = Reading("f", "nothing")
+    reading = TextReading("f", "nothing")
     found = read("WHERE\n" + text, len("WHERE\n"), TYPES, (known or {}).get, reading)
     return found, [f"{one.place.line}: {one.expected} / {one.found}" for one in reading.faults]
 
 
 def test_an_icon_the_dictionary_holds_alike_is_named_only() -> None:
-    glossary = Glossary({"home": OTHER}.get)  # R-D14
+    glossary = WhereSection({"home": OTHER}.get)  # R-D14
     assert glossary.refer(HOME) == "home"
     assert glossary.write() == ""
     assert glossary.find("home", 1) == OTHER
 
 
 def test_icons_of_one_name_that_differ_are_numbered() -> None:
-    glossary = Glossary({"home": HOME}.get)
+    glossary = WhereSection({"home": HOME}.get)
     assert glossary.refer(DOWN) == "home #2"
     assert glossary.refer(HOME) == "home"
     assert glossary.refer(replace(DOWN, values=OTHER.values)) == "home #2"
     assert glossary.write().startswith("WHERE\n\nICON        home #2\nONIKON      Joint object\nDESC        down\n")
-    alone = Glossary(lambda _: None)
+    alone = WhereSection(lambda _: None)
     assert [alone.refer(one) for one in (HOME, DOWN, OTHER)] == ["home", "home #2", "home"]
 
 
 def test_a_name_that_is_a_word_of_the_language_is_quoted_in_the_program_only() -> None:
-    glossary = Glossary(lambda _: None)
+    glossary = WhereSection(lambda _: None)
     assert glossary.refer(replace(HOME, name="END")) == '"END"'
     assert "ICON        END\n" in glossary.write()
 
 
 def test_what_is_written_is_read_again() -> None:
-    glossary = Glossary(lambda _: None)
+    glossary = WhereSection(lambda _: None)
     timed = Onikon("go", "Joint job", "{ }", (), blank(), ("Any object",))
     for one in (HOME, DOWN, timed):
         glossary.refer(one)
@@ -59,10 +59,10 @@ def test_what_is_written_is_read_again() -> None:
 
 
 def test_without_the_line_where_there_is_nothing_in_it() -> None:
-    assert read("END", -1, TYPES, {"home": HOME}.get, Reading("f", "")).find("home", 1) == HOME
+    assert read("END", -1, TYPES, {"home": HOME}.get, TextReading("f", "")).find("home", 1) == HOME
 
 
-ICON = Glossary(lambda _: None)
+ICON = WhereSection(lambda _: None)
 ICON.refer(HOME)
 LINES = ICON.write().removeprefix("WHERE\n").removesuffix("END WHERE\n")
 
@@ -95,7 +95,7 @@ def test_what_is_wrong_is_told_with_its_line(text: str, told: str) -> None:
 
 def test_a_placed_icon_is_named_though_its_dictionary_says_it_in_other_languages_too() -> None:
     spoken = replace(HOME, words=(("es", "casa"),))  # R-D14, R-X11
-    glossary = Glossary({HOME.name: spoken}.get)
+    glossary = WhereSection({HOME.name: spoken}.get)
     assert glossary.refer(HOME) == HOME.name
     assert glossary.write() == ""
     assert glossary.find(HOME.name, 1) == HOME

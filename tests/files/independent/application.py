@@ -1,4 +1,4 @@
-"""A.4, the application file, read naively. A target has no marks of its own here: they are its job's (decision 24)."""
+"""A.4, the application file, read naively. A target has no marks of its own here: they are its job's (reading 24)."""
 
 from typing import Any
 
@@ -27,13 +27,13 @@ def _steps(script: Script, types: Types) -> list[Any]:
     while script.next in ("ROUTINE", "ICONHOLE", "BRANCH"):
         if script.next == "ICONHOLE":
             _alone(script.take("ICONHOLE"))
-            if steps[-1:] != [HOLE]:  # adjacent ones are one (decision 33)
+            if steps[-1:] != [HOLE]:  # adjacent ones are one (reading 33)
                 steps.append(HOLE)
         elif script.next == "BRANCH":
             steps.append(_branch(script, types))
         else:
             icon = _icon(script, types)
-            if icon["ONIKON"] not in ("application start", "application end"):  # implied (decision 46)
+            if icon["ONIKON"] not in ("application start", "application end"):  # implied (reading 46)
                 steps.append(icon)
     _alone(script.take("ENDFLOW"))
     return _paired(steps)

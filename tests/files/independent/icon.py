@@ -62,7 +62,7 @@ def picture(script: Script) -> list[str]:
 
 
 def row(text: str, at: int) -> str:
-    """32 digits; a 9 is black (decision 38), and so is the border (requirement B11)."""
+    """32 digits; a 9 is black (reading 38), and so is the border (requirement B11)."""
     if len(text) != 32 or any(c not in "0123456789" for c in text):
         raise ValueError(text)
     return "8" * 32 if at in (0, 31) else "8" + text[1:31].replace("9", "8") + "8"
@@ -73,7 +73,7 @@ def _unknown(kind: str) -> list[tuple[str, int]]:
 
 
 def _elements(text: str, data: str, count: int) -> list[str]:
-    """Words, those with blanks in double quotes; a single line is the rest of the line (decision 40)."""
+    """Words, those with blanks in double quotes; a single line is the rest of the line (reading 40)."""
     if data == "line" and count == 1:
         try:
             quoted = _quoted(text) if text[:1] == '"' else []

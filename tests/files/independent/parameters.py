@@ -22,7 +22,7 @@ def read(text: str) -> dict[str, Any]:
     lists = {keyword: _ports(script.take(keyword)) for keyword in PORTS}
     every = {port for ports in lists.values() for port in ports}
     coded_of = {alias: coded for coded, alias in aliases.items() if coded not in every}
-    for keyword, ports in lists.items():  # decision 8: an aliased name is accepted
+    for keyword, ports in lists.items():  # reading 8: an aliased name is accepted
         found[keyword] = [port if port in aliases else coded_of.get(port, port) for port in ports]
     found["TASKTYPE"] = one_of(script.take("TASKTYPE"), "periodic", "synchronous", "aperiodic")
     if found["TASKTYPE"] != "aperiodic":
@@ -70,7 +70,7 @@ def _alone(text: str) -> None:
 
 
 def _check(found: dict[str, Any]) -> None:
-    """Every name once; aliases of ports only; no variable written by two outputs (decision 9)."""
+    """Every name once; aliases of ports only; no variable written by two outputs (reading 9)."""
     ports = [port for keyword in PORTS for port in set(found[keyword])]
     if len(ports) != sum(len(found[keyword]) for keyword in PORTS):
         raise ValueError("a port twice")

@@ -161,7 +161,7 @@ def test_every_accepted_order_has_a_number_of_its_own_and_one_outcome(hand):  # 
     assert [hand.edited(number) for number in numbers] == [[""]] * len(asked)
 
 
-def test_a_task_runs_on_the_unit_it_names_else_on_the_first_that_lives(hand):  # R-A06, decision 12
+def test_a_task_runs_on_the_unit_it_names_else_on_the_first_that_lives(hand):  # R-A06, reading 12
     hand.task("far", COUNTER.replace("COUNT", "FAR"), rtpu="rt9")
     hand.change(spawn=["counter", "source", "far"])
     assert {name: one.rtpu for name, one in hand.standing().items()} == {

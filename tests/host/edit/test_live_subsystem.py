@@ -135,7 +135,7 @@ def test_a_unit_lost_at_any_moment_leaves_nothing_hanging(asked, lost):  # R-X10
     raise AssertionError("the change is never through")
 
 
-def test_a_unit_that_is_gone_takes_no_tasks(hand):  # decision 12
+def test_a_unit_that_is_gone_takes_no_tasks(hand):  # reading 12
     hand = live_edits_with_tasks(("rt0", "rt1"), source="rt1")
     hand.driver.lose("rt1")
     assert "rt1 was lost" in hand.change(spawn=["source"])
@@ -188,7 +188,7 @@ def bare():
     for name, rtpu in (("quick", "rt0"), ("slow", "rt1")):
         planned = shop.task(name, COUNTER.replace("COUNT", name.upper()), rtpu=rtpu)
         code = shop.code(name)
-        one.cradle.know(code, 0)
+        one.executor.spawner.add_code(code)
         new.append((wire(planned, sheet_of(load(code.source, code.path, code.module))), rtpu))
     order = exchange([], (), [wired.placed for wired, _ in new])
     one.begin(
@@ -211,7 +211,8 @@ def test_a_job_that_is_done_before_another_has_begun_is_no_reason_to_wait(bare):
     assert outcomes(told) == []
     one.hear("rt1", news.Changed("s0", "slow", "ON", 4), 4)
     assert outcomes(told) == [""]
-    assert list(one.wanted) == ["slow"]
+    assert not one.desired.is_on("quick")
+    assert one.desired.is_on("slow")
 
 
 def test_who_is_to_come_on_after_one_whose_unit_is_lost_is_not_held_up(bare):  # R-E10

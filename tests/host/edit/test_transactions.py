@@ -157,7 +157,7 @@ def test_units_share_the_work_and_constants_cross_them():  # R-A06
 
 
 @pytest.mark.parametrize("fault", ["init", "on"])
-def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, decision 14
+def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, reading 14
     hand.shop = rail_tasks()
     hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])
     hand.let_pass(0.2)
@@ -173,7 +173,7 @@ def test_old_hardware_comes_back_with_its_device(hand, fault):  # R-X10, decisio
     assert hand.values("X")["X"][0] == pytest.approx(5.0, abs=0.5)
 
 
-def test_hardware_is_exchanged_for_other_hardware_on_its_device(hand):  # R-A13, decision 14
+def test_hardware_is_exchanged_for_other_hardware_on_its_device(hand):  # R-A13, reading 14
     hand.shop = rail_tasks()
     hand.task("other", MASS, frequency=500.0, local={"DEVICE": "yard:m0"}, module="other")
     hand.change(spawn=["mass", "servo"], on=["mass", live.Turn("servo", "5.0")])

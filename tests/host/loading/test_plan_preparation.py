@@ -143,7 +143,7 @@ def test_an_action_without_a_trigger_never_ends(shop):  # R-E03
     assert said == ["test.appl:1: a trigger that ends job job0 | none"]
 
 
-def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  # decision 16
+def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  # reading 16
     prepared = found(shop, [action("bell", "move", "robot")])
     assert prepared.triggers[0, 0] == "bell"
     assert prepared.faults == []

@@ -1,7 +1,6 @@
-from onika.host.run.input_requests import Questions
+from onika.host.run.input_requests import InputRequests
 from onika.runtime import news
 from onika.runtime.user_input import AskedItem
-from onika.wire import event
 from onika.wire.request import Begin
 
 ITEM = AskedItem("goal", "double", 1, "m", "where to", None, None, None)
@@ -14,19 +13,19 @@ def asked(*items, task="servo", reason=""):
 class Desk:
     def __init__(self, **begin):
         self.told, self.answers, self.causes = [], [], []
-        self.questions = Questions(
-            Begin(**begin), self.told.append, lambda *what: self.answers.append(what), self.causes.append
+        self.requests = InputRequests(
+            Begin(**begin), lambda *answer: self.answers.append(answer), self.told.append, self.causes.append
         )
 
     def ask(self, *items, **what):
-        self.questions.ask(asked(*items, **what), 0.5)
+        self.requests.ask(asked(*items, **what))
         return self
 
 
 def test_a_given_answer_is_used_once_and_then_somebody_is_asked():  # law 25
     desk = Desk(answers=(("servo", "goal", "3"),), may_ask=True).ask().ask()
     assert desk.answers == [("flow0", "servo", "3")]
-    assert [(one.task, one.at_s) for one in desk.told if isinstance(one, event.Asked)] == [("servo", 0.5)]
+    assert [question.task for question in desk.told] == ["servo"]
 
 
 def test_a_question_without_anybody_ends_the_run_and_names_what_was_asked():  # law 25

@@ -2,13 +2,13 @@
 
 import pytest
 
+from kit.executor import executor
 from kit.plan_builder import PlanBuilder, action
 from onika.engine import news as said, orders
 from onika.engine.engine import Engine
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
-from onika.host.run.prepared_switch import Outlook
-from onika.host.run.switch_dispatch import Switchboard
+from onika.host.run.prepared_switch import PreparedSwitches
 from onika.model.lifecycle import State
 from onika.ring.segment import Segment
 from onika.runtime import command
@@ -47,14 +47,13 @@ class View:
         ranks = {(0, name): rank for name, rank in self.subsystem.ranks.items()}
         self.engine = Engine(plan, prepared.triggers, frozenset(), ranks)
         self.units = Units()
-        board = Switchboard({0: self.subsystem}, self.units)
-        self.outlook = Outlook(self.engine, {0: self.subsystem}, board)
+        self.prepared = PreparedSwitches(self.engine, {0: executor(self.subsystem, self.units)})
         self.feed(said.Run(), *(said.Spawned(0, name) for name in rtpus))
         self.on("go", "bell")
 
     def feed(self, *news):
         found = [order for one in news for order in self.engine.feed(one)]
-        self.outlook.look()
+        self.prepared.refresh()
         return found
 
     def on(self, *names):
@@ -80,43 +79,43 @@ def test_what_was_carried_out_is_not_ordered_again():
     view.units.take(command.PreparedSwitch)
     switches = [one for one in view.feed(said.Finished(0, "bell", switched=1)) if isinstance(one, orders.Switch)]
     assert [one.number for one in switches] == [1]
-    assert view.outlook.switched(0, switches[0]) is None
+    assert view.prepared.switched(switches[0]) is None
 
 
 def test_what_was_missing_in_it_is_still_to_be_done():
     view = View()
     order = orders.Switch(0, ("go",), (orders.Start("ring"), orders.Start("bell")), (), 1)
-    assert view.outlook.switched(0, order) == orders.Switch(0, ("go",), (orders.Start("bell"),))
+    assert view.prepared.switched(order) == orders.Switch(0, ("go",), (orders.Start("bell"),))
 
 
 def test_the_user_waits_until_nothing_is_prepared():  # R-E07
     view = View()
     view.units.take(command.PreparedSwitch)
     done = []
-    view.outlook.when_free(0, lambda: done.append("pause"))
-    view.outlook.when_free(0, lambda: done.append("again"))
+    view.prepared.when_free(0, lambda: done.append("pause"))
+    view.prepared.when_free(0, lambda: done.append("again"))
     assert done == []
     assert [one.cases for one in view.units.take(command.PreparedSwitch)] == [()]  # asked to forget once
-    view.outlook.freed(0)
+    view.prepared.freed(0)
     assert done == ["pause", "again"]
-    view.outlook.when_free(0, lambda: done.append("at once"))
+    view.prepared.when_free(0, lambda: done.append("at once"))
     assert done[-1] == "at once"
 
 
 def test_nothing_is_prepared_while_the_user_waits():
     view = View()
-    view.outlook.when_free(0, lambda: None)
+    view.prepared.when_free(0, lambda: None)
     view.units.take(command.PreparedSwitch)
-    view.outlook.look()
+    view.prepared.refresh()
     assert view.units.take(command.PreparedSwitch) == []
-    view.outlook.freed(0)
-    view.outlook.look()
+    view.prepared.freed(0)
+    view.prepared.refresh()
     assert len(view.units.take(command.PreparedSwitch)) == 1
 
 
 def test_a_flow_that_is_to_pause_has_nothing_prepared():  # R-E07
     view = View()
-    view.outlook.freed(0)
+    view.prepared.freed(0)
     view.units.take(command.PreparedSwitch)
     view.feed(steer.Pause("flow0"))
     assert view.units.take(command.PreparedSwitch) == []
@@ -126,10 +125,10 @@ def test_a_flow_that_is_to_pause_has_nothing_prepared():  # R-E07
 def test_at_the_end_nobody_waits_any_more(end):
     view = View()
     done = []
-    view.outlook.when_free(0, lambda: done.append(1))
+    view.prepared.when_free(0, lambda: done.append(1))
     if end == "free_all":
-        view.outlook.free_all()
+        view.prepared.free_all()
     else:
-        view.outlook.finished(0)
-        view.outlook.freed(0)
+        view.prepared.finished(0)
+        view.prepared.freed(0)
     assert done == [1]

@@ -130,7 +130,7 @@ def test_nothing_is_switched_on_before_everything_lives():  # R-E02
     assert len(switches(bench)) == 1
 
 
-def test_units_are_switched_one_after_the_other_so_that_the_order_of_on_holds():  # decision 14, law 2
+def test_units_are_switched_one_after_the_other_so_that_the_order_of_on_holds():  # reading 14, law 2
     bench = Bench([action("arm", "go", "show")]).start().born("arm", "go", "show")
     order = []
     while found := switches(bench):
@@ -142,7 +142,7 @@ def test_units_are_switched_one_after_the_other_so_that_the_order_of_on_holds():
     assert [name for _, name in order].index("arm") == 0
 
 
-def test_a_group_goes_out_only_when_the_one_before_it_is_on():  # decision 14
+def test_a_group_goes_out_only_when_the_one_before_it_is_on():  # reading 14
     bench = Bench(BOTH).start().born("arm", "go")
     assert switches(bench) == [("rt0", (), ("arm",))]
     assert switches(bench) == []
@@ -233,7 +233,7 @@ def test_a_task_in_error_ends_the_run_and_is_told_with_its_line():  # R-A09, R-E
     assert bench.runner.tally.cause == ("test.appl:1 (action 0): bell is in error: cycle: ValueError: no (bell.py:7)")
 
 
-def test_a_passive_task_in_error_is_noted_and_the_job_goes_on():  # decision 17
+def test_a_passive_task_in_error_is_noted_and_the_job_goes_on():  # reading 17
     bench = Bench([action("bell", "show")]).start().born("bell", "show").on("bell", "show")
     bench.hear(news.Failed("flow0", "show", "cycle", "ValueError: no", "show.py", 7, "", bench.now))
     assert bench.units.take(command.Kill) == []
@@ -329,12 +329,12 @@ def test_whoever_is_there_is_asked_and_answers():  # law 25, R-E15
     (asked,) = bench.of(event.Asked)
     assert (asked.subsystem, asked.task, asked.items[0].name, asked.items[0].high) == ("flow0", "bell", "level", (1.0,))
     assert bench.runner.is_asking
-    assert bench.runner.asks("flow0") == (asked,)  # for whoever comes later
-    assert bench.runner.asks("flow1") == ()
+    assert bench.runner.questions("flow0") == (asked,)  # for whoever comes later
+    assert bench.runner.questions("flow1") == ()
     bench.runner.answer("flow0", "bell", "0.5")
     assert answers(bench) == [("bell", "0.5")]
     bench.on("bell")
-    assert bench.runner.asks("flow0") == ()
+    assert bench.runner.questions("flow0") == ()
     assert not bench.runner.is_asking
 
 

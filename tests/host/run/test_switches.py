@@ -2,12 +2,12 @@
 
 import pytest
 
+from kit.executor import executor
 from kit.plan_builder import PlanBuilder, action
 from onika.engine import orders
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.plan_preparation import prepare
-from onika.host.run.switch_dispatch import Switchboard
-from onika.host.run.switches import Switching
+from onika.host.run.switches import Switches
 from onika.model.lifecycle import State
 from onika.ring.segment import Segment
 from onika.runtime import command
@@ -17,13 +17,13 @@ from onika.runtime.table import SIZE, Table
 WRITER = "from onika.module import Module, OutVar\nclass {}(Module):\n    trigger = True\n    A = OutVar('double')\n"
 
 
-class Outlook:
+class PreparedSwitches:
     """Nothing is prepared, but what a test says was done already."""
 
     def __init__(self):
         self.rest = None
 
-    def switched(self, flow, order):
+    def switched(self, switch):
         return self.rest
 
     def finished(self, flow):
@@ -44,9 +44,12 @@ class Switcher:
             n: RunningSubsystem(f"flow{n}", Table(Segment.create("table", SIZE)), flow, homes)
             for n, flow in enumerate(prepared.flows)
         }
-        self.sent, self.refused, self.outlook = [], [], Outlook()
-        board = Switchboard(self.subsystems, self)
-        self.switching = Switching(self.subsystems, self.outlook, board, lambda *why: self.refused.append(why))
+        self.sent, self.refused, self.prepared = [], [], PreparedSwitches()
+        executors = {
+            flow: executor(home, self, lambda message, _before: self.refused.append(message))
+            for flow, home in self.subsystems.items()
+        }
+        self.switches = Switches(executors, self.prepared, self)
 
     def send(self, rtpu, order):
         self.sent.append(order)
@@ -62,17 +65,17 @@ def start(flow, task, *off, number=0):
 
 
 def test_a_switch_goes_out_at_once(switcher):  # R-A07
-    switcher.switching.switch(start(0, "one"))
+    switcher.switches.switch(start(0, "one"))
     (sent,) = switcher.sent
     assert isinstance(sent, command.Switch)
     assert [one.task for one in sent.on] == ["one"]
 
 
 def test_switches_that_belong_together_go_out_as_one_command(switcher):  # R-E04
-    switcher.switching.together(2)
-    switcher.switching.switch(start(0, "one"))
+    switcher.switches.together(2)
+    switcher.switches.switch(start(0, "one"))
     assert switcher.sent == []
-    switcher.switching.switch(start(1, "two"))
+    switcher.switches.switch(start(1, "two"))
     (sent,) = switcher.sent
     assert isinstance(sent, command.Together)
     assert [one.subsystem for one in sent.switches] == ["flow0", "flow1"]
@@ -80,18 +83,18 @@ def test_switches_that_belong_together_go_out_as_one_command(switcher):  # R-E04
 
 def test_a_second_writer_does_not_come_on_and_the_others_do(switcher):  # law 9
     switcher.subsystems[0].members["one"].state = State.ON
-    switcher.switching.together(2)
-    switcher.switching.switch(start(0, "two"))
-    switcher.switching.switch(start(1, "two"))
-    ((flow, task, reason),) = switcher.refused
-    assert (flow, task) == (0, "two")
-    assert reason == "A is written by task one, which is ON"
+    switcher.switches.together(2)
+    switcher.switches.switch(start(0, "two"))
+    switcher.switches.switch(start(1, "two"))
+    (refused,) = switcher.refused
+    assert (refused.subsystem, refused.task, refused.command) == ("flow0", "two", "on")
+    assert refused.reason == "A is written by task one, which is ON"
     assert [one.subsystem for one in switcher.sent] == ["flow1"]
 
 
 def test_what_a_unit_has_done_by_itself_is_not_done_again(switcher):  # decision 19
-    switcher.switching.switch(start(0, "one", number=1))
+    switcher.switches.switch(start(0, "one", number=1))
     assert switcher.sent == []
-    switcher.outlook.rest = orders.Switch(0, ("one",), ())
-    switcher.switching.switch(start(0, "one", "one", number=1))
+    switcher.prepared.rest = orders.Switch(0, ("one",), ())
+    switcher.switches.switch(start(0, "one", "one", number=1))
     assert [one.off for one in switcher.sent] == [("one",)]

@@ -123,7 +123,7 @@ def test_a_response_may_come_later_and_in_any_order(house):  # R-F07
     assert replied == {first: "x", second: "y"}
 
 
-def test_events_arrive_in_their_order(house):  # R-F01, house decision 7
+def test_events_arrive_in_their_order(house):  # R-F01
     parent = house.parent()
     said = [event.Done(0, number, number / 2) for number in range(5)]
     for one in said:

@@ -92,7 +92,7 @@ def unit():
     one.close()
 
 
-def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # house decision 3, law 2
+def test_a_task_is_spawned_cycles_into_the_shared_table_and_finishes(unit):  # law 2
     unit.spawn()
     assert unit.hear(news.Initialised).task == "count"
     unit.say(command.Switch("flow0", (), (), (command.Launch("count"),)))

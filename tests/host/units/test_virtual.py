@@ -123,7 +123,7 @@ def test_two_flows_share_one_world():  # R-K02, law 18
     assert run.result.values["flow1/X"][0] == pytest.approx(-1.0, abs=1e-3)
 
 
-def test_tasks_spread_over_units_keep_the_order_of_on():  # R-A15, decision 14
+def test_tasks_spread_over_units_keep_the_order_of_on():  # R-A15, reading 14
     run = Run(rail_tasks(rtpu="rt1"), move("1.0"), rtpus=("rt0", "rt1")).to_the_end()
     assert run.result.completed
     assert {one.task: one.rtpu for one in run.result.tasks} == {"mass": "rt0", "servo": "rt1"}

@@ -42,7 +42,7 @@ def test_a_branch_takes_time_if_all_its_flows_do() -> None:
     ],
 )
 def test_what_an_inner_top_test_loop_may_pass_by_does_not_count(test: Icon, faults_: int) -> None:
-    assert len(told(nop(**START), test, job(), nop(**INNER), nop(**TEST))) == faults_  # decision 23, R-E05
+    assert len(told(nop(**START), test, job(), nop(**INNER), nop(**TEST))) == faults_  # reading 23, R-E05
 
 
 def test_an_inner_bottom_test_loop_is_run_once_at_least() -> None:

@@ -9,7 +9,7 @@ def types(*steps: object) -> list[tuple[str, ...]]:
 
 
 def test_a_hole_wants_the_target_of_the_job_left_of_it_or_an_action() -> None:
-    assert types(MOVE, HOLE, job(), HOLE) == [("Joint object",), ()]  # decision 32
+    assert types(MOVE, HOLE, job(), HOLE) == [("Joint object",), ()]  # reading 32
 
 
 def test_a_hole_may_want_several_targets_of_a_job() -> None:
@@ -18,7 +18,7 @@ def test_a_hole_may_want_several_targets_of_a_job() -> None:
 
 
 def test_holes_of_all_flows_and_branches_count_together_each_type_once() -> None:
-    found = outline(flow(REACH, HOLE), flow(job(), branch(flow(MOVE, HOLE), flow(REACH, HOLE))))  # decision 32
+    found = outline(flow(REACH, HOLE), flow(job(), branch(flow(MOVE, HOLE), flow(REACH, HOLE))))  # reading 32
     assert open_types(found, SYNTAX) == ("Cartesian object", "Joint object")
 
 

@@ -45,7 +45,7 @@ TASKS = {
     ],
 )
 def test_a_job_has_the_type_of_its_first_trigger_with_a_target(tasks: tuple[str, ...], kind: ActionType) -> None:
-    assert job_type(conf("x", *tasks), TASKS, SYNTAX) == kind  # decision 16, R-C29, R-D13
+    assert job_type(conf("x", *tasks), TASKS, SYNTAX) == kind  # reading 16, R-C29, R-D13
 
 
 def reasons(found: ActionType | tuple[Refusal, ...]) -> list[str]:
@@ -77,7 +77,7 @@ def test_a_configuration_that_is_not_whole_is_refused() -> None:
     ],
 )
 def test_an_application_has_the_type_of_its_holes(flows: list[AppFlow], kind: ActionType) -> None:
-    for is_parallel in (False, True):  # R-D09, decisions 31 and 32, R-D13
+    for is_parallel in (False, True):  # R-D09, readings 31 and 32, R-D13
         assert application_type(application(*flows, is_parallel=is_parallel), SYNTAX) == kind
 
 
@@ -106,7 +106,7 @@ def test_where_the_syntax_has_no_type_for_it_that_is_said() -> None:
 
 
 def test_the_only_target_whose_edge_fits_is_wanted_where_no_name_does() -> None:
-    kinds = (*SYNTAX.types, IconType("Fast job", 1, 3), IconType("Fast application", 1, 3))  # decision 32
+    kinds = (*SYNTAX.types, IconType("Fast job", 1, 3), IconType("Fast application", 1, 3))  # reading 32
     assert application_type(application(flow(icon("f", "Fast job"), HOLE)), replace(SYNTAX, types=kinds)) == ActionType(
         "Cartesian application"
     )

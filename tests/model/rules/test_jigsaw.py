@@ -56,7 +56,7 @@ def test_a_hole_may_need_several_icons() -> None:
 
 
 def test_a_hole_opens_before_the_end_icon() -> None:
-    assert insert(AppFlow(()), -1, JOB, SYNTAX).steps == (JOB, Hole())  # decision 33
+    assert insert(AppFlow(()), -1, JOB, SYNTAX).steps == (JOB, Hole())  # reading 33
 
 
 def test_an_icon_that_does_not_fit_is_refused_with_what_would_fit() -> None:

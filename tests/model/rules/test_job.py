@@ -17,7 +17,7 @@ def told(*icons: Icon, task: Task = TWO, unread: frozenset[str] = frozenset()) -
 
 
 def test_a_job_has_the_type_and_the_further_targets_of_its_trigger() -> None:
-    assert told(VIA, THERE, POSE) == []  # decision 36, R-D13
+    assert told(VIA, THERE, POSE) == []  # reading 36, R-D13
     assert told(MOVE, THERE) == [
         "work.appl: a Joint job with Cartesian object, as its trigger `path` says"
         " / Joint job for `move`, step 0 of flow 0"

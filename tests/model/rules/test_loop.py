@@ -29,7 +29,7 @@ def found(marks: str) -> list[str]:
 
 @pytest.mark.parametrize("marks", ["", "- -", "a a?", "a? a", "a - b b? - a?", "a a? b b?", "a b c? c b? a?"])
 def test_loops_apart_or_within_each_other_are_well_formed(marks: str) -> None:
-    assert found(marks) == []  # decision 23, R-E01
+    assert found(marks) == []  # reading 23, R-E01
 
 
 @pytest.mark.parametrize(
@@ -54,18 +54,18 @@ def test_loops_apart_or_within_each_other_are_well_formed(marks: str) -> None:
     ],
 )
 def test_every_malformed_loop_is_named(marks: str, expected: list[str]) -> None:
-    assert found(marks) == expected  # decision 23, R-E01
+    assert found(marks) == expected  # reading 23, R-E01
 
 
 def test_both_tags_on_one_action_are_no_loop() -> None:
-    flow = AppFlow((icon("a", "Joint job"), icon("a?", "Joint object")))  # decision 24
+    flow = AppFlow((icon("a", "Joint job"), icon("a?", "Joint object")))  # reading 24
     assert [fault.found for fault in faults(flow, SYNTAX, "flow 0", Place("a.appl"))] == [
         "it twice at one, `x`, step 0"
     ]
 
 
 def test_a_tag_on_a_target_counts_for_its_job() -> None:
-    flow = AppFlow((icon("-", "Joint job"), icon("a", "Joint object"), icon("a?")))  # decision 24
+    flow = AppFlow((icon("-", "Joint job"), icon("a", "Joint object"), icon("a?")))  # reading 24
     assert faults(flow, SYNTAX, "flow 0", Place("a.appl")) == ()
 
 
@@ -92,7 +92,7 @@ def test_a_fault_stands_at_the_line_of_its_icon() -> None:
     ],
 )
 def test_loops_that_are_well_formed_are_known_by_their_ends_and_their_test(marks: str, expected: list[Loop]) -> None:
-    flow = AppFlow(tuple(map(icon, marks.split())))  # decision 23, R-E05
+    flow = AppFlow(tuple(map(icon, marks.split())))  # reading 23, R-E05
     found = loops(flow, actions(flow, SYNTAX))
     assert list(found) == expected
     assert [loop.is_top for loop in found] == [loop.test == loop.start for loop in expected]

@@ -41,12 +41,12 @@ def test_a_placed_task_leaves_where_it_conflicts_with_a_running_one():  # R-C12,
     assert names(found.placed) == ["arm", "draw"]
 
 
-def test_one_module_twice_is_a_conflict_and_so_is_a_constant_given_too_late():  # R-C12, decision 3
+def test_one_module_twice_is_a_conflict_and_so_is_a_constant_given_too_late():  # R-C12, reading 3
     assert list(merge([at("again")], [at("move")], TASKS).remove) == ["again"]
     assert list(merge([at("look")], [at("lazy")], TASKS).remove) == ["look"]
 
 
-def test_the_same_task_on_both_sides_takes_over_the_running_values_and_keeps_its_place():  # decision 4
+def test_the_same_task_on_both_sides_takes_over_the_running_values_and_keeps_its_place():  # reading 4
     placed = at("move", x=40, y=7, frequency=100.0, rtpu="unknown", in_left=False)
     (one,) = merge([placed], [at("move", frequency=250.0, rtpu="rt1")], TASKS).update
     assert one == at("move", x=40, y=7, frequency=250.0, rtpu="rt1", in_left=False)
@@ -58,7 +58,7 @@ def test_a_task_that_runs_is_kept_though_it_conflicts_with_another_that_runs(): 
     assert names(found.placed) == ["move", "again"]
 
 
-def test_a_task_without_a_description_is_neither_spawned_nor_removed():  # decision 11
+def test_a_task_without_a_description_is_neither_spawned_nor_removed():  # reading 11
     found = merge([at("nobody"), at("arm")], [], TASKS)
     assert (names(found.spawn), found.remove) == (["arm"], {})
 

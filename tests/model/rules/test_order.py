@@ -21,7 +21,7 @@ def test_ranks_count_from_0_without_gaps():
     assert sorted(rank([PD, RATE, MOVE, PUMA], {"puma"}).values()) == [0, 1, 2, 3]
 
 
-def test_a_loop_without_hardware_keeps_the_order_of_the_file():  # decision 14
+def test_a_loop_without_hardware_keeps_the_order_of_the_file():  # reading 14
     a = Ports("a", invar=("Z",), outvar=("X",))
     b = Ports("b", invar=("Y",), outvar=("Z",))
     c = Ports("c", invar=("X",), outvar=("Y",))
@@ -73,7 +73,7 @@ def test_variables_do_not_order_spawning():
     assert constant_order([PD, RATE]) == (["pd", "rate"], [])
 
 
-def test_a_first_value_counts_as_a_constant():  # law 10, decision 7
+def test_a_first_value_counts_as_a_constant():  # law 10, reading 7
     both_out = Ports("writer", outconst=("X",), outvar=("X",))
     both_in = Ports("reader", inconst=("X",), invar=("X",))
     assert constant_order([both_in, both_out])[0] == ["writer", "reader"]

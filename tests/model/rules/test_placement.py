@@ -2,7 +2,7 @@ from dataclasses import replace
 
 from hypothesis import given, settings, strategies as st
 
-from onika.model.rules.placement import Company, alias_refusals, greyed, meets_constant, refusals
+from onika.model.rules.placement import PlacedNeighbours, alias_refusals, greyed, meets_constant, refusals
 from onika.model.task import Task
 
 CUBIC = Task("cubic", "cubic", inconst=("NDOF",), invar=("Q_MEZ",), outvar=("Q_REF",))
@@ -32,7 +32,7 @@ def test_a_task_of_the_same_name_or_module_is_refused_though_it_writes_nothing()
 
 
 def test_a_pure_outvar_may_not_meet_a_pure_inconst_either_way_round() -> None:
-    writer = Task("w", "w", outvar=("NDOF",))  # R-C07, Equation (3), decision 5
+    writer = Task("w", "w", outvar=("NDOF",))  # R-C07, Equation (3), reading 5
     reader = Task("r", "r", inconst=("NDOF",))
     expected = ["`r` needs NDOF at initialisation, `w` gives it only while it runs"]
     assert reasons(writer, reader) == expected
@@ -40,7 +40,7 @@ def test_a_pure_outvar_may_not_meet_a_pure_inconst_either_way_round() -> None:
 
 
 def test_tandems_are_no_conflict() -> None:
-    reader = Task("r", "r", inconst=("X",))  # decision 6
+    reader = Task("r", "r", inconst=("X",))  # reading 6
     assert reasons(Task("w", "w", outconst=("X",), outvar=("X",)), reader) == []
     assert reasons(Task("w", "w", outconst=("X",)), reader) == []
     assert reasons(Task("w", "w", outvar=("X",)), Task("r", "r", inconst=("X",), invar=("X",))) == []
@@ -52,12 +52,12 @@ def test_every_reason_is_given_at_once() -> None:
 
 
 def test_two_outputs_aliased_to_one_variable_are_refused() -> None:
-    task = Task("t", "t", aliases=(("A", "B"),), outconst=("A",), outvar=("A", "B"))  # decision 9
+    task = Task("t", "t", aliases=(("A", "B"),), outconst=("A",), outvar=("A", "B"))  # reading 9
     assert [refusal.reason for refusal in alias_refusals(task, [task])] == ["A and B of `t` would both write B"]
 
 
 def test_an_alias_that_would_conflict_in_the_configuration_is_refused() -> None:
-    changed = Task("t", "t", aliases=(("OUT", "Q_REF"),), outvar=("OUT",))  # decision 9
+    changed = Task("t", "t", aliases=(("OUT", "Q_REF"),), outvar=("OUT",))  # reading 9
     assert len(alias_refusals(changed, [Task("t", "t", outvar=("OUT",)), CUBIC])) == 1
     assert alias_refusals(Task("t", "t", outvar=("OUT",)), [CUBIC]) == ()
 
@@ -132,5 +132,5 @@ def test_reasons_are_those_of_every_pair_in_their_order(library: list[Task], pla
 @given(st.lists(aliased, max_size=6), aliased)
 @settings(max_examples=100, deadline=None)
 def test_whom_a_task_keeps_out_is_told_as_each_would_be_told(library: list[Task], task: Task) -> None:
-    found = [(other.name, refused) for other, refused in Company(library).kept_out_by(task)]  # R-C07
+    found = [(other.name, refused) for other, refused in PlacedNeighbours(library).kept_out_by(task)]  # R-C07
     assert found == [(other.name, refusals(other, [task])) for other in library if refusals(other, [task])]

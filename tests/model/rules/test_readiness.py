@@ -116,7 +116,7 @@ def test_a_configuration_without_tasks_is_named() -> None:
 
 
 def test_conflicts_within_a_configuration_are_named() -> None:
-    tasks = {**TASKS, "hold": Task("hold", "hold", outvar=("GRIP",))}  # decision 1
+    tasks = {**TASKS, "hold": Task("hold", "hold", outvar=("GRIP",))}  # reading 1
     (fault,) = found((CLOSE,), configurations={"close": conf("close", "grip", "hold")}, tasks=tasks)
     assert fault == (
         "tasks that may stand together: `hold` in `close`, step 0 of flow 0: writes GRIP, which `grip` already writes"
@@ -124,7 +124,7 @@ def test_conflicts_within_a_configuration_are_named() -> None:
 
 
 def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> None:
-    tasks = {**TASKS, "other": Task("other", "grip")}  # decision 1, law 9
+    tasks = {**TASKS, "other": Task("other", "grip")}  # reading 1, law 9
     configurations = {**CONFIGURATIONS, "open": conf("open", "other")}
     opened = icon("open", "Complete job")
     expected = (
@@ -135,7 +135,7 @@ def test_conflicts_in_the_union_of_a_flow_are_named_but_not_across_flows() -> No
 
 
 def test_a_trigger_changed_after_the_job_was_made_is_found() -> None:
-    tasks = {"jmove": Task("jmove", "jmove", object_type="Cartesian job")}  # decision 36
+    tasks = {"jmove": Task("jmove", "jmove", object_type="Cartesian job")}  # reading 36
     expected = "a Cartesian job, as its trigger `jmove` says: Joint job for `move`, step 0 of flow 0"
     assert found((MOVE, THERE), tasks=tasks) == [expected]
     without = {"jmove": Task("jmove", "jmove")}

@@ -1,37 +1,37 @@
 from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Change, Placed, dependents, difference, exchange
+from onika.model.rules.reconfiguration import PlacedTask, TaskSwitch, dependents, difference, exchange
 
 names = st.lists(st.sampled_from("abcdefgh"), unique=True)
 
 
 def test_a_task_that_is_not_wanted_goes_off():  # R-A13
-    assert difference(["move", "puma"], ["puma"]) == Change(off=("move",), keep=("puma",), on=())
+    assert difference(["move", "puma"], ["puma"]) == TaskSwitch(off=("move",), keep=("puma",), on=())
 
 
 def test_a_task_that_is_not_yet_on_comes_on():  # R-A13
-    assert difference(["puma"], ["move", "puma"]) == Change(off=(), keep=("puma",), on=("move",))
+    assert difference(["puma"], ["move", "puma"]) == TaskSwitch(off=(), keep=("puma",), on=("move",))
 
 
 def test_a_common_task_is_not_touched():  # R-A13
-    assert difference(["puma"], ["puma"]) == Change(off=(), keep=("puma",), on=())
+    assert difference(["puma"], ["puma"]) == TaskSwitch(off=(), keep=("puma",), on=())
 
 
 def test_from_nothing_everything_comes_on():
-    assert difference([], ["move", "puma"]) == Change(off=(), keep=(), on=("move", "puma"))
+    assert difference([], ["move", "puma"]) == TaskSwitch(off=(), keep=(), on=("move", "puma"))
 
 
 def test_to_nothing_everything_goes_off():
-    assert difference(["move", "puma"], []) == Change(off=("move", "puma"), keep=(), on=())
+    assert difference(["move", "puma"], []) == TaskSwitch(off=("move", "puma"), keep=(), on=())
 
 
 def test_off_keeps_the_order_of_what_is_on_and_the_others_that_of_what_is_wanted():
-    assert difference(["d", "b", "c", "a"], ["e", "a", "d", "f"]) == Change(("b", "c"), ("a", "d"), ("e", "f"))
+    assert difference(["d", "b", "c", "a"], ["e", "a", "d", "f"]) == TaskSwitch(("b", "c"), ("a", "d"), ("e", "f"))
 
 
 def test_a_task_named_twice_is_switched_once():
-    assert difference(["a", "a"], ["b", "b"]) == Change(off=("a",), keep=(), on=("b",))
+    assert difference(["a", "a"], ["b", "b"]) == TaskSwitch(off=("a",), keep=(), on=("b",))
 
 
 @settings(max_examples=100, deadline=None)
@@ -48,10 +48,10 @@ def test_carrying_a_change_out_gives_what_is_wanted(on_now, wanted):
 
 
 def placed(name, inconst=(), outconst=(), module="", device=None):
-    return Placed(Ports(name, tuple(inconst), tuple(outconst)), module or name, device)
+    return PlacedTask(Ports(name, tuple(inconst), tuple(outconst)), module or name, device)
 
 
-def test_only_who_excludes_a_newcomer_is_killed_first():  # decision 14
+def test_only_who_excludes_a_newcomer_is_killed_first():  # reading 14
     living = [placed("puma", device="boxes:left"), placed("move"), placed("watch")]
     new = [placed("puma2", device="boxes:left"), placed("ramp", module="move")]
     found = exchange(living, ["puma", "move", "watch"], new)
@@ -107,7 +107,7 @@ def placements(draw, prefix):
 
 @settings(max_examples=200, deadline=None)
 @given(placements("t"), placements("n"), st.data())
-def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, decision 14
+def test_an_exchange_says_of_everybody_what_happens(living, new, data):  # R-A13, reading 14
     gone = data.draw(st.sets(st.sampled_from([one.name for one in living]))) if living else set()
     found = exchange(living, gone, new)
     assert set(found.keep) | set(found.kill) == {one.name for one in living}

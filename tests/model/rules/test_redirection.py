@@ -31,7 +31,7 @@ def reasons(new, crews=CREWS, others=(), old=ROBOT):
     ],
     ids=["same", "more", "aliased", "own output", "reads less", "same module and device"],
 )
-def test_a_task_with_the_same_outputs_or_more_may_stand_for_another(new):  # R-E09, decision 29
+def test_a_task_with_the_same_outputs_or_more_may_stand_for_another(new):  # R-E09, reading 29
     assert reasons(new) == []
     assert is_alike(ROBOT, new)
 

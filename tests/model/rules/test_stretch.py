@@ -1,17 +1,17 @@
-"""What a flow can come to, as far as it is known before the run (decisions 21 and 22, R-D11, R-X03)."""
+"""What a flow can come to, as far as it is known before the run (readings 21 and 22, R-D11, R-X03)."""
 
 import pytest
 
 from kit import build
 from kit.program_tree import Act, Loop, Pick, Side, planned
-from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
+from onika.model.rules.stretch import ENDLESS, IDLE, FlowOutcome, FlowStop, ReturnValue, program_of, ways
 from onika.wire.plan import Do, Halt, Meet, Rest
 
 MEET = Act("a")
 NOOP = Act(tasks=(), is_noop=True)
 
 
-def stops(*tree, at=0, value=Value.NONE):
+def stops(*tree, at=0, value=ReturnValue.NONE):
     flow = planned(tree).flows[0]
     return [way.stop.at if way.stop != IDLE else "end" for way in ways(flow, flow.program, at, value)]
 
@@ -35,28 +35,30 @@ def test_every_stop_is_found_that_the_values_allow(tree, found):
     assert stops(*tree) == found
 
 
-@pytest.mark.parametrize(("value", "found"), [(Value.NONE, [5]), (Value.NOOP, [0]), (Value.ANY, [5, 0])])
+@pytest.mark.parametrize(
+    ("value", "found"), [(ReturnValue.NONE, [5]), (ReturnValue.NOOP, [0]), (ReturnValue.ANY, [5, 0])]
+)
 def test_a_test_goes_by_the_value_before_it(value, found):
     assert stops(Loop("l", (MEET, Act("b"))), Act("c"), at=4, value=value) == found
 
 
 def test_the_flows_that_are_begun_on_the_way_are_told_with_their_choices():  # R-D13
     flow = planned((Act(), Pick(((Side(((), (MEET,))),), ())))).flows[0]
-    found = ways(flow, flow.program, 0, Value.NONE)
+    found = ways(flow, flow.program, 0, ReturnValue.NONE)
     assert found == (
-        Way(Stop(3, Value.ANY), ((1, 0),), ("takes flow 0 of a branch",)),
-        Way(IDLE, (), ("takes flow 1 of a branch",)),
+        FlowOutcome(FlowStop(3, ReturnValue.ANY), ((1, 0),), ("takes flow 0 of a branch",)),
+        FlowOutcome(IDLE, (), ("takes flow 1 of a branch",)),
     )
 
 
 def test_a_loop_that_waits_nowhere_and_is_never_left_is_endless():
     flow = planned((Loop("l", (NOOP, NOOP)),)).flows[0]
-    assert ways(flow, flow.program, 0, Value.NONE) == (Way(ENDLESS, (), ()),)
+    assert ways(flow, flow.program, 0, ReturnValue.NONE) == (FlowOutcome(ENDLESS, (), ()),)
 
 
 def test_a_value_that_nobody_will_look_at_is_forgotten():
-    (way,) = ways(flow := planned((NOOP, MEET)).flows[0], flow.program, 0, Value.NONE)
-    assert way.stop == Stop(1, Value.ANY)
+    (way,) = ways(flow := planned((NOOP, MEET)).flows[0], flow.program, 0, ReturnValue.NONE)
+    assert way.stop == FlowStop(1, ReturnValue.ANY)
 
 
 def test_without_a_program_the_actions_follow_each_other_with_their_tags():

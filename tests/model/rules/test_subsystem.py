@@ -4,15 +4,15 @@ from tests.model.rules.upper import SYNTAX, application, branch, conf, flow, job
 
 from onika.model.application import AppFlow, Application
 from onika.model.rules.nesting import nest
-from onika.model.rules.subsystem import Subsystem, faults, subsystems
+from onika.model.rules.subsystem import SharedSubsystem, faults, subsystems
 from onika.model.task import Task
 
 
-def found(*flows: AppFlow, applications: Mapping[str, Application] | None = None) -> dict[str, Subsystem]:
+def found(*flows: AppFlow, applications: Mapping[str, Application] | None = None) -> dict[str, SharedSubsystem]:
     return subsystems(nest(outline(*flows, is_parallel=True), SYNTAX, applications or {}, {}), SYNTAX)
 
 
-def jobs(subsystem_of: dict[str, Subsystem]) -> dict[str, list[str]]:
+def jobs(subsystem_of: dict[str, SharedSubsystem]) -> dict[str, list[str]]:
     return {name: list(one.uses) for name, one in subsystem_of.items()}
 
 
@@ -37,7 +37,7 @@ def test_further_flows_of_a_nested_parallel_application_have_subsystems_of_their
 
 
 def test_tasks_conflict_within_a_subsystem_only() -> None:
-    configurations = {"a": conf("a", "one"), "b": conf("b", "two")}  # decision 1
+    configurations = {"a": conf("a", "one"), "b": conf("b", "two")}  # reading 1
     tasks = {name: Task(name, "m") for name in ("one", "two")}
 
     def told(*flows: AppFlow, inner: Application) -> list[str]:

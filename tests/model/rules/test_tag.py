@@ -6,7 +6,7 @@ MEET = job("open", synch_tag="meet")
 
 
 def test_a_tag_stands_in_two_flows_or_more() -> None:
-    two = outline(flow(MEET, MEET), flow(job(), branch(flow(MEET), flow())), is_parallel=True)  # decision 26
+    two = outline(flow(MEET, MEET), flow(job(), branch(flow(MEET), flow())), is_parallel=True)  # reading 26
     assert texts(faults(two)) == []
     alone = outline(flow(job(), MEET, MEET), flow(job()), is_parallel=True)  # R-E04
     assert texts(faults(alone)) == [
@@ -20,7 +20,7 @@ def test_two_flows_of_one_branch_are_one_flow() -> None:
 
 
 def test_where_nothing_is_parallel_a_tag_is_noted_and_ignored() -> None:
-    found = outline(flow(MEET), flow(MEET), is_nested=True)  # decision 27
+    found = outline(flow(MEET), flow(MEET), is_nested=True)  # reading 27
     (note,) = faults(found)
     assert texts([note]) == [
         "*work.appl: a parallel application for the tag meet / it at `open`, step 0 of flow 0 of `work`"

@@ -1,7 +1,7 @@
 import pytest
 
 from onika.model.configuration import Configuration, Placed
-from onika.model.rules.union import Source, conflicts, tasks_of, variables
+from onika.model.rules.union import TaskOrigin, conflicts, tasks_of, variables
 from onika.model.task import LocalLine, Task
 from onika.words.fault import Place
 
@@ -50,18 +50,21 @@ def test_a_constant_only_given_while_running_is_a_fault() -> None:
 
 
 def test_joint_and_cartesian_moves_may_write_the_same_reference() -> None:
-    moves = [Task("jmove", "j", outvar=("Q_REF",)), Task("cmove", "c", outvar=("Q_REF",))]  # decision 1
+    moves = [Task("jmove", "j", outvar=("Q_REF",)), Task("cmove", "c", outvar=("Q_REF",))]  # reading 1
     assert conflicts(moves, "flow 0", Place("a.appl")) == ()
 
 
 def test_an_inboth_needs_no_supplier_of_the_constant() -> None:
-    both = Task("r", "r", inconst=("X",), invar=("X",))  # decision 6
+    both = Task("r", "r", inconst=("X",), invar=("X",))  # reading 6
     assert conflicts([both, Task("w", "w", outvar=("X",))], "flow 0", Place("a.appl")) == ()
 
 
 def test_a_task_is_beside_the_first_only_and_its_icon_is_named() -> None:
     tasks = [Task(name, "m") for name in "abc"]  # law 9, R-E01
-    sources = {"a": Source(Place("a.appl", 3), "in `open`, step 0"), "c": Source(Place("a.appl", 9), "in `x`, step 2")}
+    sources = {
+        "a": TaskOrigin(Place("a.appl", 3), "in `open`, step 0"),
+        "c": TaskOrigin(Place("a.appl", 9), "in `x`, step 2"),
+    }
     told = conflicts(tasks, "flow 0", Place("a.appl"), sources)
     assert [(fault.place.line, fault.found) for fault in told] == [
         (0, "m in `a` (in `open`, step 0) and `b` of flow 0"),

@@ -16,7 +16,7 @@ pins = st.lists(st.tuples(st.sampled_from("ABC"), st.sampled_from(list(PortKind)
 
 
 @given(st.lists(pins, max_size=20))
-def test_counts_of_tasks_are_added_as_a_file_counts_them(found):  # R-C24, decision 7
+def test_counts_of_tasks_are_added_as_a_file_counts_them(found):  # R-C24, reading 7
     for svar in "ABC":
         total = sum(of_task(one).get(svar, 0) for one in found)
         using = [one for one in found if any(name == svar for name, _ in one)]

@@ -1,9 +1,9 @@
-"""Who can come to wait for whom for ever, beside a plain search that moves one flow at a time (R-X03, decision 26)."""
+"""Who can come to wait for whom for ever, beside a plain search that moves one flow at a time (R-X03, reading 26)."""
 
 from hypothesis import given, settings, strategies as st
 
 from kit.program_tree import Act, Loop, Pick, Side, planned
-from onika.model.rules.waits import Wait, Waits
+from onika.model.rules.waits import FlowWait, Waits
 from onika.wire.plan import Again, Choose, Fork, Halt, Join, Jump, Meet, Unless
 
 NOOP = Act(tasks=(), is_noop=True)
@@ -27,12 +27,12 @@ def test_two_flows_that_meet_in_one_order_get_through():
 def test_a_circle_is_told_once_from_its_first_flow():
     found = explored(tags("a b"), tags("b c"), tags("c a"))
     assert found.is_certain
-    assert [knot.waits for knot in found.knots] == [(Wait(0, 0, 2), Wait(2, 0, 1), Wait(1, 0, 0))]
+    assert [knot.waits for knot in found.knots] == [(FlowWait(0, 0, 2), FlowWait(2, 0, 1), FlowWait(1, 0, 0))]
 
 
 def test_a_flow_that_waits_for_an_ended_one_waits_for_ever():
     found = explored(tags("a a"), tags("a"))
-    assert [(knot.waits, knot.is_circle) for knot in found.knots] == [((Wait(0, 2, 1),), False)]
+    assert [(knot.waits, knot.is_circle) for knot in found.knots] == [((FlowWait(0, 2, 1),), False)]
 
 
 def test_who_waits_for_a_flow_in_a_circle_is_no_circle_of_its_own():
@@ -48,12 +48,12 @@ def test_a_deadlock_beside_flows_that_go_on_for_ever_is_found():
 
 def test_waiting_for_a_flow_that_goes_round_for_ever_is_told_apart():
     found = explored(tags("a"), (Loop("l", (Act(), NOOP)), Act("a")))
-    assert (found.knots, found.idling) == ((), (Wait(0, 0, 1),))
+    assert (found.knots, found.idling) == ((), (FlowWait(0, 0, 1),))
 
 
 def test_a_tag_that_a_nested_flow_does_not_come_to_again_ties_its_parent_up():  # R-D13
     found = explored((Side(((Act("n a"), Act("n a")), (Act("n a"),))),))
-    assert [knot.waits for knot in found.knots] == [(Wait(0, 3, 1), Wait(1, -1, 0))]
+    assert [knot.waits for knot in found.knots] == [(FlowWait(0, 3, 1), FlowWait(1, -1, 0))]
     assert found.is_certain
 
 

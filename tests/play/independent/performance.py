@@ -1,8 +1,7 @@
 """What an application does, read a second time: a plain interpreter of lists of actions, without orders or lifecycles.
 
-Written from §5.5.4, §5.9.2, Table 9, E02, E04 and decisions 16, 17, 26 and 28 of the specification and house
-decision 4; it shares no code with the engine. There is nobody to decide, so that an error that is not a passive
-task's ends the run (E08).
+Written from §5.5.4, §5.9.2, Table 9, E02, E04 and readings 16, 17, 26 and 28; it shares no code with the engine.
+There is nobody to decide, so that an error that is not a passive task's ends the run (E08).
 """
 
 from dataclasses import dataclass, field

@@ -1,1 +1,1 @@
-"""The console of a runtime: what is asked of it by hand, in lines, and how its events read (requirement A16, §E.1)."""
+"""The console: operates a runtime by hand, by lines that are typed, and shows its events (requirement A16, §E.1)."""

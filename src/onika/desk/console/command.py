@@ -1,9 +1,9 @@
-"""A command of a console: its name, how it is written, what it does, what it takes."""
+"""A console command: its name, its usage, what it does, and the words it takes."""
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.words import argument
 
 Words = tuple[str, ...]
@@ -17,7 +17,7 @@ class Command:
     usage: str
     text: str
     """What it does, in one line; further lines are shown by `help NAME` only."""
-    carry_out: Callable[[Session, Words], Faults]
+    carry_out: Callable[[ConsoleSession, Words], Faults]
     takes: Words = ()
     """What stands at each place, for completion; the last holds for all further places."""
     least: int = 0

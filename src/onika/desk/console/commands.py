@@ -1,4 +1,4 @@
-"""The commands of a console by groups, as `help` shows them."""
+"""The table of all console commands, in the groups in which `help` shows them."""
 
 from onika.desk.console import (
     control_lines,
@@ -13,13 +13,13 @@ from onika.desk.console import (
     world_lines,
 )
 from onika.desk.console.command import Command
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run.steering import VERBS
 
 Words = tuple[str, ...]
 
 
-def _echo(session: Session, words: Words) -> Faults:
+def _echo(session: ConsoleSession, words: Words) -> Faults:
     session.say(words[0] if words else "")
     return ()
 

@@ -1,11 +1,11 @@
-"""Completion: what may stand where the cursor is."""
+"""Completes console lines: lists the words that may stand where the cursor is."""
 
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from onika.desk.console.command import Command, find
-from onika.desk.console.session import Session
-from onika.desk.console.site_library import Library
+from onika.desk.console.session import ConsoleSession
+from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.steering_lines import where
 from onika.model.lifecycle import State
 from onika.wire import live
@@ -16,7 +16,7 @@ _FOUND = 200
 class Completion:
     """Knows the commands and, from the session, tasks, variables and all else by name."""
 
-    def __init__(self, session: Session, commands: Sequence[Command]) -> None:
+    def __init__(self, session: ConsoleSession, commands: Sequence[Command]) -> None:
         self._session = session
         self._commands = commands
 
@@ -44,7 +44,7 @@ class Completion:
         return () if offer is None else offer(self._session, self._commands, typed)
 
 
-def _tasks(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
+def _tasks(session: ConsoleSession, _commands: Sequence[Command], _typed: str) -> list[str]:
     others = [
         f"{subsystem.name}/{task.task.name}"
         for subsystem in session.standing().subsystems
@@ -54,22 +54,22 @@ def _tasks(session: Session, _commands: Sequence[Command], _typed: str) -> list[
     return [*session.tasks(), *others]
 
 
-def _asking(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
+def _asking(session: ConsoleSession, _commands: Sequence[Command], _typed: str) -> list[str]:
     return [name if home == session.subsystem else f"{home}/{name}" for home, name in session.questions]
 
 
-def _variables(session: Session, _commands: Sequence[Command], typed: str) -> list[str]:
+def _variables(session: ConsoleSession, _commands: Sequence[Command], typed: str) -> list[str]:
     subsystem, slash, _ = typed.rpartition("/")
     answer = session.ask(live.Read(subsystem or session.subsystem))
     names = answer.values if isinstance(answer, live.Values) else {}
     return [f"{subsystem}{slash}{name}" for name in names]
 
 
-def _library(session: Session) -> Library:
-    return Library(session.site, session.place)
+def _library(session: ConsoleSession) -> SiteLibrary:
+    return SiteLibrary(session.site, session.place)
 
 
-def _spawn_words(session: Session, _commands: Sequence[Command], _typed: str) -> list[str]:
+def _spawn_words(session: ConsoleSession, _commands: Sequence[Command], _typed: str) -> list[str]:
     units = [unit.name for unit in session.standing().rtpus]
     library = _library(session)
     return [*library.tasks, *library.configurations, "on", "as", "at", "of", *units]
@@ -88,7 +88,7 @@ def _files(typed: str, before: str = "") -> list[str]:
     return [f"{before}{folder}{slash}{name}" for name in names if name.startswith(start)]
 
 
-_KINDS: dict[str, Callable[[Session, Sequence[Command], str], list[str]]] = {
+_KINDS: dict[str, Callable[[ConsoleSession, Sequence[Command], str], list[str]]] = {
     "task": _tasks,
     "asking": _asking,
     "variable": _variables,

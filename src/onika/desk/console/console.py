@@ -1,4 +1,4 @@
-"""A console: carries out lines, one command each, and completes what is being typed (requirement A16)."""
+"""The console itself: carries out lines, one command each, and runs scripts of them (requirement A16)."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -8,9 +8,9 @@ from onika.desk.console.command import Command, find
 from onika.desk.console.completion import Completion
 from onika.desk.console.display import Tone
 from onika.desk.console.file_follower import Follow
-from onika.desk.console.session import TYPED, Faults, Session
+from onika.desk.console.session import TYPED, ConsoleSession, Faults
 from onika.desk.console.time_lines import ended
-from onika.desk.console.variable_watch import Watch
+from onika.desk.console.variable_watch import VariableWatch
 from onika.desk.run import script_lines
 from onika.wire import request
 from onika.words.fault import Place
@@ -22,11 +22,11 @@ _DEEPEST = 16
 class Console:
     """Lines in, faults out; what is found goes to the session's face."""
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: ConsoleSession) -> None:
         self.session = session
         self.is_over = False
         self._depth = 0
-        self._watch = Watch()
+        self._watch = VariableWatch()
         self._follow = Follow()
         session.ticks += [lambda: self._watch.tick(session), lambda: self._follow.tick(session)]
         self._groups = self._vocabulary()
@@ -104,7 +104,9 @@ class Console:
     # -- lines about the console itself
 
     def _vocabulary(self) -> list[tuple[str, tuple[Command, ...]]]:
-        def command(name: str, usage: str, text: str, act: Callable[[Session, Words], Faults], *takes: str) -> Command:
+        def command(
+            name: str, usage: str, text: str, act: Callable[[ConsoleSession, Words], Faults], *takes: str
+        ) -> Command:
             return Command(name, usage, text, act, takes, most=None if takes else 0)
 
         watch = command(
@@ -156,11 +158,11 @@ class Console:
             ("this console", own),
         ]
 
-    def _source(self, session: Session, words: Words) -> Faults:
+    def _source(self, session: ConsoleSession, words: Words) -> Faults:
         del session
         return self.run_script(Path(words[0]).expanduser())
 
-    def _help(self, session: Session, words: Words) -> Faults:
+    def _help(self, session: ConsoleSession, words: Words) -> Faults:
         if words:
             matches = find(words[0], self._commands)
             if not matches:
@@ -180,7 +182,7 @@ class Console:
         )
         return ()
 
-    def _quit(self, session: Session, words: Words) -> Faults:
+    def _quit(self, session: ConsoleSession, words: Words) -> Faults:
         if words and words != ("runtime",):
             return session.no("`quit [runtime]`", f"`quit {words[0]}`")
         if words:

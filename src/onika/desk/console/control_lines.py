@@ -1,20 +1,20 @@
-"""Lines about who may move the robots: stop, reset, take, release, hand, decline, watch only, open (law 27, §E.1)."""
+"""Console commands about who may move the robots: stop, reset, take, release, hand, decline, open (law 27, §E.1)."""
 
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.wire import holding, live, request
 
 Words = tuple[str, ...]
 
 
-def stop(session: Session, words: Words) -> Faults:
+def stop(session: ConsoleSession, words: Words) -> Faults:
     """Every drive holds, at once, until `reset`."""
     faults = session.order(request.Stop(" ".join(words) or "stopped at the console"))
     session.hear()
     return faults
 
 
-def reset(session: Session, words: Words) -> Faults:
+def reset(session: ConsoleSession, words: Words) -> Faults:
     """After a stop: allow motion again; nothing moves by itself."""
     del words
     faults = session.order(live.Reset())
@@ -22,28 +22,28 @@ def reset(session: Session, words: Words) -> Faults:
     return faults
 
 
-def take(session: Session, words: Words) -> Faults:
+def take(session: ConsoleSession, words: Words) -> Faults:
     """Become the one who may change a subsystem."""
     return _hand(session, live.Take(words[0] if words else session.subsystem))
 
 
-def release(session: Session, words: Words) -> Faults:
+def release(session: ConsoleSession, words: Words) -> Faults:
     """Let another change a subsystem."""
     return _hand(session, live.Release(words[0] if words else session.subsystem))
 
 
-def hand(session: Session, words: Words) -> Faults:
+def hand(session: ConsoleSession, words: Words) -> Faults:
     """Offer a subsystem to another session; without its name what was offered is withdrawn."""
     to, subsystem = (*words, "", "")[:2]
     return _hand(session, holding.Hand(subsystem or session.subsystem, to))
 
 
-def decline(session: Session, words: Words) -> Faults:
+def decline(session: ConsoleSession, words: Words) -> Faults:
     """Say no to what is offered."""
     return _hand(session, holding.Decline(words[0] if words else session.subsystem))
 
 
-def only_watch(session: Session) -> Faults:
+def only_watch(session: ConsoleSession) -> Faults:
     """This console changes nothing any more."""
     faults = _hand(session, holding.OnlyWatch())
     if not faults:
@@ -51,7 +51,7 @@ def only_watch(session: Session) -> Faults:
     return faults
 
 
-def sessions(session: Session, words: Words) -> Faults:
+def sessions(session: ConsoleSession, words: Words) -> Faults:
     """Who is there, and what each of them holds."""
     del words
     answer = session.ask(holding.Sessions())
@@ -70,7 +70,7 @@ def sessions(session: Session, words: Words) -> Faults:
     return ()
 
 
-def open_channel(session: Session, words: Words) -> Faults:
+def open_channel(session: ConsoleSession, words: Words) -> Faults:
     """Say where others reach this runtime; it listens from its start or never."""
     if session.addresses and (not words or words[0] in session.addresses):
         for address in session.addresses:
@@ -87,7 +87,7 @@ def open_channel(session: Session, words: Words) -> Faults:
     )
 
 
-def _hand(session: Session, message: request.Request) -> Faults:
+def _hand(session: ConsoleSession, message: request.Request) -> Faults:
     faults = session.order(message)
     session.hear()
     return faults

@@ -1,4 +1,4 @@
-"""The face of a console: whoever shows its lines, in a terminal, a pipe or a test."""
+"""The interface of a console display: shows lines in a terminal, a pipe or a test."""
 
 from enum import Enum
 from typing import Protocol
@@ -16,7 +16,7 @@ class Tone(Enum):
     ASK = "ask"
 
 
-class Face(Protocol):
+class ConsoleDisplay(Protocol):
     """Shows lines as they come."""
 
     def say(self, line: str, tone: Tone = Tone.PLAIN) -> None:

@@ -1,4 +1,4 @@
-"""What a runtime tells, as lines of a console."""
+"""Shows the events of a runtime as console lines."""
 
 from collections.abc import Iterator
 

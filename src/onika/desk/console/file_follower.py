@@ -1,11 +1,11 @@
-"""Tasks whose files are followed: when a file changes, the task's code is exchanged (requirements A14, X15)."""
+"""Follows the code files of tasks: when one changes, the task's code is exchanged (requirements A14, X15)."""
 
 from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.task_lines import missing
 from onika.desk.console.tuning_lines import code_file, exchange
 from onika.words.fault import Place
@@ -16,7 +16,7 @@ _TRIES = 5
 
 
 @dataclass(slots=True)
-class _File:
+class _FileStamp:
     """What a file was like when it was last looked at."""
 
     path: Path
@@ -30,10 +30,10 @@ class Follow:
     """What is followed; files are looked at once a second: first at their times, then at their content."""
 
     def __init__(self) -> None:
-        self._files: dict[tuple[str, str], _File] = {}
+        self._files: dict[tuple[str, str], _FileStamp] = {}
         self._due_s = 0.0
 
-    def command(self, session: Session, words: Words) -> Faults:
+    def command(self, session: ConsoleSession, words: Words) -> Faults:
         """`follow TASK [FILE]`; `follow off [TASK]` ends it; without words it says what is followed."""
         if not words:
             for (subsystem, name), file in self._files.items():
@@ -57,7 +57,7 @@ class Follow:
         session.say(f"{subsystem}/{name} follows {path}", Tone.DIM)
         return ()
 
-    def tick(self, session: Session) -> None:
+    def tick(self, session: ConsoleSession) -> None:
         """Exchange what has changed, when it is time to look."""
         if not self._files or session.clock() < self._due_s:
             return
@@ -69,7 +69,7 @@ class Follow:
             elif _has_changed(file) or 0 < file.tries < _TRIES:
                 self._exchange(session, subsystem, name, file)
 
-    def _exchange(self, session: Session, subsystem: str, name: str, file: _File) -> None:
+    def _exchange(self, session: ConsoleSession, subsystem: str, name: str, file: _FileStamp) -> None:
         former, session.place = session.place, Place(str(file.path))
         try:
             faults = exchange(session, subsystem, name, file.path)
@@ -87,14 +87,14 @@ class Follow:
             session.say(f"{subsystem}/{name} runs the new code of {file.path}", Tone.GOOD)
 
 
-def _look(path: Path) -> _File | None:
+def _look(path: Path) -> _FileStamp | None:
     try:
-        return _File(path, path.stat().st_mtime_ns, sha256(path.read_bytes()).hexdigest())
+        return _FileStamp(path, path.stat().st_mtime_ns, sha256(path.read_bytes()).hexdigest())
     except OSError:
         return None
 
 
-def _has_changed(file: _File) -> bool:
+def _has_changed(file: _FileStamp) -> bool:
     """Whether there is new content; a file that is just being exchanged for another is looked at next time."""
     try:
         if file.path.stat().st_mtime_ns == file.time_ns:

@@ -1,4 +1,4 @@
-"""Lines that look and change nothing: status, tasks, library, rtpus, subsystems, vars, read, check (A06, A11, A12)."""
+"""Console commands that only look: status, tasks, library, vars, read, check (requirements A06, A11, A12)."""
 
 import re
 from fnmatch import fnmatchcase
@@ -6,8 +6,8 @@ from typing import Any
 
 from onika.desk.console import status as columns
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Faults, Session
-from onika.desk.console.site_library import Library
+from onika.desk.console.session import ConsoleSession, Faults
+from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.task_lines import missing
 from onika.desk.console.value import shown, type_of
 from onika.desk.run import text_table
@@ -18,7 +18,7 @@ Words = tuple[str, ...]
 _ELEMENT = re.compile(r"([^\[\]]+)\[(\d+(?:,\d+)*)\]\Z")
 
 
-def status(session: Session, words: Words) -> Faults:
+def status(session: ConsoleSession, words: Words) -> Faults:
     """Figures of all tasks in the columns that the user prefers, or every figure of the tasks named."""
     figures = session.ask(live.Status())
     if not isinstance(figures, live.Figures):
@@ -39,7 +39,7 @@ def status(session: Session, words: Words) -> Faults:
     return ()
 
 
-def tasks(session: Session, words: Words) -> Faults:
+def tasks(session: ConsoleSession, words: Words) -> Faults:
     """The living tasks of every subsystem, or of one."""
     rows = [
         (f"{subsystem.name}/{task.task.name}", task.state, task.rtpu, _hz(task.frequency), task.reason)
@@ -54,9 +54,9 @@ def tasks(session: Session, words: Words) -> Faults:
     return ()
 
 
-def library(session: Session, words: Words) -> Faults:
+def library(session: ConsoleSession, words: Words) -> Faults:
     """What the search path offers: tasks with what they do, configurations, applications."""
-    offered = Library(session.site, session.place)
+    offered = SiteLibrary(session.site, session.place)
     pattern = words[0] if words else "*"
     rows = []
     for name in offered.tasks:
@@ -69,7 +69,7 @@ def library(session: Session, words: Words) -> Faults:
     return ()
 
 
-def rtpus(session: Session, words: Words) -> Faults:
+def rtpus(session: ConsoleSession, words: Words) -> Faults:
     """The processing units, whether they live, and their loads."""
     del words
     units = session.look_again().rtpus
@@ -78,7 +78,7 @@ def rtpus(session: Session, words: Words) -> Faults:
     return ()
 
 
-def subsystems(session: Session, words: Words) -> Faults:
+def subsystems(session: ConsoleSession, words: Words) -> Faults:
     """The subsystems, who holds them and what they run."""
     del words
     present = session.look_again().subsystems
@@ -95,7 +95,7 @@ def _subsystem_row(subsystem: live.SubsystemStanding, chosen: str) -> tuple[str,
     return mark, subsystem.name, str(len(subsystem.tasks)), subsystem.holder or "nobody", moved
 
 
-def choose(session: Session, words: Words) -> Faults:
+def choose(session: ConsoleSession, words: Words) -> Faults:
     """Choose the subsystem that names without one mean from now on; it need not be there yet."""
     if not words:
         session.say(session.subsystem)
@@ -106,7 +106,7 @@ def choose(session: Session, words: Words) -> Faults:
     return ()
 
 
-def variables(session: Session, words: Words) -> Faults:
+def variables(session: ConsoleSession, words: Words) -> Faults:
     """The variables of the subsystem with their types and values, all or those of a pattern."""
     subsystem, pattern = session.address(words[0] if words else "*")
     answer = session.ask(live.Read(subsystem))
@@ -121,7 +121,7 @@ def variables(session: Session, words: Words) -> Faults:
     return ()
 
 
-def read(session: Session, words: Words) -> Faults:
+def read(session: ConsoleSession, words: Words) -> Faults:
     """The values of variables now."""
     for word in words:
         subsystem, name = session.address(word)
@@ -133,7 +133,7 @@ def read(session: Session, words: Words) -> Faults:
     return ()
 
 
-def value(session: Session, subsystem: str, name: str) -> tuple[Any, Faults]:
+def value(session: ConsoleSession, subsystem: str, name: str) -> tuple[Any, Faults]:
     """The value of a variable now, or of an element as in `Q_MEZ[2]`; a fault where there is none."""
     element = _ELEMENT.match(name)
     if element:
@@ -147,7 +147,7 @@ def value(session: Session, subsystem: str, name: str) -> tuple[Any, Faults]:
     return answer.values[name], ()
 
 
-def check(session: Session, words: Words) -> Faults:
+def check(session: ConsoleSession, words: Words) -> Faults:
     """Check the memory of variables; each finding is a fault (requirement A12)."""
     names = words or tuple(subsystem.name for subsystem in session.look_again().subsystems)
     faults: Faults = ()
@@ -163,7 +163,7 @@ def check(session: Session, words: Words) -> Faults:
     return faults
 
 
-def refused(session: Session, expected: str, answer: request.Response) -> Faults:
+def refused(session: ConsoleSession, expected: str, answer: request.Response) -> Faults:
     """The fault of an answer that is not what was asked for."""
     return session.no(expected, answer.reason if isinstance(answer, request.Refused) else str(answer))
 
@@ -173,7 +173,7 @@ def types_of(values: live.Values) -> dict[str, str]:
     return {name: values.types.get(name) or type_of(current) for name, current in values.values.items()}
 
 
-def _element(session: Session, name: str, whole: Any, index: str) -> tuple[Any, Faults]:
+def _element(session: ConsoleSession, name: str, whole: Any, index: str) -> tuple[Any, Faults]:
     for place in map(int, index.split(",")):
         if not isinstance(whole, list) or place >= len(whole):
             return None, session.no("an element, counted from 0", repr(name))

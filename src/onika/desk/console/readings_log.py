@@ -1,4 +1,4 @@
-"""A log of the readings as they stand: one file, written whole or not at all (requirement A12).
+"""Writes a log of the current readings: one file, whole or not at all (requirement A12).
 
 A line for each variable: time in s, subsystem, name, type, then all values row by row, parted by blanks; texts in
 double quotes as in an argument line. Lines that begin with `#` say when and what.
@@ -8,7 +8,7 @@ from datetime import datetime
 from pathlib import Path
 
 from onika.desk.console.inspection import refused, types_of
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.value import words as exact
 from onika.files import whole
 from onika.wire import live
@@ -17,7 +17,7 @@ from onika.words.fault import Refusal
 Words = tuple[str, ...]
 
 
-def log(session: Session, words: Words) -> Faults:
+def log(session: ConsoleSession, words: Words) -> Faults:
     """Write the present readings of all subsystems, or of those named, to a file; an old one is replaced."""
     path = Path(words[0]).expanduser()
     subsystems = words[1:] or tuple(subsystem.name for subsystem in session.look_again().subsystems)

@@ -1,10 +1,10 @@
-"""Lines that run applications: run, abort, home, calibrate (requirement A16, §E.1)."""
+"""Console commands that run applications: run, begin, abort, home, calibrate (requirement A16, §E.1)."""
 
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Faults, Session
-from onika.desk.console.site_library import Library
+from onika.desk.console.session import ConsoleSession, Faults
+from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.time_lines import ended, until_asked
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.run.steering_fault import objection
 from onika.model.redirect import Redirect
@@ -16,7 +16,7 @@ HOME = "go_home"
 CALIBRATE = "calibrate"
 
 
-def run(session: Session, words: Words) -> Faults:
+def run(session: ConsoleSession, words: Words) -> Faults:
     """Begin an application; in a script, go on to its end, or to a question, which the next line may answer."""
     faults = begin(session, words)
     if faults or not session.in_script:
@@ -25,7 +25,7 @@ def run(session: Session, words: Words) -> Faults:
     return faults if faults or session.running else ended(session)
 
 
-def begin(session: Session, words: Words) -> Faults:
+def begin(session: ConsoleSession, words: Words) -> Faults:
     """Begin an application, and go on with the next line at once, in a script too."""
     if session.running:
         return session.no("no application that runs", session.running)
@@ -44,14 +44,14 @@ def begin(session: Session, words: Words) -> Faults:
     if faults:
         return faults
     session.running, session.result = prepared.name, None
-    session.cast = Cast.of(prepared.plan)
+    session.flow_index = FlowIndex.of(prepared.plan)
     session.running_in = frozenset(flow.subsystem for flow in prepared.plan.flows)
     total = sum(len(flow.actions) for flow in prepared.plan.flows)
     session.say(f"{prepared.name}: {total} action{'s' if total != 1 else ''}", Tone.HEAD)
     return ()
 
 
-def abort(session: Session, words: Words) -> Faults:
+def abort(session: ConsoleSession, words: Words) -> Faults:
     """End the run: tasks off, drives in hold."""
     is_there = session.running or any(subsystem.application for subsystem in session.look_again().subsystems)
     if not is_there:
@@ -64,16 +64,16 @@ def abort(session: Session, words: Words) -> Faults:
     return faults or session.until(lambda: not session.running, "the end of the run")
 
 
-def home(session: Session, words: Words) -> Faults:
+def home(session: ConsoleSession, words: Words) -> Faults:
     """Run the application `go_home`."""
     del words
     return run(session, (HOME,))
 
 
-def calibrate(session: Session, words: Words) -> Faults:
+def calibrate(session: ConsoleSession, words: Words) -> Faults:
     """Run the application `calibrate_ROBOT`, or `calibrate`, of the laboratory."""
     name = f"{CALIBRATE}_{words[0]}" if words else CALIBRATE
-    if name in Library(session.site, session.place).applications:
+    if name in SiteLibrary(session.site, session.place).applications:
         return run(session, (name,))
     expected = f"an application {name} on the search path, which knows how this robot is calibrated"
     return session.no(expected, "none", "nothing moves; the shipped arms measure absolute angles and need none")

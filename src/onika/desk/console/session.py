@@ -1,11 +1,11 @@
-"""A session at a runtime's console: the runtime, what is known of it, and what it still owes an answer to."""
+"""A console session: sends requests to the runtime, shows its events, and remembers what later lines need."""
 
 from collections.abc import Callable, Iterator
 from typing import Protocol
 
 from onika.desk.console import event_lines
-from onika.desk.console.display import Face, Tone
-from onika.desk.plan.flow_index import Cast
+from onika.desk.console.display import ConsoleDisplay, Tone
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import fault_of
 from onika.store.site import Site
 from onika.wire import event, live, request
@@ -39,7 +39,7 @@ class Runtime(Protocol):
         ...
 
 
-class Session:
+class ConsoleSession:
     """Asks the runtime, hears what it tells and shows it; names without a subsystem mean the chosen one.
 
     `addresses` are those the runtime listens on for others, none where it was started for this console alone;
@@ -50,7 +50,7 @@ class Session:
         self,
         runtime: Runtime,
         site: Site,
-        face: Face,
+        face: ConsoleDisplay,
         clock: Clock,
         *,
         addresses: tuple[str, ...] = (),
@@ -70,7 +70,7 @@ class Session:
         """The application that this console runs."""
         self.running_in: frozenset[str] = frozenset()
         """Its subsystems."""
-        self.cast: Cast | None = None
+        self.flow_index: FlowIndex | None = None
         """Its flows and their actions."""
         self.is_stopped = False
         self.result: event.Result | None = None
@@ -231,7 +231,7 @@ class Session:
     def _ended(self, result: event.Result) -> None:
         self.steps |= {(step.subsystem, step.variable): step for step in result.steps}
         if self._is_own(result):
-            self.running, self.cast = "", None
+            self.running, self.flow_index = "", None
             self.result = result
 
     def _is_own(self, result: event.Result) -> bool:

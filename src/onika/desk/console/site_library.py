@@ -1,4 +1,4 @@
-"""Tasks, code and targets as a console takes them from the search path: by name, or with the reason."""
+"""Looks up tasks, code and targets on the search path for a console, with a fault where there is none."""
 
 from collections.abc import Iterable
 from difflib import get_close_matches
@@ -18,7 +18,7 @@ Faults = tuple[Fault, ...]
 _INSTEAD = "nothing is changed"
 
 
-class Library:
+class SiteLibrary:
     """What a site offers; reads anew each time, so that an edited file counts at once. Faults stand at `place`."""
 
     def __init__(self, site: Site, place: Place) -> None:

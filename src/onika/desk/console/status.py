@@ -1,4 +1,4 @@
-"""The status of tasks by columns: each name that STATINFO knows, and what stands under it (§A.5, requirement A11)."""
+"""The columns of the status table: what each name of STATINFO shows of a task (requirement A11, §A.5)."""
 
 from collections.abc import Callable
 

@@ -1,10 +1,10 @@
-"""Lines that bring tasks to life and to their end: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
+"""Console commands for the life of tasks: spawn, on, off, kill, clear, config (requirements A05, A13, A14)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from onika.desk.console.session import Faults, Session
-from onika.desk.console.site_library import Library, altered
+from onika.desk.console.session import ConsoleSession, Faults
+from onika.desk.console.site_library import SiteLibrary, altered
 from onika.desk.plan.compile import UNKNOWN
 from onika.model.configuration import Configuration
 from onika.wire import live
@@ -15,7 +15,7 @@ ALL = "all"
 
 
 @dataclass(frozen=True, slots=True)
-class _Wish:
+class _SpawnLine:
     """What `spawn` was told: names, and what follows them."""
 
     names: Words
@@ -24,12 +24,12 @@ class _Wish:
     frequency: float | None = None
 
 
-def spawn(session: Session, words: Words) -> Faults:
+def spawn(session: ConsoleSession, words: Words) -> Faults:
     """Bring tasks to life, OFF."""
     if words[:2] == (ALL, "of"):
         return _spawn_all(session, words[2:])
     wish = _wish(session, words)
-    if not isinstance(wish, _Wish):
+    if not isinstance(wish, _SpawnLine):
         return wish
     if wish.name and len(wish.names) != 1:
         return session.no("one task before `as`", str(len(wish.names)))
@@ -41,7 +41,7 @@ def spawn(session: Session, words: Words) -> Faults:
         home, name = session.address(address)
         if home != subsystem:
             faults += session.no(f"tasks of one subsystem, as {subsystem}", home)
-        task, source, wrong = Library(session.site, session.place).planned(name, wish.rtpu)
+        task, source, wrong = SiteLibrary(session.site, session.place).planned(name, wish.rtpu)
         faults += wrong
         if task is not None and source is not None:
             planned.append(altered(task, wish.name, wish.frequency))
@@ -49,18 +49,18 @@ def spawn(session: Session, words: Words) -> Faults:
     return faults or session.order(live.Change(subsystem, spawn=tuple(planned), code=tuple(code.values())))
 
 
-def on(session: Session, words: Words) -> Faults:
+def on(session: ConsoleSession, words: Words) -> Faults:
     """Turn a task ON, with its argument line; `all` turns all ON that are OFF."""
     if words == (ALL,):
         resting = [name for name, task in session.tasks().items() if task.state == "OFF"]
         return session.order(live.Change(session.subsystem, on=tuple(live.Turn(name) for name in resting)))
     subsystem, name = session.address(words[0])
-    line, faults = Library(session.site, session.place).arguments(words[1] if len(words) > 1 else "")
+    line, faults = SiteLibrary(session.site, session.place).arguments(words[1] if len(words) > 1 else "")
     faults = faults or missing(session, subsystem, (name,))
     return faults or session.order(live.Change(subsystem, on=(live.Turn(name, line),)))
 
 
-def off(session: Session, words: Words) -> Faults:
+def off(session: ConsoleSession, words: Words) -> Faults:
     """Turn tasks OFF; all of them where none is named."""
     if words in ((), (ALL,)):
         moving = tuple(name for name, task in session.tasks().items() if task.state in ("ON", "ASKING"))
@@ -68,14 +68,14 @@ def off(session: Session, words: Words) -> Faults:
     return _several(session, words, lambda subsystem, names: live.Change(subsystem, off=names))
 
 
-def kill(session: Session, words: Words) -> Faults:
+def kill(session: ConsoleSession, words: Words) -> Faults:
     """End tasks, or all of the subsystem, which then is no more."""
     if words == (ALL,):
         return session.order(live.Close(session.subsystem)) if session.tasks() else ()
     return _several(session, words, lambda subsystem, names: live.Change(subsystem, kill=names))
 
 
-def clear(session: Session, words: Words) -> Faults:
+def clear(session: ConsoleSession, words: Words) -> Faults:
     """Bring a task out of ERROR, or, without a name, every task of the subsystem that is in it."""
     if not words:
         broken = [name for name, task in session.tasks().items() if task.state == "ERROR"]
@@ -84,9 +84,9 @@ def clear(session: Session, words: Words) -> Faults:
     return missing(session, subsystem, (name,)) or session.order(live.Clear(subsystem, name))
 
 
-def configure(session: Session, words: Words) -> Faults:
+def configure(session: ConsoleSession, words: Words) -> Faults:
     """Have exactly the tasks of a configuration, ON: what is in both keeps cycling untouched (requirement A13)."""
-    library = Library(session.site, session.place)
+    library = SiteLibrary(session.site, session.place)
     configuration, faults = library.configuration(words[0])
     line, wrong = library.arguments(words[1] if len(words) > 1 else "")
     if configuration is None or faults or wrong:
@@ -115,7 +115,7 @@ def configure(session: Session, words: Words) -> Faults:
     return tuple(dict.fromkeys(faults)) or session.order(change)
 
 
-def missing(session: Session, subsystem: str, names: Words) -> Faults:
+def missing(session: ConsoleSession, subsystem: str, names: Words) -> Faults:
     """A fault for each task that does not live."""
     living = session.tasks(subsystem)
     there = f" ({', '.join(living)})" if living else " (there is none)"
@@ -127,7 +127,7 @@ def missing(session: Session, subsystem: str, names: Words) -> Faults:
     )
 
 
-def _several(session: Session, words: Words, change: Callable[[str, Words], live.Change]) -> Faults:
+def _several(session: ConsoleSession, words: Words, change: Callable[[str, Words], live.Change]) -> Faults:
     """One change for each subsystem that is named."""
     groups: dict[str, list[str]] = {}
     for word in words:
@@ -143,10 +143,10 @@ def _several(session: Session, words: Words, change: Callable[[str, Words], live
     return faults
 
 
-def _spawn_all(session: Session, words: Words) -> Faults:
+def _spawn_all(session: ConsoleSession, words: Words) -> Faults:
     if len(words) != 1:
         return session.no("`spawn all of CONFIGURATION`", f"`{' '.join(('spawn all of', *words))}`")
-    configuration, faults = Library(session.site, session.place).configuration(words[0])
+    configuration, faults = SiteLibrary(session.site, session.place).configuration(words[0])
     if configuration is None or faults:
         return faults
     planned, code, faults = _placed(session, configuration, set(session.tasks()))
@@ -156,7 +156,7 @@ def _spawn_all(session: Session, words: Words) -> Faults:
 
 
 def _placed(
-    session: Session, configuration: Configuration, living: set[str]
+    session: ConsoleSession, configuration: Configuration, living: set[str]
 ) -> tuple[tuple[PlannedTask, ...], tuple[Code, ...], Faults]:
     """The tasks of a configuration that do not live yet, on their units and at their rates."""
     planned: list[PlannedTask] = []
@@ -167,7 +167,7 @@ def _placed(
         if placed.task in living:
             continue
         rtpu = placed.rtpu if placed.rtpu in units else UNKNOWN  # as in a run: an unknown unit is the first one
-        task, source, wrong = Library(session.site, session.place).planned(placed.task, rtpu)
+        task, source, wrong = SiteLibrary(session.site, session.place).planned(placed.task, rtpu)
         faults += wrong
         if task is not None and source is not None:
             planned.append(altered(task, "", placed.frequency if task.frequency is not None else None))
@@ -175,7 +175,7 @@ def _placed(
     return tuple(planned), tuple(code.values()), faults
 
 
-def _wish(session: Session, words: Words) -> _Wish | Faults:
+def _wish(session: ConsoleSession, words: Words) -> _SpawnLine | Faults:
     """`TASK… [on RTPU] [as NAME] [at HZ]`."""
     start = next((place for place, word in enumerate(words) if word in ("on", "as", "at")), len(words))
     names, rest = words[:start], words[start:]
@@ -187,7 +187,7 @@ def _wish(session: Session, words: Words) -> _Wish | Faults:
         frequency = positive(settings["at"])
         if frequency is None:
             return session.no("a rate in hertz after `at`", repr(settings["at"]))
-    return _Wish(names, settings.get("on", UNKNOWN), settings.get("as", ""), frequency)
+    return _SpawnLine(names, settings.get("on", UNKNOWN), settings.get("as", ""), frequency)
 
 
 def positive(text: str) -> float | None:
@@ -199,7 +199,7 @@ def positive(text: str) -> float | None:
     return number if 0.0 < number < float("inf") else None
 
 
-def _unit_there(session: Session, rtpu: str) -> Faults:
+def _unit_there(session: ConsoleSession, rtpu: str) -> Faults:
     units = [unit.name for unit in session.standing().rtpus]
     if rtpu == UNKNOWN or rtpu in units:
         return ()

@@ -1,10 +1,10 @@
-"""Letting time pass: `advance`, and `wait` for seconds, a state, a variable, the end of a run (A16, law 15)."""
+"""Console commands that let time pass: `advance`, and `wait` for a condition (requirement A16, law 15)."""
 
 import re
 from collections.abc import Callable
 
 from onika.desk.console.inspection import value
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.steering_lines import where
 from onika.desk.console.task_lines import missing, positive
 from onika.model.lifecycle import State
@@ -21,7 +21,7 @@ _STEP_S = 0.02
 """How often a condition is looked at."""
 
 
-def advance(session: Session, words: Words) -> Faults:
+def advance(session: ConsoleSession, words: Words) -> Faults:
     """In virtual time: let so many seconds pass."""
     seconds = positive(words[0])
     if seconds is None:
@@ -31,7 +31,7 @@ def advance(session: Session, words: Words) -> Faults:
     return _advance(session, seconds)
 
 
-def wait(session: Session, words: Words) -> Faults:
+def wait(session: ConsoleSession, words: Words) -> Faults:
     """Wait for seconds of the runtime's time, or until a condition holds."""
     text = words[0]
     seconds = positive(text)
@@ -56,7 +56,7 @@ def wait(session: Session, words: Words) -> Faults:
     return _variable(session, expectation, limit)
 
 
-def ended(session: Session, within_s: float | None = None) -> Faults:
+def ended(session: ConsoleSession, within_s: float | None = None) -> Faults:
     """Wait for the end of the run; a fault where it is not completed."""
     if not session.running and session.result is None:
         return session.no("a run to wait for", "none")
@@ -69,14 +69,14 @@ def ended(session: Session, within_s: float | None = None) -> Faults:
     return session.no("the run completed", f"it was aborted: {result.cause}", "the robot holds")
 
 
-def until_asked(session: Session, within_s: float | None = None) -> Faults:
+def until_asked(session: ConsoleSession, within_s: float | None = None) -> Faults:
     """Wait until the run is over or one of the tasks asks; a fault where neither is so within the seconds."""
     limit = float("inf") if within_s is None else within_s
     name = session.running
     return session.until(lambda: not session.running or bool(session.questions), f"the end of {name}", limit)
 
 
-def _state(session: Session, address: str, state: str, limit: float) -> Faults:
+def _state(session: ConsoleSession, address: str, state: str, limit: float) -> Faults:
     subsystem, name = session.address(address)
     if state != State.KILLED.value:
         faults = missing(session, subsystem, (name,))
@@ -90,7 +90,7 @@ def _state(session: Session, address: str, state: str, limit: float) -> Faults:
     return _until(session, lambda: now() == state, limit, f"{address} {state}", now)
 
 
-def _flow(session: Session, name: str, state: str, limit: float) -> Faults:
+def _flow(session: ConsoleSession, name: str, state: str, limit: float) -> Faults:
     def now() -> str:
         return next((position.state for position in where(session) if position.subsystem == name), "gone")
 
@@ -99,7 +99,7 @@ def _flow(session: Session, name: str, state: str, limit: float) -> Faults:
     return _until(session, lambda: now() == state, limit, f"{name} {state}", now)
 
 
-def _variable(session: Session, expectation: Condition, limit: float) -> Faults:
+def _variable(session: ConsoleSession, expectation: Condition, limit: float) -> Faults:
     subsystem, name = session.address(expectation.address)
     _, faults = value(session, subsystem, name)
     if faults:
@@ -114,7 +114,7 @@ def _variable(session: Session, expectation: Condition, limit: float) -> Faults:
 
 
 def _until(
-    session: Session, reached: Callable[[], bool], limit: float, expected: str, reality: Callable[[], str]
+    session: ConsoleSession, reached: Callable[[], bool], limit: float, expected: str, reality: Callable[[], str]
 ) -> Faults:
     """Let time pass, the runtime's own, until something is so."""
     virtual = session.standing().is_virtual
@@ -133,12 +133,12 @@ def _until(
     return ()
 
 
-def _now(session: Session, virtual: bool) -> float:
+def _now(session: ConsoleSession, virtual: bool) -> float:
     """The time that counts, in s: the runtime's own where it can be stopped and hurried."""
     return session.look_again().now_s if virtual else session.clock()
 
 
-def _sleep(session: Session, seconds: float) -> Faults:
+def _sleep(session: ConsoleSession, seconds: float) -> Faults:
     until_s = session.clock() + seconds
     while (rest := until_s - session.clock()) > 0:
         if session.is_interrupted():
@@ -147,7 +147,7 @@ def _sleep(session: Session, seconds: float) -> Faults:
     return ()
 
 
-def _advance(session: Session, seconds: float) -> Faults:
+def _advance(session: ConsoleSession, seconds: float) -> Faults:
     """In slices on a grid of their own, so that the sum is the number that was asked for."""
     count = max(1, round(seconds / _SLICE_S))
     for _ in range(count):
@@ -162,6 +162,6 @@ def _advance(session: Session, seconds: float) -> Faults:
     return ()
 
 
-def _asked(session: Session) -> Faults:
+def _asked(session: ConsoleSession) -> Faults:
     asking = ", ".join("/".join(key) for key in session.questions)
     return session.no("no task that asks, for nothing goes on until it is answered", asking)

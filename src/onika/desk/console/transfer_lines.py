@@ -1,7 +1,7 @@
-"""`jumps`: how far inputs of hardware stepped where what drives them was exchanged (X04)."""
+"""The console command `jumps`: lists how far hardware inputs stepped when their source changed (requirement X04)."""
 
 from onika.desk.console.display import Tone
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run import text_table
 from onika.wire import event
 from onika.wire.figures import VariableSteps
@@ -9,7 +9,7 @@ from onika.wire.figures import VariableSteps
 Words = tuple[str, ...]
 
 
-def jumps(session: Session, words: Words) -> Faults:
+def jumps(session: ConsoleSession, words: Words) -> Faults:
     """The last step of each variable of living subsystems, the largest of the last run of others."""
     steps = [step for _, step in sorted(session.steps.items()) if not words or step.subsystem == words[0]]
     if not steps:

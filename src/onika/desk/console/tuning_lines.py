@@ -1,9 +1,9 @@
-"""Lines that alter a living task: rate, reinit, swap, get, set, answer (requirements A04, A10, A13, X15)."""
+"""Console commands that alter a living task: rate, reinit, swap, get, set, answer (requirements A04, A10, A13, X15)."""
 
 from pathlib import Path
 
-from onika.desk.console.session import Faults, Session
-from onika.desk.console.site_library import Library
+from onika.desk.console.session import ConsoleSession, Faults
+from onika.desk.console.site_library import SiteLibrary
 from onika.desk.console.task_lines import missing, positive
 from onika.wire import live, request
 from onika.words.argument import join
@@ -11,7 +11,7 @@ from onika.words.argument import join
 Words = tuple[str, ...]
 
 
-def rate(session: Session, words: Words) -> Faults:
+def rate(session: ConsoleSession, words: Words) -> Faults:
     """Another rate, while the task runs."""
     subsystem, name = session.address(words[0])
     hz = positive(words[1])
@@ -20,7 +20,7 @@ def rate(session: Session, words: Words) -> Faults:
     return missing(session, subsystem, (name,)) or session.order(live.Change(subsystem, rates=((name, hz),)))
 
 
-def reinit(session: Session, words: Words) -> Faults:
+def reinit(session: ConsoleSession, words: Words) -> Faults:
     """Initialise a task anew, with another LOCAL line where one is given."""
     subsystem, name = session.address(words[0])
     faults = missing(session, subsystem, (name,))
@@ -33,7 +33,7 @@ def reinit(session: Session, words: Words) -> Faults:
     return session.order(live.Reinit(subsystem, name, tuple(local.items())))
 
 
-def swap(session: Session, words: Words) -> Faults:
+def swap(session: ConsoleSession, words: Words) -> Faults:
     """Exchange the code of a living task: for what its file holds now, or for another file."""
     subsystem, name = session.address(words[0])
     faults = missing(session, subsystem, (name,))
@@ -46,16 +46,16 @@ def swap(session: Session, words: Words) -> Faults:
     return exchange(session, subsystem, name, path)
 
 
-def exchange(session: Session, subsystem: str, name: str, path: Path) -> Faults:
+def exchange(session: ConsoleSession, subsystem: str, name: str, path: Path) -> Faults:
     """Exchange the code of a living task for what a file holds now."""
     module = session.tasks(subsystem)[name].task.module
-    code, faults = Library(session.site, session.place).code(module, path)
+    code, faults = SiteLibrary(session.site, session.place).code(module, path)
     if code is None:
         return faults
     return session.order(live.Swap(subsystem, name, code))
 
 
-def code_file(session: Session, subsystem: str, name: str) -> Path | None:
+def code_file(session: ConsoleSession, subsystem: str, name: str) -> Path | None:
     """The file that a living task's code comes from, as far as there is one on the search path."""
     record, _ = session.site.task(name)
     if record is not None:
@@ -64,27 +64,27 @@ def code_file(session: Session, subsystem: str, name: str) -> Path | None:
     return next((path for base in session.site.directories if (path := base.code_file(module)).is_file()), None)
 
 
-def get(session: Session, words: Words) -> Faults:
+def get(session: ConsoleSession, words: Words) -> Faults:
     """Ask a module for something by name."""
     subsystem, name = session.address(words[0])
     return missing(session, subsystem, (name,)) or _value(session, words[1], live.Get(subsystem, name, words[1]))
 
 
-def put(session: Session, words: Words) -> Faults:
+def put(session: ConsoleSession, words: Words) -> Faults:
     """Tell a module a new value of something by name."""
     subsystem, name = session.address(words[0])
     message = live.Set(subsystem, name, words[1], words[2])
     return missing(session, subsystem, (name,)) or _value(session, words[1], message)
 
 
-def answer(session: Session, words: Words) -> Faults:
+def answer(session: ConsoleSession, words: Words) -> Faults:
     """The argument line that a task asks for."""
     subsystem, name = session.address(words[0])
     if (subsystem, name) not in session.questions:
         asking = ", ".join("/".join(key) for key in session.questions)
         return session.no("a task that asks" + (f" ({asking})" if asking else ""), repr(words[0]))
     text = words[1] if len(words) > 1 else defaults(session, subsystem, name)
-    line, faults = Library(session.site, session.place).arguments(text)
+    line, faults = SiteLibrary(session.site, session.place).arguments(text)
     if faults:
         return faults
     question = session.questions.pop((subsystem, name))
@@ -96,7 +96,7 @@ def answer(session: Session, words: Words) -> Faults:
     return ()
 
 
-def defaults(session: Session, subsystem: str, name: str) -> str:
+def defaults(session: ConsoleSession, subsystem: str, name: str) -> str:
     """The line of all defaults of what is asked for; empty where one has none."""
     items = session.questions[subsystem, name].items
     if any(item.default is None for item in items):
@@ -104,7 +104,7 @@ def defaults(session: Session, subsystem: str, name: str) -> str:
     return join(str(value) for item in items for value in item.default or ())
 
 
-def _value(session: Session, name: str, message: request.Request) -> Faults:
+def _value(session: ConsoleSession, name: str, message: request.Request) -> Faults:
     reply = session.ask(message)
     if isinstance(reply, request.Refused):
         return session.no("the module to do it", reply.reason)

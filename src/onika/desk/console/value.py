@@ -1,4 +1,4 @@
-"""A variable's value as text, and the type it has as far as the value itself says (law 7)."""
+"""Formats the value of a variable as text, and guesses its type from the value (law 7)."""
 
 from typing import Any
 

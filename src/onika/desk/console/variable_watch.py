@@ -1,11 +1,11 @@
-"""Variables that are watched: read again and again, shown when they change (requirement A16)."""
+"""Watches variables: reads them again and again, and shows each change (requirement A16)."""
 
 from typing import Any
 
 from onika.desk.console import control_lines
 from onika.desk.console.display import Tone
 from onika.desk.console.inspection import value
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.console.task_lines import positive
 from onika.desk.console.value import shown
 
@@ -14,7 +14,7 @@ _USUAL_HZ = 2.0
 _MOST_HZ = 20.0
 
 
-class Watch:
+class VariableWatch:
     """What is watched, how often, and what was shown last."""
 
     def __init__(self) -> None:
@@ -23,7 +23,7 @@ class Watch:
         self._due_s = 0.0
         self._shown: dict[tuple[str, str], Any] = {}
 
-    def command(self, session: Session, words: Words) -> Faults:
+    def command(self, session: ConsoleSession, words: Words) -> Faults:
         """`watch NAME… [HZ]`; `watch off` ends it; without words it says what is watched; `watch only`: no changes."""
         if words == ("only",):
             return control_lines.only_watch(session)
@@ -48,7 +48,7 @@ class Watch:
         self.tick(session)
         return ()
 
-    def tick(self, session: Session) -> None:
+    def tick(self, session: ConsoleSession) -> None:
         """Show what has changed, when it is time to look."""
         if not self._names or session.clock() < self._due_s:
             return

@@ -1,13 +1,13 @@
-"""The line that touches a world as a hand would: its panic buttons and whatever else it offers (§4.5.2)."""
+"""The console command `touch`: touches a part of a simulated world, such as a panic button (§4.5.2)."""
 
-from onika.desk.console.session import Faults, Session
+from onika.desk.console.session import ConsoleSession, Faults
 from onika.desk.run import text_table
 from onika.wire import live, request
 
 Words = tuple[str, ...]
 
 
-def touch(session: Session, words: Words) -> Faults:
+def touch(session: ConsoleSession, words: Words) -> Faults:
     """Touch a part of a world; without part and value, say what there is to touch."""
     if len(words) == 1:
         return _list(session, words[0])
@@ -23,7 +23,7 @@ def touch(session: Session, words: Words) -> Faults:
     return faults
 
 
-def _list(session: Session, world: str) -> Faults:
+def _list(session: ConsoleSession, world: str) -> Faults:
     answer = session.ask(live.Scene(world))
     if isinstance(answer, request.Refused):
         return session.no(f"an open world {world}", answer.reason)

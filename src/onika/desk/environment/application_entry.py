@@ -21,7 +21,7 @@ class Names:
 
     def look(self, model: Model, docs: Iterable[str]) -> None:
         """Take in what there is, of steps those of the applications among `docs`."""
-        self.known |= {one.id: one.name for one in model.applications.values()}
+        self.known |= {application.id: application.name for application in model.applications.values()}
         for doc in docs:
             if opened := model.applications.get(doc):
                 self.known[f"{doc}/0"] = "Start"
@@ -37,29 +37,29 @@ def _name_of(step: Step) -> str:
     return "branch" if isinstance(step, Branch) else "hole"
 
 
-def things(asked: act.AnyAct, value: object, names: Mapping[str, str]) -> Things | None:
+def things(command: act.AnyAct, value: object, names: Mapping[str, str]) -> Things | None:
     """What an act on an application was about; None: its document alone, or it is none."""
-    match asked:
+    match command:
         case act.NewApplication():
             doc = str(value or "")
             return names.get(doc, ""), doc, "", ""
         case act.InsertIcon() | act.InsertBranch():
-            name = asked.onikon if isinstance(asked, act.InsertIcon) else "branch"
-            return name, _id(asked.doc, value) if value else name, *_of(asked.doc, asked.after, names)
+            name = command.onikon if isinstance(command, act.InsertIcon) else "branch"
+            return name, _id(command.doc, value) if value else name, *_of(command.doc, command.after, names)
         case act.ExchangeIcon():
-            return asked.onikon, _id(asked.doc, asked.step), names.get(asked.doc, ""), asked.doc
+            return command.onikon, _id(command.doc, command.step), names.get(command.doc, ""), command.doc
         case act.MoveIcons():
-            return *_each(asked.doc, asked.steps, names), *_of(asked.doc, asked.after, names)
+            return *_each(command.doc, command.steps, names), *_of(command.doc, command.after, names)
         case act.PasteIcons() if isinstance(value, tuple):
-            return *_each(asked.doc, value, names), *_of(asked.doc, asked.after, names)
+            return *_each(command.doc, value, names), *_of(command.doc, command.after, names)
         case act.SetLoop():
-            return *_of(asked.doc, asked.test, names), *_of(asked.doc, asked.anchor, names)
+            return *_of(command.doc, command.test, names), *_of(command.doc, command.anchor, names)
         case act.RemoveIcons() | act.CopyIcons() | act.CutIcons() | act.SetBreakpoint():
-            return *_each(asked.doc, asked.steps, names), names.get(asked.doc, ""), asked.doc
+            return *_each(command.doc, command.steps, names), names.get(command.doc, ""), command.doc
         case act.EditIcon() | act.SetSynchTag() | act.RemoveLoop() | act.SetConditions():
-            return *_of(asked.doc, asked.step, names), names.get(asked.doc, ""), asked.doc
+            return *_of(command.doc, command.step, names), names.get(command.doc, ""), command.doc
         case act.SkipTo():
-            return "", str(asked.step), "", ""
+            return "", str(command.step), "", ""
     return None
 
 
@@ -73,4 +73,4 @@ def _of(doc: str, number: int, names: Mapping[str, str]) -> tuple[str, str]:
 
 def _each(doc: str, numbers: Iterable[int], names: Mapping[str, str]) -> tuple[str, str]:
     ids = [_id(doc, number) for number in numbers]
-    return ",".join(names.get(one, "") for one in ids), ",".join(ids)
+    return ",".join(names.get(number, "") for number in ids), ",".join(ids)

@@ -8,40 +8,40 @@ from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.files import buttons as file
 from onika.model.button import Button
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.wire import act, page
 from onika.wire.view import ButtonView, Remedy
 from onika.words.fault import Refusal
 
 
-def press(model: Model, asked: act.Press, outside: Surroundings) -> Done | No:
+def press(model: Model, command: act.Press, outside: Surroundings) -> Done | No:
     """Run the command of a button; what it prints is shown while it runs."""
-    button = _find(model, asked.name)
+    button = _find(model, command.name)
     if button is None:
-        return No(f"there is no button {asked.name}")
-    if _is_running(model, asked.name):
-        return No(f"{asked.name} is running", (Remedy(f"Halt {asked.name}", act.Halt(asked.name)),))
+        return No(f"there is no button {command.name}")
+    if _is_running(model, command.name):
+        return No(f"{command.name} is running", (Remedy(f"Halt {command.name}", act.Halt(command.name)),))
     if outside.commands is None:
         return No("commands cannot be run here")
     started = outside.commands.start(button)
     if isinstance(started, Refusal):
-        return No(f"{asked.name} cannot be run: {started.reason}")
+        return No(f"{command.name} cannot be run: {started.reason}")
     running = ButtonView("", 0, is_running=True)
     says = (page.Say("info", started),) if started else ()
-    return Done(replace(model, runs={**model.runs, asked.name: running}), says=says)
+    return Done(replace(model, runs={**model.runs, command.name: running}), says=says)
 
 
-def halt(model: Model, asked: act.Halt, outside: Surroundings) -> Done | No:
+def halt(model: Model, command: act.Halt, outside: Surroundings) -> Done | No:
     """End a command with everything it has begun; that it has ended is a fact that comes later."""
-    if outside.commands is None or not outside.commands.halt(asked.name):
-        return No(f"{asked.name} is not running")
+    if outside.commands is None or not outside.commands.halt(command.name):
+        return No(f"{command.name} is not running")
     return Done(model)
 
 
-def set_button(model: Model, asked: act.SetButton, outside: Surroundings) -> Done | No:
+def set_button(model: Model, command: act.SetButton, outside: Surroundings) -> Done | No:
     """Add a button, change it, or remove it where the command is empty; it is in the user's file at once."""
-    name = " ".join(asked.name.split())
-    button = Button(name, asked.command.strip(" \t"), asked.spawns_terminal)
+    name = " ".join(command.name.split())
+    button = Button(name, command.command.strip(" \t"), command.spawns_terminal)
     wrong = _wrong(button)
     if wrong:
         return No("; ".join(wrong.values()), fields=wrong)
@@ -49,13 +49,13 @@ def set_button(model: Model, asked: act.SetButton, outside: Surroundings) -> Don
         return No(f"{name} is running", (Remedy(f"Halt {name}", act.Halt(name)),))
     opened, faults = outside.site.open_buttons()
     if opened is None and faults:
-        reasons = "; ".join(plain(str(one)) for one in faults)
+        reasons = "; ".join(plain(str(fault)) for fault in faults)
         return No(f"the file of buttons is left as it is: {reasons}")
     return _saved(model, _changed(opened.value if opened else (), button), opened, outside)
 
 
 def _find(model: Model, name: str) -> Button | None:
-    return next((one for one in model.buttons if one.name == name), None)
+    return next((button for button in model.buttons if button.name == name), None)
 
 
 def _is_running(model: Model, name: str) -> bool:
@@ -79,8 +79,8 @@ def _wrong(button: Button) -> dict[str, str]:
 def _changed(buttons: tuple[Button, ...], button: Button) -> tuple[Button, ...]:
     """With the button in its place, or at the end where it is new; without it where it has no command."""
     if not button.command:
-        return tuple(one for one in buttons if one.name != button.name)
-    names = [one.name for one in buttons]
+        return tuple(other for other in buttons if other.name != button.name)
+    names = [button.name for button in buttons]
     if button.name not in names:
         return (*buttons, button)
     place = names.index(button.name)
@@ -88,11 +88,11 @@ def _changed(buttons: tuple[Button, ...], button: Button) -> tuple[Button, ...]:
 
 
 def _saved(
-    model: Model, buttons: tuple[Button, ...], opened: Opened[tuple[Button, ...]] | None, outside: Surroundings
+    model: Model, buttons: tuple[Button, ...], opened: OpenedText[tuple[Button, ...]] | None, outside: Surroundings
 ) -> Done | No:
     done = outside.site.save_buttons(buttons, opened)
     if isinstance(done, Refusal):
         return No(plain(done.reason))
-    names = {one.name for one in buttons}
+    names = {button.name for button in buttons}
     runs = {name: run for name, run in model.runs.items() if name in names}
     return Done(replace(model, buttons=buttons, runs=runs))

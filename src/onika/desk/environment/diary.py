@@ -49,18 +49,18 @@ class Diary:
         self._thread.start()
         self._put(Entry("Start_Onika"))
 
-    def observe(self, asked: act.AnyAct, _by: str, answer: Answer) -> None:
+    def observe(self, command: act.AnyAct, _by: str, answer: Answer) -> None:
         """An act has been answered."""
         if self._wrong and not self._is_told:
             self._is_told = True
             self._say(page.Say("warning", f"the diary cannot be written: {self._wrong}"))
         model = self._model()
-        self._names.known |= {one.id: one.name for one in model.documents.values()}
+        self._names.known |= {document.id: document.name for document in model.documents.values()}
         opened = answer.value if isinstance(answer.value, str) else ""
-        self._names.look(model, (getattr(asked, "doc", ""), opened))
-        found = entry(asked, answer, self._names.known)
-        if found is not None:
-            self._put(found)
+        self._names.look(model, (getattr(command, "doc", ""), opened))
+        line = entry(command, answer, self._names.known)
+        if line is not None:
+            self._put(line)
 
     def close(self, timeout_s: float = 1.0) -> None:
         """Write what is still to be written."""
@@ -68,9 +68,9 @@ class Diary:
         self._lines.put(None)
         self._thread.join(timeout_s)
 
-    def _put(self, found: Entry) -> None:
+    def _put(self, line: Entry) -> None:
         if self._model().habits.keeps_diary:
-            self._lines.put(found.line(self._clock()))
+            self._lines.put(line.line(self._clock()))
 
     def _write(self) -> None:
         """Write line after line; after the first error none any more."""

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from onika.desk.environment import application_entry
 from onika.desk.environment.environment import Answer
-from onika.desk.environment.outcome.on_application import is_application
+from onika.desk.environment.state.open_file import Kind
 from onika.wire import act
 
 HEADER = "time\tevent\tobject\tid\tassociated\tassociated_id\twindow"
@@ -140,67 +140,69 @@ class Entry:
         return "\t".join(words)
 
 
-def entry(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entry | None:
+def entry(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> Entry | None:
     """What is written of an act; None: nothing. `names` are those of documents by their ids."""
-    if isinstance(asked, act.Note):
-        return Entry(asked.event, asked.object, asked.id, asked.associated, asked.associated_id, asked.window)
-    if type(asked) not in _EVENTS:
+    if isinstance(command, act.Note):
+        return Entry(
+            command.event, command.object, command.id, command.associated, command.associated_id, command.window
+        )
+    if type(command) not in _EVENTS:
         return None
-    event, window = _EVENTS[type(asked)]
-    if isinstance(asked, _BOTH) and _is_of_application(asked, answer):
+    event, window = _EVENTS[type(command)]
+    if isinstance(command, _BOTH) and _is_of_application(command, answer):
         event, window = event.replace("conf", "appl").replace("job", "appl_icon"), window.replace("conf", "appl")
-    match asked:
+    match command:
         case act.Turn():
-            event = "turn_on_task" if asked.is_on else "turn_off_task"
+            event = "turn_on_task" if command.is_on else "turn_off_task"
         case act.TurnGroup():
-            event = "turn_on_group" if asked.is_on else "turn_off_group"
+            event = "turn_on_group" if command.is_on else "turn_off_group"
         case act.Show():
-            event = "show_locus" if asked.is_shown else "hide_locus"
-    said = event if answer.no is None or event.startswith("try_") else f"try_{event}"
-    return Entry(said, *_things(asked, answer, names), window)
+            event = "show_locus" if command.is_shown else "hide_locus"
+    name = event if answer.no is None or event.startswith("try_") else f"try_{event}"
+    return Entry(name, *_things(command, answer, names), window)
 
 
-def _things(asked: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tuple[str, str, str, str]:
+def _things(command: act.AnyAct, answer: Answer, names: Mapping[str, str]) -> tuple[str, str, str, str]:
     """Object, its id, associated object, its id."""
-    if of_application := application_entry.things(asked, answer.value, names):
+    if of_application := application_entry.things(command, answer.value, names):
         return of_application
-    doc: str = getattr(asked, "doc", "")
+    doc: str = getattr(command, "doc", "")
     document = (names.get(doc, ""), doc)
-    match asked:
+    match command:
         case act.New() | act.Open():
             opened = str(answer.value or "")
-            return names.get(opened, getattr(asked, "path", "")), opened, "", ""
+            return names.get(opened, getattr(command, "path", "")), opened, "", ""
         case act.Exchange():
-            return asked.new, f"{doc}/{asked.new}", asked.old, f"{doc}/{asked.old}"
+            return command.new, f"{doc}/{command.new}", command.old, f"{doc}/{command.old}"
         case act.Alias():
-            return asked.task, asked.task, f"{asked.pin}={asked.svar}", asked.pin
+            return command.task, command.task, f"{command.pin}={command.svar}", command.pin
         case act.Paste() | act.Insert() if isinstance(answer.value, tuple):
             return _listed(answer.value), _ids(doc, answer.value), *document
         case act.Group():
-            return _listed(asked.tasks), _ids(doc, asked.tasks), asked.name, f"{doc}/{asked.name}"
-    things = _named(asked)
+            return _listed(command.tasks), _ids(doc, command.tasks), command.name, f"{doc}/{command.name}"
+    things = _named(command)
     if not things:
         return *document, "", ""
     return _listed(things), _ids(doc, things), *document
 
 
-def _is_of_application(asked: act.AnyAct, answer: Answer) -> bool:
+def _is_of_application(command: act.AnyAct, answer: Answer) -> bool:
     """Whether an act that both kinds of documents know was about an application."""
-    if isinstance(asked, act.Open):
-        return is_application(str(answer.value or "")) or asked.path.endswith(".appl")
-    return is_application(getattr(asked, "doc", ""))
+    if isinstance(command, act.Open):
+        return Kind.of(str(answer.value or "")) is Kind.APPLICATION or command.path.endswith(".appl")
+    return Kind.of(getattr(command, "doc", "")) is Kind.APPLICATION
 
 
-def _named(asked: act.AnyAct) -> tuple[str, ...]:
+def _named(command: act.AnyAct) -> tuple[str, ...]:
     """What an act names beside its document."""
-    found: list[str] = []
+    names: list[str] = []
     for name in _THINGS:
-        value = getattr(asked, name, ())
+        value = getattr(command, name, ())
         several = [value] if isinstance(value, str) else value or ()
-        found += [one for one in several if one and isinstance(one, str)]  # the values of a target name nothing
-        if found and not isinstance(asked, act.Move):
+        names += [name for name in several if name and isinstance(name, str)]  # the values of a target name nothing
+        if names and not isinstance(command, act.Move):
             break
-    return tuple(found)
+    return tuple(names)
 
 
 def _listed(names: Iterable[str]) -> str:

@@ -1,16 +1,15 @@
-"""The environment: the one writer of what is open; every act gets exactly one answer (house decision 5)."""
+"""The environment: the one writer of what is open; every act gets exactly one answer."""
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any, Protocol, cast
 
 from onika.desk.environment import following
-from onika.desk.environment.file import application_undo, undo
+from onika.desk.environment.file import undo
 from onika.desk.environment.outcome.outcome import Ask, Change, Done, No, Order, Procedure, Shown, Until, Work
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.show.tree import Projector
 from onika.desk.environment.show.tree_difference import difference
-from onika.desk.environment.state.history import File, Step
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.undo_notice import others
 from onika.wire import act, event, live, page, request
@@ -27,7 +26,7 @@ class Listener(Protocol):
         """Something has changed."""
         ...
 
-    def say(self, said: page.Say) -> None:
+    def say(self, message: page.Say) -> None:
         """Something is worth a line."""
         ...
 
@@ -79,18 +78,18 @@ class Environment:
         self.revision = 0
         self.tree: Tree = self._projector.project(model)
 
-    def do(self, asked: act.AnyAct, by: str, answer: Callable[[Answer], None]) -> None:
+    def do(self, command: act.AnyAct, by: str, answer: Callable[[Answer], None]) -> None:
         """Carry an act out, and answer it once: now, or when the runtime has said what comes of it."""
 
         def tell(given: Answer) -> None:
             for observer in self.observers:
-                observer(asked, by, given)
+                observer(command, by, given)
             answer(given)
 
         before = self.model
-        result = self._handlers[type(asked)](before, asked, self._surroundings)
+        result = self._handlers[type(command)](before, command, self._surroundings)
         steps, first = (None, result) if isinstance(result, Done | No) else (result, _next(result, None))
-        outcome = self._followed(before, first, by, asked)
+        outcome = self._followed(before, first, by, command)
         if isinstance(outcome, Done) and outcome.awaits is not None:
             steps = _taken_up(outcome, outcome.awaits)
             outcome = _next(steps, None)
@@ -102,9 +101,9 @@ class Environment:
             self._adopt(order.then(self.model, response), "")
         self._come(order, response)
 
-    def heard(self, told: event.Event) -> None:
+    def receive(self, message: event.Event) -> None:
         """A runtime has told something."""
-        self._adopt(following.heard(self.model, told, self._surroundings), "")
+        self._adopt(following.after_event(self.model, message, self._surroundings), "")
 
     def become(self, change: Callable[[Model], Done]) -> None:
         """A change from outside: a file, a link, a command that ended."""
@@ -117,10 +116,10 @@ class Environment:
         news = (*done.news, *followed.news)
         self._adopt(replace(done, model=followed.model, orders=orders, says=says, news=news), "")
 
-    def say(self, said: page.Say) -> None:
+    def say(self, message: page.Say) -> None:
         """Show everybody a line."""
         for listener in self.listeners:
-            listener.say(said)
+            listener.say(message)
 
     def _go_on(self, carried: _Act, outcome: Shown | Done | No, by: str = "") -> None:
         """Answer an act that has come to its end; keep one that waits by what it waits for."""
@@ -157,15 +156,15 @@ class Environment:
         if carried.steps is not None:
             self._go_on(carried, _next(carried.steps, (self.model, news)))
 
-    def _followed(self, before: Model, outcome: Shown | Done | No, by: str, asked: act.AnyAct) -> Shown | Done | No:
+    def _followed(self, before: Model, outcome: Shown | Done | No, by: str, command: act.AnyAct) -> Shown | Done | No:
         """Make a step of what was done to a document, and have the running system follow."""
         if isinstance(outcome, No):
             return outcome
-        model = self._stepped(before, outcome, by, asked) if isinstance(outcome, Done) else outcome.model
+        model = undo.stepped(before, outcome, by, command) if isinstance(outcome, Done) else outcome.model
         followed = following.follow(before, model, self._surroundings)
         if isinstance(followed, No):
             return followed
-        says = (*others(before, asked, by), *outcome.says, *followed.says)
+        says = (*others(before, command, by), *outcome.says, *followed.says)
         news = (*outcome.news, *followed.news)
         if isinstance(outcome, Done):
             orders = (*_but_of_ended(followed.orders, outcome.orders), *outcome.orders)
@@ -173,29 +172,11 @@ class Environment:
             return replace(outcome, model=followed.model, orders=orders, says=says, news=news, awaits=awaits)
         return replace(outcome, model=followed.model, orders=(*outcome.orders, *followed.orders), says=says, news=news)
 
-    def _stepped(self, before: Model, done: Done, by: str, asked: act.AnyAct) -> Model:
-        """With one more step in the history of the document that was changed."""
-        if done.doc in before.applications and done.doc in done.model.applications:
-            return done.model if isinstance(asked, act.Undo | act.Redo) else application_undo.stepped(before, done, by)
-        if not done.doc or done.doc not in done.model.documents or done.doc not in before.documents:
-            return done.model
-        old, new = before.documents[done.doc], done.model.documents[done.doc]
-        edited = undo.edits_between(before.shelf, done.model.shelf)
-        model = done.model
-        if done.label and (old.content != new.content or edited) and not isinstance(asked, act.Undo | act.Redo):
-            backwards = undo.edits_between(done.model.shelf, before.shelf)
-            step = Step(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
-            if isinstance(asked, act.OpenInPlace):
-                files = File(old.opened, old.base), File(new.opened, new.base)
-                step = replace(step, file_before=files[0], file_after=files[1])
-            model = model.with_document(replace(new, history=new.history.done(step)))
-        return model
-
     def _adopt(self, done: Done, by: str) -> None:
         self.model = done.model
         self._show(by)
-        for said in done.says:
-            self.say(said)
+        for message in done.says:
+            self.say(message)
         for order in done.orders:
             self._station.send(order)
         for what, news in done.news:
@@ -229,5 +210,7 @@ def _taken_up(done: Done, change: Change) -> Procedure:
 
 def _but_of_ended(orders: Sequence[Order], done: Sequence[Order]) -> tuple[Order, ...]:
     """Without the release of subsystems that are ended: whoever ends one has to hold it."""
-    ended = {one.asked.subsystem for one in done if isinstance(one.asked, live.Close)}
-    return tuple(one for one in orders if not (isinstance(one.asked, live.Release) and one.asked.subsystem in ended))
+    ended = {order.asked.subsystem for order in done if isinstance(order.asked, live.Close)}
+    return tuple(
+        order for order in orders if not (isinstance(order.asked, live.Release) and order.asked.subsystem in ended)
+    )

@@ -20,7 +20,9 @@ def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
     if before.documents is after.documents and before.shelf is after.shelf:
         return Done(after, orders=marked)
     model, docs = noted(after, before.shelf)
-    changed = (one.id for one in model.documents.values() if one.id in docs or _is_changed(before, one))
+    changed = (
+        document.id for document in model.documents.values() if document.id in docs or _is_changed(before, document)
+    )
     done = pursue_all(model, tuple(changed))
     if isinstance(done, No):
         return done
@@ -29,21 +31,21 @@ def follow(before: Model, after: Model, outside: Surroundings) -> Done | No:
     return replace(done, model=described.model, orders=orders, news=given_up(before, after))
 
 
-def heard(model: Model, told: event.Event, outside: Surroundings) -> Done:
+def after_event(model: Model, message: event.Event, outside: Surroundings) -> Done:
     """What a runtime has told."""
-    done = event_reducer.heard(model, told, outside.calendar())
-    run = hearing_run.heard(done.model, told)
+    done = event_reducer.after_event(model, message, outside.calendar())
+    run = hearing_run.after_event(done.model, message)
     says, news = (*done.says, *run.says), (*done.news, *run.news)
-    orders = (*done.orders, *run.orders, *joint_limits.heard(run.model, told))
+    orders = (*done.orders, *run.orders, *joint_limits.after_event(run.model, message))
     return replace(run, orders=orders, says=says, news=news)
 
 
 def _is_changed(before: Model, document: Document) -> bool:
     """Whether something may be asked of its subsystem."""
-    former, known = before.documents.get(document.id), document.live
-    if former is None or known is None or known.base is None:
+    former, subsystem_facts = before.documents.get(document.id), document.live
+    if former is None or subsystem_facts is None or subsystem_facts.base is None:
         return False
-    return former.content is not document.content or bool(known.turns)
+    return former.content is not document.content or bool(subsystem_facts.turns)
 
 
 def _described(before: Model, after: Model) -> Done:
@@ -65,9 +67,12 @@ def given_up(before: Model, after: Model) -> tuple[News, ...]:
 
 def _left(before: Model, after: Model) -> tuple[Order, ...]:
     """What was held for documents that are no longer open, or no longer connected, may be held by others."""
-    homes = {one.live.subsystem for one in after.documents.values() if one.live}
+    homes = {document.live.subsystem for document in after.documents.values() if document.live}
     return tuple(
-        Order(live.Release(one.live.subsystem))
-        for one in before.documents.values()
-        if one.live and one.live.state == "live" and one.live.is_held_here and one.live.subsystem not in homes
+        Order(live.Release(document.live.subsystem))
+        for document in before.documents.values()
+        if document.live
+        and document.live.state == "live"
+        and document.live.is_held_here
+        and document.live.subsystem not in homes
     )

@@ -54,16 +54,16 @@ class Frames:
             self._values, self._figures, self._poses = {}, {}, {}
 
     def _read(self, key: str, body: bytes, model: Model) -> None:
-        one = reading.decode(body)
-        if isinstance(one, reading.Poses):
-            self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(one.rows), "lit": one.lit}
+        taken = reading.decode(body)
+        if isinstance(taken, reading.Poses):
+            self._poses[key.removeprefix(_WORLD)] = {"rows": _rows(taken.rows), "lit": taken.lit}
             return
-        self._at_s = one.now_ns * 1e-9
+        self._at_s = taken.now_ns * 1e-9
         for shown in keys_of(model, key):
-            self._values[shown] = one.value
+            self._values[shown] = taken.value
 
 
 def _rows(rows: bytes) -> list[list[float]]:
     """For each body x y z in m and the quaternion w x y z."""
-    found: list[list[float]] = np.frombuffer(rows, "<f4").reshape(-1, 7).astype(float).round(5).tolist()
-    return found
+    poses: list[list[float]] = np.frombuffer(rows, "<f4").reshape(-1, 7).astype(float).round(5).tolist()
+    return poses

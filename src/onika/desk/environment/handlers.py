@@ -1,8 +1,6 @@
 """What each act does: one table."""
 
-from collections.abc import Callable, Mapping
-from pathlib import Path
-from typing import Any
+from collections.abc import Mapping
 
 from onika.desk.environment import buttons, diary, preferences
 from onika.desk.environment.canvas import (
@@ -20,7 +18,7 @@ from onika.desk.environment.canvas import (
 )
 from onika.desk.environment.control import control_authority, held_subsystems, view_only
 from onika.desk.environment.environment import Handler
-from onika.desk.environment.file import application_undo, applications, configurations, undo
+from onika.desk.environment.file import applications, configurations, file_acts, undo
 from onika.desk.environment.icons import (
     branches,
     clipboard as icon_buffer,
@@ -35,9 +33,6 @@ from onika.desk.environment.icons import (
     targets,
     teaching,
 )
-from onika.desk.environment.outcome.on_application import is_application
-from onika.desk.environment.outcome.outcome import Done, No
-from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile import presence
 from onika.desk.environment.review import (
     comparison,
@@ -50,42 +45,18 @@ from onika.desk.environment.review import (
 )
 from onika.desk.environment.runs import begin, kept_test, preflight, redirection, restart, steering as steering_run
 from onika.desk.environment.show import preview, scene
-from onika.desk.environment.state.model import Model
 from onika.wire import act
-
-_AtOnce = Callable[[Model, Any, Surroundings], Done | No]
-
-
-def _by_kind(of_configuration: _AtOnce, of_application: _AtOnce) -> _AtOnce:
-    """What an act does that both kinds of documents know: the id says which it is."""
-
-    def handler(model: Model, asked: Any, outside: Surroundings) -> Done | No:
-        carry_out = of_application if is_application(asked.doc) else of_configuration
-        return carry_out(model, asked, outside)
-
-    return handler
-
-
-def _opening(model: Model, asked: act.Open, outside: Surroundings) -> Done | No:
-    """The ending says what is opened; of a name alone a configuration, else an application."""
-    ending, bases = Path(asked.path).suffix, outside.site.directories
-    is_other = ending == ".appl"
-    if ending not in (".appl", ".conf") and not any(asked.path in base.configurations for base in bases):
-        is_other = any(asked.path in base.applications for base in bases)
-    carry_out = applications.open_file if is_other else configurations.open_file
-    return carry_out(model, asked, outside)
-
 
 HANDLERS: Mapping[type, Handler] = {
     act.New: configurations.new,
-    act.Open: relink.relinked(_opening),
+    act.Open: relink.relinked(file_acts.open_file),
     act.Peek: preview.peek,
-    act.Save: _by_kind(configurations.save, applications.save),
-    act.Close: _by_kind(configurations.close, applications.close),
-    act.Reload: relink.relinked(_by_kind(configurations.reload, applications.reload)),
-    act.Keep: _by_kind(configurations.keep, applications.keep),
-    act.Undo: _by_kind(undo.undo, application_undo.undo),
-    act.Redo: _by_kind(undo.redo, application_undo.redo),
+    act.Save: file_acts.save,
+    act.Close: file_acts.close,
+    act.Reload: relink.relinked(file_acts.reload),
+    act.Keep: file_acts.keep,
+    act.Undo: undo.undo,
+    act.Redo: undo.redo,
     act.Place: placement.place,
     act.Exchange: placement.exchange,
     act.Remove: placement.remove,

@@ -25,7 +25,7 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
     preferred, of_preferences = site.preferences()
     buttons, of_buttons = site.buttons()
     syntax, of_syntax = site.syntax()
-    found = file_index.listed(bases, syntax)
+    listed = file_index.listed(bases, syntax)
     ends, of_ends = site.flow_pictures()
     kept, of_habits = settings.read(state, environment)
     model = Model(
@@ -36,8 +36,8 @@ def opened(site: Site, state: Path | None, environment: Mapping[str, str]) -> tu
         search=tuple(base.path for base in site.directories),
         flow_pictures=("".join(ends[0].rows), "".join(ends[1].rows)),
     )
-    model = with_syntax(found.beside(model), syntax, bases)
-    faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *found.faults]
+    model = with_syntax(listed.beside(model), syntax, bases)
+    faults = [*site.absent(), *of_preferences, *of_buttons, *of_syntax, *of_ends, *listed.faults]
     faults += [fault for dictionary in model.dictionaries for fault in dictionary.faults]
     faults += [fault for library in libraries for fault in library.faults]
     lines = [page.Say("warning", plain(of_habits))] if of_habits else []

@@ -11,7 +11,7 @@ from onika.desk.environment.state import settings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.preference_values import preference_values
 from onika.desk.environment.state.settings import Habits
-from onika.model.preferences import STATUS_COLUMNS, Spot, Window
+from onika.model.preferences import STATUS_COLUMNS, Window, WindowCorner
 from onika.wire import act, page
 from onika.words.fault import Refusal
 
@@ -21,19 +21,19 @@ _LONGEST = 10_000
 _FAR = 10**9
 """Pixels: what a preference file can say of a place."""
 
-_HABITS = {one.name for one in fields(Habits)}
+_HABITS = {field.name for field in fields(Habits)}
 
 
 class _Wrong(ValueError):
     """A value that a preference cannot have; its text says what was expected."""
 
 
-def prefer(model: Model, asked: act.Prefer, outside: Surroundings) -> Done | No:
+def prefer(model: Model, command: act.Prefer, outside: Surroundings) -> Done | No:
     """Change preferences, all that are named or none; each that cannot be so is in `fields`."""
     now = preference_values(model)
     taken: dict[str, Any] = {}
     wrong: dict[str, str] = {}
-    for name, value in asked.values.items():
+    for name, value in command.values.items():
         try:
             taken[name] = _taken(name, value, now)
         except _Wrong as why:
@@ -63,15 +63,15 @@ def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Su
     refused = [_filed(of_file, outside)] if of_file else []
     if of_habits:
         refused.append(settings.keep(outside.state, of_habits))
-    for one in refused:
-        if one is not None:
-            yield page.Say("warning", f"{plain(one.reason)}; it holds for this session")
+    for refusal in refused:
+        if refusal is not None:
+            yield page.Say("warning", f"{plain(refusal.reason)}; it holds for this session")
 
 
 def _filed(values: Mapping[str, Any], outside: Surroundings) -> Refusal | None:
     """The values into the user's file as it is now, where there is one."""
     opened, faults = outside.site.open_preferences()
-    wrong = [one for one in faults if not one.is_note]
+    wrong = [fault for fault in faults if not fault.is_note]
     if wrong:  # to write it again would lose what is wrong in it, which may be a word away from right
         return Refusal(f"the file of preferences is left as it is: {'; '.join(map(str, wrong))}")
     if opened is None:
@@ -109,11 +109,11 @@ def _whole(value: Any, low: int, high: int) -> int:
     return int(value)
 
 
-def _place(value: Any, before: Mapping[str, int]) -> Spot | Window:
+def _place(value: Any, before: Mapping[str, int]) -> WindowCorner | Window:
     if not isinstance(value, Mapping) or not set(value) <= set(before):
         raise _Wrong(f"expected {', '.join(before)}")
     numbers = {**before, **{part: _whole(number, *_range(part)) for part, number in value.items()}}
-    make: Callable[..., Spot | Window] = Window if "width" in before else Spot
+    make: Callable[..., WindowCorner | Window] = Window if "width" in before else WindowCorner
     return make(**numbers)
 
 
@@ -124,7 +124,7 @@ def _range(part: str) -> tuple[int, int]:
 def _columns(value: Any) -> tuple[str, ...]:
     if not isinstance(value, list | tuple) or len({*map(str, value)}) != len(value):
         raise _Wrong("expected names of columns, each once")
-    unknown = [str(one) for one in value if one not in STATUS_COLUMNS]
+    unknown = [str(name) for name in value if name not in STATUS_COLUMNS]
     if unknown:
         raise _Wrong(f"expected names out of {' '.join(STATUS_COLUMNS)}, found {' '.join(unknown)}")
     return tuple(value)

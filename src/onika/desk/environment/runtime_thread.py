@@ -132,7 +132,7 @@ class Station:
             writers = self._runtime.writers()
             times = [self._runtime.due_s(), self._talk.poll_figures(self._watching.figures)]
             times += [self._vouch.ask()] if self._url else []
-            wait_s = min((one for one in times if one is not None), default=None)
+            wait_s = min((time for time in times if time is not None), default=None)
         if not self._orders or self._is_alone:
             select.select(readers, writers, [], wait_s)
         try:
@@ -216,8 +216,8 @@ class Station:
 
 
 def _tell(environment: Environment, came: Sequence[event.Event | tuple[Order, request.Response]]) -> None:
-    for one in came:
-        if isinstance(one, tuple):
-            environment.replied(*one)
+    for message in came:
+        if isinstance(message, tuple):
+            environment.replied(*message)
         else:
-            environment.heard(one)
+            environment.receive(message)

@@ -4,14 +4,14 @@ from onika.desk.environment.state.model import Model
 from onika.wire import act, page
 
 
-def others(before: Model, asked: act.AnyAct, by: str) -> tuple[page.Say, ...]:
+def others(before: Model, command: act.AnyAct, by: str) -> tuple[page.Say, ...]:
     """What is said of taking back, or doing again, what was done on another page."""
-    if before.people < 2 or not isinstance(asked, act.Undo | act.Redo):
+    if before.people < 2 or not isinstance(command, act.Undo | act.Redo):
         return ()
-    opened = before.documents.get(asked.doc) or before.applications.get(asked.doc)
+    opened = before.file(command.doc)
     if opened is None:
         return ()
-    is_undo = isinstance(asked, act.Undo)
+    is_undo = isinstance(command, act.Undo)
     step = opened.history.last if is_undo else opened.history.next
     if step is None or step.by in ("", by):
         return ()

@@ -1,4 +1,4 @@
-"""An application as text in the words of AL: written from its file, and read back into one (requirement D14)."""
+"""Converts an application between its file and text in the words of AL, in both directions (requirement D14)."""
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -8,7 +8,7 @@ from onika.files.al import reader, writer
 from onika.model.application import Application
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
-from onika.store.opened_text import Opened, put, save
+from onika.store.opened_text import OpenedText, put, save
 from onika.store.site import Site
 from onika.words.fault import Fault, Place, Refusal, parted
 from onika.words.name import TASK_NAME
@@ -67,7 +67,7 @@ def keep(converted: Converted, out: Path, *, overwrites: bool) -> Refusal | None
 
     An `.appl` that is overwritten keeps its comments.
     """
-    saved: Opened[Application] | Opened[str] | Refusal
+    saved: OpenedText[Application] | OpenedText[str] | Refusal
     if converted.application is not None and not is_text(out):
         saved = save(out, converted.application, appl.write, None, overwrites=overwrites)
     else:

@@ -1,9 +1,9 @@
-"""Compiling: a program found on a site becomes the plan that a runtime executes (house decision 2, §5.9.2)."""
+"""The compiler: turns an application, with all that it needs, into the plan that a runtime executes (§5.9.2)."""
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from hashlib import sha256
 
-from onika.desk.plan.sequence import Doing, Line, Sequencer, plain_type
+from onika.desk.plan.sequence import Doing, FlowSequence, Sequencer, plain_type
 from onika.files import text
 from onika.model.application import Icon
 from onika.model.configuration import Placed
@@ -11,7 +11,7 @@ from onika.model.redirect import Choice, Redirect, choice
 from onika.model.rules.redirection import redirected
 from onika.model.syntax import Syntax
 from onika.model.task import Task
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
@@ -30,7 +30,7 @@ class Compiler:
 
     def __init__(
         self,
-        program: Program,
+        program: ApplicationProgram,
         syntax: Syntax,
         place: Place,
         places: Mapping[str, str],
@@ -81,7 +81,7 @@ class Compiler:
             objections.append(Code(digest, module, str(path), source))
         return tuple(objections)
 
-    def _flow(self, number: int, line: Line) -> PlannedFlow:
+    def _flow(self, number: int, line: FlowSequence) -> PlannedFlow:
         tasks: dict[str, PlannedTask] = {}
         actions: list[PlannedAction] = []
         chosen = choice(self._redirects, line.subsystem)

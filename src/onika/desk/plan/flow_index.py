@@ -1,4 +1,4 @@
-"""The flows of an application by the words that people use for them: numbers, subsystems, names of actions."""
+"""An index of an application's flows: finds a flow by number or subsystem, and an action by number or name."""
 
 import re
 from collections.abc import Iterable
@@ -13,7 +13,7 @@ _SHOWN = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Part:
+class IndexedFlow:
     """One flow: its subsystem, its actions by name, the variables of its tasks; None where they are not known."""
 
     subsystem: str
@@ -23,17 +23,17 @@ class Part:
 
 
 @dataclass(frozen=True, slots=True)
-class Cast:
+class FlowIndex:
     """All flows of an application, nested ones last, in the order of the plan."""
 
-    parts: tuple[Part, ...]
+    parts: tuple[IndexedFlow, ...]
 
     @classmethod
-    def of(cls, plan: Plan) -> "Cast":
+    def of(cls, plan: Plan) -> "FlowIndex":
         """Those of a plan."""
         return cls(
             tuple(
-                Part(
+                IndexedFlow(
                     flow.subsystem,
                     tuple(action.name for action in flow.actions),
                     _variables(flow),
@@ -44,10 +44,10 @@ class Cast:
         )
 
     @classmethod
-    def seen(cls, positions: Iterable[Position]) -> "Cast":
+    def seen(cls, positions: Iterable[Position]) -> "FlowIndex":
         """Those that a runtime told of: what their actions are called is not known."""
         names = [position.subsystem for position in positions]
-        return cls(tuple(Part(name, is_nested=name.rpartition(".")[0] in names) for name in names))
+        return cls(tuple(IndexedFlow(name, is_nested=name.rpartition(".")[0] in names) for name in names))
 
     @property
     def subsystems(self) -> tuple[str, ...]:

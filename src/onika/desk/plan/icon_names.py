@@ -1,4 +1,4 @@
-"""What icons, their types and steps are called in sentences: as a user sees them, never as files name them."""
+"""Names of icons, of their types and of steps, as sentences use them: what a user sees, never what files say."""
 
 import re
 from collections.abc import Iterable, Sequence

@@ -1,4 +1,4 @@
-"""Making icons: a configuration becomes a job, an application an icon for others (requirement D09, §5.6.2, §5.6.4)."""
+"""Makes icons: a configuration becomes a job, an application an icon for others (requirement D09, §5.6.2, §5.6.4)."""
 
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,7 +12,7 @@ from onika.model.rules.iconify import ActionType, application_type, job_type
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
@@ -55,7 +55,7 @@ def iconify(
     """Write `dict/NAME.onk` for the configuration or application in the file `path`; or say why not.
 
     An icon that is there keeps its description and picture, unless others are given; `picture` is the file of an icon
-    that lends its own. One of another thing of that name is kept (decision 34), unless the user `replaces` it.
+    that lends its own. One of another thing of that name is kept (reading 34), unless the user `replaces` it.
     """
     source = _source(path, site)
     if not isinstance(source, _Source):
@@ -93,7 +93,7 @@ def _source(path: Path, site: Site) -> _Source | Reasons:
     return faults if syntax is None else _Source(path, BaseDirectory(folder.parent), site.at(folder.parent), syntax)
 
 
-def _former(source: _Source) -> tuple[Opened[Onikon] | Refusal | None, tuple[Fault, ...]]:
+def _former(source: _Source) -> tuple[OpenedText[Onikon] | Refusal | None, tuple[Fault, ...]]:
     """The icon that is there; a refusal where it is that of something else."""
     file = source.home.onikon_file(source.name)
     if not file.exists():

@@ -1,4 +1,4 @@
-"""A new module from a template: its code, its `.rmod` and its test, in a base directory."""
+"""Creates a new module from a template: its code, its `.rmod` and its test, in a base directory."""
 
 import keyword
 from pathlib import Path

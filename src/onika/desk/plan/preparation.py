@@ -1,4 +1,4 @@
-"""Preparing a run: from a name or file to a plan, with every fault that needs no runtime to be seen (E01)."""
+"""Prepares a run: turns a name or file into a plan, with every fault seen without a runtime (requirement E01)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -12,7 +12,7 @@ from onika.model.rules import meetings, readiness, warning
 from onika.model.rules.union import tasks_of
 from onika.model.syntax import Syntax
 from onika.store.opened_text import Faults
-from onika.store.program import Program, gather, home_of, joined, load
+from onika.store.program import ApplicationProgram, gather, home_of, joined, load
 from onika.store.site import Site
 from onika.wire.plan import Plan
 from onika.wire.request import FaultText, TargetValues
@@ -31,7 +31,7 @@ class PreparedRun:
     notes: tuple[Fault, ...] = ()
     """What is worth knowing and forbids nothing: what files were read with, inputs that nobody writes, names that
     stand twice."""
-    program: Program | None = None
+    program: ApplicationProgram | None = None
     """All that was read."""
 
 
@@ -82,7 +82,7 @@ def fault_of(text: FaultText) -> Fault:
 
 
 def _judged(
-    program: Program, syntax: Syntax, place: Place, home: Site, faults: Faults, redirects: Sequence[Redirect]
+    program: ApplicationProgram, syntax: Syntax, place: Place, home: Site, faults: Faults, redirects: Sequence[Redirect]
 ) -> PreparedRun:
     program = joined(program, sorted({redirect.new for redirect in redirects}), home)
     sound = redirection.sound(redirects, program)
@@ -112,7 +112,7 @@ def _judged(
     return PreparedRun(name, program.application, plan, tuple(compiler.targets), mistakes, notes, program)
 
 
-def _notes(program: Program, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:
+def _notes(program: ApplicationProgram, site: Site, places: dict[str, str]) -> tuple[Fault, ...]:
     notes: list[Fault] = []
     for name, task in program.tasks.items():
         notes += warning.self_fed(task, Place(places[name]))
@@ -130,6 +130,6 @@ def _nothing(name: str, faults: tuple[Fault, ...]) -> PreparedRun:
     return PreparedRun(name, None, None, (), mistakes, notes)
 
 
-def _places(program: Program, home: Site) -> dict[str, str]:
+def _places(program: ApplicationProgram, home: Site) -> dict[str, str]:
     homes = {name: home.home_of_task(name) for name in program.tasks}
     return {name: str(base.task_file(name)) for name, base in homes.items() if base is not None}

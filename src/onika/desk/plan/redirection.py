@@ -1,6 +1,6 @@
-"""Redirection of an application that is about to run: what could stand for its tasks, and what is wrong with a wish.
+"""Redirection before a run: finds what could stand for a task, and what is wrong with a choice.
 
-Nothing here touches a file (E09, §5.9.1): a wish lives as long as the session, or as one run from the command line.
+Nothing here touches a file: a choice lives as long as the session, or as one run of the command line (requirement E09).
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -10,7 +10,7 @@ from onika.desk.plan.subsystem_renaming import chiefs
 from onika.model.redirect import Choice, Redirect, choice
 from onika.model.rules.redirection import Candidate, candidates, is_alike, shortcomings
 from onika.model.task import Task
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan
 from onika.words.fault import Fault, Place
 
@@ -27,7 +27,7 @@ class Seat:
     candidates: tuple[Candidate, ...]
 
 
-def sound(redirects: Sequence[Redirect], program: Program) -> tuple[Redirect, ...]:
+def sound(redirects: Sequence[Redirect], program: ApplicationProgram) -> tuple[Redirect, ...]:
     """Those that can be carried out at all; any other would only make everything else look wrong."""
     known_tasks = program.tasks
     return tuple(
@@ -39,7 +39,7 @@ def sound(redirects: Sequence[Redirect], program: Program) -> tuple[Redirect, ..
     )
 
 
-def faults(redirects: Sequence[Redirect], plan: Plan, program: Program) -> Iterator[Fault]:
+def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgram) -> Iterator[Fault]:
     """Everything that is wrong with what is wished; conflicts among those who live together are told by readiness."""
     yield from _twice(redirects)
     for redirect in redirects:
@@ -65,7 +65,7 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: Program) -> Itera
 
 
 def seats(
-    program: Program, plan: Plan, redirects: Sequence[Redirect], known_tasks: Iterable[Task]
+    program: ApplicationProgram, plan: Plan, redirects: Sequence[Redirect], known_tasks: Iterable[Task]
 ) -> dict[str, tuple[Seat, ...]]:
     """For every flow that is not nested, by its subsystem: the tasks that it uses, each with who could stand for it.
 
@@ -87,7 +87,7 @@ def seats(
     return seats_of
 
 
-def homes_of(task: str, plan: Plan, program: Program) -> tuple[str, ...]:
+def homes_of(task: str, plan: Plan, program: ApplicationProgram) -> tuple[str, ...]:
     """The flows that are not nested and use a task, themselves or in what is nested in them."""
     return tuple(home for home in chiefs(plan) if task in _used(plan, program, _within(plan, home)))
 
@@ -112,7 +112,7 @@ def _jobs(plan: Plan, subsystem: str) -> Iterator[str]:
             yield from dict.fromkeys(action.job for action in flow.actions if not action.is_noop)
 
 
-def _used(plan: Plan, program: Program, subsystems: Iterable[str]) -> dict[str, Task]:
+def _used(plan: Plan, program: ApplicationProgram, subsystems: Iterable[str]) -> dict[str, Task]:
     """The tasks of flows as their configurations name them."""
     names = [
         placed.task
@@ -125,7 +125,7 @@ def _used(plan: Plan, program: Program, subsystems: Iterable[str]) -> dict[str, 
 
 
 def _living(
-    plan: Plan, program: Program, redirects: Sequence[Redirect], subsystems: Iterable[str]
+    plan: Plan, program: ApplicationProgram, redirects: Sequence[Redirect], subsystems: Iterable[str]
 ) -> Mapping[str, Task]:
     """The tasks of flows as they will live."""
     replaced: dict[str, Task] = {}
@@ -138,7 +138,7 @@ def _living(
 
 
 def _crews(
-    plan: Plan, program: Program, redirects: Sequence[Redirect], subsystem: str, old: str
+    plan: Plan, program: ApplicationProgram, redirects: Sequence[Redirect], subsystem: str, old: str
 ) -> Iterator[tuple[str, Sequence[Task]]]:
     """The jobs that use `old`, each with its tasks: those that stand for others in their places, `old` as it is."""
     chosen = {name: new for name, new in choice(redirects, subsystem).items() if name != old}
@@ -151,6 +151,6 @@ def _crews(
             yield job, [_in_place(name, chosen, program) for name in names]
 
 
-def _in_place(name: str, chosen: Choice, program: Program) -> Task:
+def _in_place(name: str, chosen: Choice, program: ApplicationProgram) -> Task:
     """The task that lives where one is named."""
     return program.tasks.get(chosen.get(name, name), program.tasks[name])

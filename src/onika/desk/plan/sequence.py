@@ -1,4 +1,4 @@
-"""The sequence of a flow: its steps, nested applications and branches put in line, as the program the engine executes.
+"""Sequences a flow: puts its steps, nested applications and branches in line, as the program the engine executes.
 
 Loops become jumps (§4.4.7.3), conditional applications choices (§4.3.2), nested parallel applications forks (D13).
 What is at fault is passed over here: readiness tells it, and nothing runs.
@@ -29,7 +29,7 @@ class Doing:
 
 
 @dataclass(slots=True)
-class Line:
+class FlowSequence:
     """One flow of the plan: its actions and its program."""
 
     subsystem: str
@@ -57,7 +57,7 @@ class _Context:
     within: tuple[str, ...]
     fills: Mapping[str, Icon]
     scope: str | None
-    """The instance of the parallel application whose flow it is; None: its tags meet nobody (decision 27)."""
+    """The instance of the parallel application whose flow it is; None: its tags meet nobody (reading 27)."""
     spot: tuple[int, ...] = ()
     """The lines of the icons that run the applications around it."""
 
@@ -71,13 +71,13 @@ class Sequencer:
         self._file_of = file_of
         self._instances: Counter[str] = Counter()
         self._count = 0
-        self.lines: list[Line] = []
+        self.lines: list[FlowSequence] = []
 
-    def sequence(self, application: Application, file: str) -> list[Line]:
+    def sequence(self, application: Application, file: str) -> list[FlowSequence]:
         """Every flow, those of nested parallel applications behind those of the application itself."""
         flows = application.flows if application.is_parallel else application.flows[:1]
         scope = "" if application.is_parallel and len(flows) > 1 else None
-        self.lines = [Line(f"flow{number}") for number in range(len(flows))]
+        self.lines = [FlowSequence(f"flow{number}") for number in range(len(flows))]
         context = _Context(file, (application.name,), (), {}, scope)
         for number, flow in enumerate(flows):
             self._flow(number, flow, context)
@@ -175,7 +175,7 @@ class Sequencer:
         for number, line in enumerate(self.lines):
             if line.subsystem == subsystem:
                 return number
-        self.lines.append(Line(subsystem, parent))
+        self.lines.append(FlowSequence(subsystem, parent))
         return len(self.lines) - 1
 
     def _unique(self, name: str) -> str:
@@ -186,7 +186,7 @@ class Sequencer:
 class _Rounds:
     """The loops of one flow, each with its name, while it is put in line."""
 
-    def __init__(self, line: Line, loops: Sequence[tuple[str, Loop]]) -> None:
+    def __init__(self, line: FlowSequence, loops: Sequence[tuple[str, Loop]]) -> None:
         self._line = line
         self._loops = loops
         self._starts: dict[str, int] = {}
@@ -214,7 +214,7 @@ class _Rounds:
 
 
 def _targets(action: Action, context: _Context, syntax: Syntax) -> tuple[Icon, ...]:
-    """The targets of an action; what fills a hole comes from outside, by its type (decision 32)."""
+    """The targets of an action; what fills a hole comes from outside, by its type (reading 32)."""
     wanted = wanted_targets(action.icon.onikon, syntax)
     targets = (
         target if isinstance(target, Icon) else context.fills.get(plain_type(kind))
@@ -224,7 +224,7 @@ def _targets(action: Action, context: _Context, syntax: Syntax) -> tuple[Icon, .
 
 
 def plain_type(name: str) -> str:
-    """The name of a type, to be compared (decision 37)."""
+    """The name of a type, to be compared (reading 37)."""
     return " ".join(name.lower().split())
 
 

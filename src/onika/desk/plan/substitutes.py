@@ -1,4 +1,4 @@
-"""Substitutes: who could stand for a task that cannot live as it is, told beside what is wrong with it (X02)."""
+"""Adds to a fault the tasks that could stand for the one that cannot live as it is (requirement X02)."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,4 +1,4 @@
-"""The same plan in other subsystems: those of its own may be taken by somebody else."""
+"""Renames the subsystems of a plan, where its own are taken by somebody else."""
 
 from collections.abc import Mapping
 

@@ -1,1 +1,1 @@
-"""A run from the environment's side: begun, followed, steered, recorded and told."""
+"""Everything a front end needs to run an application: begin, follow, steer, record and report."""

@@ -1,4 +1,4 @@
-"""An audit trail as people read it: one line for each record, then whether the chain is whole (requirement X12)."""
+"""Shows an audit trail as text: one line for each record, then whether its chain is whole (requirement X12)."""
 
 from collections.abc import Iterator
 

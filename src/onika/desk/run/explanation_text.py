@@ -1,4 +1,4 @@
-"""How the explanation of a stop is told to people: a short block of lines, for any width from 60 columns (X06)."""
+"""Shows the explanation of a stop as a short block of lines, for any width from 60 columns (requirement X06)."""
 
 import math
 from collections.abc import Iterator, Sequence

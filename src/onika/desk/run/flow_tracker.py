@@ -1,10 +1,10 @@
-"""Where every flow of a run is, as its events tell it, and what has happened that was not waited for yet (E11)."""
+"""The flow tracker: follows events to know the state of each flow, and which wait conditions came (requirement E11)."""
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from onika.desk.plan.flow_index import Cast
-from onika.desk.run.wait_condition import Moment
+from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import event, steer
 
 OVER = ("done", "killing", "ended")
@@ -15,7 +15,7 @@ STILL = ("paused", "stopped", "waiting", "joining")
 
 
 @dataclass(slots=True)
-class Spot:
+class FlowStatus:
     """Where one flow is; `action` is -1 before the first."""
 
     state: str = "ready"
@@ -24,18 +24,18 @@ class Spot:
     tag: str = ""
     waits_for: tuple[str, ...] = ()
     past: list[tuple[str, int | None]] = field(default_factory=list)
-    """What happened, oldest first, since a wait was over for it: a kind of moment, and the action."""
+    """What happened, oldest first, since a wait was over for it: a kind of condition, and the action."""
 
 
-class Whereabouts:
-    """Hears events and answers whether a moment has come.
+class FlowTracker:
+    """Hears events and answers whether a condition has come.
 
     What a wait was over for is forgotten, with all of that flow before it: the next wait looks at what came later.
     """
 
-    def __init__(self, cast: Cast) -> None:
-        self.spots = {name: Spot() for name in cast.subsystems}
-        self._names = cast.subsystems
+    def __init__(self, flow_index: FlowIndex) -> None:
+        self.statuses = {name: FlowStatus() for name in flow_index.subsystems}
+        self._names = flow_index.subsystems
         self.is_asking = False
         self.done = 0
 
@@ -43,10 +43,10 @@ class Whereabouts:
         """Take in what has happened."""
         match message:
             case event.Began():
-                self._began(self.spots[self._names[message.flow]], message)
+                self._began(self.statuses[self._names[message.flow]], message)
             case event.Done():
                 self.done += 1
-                self.spots[self._names[message.flow]].past.append(("done", message.index))
+                self.statuses[self._names[message.flow]].past.append(("done", message.index))
             case event.Moved():
                 self._moved(message)
             case event.Asked():
@@ -54,12 +54,12 @@ class Whereabouts:
             case event.TaskState() if message.state != "ASKING":
                 self.is_asking = False
 
-    def _began(self, spot: Spot, began: event.Began) -> None:
+    def _began(self, spot: FlowStatus, began: event.Began) -> None:
         spot.action, spot.name = began.index, began.action
         spot.past.append(("began", began.index))
 
     def _moved(self, moved: event.Moved) -> None:
-        spot = self.spots.get(moved.subsystem)
+        spot = self.statuses.get(moved.subsystem)
         if spot is None:
             return
         is_new = (moved.state, moved.action, moved.tag) != (spot.state, spot.action, spot.tag) or not moved.text
@@ -70,44 +70,44 @@ class Whereabouts:
     def place(self, positions: Iterable[steer.Position]) -> None:
         """What the runtime says of itself now counts more than what was heard."""
         for position in positions:
-            spot = self.spots.get(position.subsystem)
+            spot = self.statuses.get(position.subsystem)
             if spot is not None:
                 spot.state, spot.tag, spot.waits_for = position.state, position.tag, position.waits_for
                 spot.action = position.action
 
     def steered(self, subsystem: str, *, is_skip: bool = False) -> None:
         """A flow, or all, is being steered: what it was in is past; after a skip so is what it did."""
-        for name, spot in self.spots.items():
+        for name, spot in self.statuses.items():
             if subsystem in ("", name):
                 spot.past = [] if is_skip else [step for step in spot.past if step[1] is not None]
 
-    def has_come(self, moment: Moment) -> bool:
-        """Whether a moment other than a time has come; if so it is past now."""
-        names = [moment.subsystem] if moment.subsystem else list(self.spots)
-        came = [name for name in names if (moment.kind, moment.action) in self.spots[name].past]
-        if moment.kind in ("paused", "done") and moment.action is None:
-            over = [name for name in names if name not in came and self.spots[name].state in OVER]
-            is_so = len(came) + len(over) == len(names) and (bool(came) or moment.kind == "done")
+    def has_come(self, condition: WaitCondition) -> bool:
+        """Whether a condition other than a time has come; if so it is past now."""
+        names = [condition.subsystem] if condition.subsystem else list(self.statuses)
+        came = [name for name in names if (condition.kind, condition.action) in self.statuses[name].past]
+        if condition.kind in ("paused", "done") and condition.action is None:
+            over = [name for name in names if name not in came and self.statuses[name].state in OVER]
+            is_so = len(came) + len(over) == len(names) and (bool(came) or condition.kind == "done")
         else:
             is_so = bool(came)
         if is_so:
             for name in came:
-                past = self.spots[name].past
-                del past[: past.index((moment.kind, moment.action)) + 1]
+                past = self.statuses[name].past
+                del past[: past.index((condition.kind, condition.action)) + 1]
         return is_so
 
     @property
     def is_stuck(self) -> bool:
         """Whether no flow goes on by itself, and not all are done."""
-        states = [spot.state for spot in self.spots.values()]
+        states = [spot.state for spot in self.statuses.values()]
         return all(state in (*STILL, *OVER) for state in states) and any(state in STILL for state in states)
 
     def standing(self) -> str:
         """Who stands still and why, in words."""
-        return ", ".join(_words(name, spot) for name, spot in self.spots.items() if spot.state in STILL)
+        return ", ".join(_words(name, spot) for name, spot in self.statuses.items() if spot.state in STILL)
 
 
-def _words(name: str, spot: Spot) -> str:
+def _words(name: str, spot: FlowStatus) -> str:
     match spot.state:
         case "waiting":
             return f"{name} waits at {spot.tag}" + (f" for {' and '.join(spot.waits_for)}" if spot.waits_for else "")

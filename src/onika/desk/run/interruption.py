@@ -1,4 +1,4 @@
-"""Ctrl-C while a run is followed: noted first, so that no event on its way is lost; the second one ends everything."""
+"""Handles Ctrl-C during a run: the first is noted, so that no event on its way is lost; the second ends everything."""
 
 import signal
 import threading

@@ -1,4 +1,4 @@
-"""What this machine offers a runtime, and what it costs where it does not (law 31)."""
+"""Checks what this machine offers a runtime, such as real-time priority, and says what its absence costs (law 31)."""
 
 import os
 import platform
@@ -13,7 +13,7 @@ from onika.desk.run.world_picture import DRAWER
 
 
 @dataclass(frozen=True, slots=True)
-class Offer:
+class Feature:
     """One thing: whether it is there, what was found, and what it costs if it is not."""
 
     name: str
@@ -22,7 +22,7 @@ class Offer:
     cost: str = ""
 
 
-def offers() -> Iterator[Offer]:
+def features() -> Iterator[Feature]:
     """Everything that matters, most important first."""
     yield _system()
     yield _python()
@@ -42,47 +42,47 @@ _LIBRARIES = (
 )
 
 
-def _system() -> Offer:
+def _system() -> Feature:
     system = f"{platform.system()} {platform.release()} on {platform.machine()}"
     good = sys.platform == "linux" and platform.machine() in ("x86_64", "AMD64")
-    return Offer("system", good, system, "the tables need memfd and the order of stores of x86-64: not a runtime")
+    return Feature("system", good, system, "the tables need memfd and the order of stores of x86-64: not a runtime")
 
 
-def _python() -> Offer:
+def _python() -> Feature:
     version = platform.python_version()
-    return Offer("python", sys.version_info >= (3, 11), version, "Onika needs 3.11 or newer")
+    return Feature("python", sys.version_info >= (3, 11), version, "Onika needs 3.11 or newer")
 
 
-def _processors() -> Offer:
+def _processors() -> Feature:
     count = len(os.sched_getaffinity(0))
-    return Offer("processors", count >= 2, str(count), "device server and RTPU share one: more missed cycles")
+    return Feature("processors", count >= 2, str(count), "device server and RTPU share one: more missed cycles")
 
 
-def _fifo() -> Offer:
+def _fifo() -> Feature:
     """Tried in a child, so that this process stays what it is."""
     probe = "import os; os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50))"
     words = [sys.executable, "-c", probe]
     allowed = subprocess.run(words, capture_output=True, check=False).returncode == 0  # noqa: S603 - our own words
     cost = "under load late cycles are a hundred times more frequent; grant it with 'rtprio 50' in limits.conf"
-    return Offer("SCHED_FIFO", allowed, "granted" if allowed else "refused", cost)
+    return Feature("SCHED_FIFO", allowed, "granted" if allowed else "refused", cost)
 
 
-def _memory_lock() -> Offer:
+def _memory_lock() -> Feature:
     soft, _ = resource.getrlimit(resource.RLIMIT_MEMLOCK)
     free = soft == resource.RLIM_INFINITY or os.geteuid() == 0
     limit = "unlimited" if free else f"{soft // 1024} KiB"
-    return Offer("memory lock", free or soft >= 1 << 28, limit, "a swapped page costs milliseconds in a cycle")
+    return Feature("memory lock", free or soft >= 1 << 28, limit, "a swapped page costs milliseconds in a cycle")
 
 
-def _library(name: str, cost: str) -> Offer:
+def _library(name: str, cost: str) -> Feature:
     try:
-        return Offer(name, True, metadata.version(name))
+        return Feature(name, True, metadata.version(name))
     except metadata.PackageNotFoundError:
-        return Offer(name, False, "not installed", cost)
+        return Feature(name, False, "not installed", cost)
 
 
-def _graphics() -> Offer:
+def _graphics() -> Feature:
     tried = subprocess.run([*DRAWER, "--probe"], capture_output=True, text=True, check=False)  # noqa: S603 - our own
     lines = (tried.stdout or tried.stderr).strip().splitlines()
     answer = lines[-1] if lines else "no answer"
-    return Offer("graphics", tried.returncode == 0, answer, "no pictures of the workcell (--picture); nothing else")
+    return Feature("graphics", tried.returncode == 0, answer, "no pictures of the workcell (--picture); nothing else")

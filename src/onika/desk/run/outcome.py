@@ -1,4 +1,4 @@
-"""How a run ended, for whoever asked for it (requirements E03, E14)."""
+"""The outcome of a run: how it ended, what was expected of it, and its faults (requirements E03, E14)."""
 
 from dataclasses import dataclass, field
 from typing import Any

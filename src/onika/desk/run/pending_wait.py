@@ -1,18 +1,18 @@
-"""A wait under way: whether its moment has come, or it is given up (requirement E07)."""
+"""A pending wait of a script: it ends when its condition has come, or is given up (requirement E07)."""
 
 from typing import Protocol
 
-from onika.desk.run.flow_tracker import Whereabouts
-from onika.desk.run.steering import Wait
+from onika.desk.run.flow_tracker import FlowTracker
+from onika.desk.run.steering import SteeringWait
 from onika.words.fault import Fault, Place
 
 _EPSILON_S = 1e-9
 
 
-class Waited(Protocol):
+class AwaitedRun(Protocol):
     """The run that is waited for."""
 
-    whereabouts: Whereabouts
+    flow_tracker: FlowTracker
 
     @property
     def now_s(self) -> float:
@@ -29,14 +29,14 @@ class Waited(Protocol):
         ...
 
 
-class Vigil:
-    """A wait under way: whether its moment has come, or is given up."""
+class PendingWait:
+    """A wait under way: whether its condition has come, or is given up."""
 
-    def __init__(self, running: Waited, act: Wait) -> None:
+    def __init__(self, running: AwaitedRun, act: SteeringWait) -> None:
         self._running = running
         self._act = act
-        self._is_time = act.moment.kind == "seconds"
-        self.until_s = running.now_s + (act.moment.seconds if self._is_time else act.within_s)
+        self._is_time = act.condition.kind == "seconds"
+        self.until_s = running.now_s + (act.condition.seconds if self._is_time else act.within_s)
         self._has_come = False
         self._why = ""
 
@@ -47,7 +47,7 @@ class Vigil:
             return True
         running = self._running
         is_late = running.now_s >= self.until_s - _EPSILON_S
-        self._has_come = is_late if self._is_time else running.whereabouts.has_come(self._act.moment)
+        self._has_come = is_late if self._is_time else running.flow_tracker.has_come(self._act.condition)
         if self._has_come:
             return True
         if running.is_over:
@@ -55,9 +55,9 @@ class Vigil:
         elif is_late:
             self._why = f"it not so within {self._act.within_s:g} s"
         elif not self._is_time and running.is_stuck():
-            self._why = f"that nothing goes on: {running.whereabouts.standing()}"
+            self._why = f"that nothing goes on: {running.flow_tracker.standing()}"
         return bool(self._why)
 
     def faults(self, place: Place) -> tuple[Fault, ...]:
-        """Why it was in vain; empty where the moment has come."""
-        return (Fault(place, str(self._act.moment), self._why, "it is waited for no longer"),) if self._why else ()
+        """Why it was in vain; empty where the condition has come."""
+        return (Fault(place, str(self._act.condition), self._why, "it is waited for no longer"),) if self._why else ()

@@ -1,15 +1,17 @@
-"""Where every flow is, as lines for people (requirements E11, X03)."""
+"""Shows as a table where every flow is and what it waits for (requirements E11, X03)."""
 
 from collections.abc import Sequence
 
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run import text_table
 from onika.wire.steer import Position
 
 
-def lines(positions: Sequence[Position], cast: Cast) -> list[str]:
+def lines(positions: Sequence[Position], flow_index: FlowIndex) -> list[str]:
     """A table: flow, state, action as people count them, and what there is to say besides."""
-    rows = [[position.subsystem, state(position), _action(position, cast), remark(position)] for position in positions]
+    rows = [
+        [position.subsystem, state(position), _action(position, flow_index), remark(position)] for position in positions
+    ]
     return text_table.lines(["flow", "state", "action", ""], rows)
 
 
@@ -33,8 +35,8 @@ def waits(tag: str, waits_for: Sequence[str]) -> str:
     return f"waits{at}" + (f" for {' and '.join(waits_for)}" if waits_for else "")
 
 
-def _action(position: Position, cast: Cast) -> str:
+def _action(position: Position, flow_index: FlowIndex) -> str:
     if position.action < 0:
         return "-"
-    count, name = cast.count(position.subsystem), cast.name(position.subsystem, position.action)
+    count, name = flow_index.count(position.subsystem), flow_index.name(position.subsystem, position.action)
     return f"{position.action + 1}" + (f"/{count}" if count else "") + (f" {name}" if name else "")

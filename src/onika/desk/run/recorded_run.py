@@ -1,4 +1,4 @@
-"""A recorded run, to be begun again: the same plan, the same seed, and what was asked of it, up to an instant (X05)."""
+"""A recorded run that can begin again: the same plan, seed and inputs, up to an instant (requirement X05)."""
 
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,7 +17,7 @@ _NOT_RUN = "nothing is run"
 
 
 @dataclass(frozen=True, slots=True)
-class Source:
+class RecordingSource:
     """Where a run is taken from: a recording, and the instant up to which it is repeated (None: to its end)."""
 
     path: Path
@@ -74,7 +74,7 @@ class RecordedRun:
         return tuple(notes)
 
 
-def recorded_run(source: Source) -> RecordedRun | tuple[Fault, ...]:
+def recorded_run(source: RecordingSource) -> RecordedRun | tuple[Fault, ...]:
     """Read it; why it cannot be repeated."""
     place = Place(str(source.path))
     try:

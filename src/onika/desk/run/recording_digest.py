@@ -1,4 +1,4 @@
-"""The digest of a recording: in a few lines what was run, how it ended, and what the file holds."""
+"""Summarises a recording in a few lines: what was run, how it ended, and what the file holds."""
 
 from collections.abc import Iterator
 

@@ -1,4 +1,4 @@
-"""A run from the environment's side: prepare, launch a runtime, follow and steer it to its end (E03, E07, E14)."""
+"""Runs an application: prepares it, launches a runtime, follows and steers it (requirements E03, E07, E14)."""
 
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Protocol
 
 from onika.desk.plan.compile import rtpus_of
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun, fault_of, prepare_run
 from onika.desk.plan.substitutes import with_substitutes
 from onika.desk.plan.subsystem_renaming import chiefs, rehoused
@@ -16,9 +16,9 @@ from onika.desk.run.outcome import Outcome
 from onika.desk.run.recorded_run import RecordedRun, recorded_run
 from onika.desk.run.running_application import Running
 from onika.desk.run.runtime import Conversation, Reached, Runtime, connect
-from onika.desk.run.script_player import Prompter
+from onika.desk.run.script_player import ScriptPlayer
 from onika.desk.run.settings import RunSettings
-from onika.desk.run.steering_script import Cue
+from onika.desk.run.steering_script import ScriptLine
 from onika.link.lost import LinkLost
 from onika.model.redirect import Redirect
 from onika.store.site import Site
@@ -33,7 +33,7 @@ _LOOK_S = 0.05
 """How long a Ctrl-C, or a key, waits at most."""
 
 
-class Watcher(Protocol):
+class RunWatcher(Protocol):
     """Whoever watches a run."""
 
     @property
@@ -96,16 +96,16 @@ def start(settings: RunSettings, site: Site) -> Iterator[Running]:
             running.close()
 
 
-def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
+def run(settings: RunSettings, site: Site, watcher: RunWatcher) -> Outcome:
     """Run an application to its end. Ctrl-C stops it; a second one is a KeyboardInterrupt."""
     outcome = Outcome(settings.name)
     is_held = settings.is_virtual and settings.script is not None
     try:
         with _open(settings, site, outcome, is_held) as opened:
             if opened is not None:
-                running, cues = opened
+                running, script_lines = opened
                 watcher.begins(running.prepared, running.pid)
-                _follow(running, Prompter(running, cues, watcher.steered), watcher)
+                _follow(running, ScriptPlayer(running, script_lines, watcher.steered), watcher)
                 running.close()
     except (LinkLost, TimeoutError) as lost:
         outcome.result = event.Result(False, str(lost), 0, outcome.actions, 0.0, 0.0, {}, (), "")
@@ -115,7 +115,7 @@ def run(settings: RunSettings, site: Site, watcher: Watcher) -> Outcome:
 @contextmanager
 def _open(
     settings: RunSettings, site: Site, outcome: Outcome, is_held: bool
-) -> Iterator[tuple[Running, tuple[Cue, ...]] | None]:
+) -> Iterator[tuple[Running, tuple[ScriptLine, ...]] | None]:
     """A run that is ready to begin, and its script; None where there are faults."""
     source = settings.source
     recorded = recorded_run(source) if source is not None else None
@@ -138,7 +138,9 @@ def _open(
     plan = _within(prepared.plan, settings.subsystems, outcome)
     prepared = replace(prepared, plan=plan)
     outcome.actions = sum(len(flow.actions) for flow in plan.flows)
-    cues, faults = ((), []) if settings.script is None else steering_script.load(settings.script, Cast.of(plan))
+    script_lines, faults = (
+        ((), []) if settings.script is None else steering_script.load(settings.script, FlowIndex.of(plan))
+    )
     outcome.faults += faults
     outcome.faults += _unrecorded(settings)
     if any(settings.elsewhere is not None and fault.place == _RECORD for fault in outcome.faults):
@@ -152,27 +154,27 @@ def _open(
             yield None
         else:
             can_hold = is_held and (settings.elsewhere is None or _is_virtual(runtime))
-            yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold, recorded=recorded), cues
+            yield Running(settings, prepared, plan, runtime, outcome, is_held=can_hold, recorded=recorded), script_lines
 
 
-def _follow(running: Running, prompter: Prompter, watcher: Watcher) -> None:
+def _follow(running: Running, player: ScriptPlayer, watcher: RunWatcher) -> None:
     """Listen, answer, steer, until the result is there."""
     try:
         running.begin()
         with Interruption() as interruption:
             while not running.is_over:
-                _turn(running, prompter, watcher, interruption)
-            while prompter.go_on():
+                _turn(running, player, watcher, interruption)
+            while player.go_on():
                 pass
     except (LinkLost, TimeoutError) as lost:
         running.lose(str(lost))
 
 
-def _turn(running: Running, prompter: Prompter, watcher: Watcher, interruption: Interruption) -> None:
+def _turn(running: Running, player: ScriptPlayer, watcher: RunWatcher, interruption: Interruption) -> None:
     if interruption.is_new():
         running.stop("stopped by the user (Ctrl-C)")
     _hear(running, watcher, interruption, _LOOK_S)
-    while prompter.go_on():
+    while player.go_on():
         _hear(running, watcher, interruption, 0.0)
     for line in watcher.wishes():
         faults = running.steer(line, at_once=True)
@@ -180,12 +182,12 @@ def _turn(running: Running, prompter: Prompter, watcher: Watcher, interruption: 
         watcher.steered(line, faults, running.who() if is_look else ())
     if not running.is_over and watcher.looks():
         watcher.placed(running.who())
-    if prompter.is_over and not watcher.can_steer and not running.is_over and running.is_stuck():
-        running.abort(f"nobody is there to go on: {running.whereabouts.standing()}")
-    running.go_on(prompter.until_s)
+    if player.is_over and not watcher.can_steer and not running.is_over and running.is_stuck():
+        running.abort(f"nobody is there to go on: {running.flow_tracker.standing()}")
+    running.go_on(player.until_s)
 
 
-def _hear(running: Running, watcher: Watcher, interruption: Interruption, timeout_s: float) -> None:
+def _hear(running: Running, watcher: RunWatcher, interruption: Interruption, timeout_s: float) -> None:
     for message in running.hear(timeout_s):
         watcher.happens(message)
         if isinstance(message, event.Asked):
@@ -245,10 +247,10 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: 
 
 def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
     """Expectations of variables that no task of the plan reads or writes."""
-    cast, faults = Cast.of(plan), []
+    flow_index, faults = FlowIndex.of(plan), []
     for expectation in expectations:
         try:
-            cast.home(expectation.address)
+            flow_index.home(expectation.address)
         except ValueError:
             expected = "a variable that some task reads or writes"
             faults.append(Fault(Place("--expect"), expected, expectation.address, "nothing is run"))

@@ -1,4 +1,4 @@
-"""A recording that is looked at: what the run was like at any instant, for whoever draws it (requirement X05).
+"""Looks into a recording: the state of the run at any instant, and curves of its variables (requirement X05).
 
 with Review(path) as review:
     review.flows                      # names, actions and when each was carried out
@@ -33,7 +33,7 @@ class Interval:
 
 
 @dataclass(slots=True)
-class Flow:
+class ReviewedFlow:
     """One flow of the run."""
 
     subsystem: str
@@ -60,7 +60,7 @@ class Instant:
 
 
 @dataclass(frozen=True, slots=True)
-class Course:
+class DownsampledSeries:
     """One element of a variable over a stretch of time: in each of equal parts of it the least and the greatest."""
 
     label: str
@@ -85,7 +85,8 @@ class Review:
         self.events = events_of(self._reader)
         """When in ns, about which subsystem, and what."""
         self.flows = [
-            Flow(flow.subsystem, tuple(action.name for action in flow.actions)) for flow in self.run.prepare.plan.flows
+            ReviewedFlow(flow.subsystem, tuple(action.name for action in flow.actions))
+            for flow in self.run.prepare.plan.flows
         ]
         self._tasks = _Track()
         self._drives = _Track()
@@ -175,7 +176,7 @@ class Review:
         scene = self._reader.newest(said.scene(world), round(at_s * 1e9))
         return [] if scene is None else foxglove.lit(scene[1])
 
-    def course(self, address: str, begin_s: float, end_s: float, points: int = 800) -> list[Course]:
+    def course(self, address: str, begin_s: float, end_s: float, points: int = 800) -> list[DownsampledSeries]:
         """Each element of a variable `subsystem/NAME` in at most so many points; raises KeyError for an unknown one.
 
         A point tells the least and the greatest value of its part of the time, so that no peak is lost.
@@ -206,7 +207,7 @@ class Review:
             case event.Drive():
                 self._drives.add(message.device, at, message.state)
 
-    def _flow(self, subsystem: str) -> Flow:
+    def _flow(self, subsystem: str) -> ReviewedFlow:
         flow = next((flow for flow in self.flows if flow.subsystem == subsystem), None)
         if flow is None:
             raise ValueError(f"{self.path}: expected news of the flows of its plan, found {subsystem or 'none'}")
@@ -233,20 +234,20 @@ class _Track:
         return grouped
 
 
-def _leave(flow: Flow, at_s: float, action: int | None = None) -> None:
+def _leave(flow: ReviewedFlow, at_s: float, action: int | None = None) -> None:
     """The action that is carried out has ended, if it is this one: done, or left for another one."""
     last = flow.intervals[-1] if flow.intervals else None
     if last is not None and last.end_s is None and action in (None, last.action):
         flow.intervals[-1] = Interval(last.action, last.name, last.begin_s, at_s)
 
 
-def drawn(series: Series, parts: downsampled.Parts) -> list[Course]:
+def drawn(series: Series, parts: downsampled.Parts) -> list[DownsampledSeries]:
     """Each element of a variable, as it is drawn."""
     at_s, least, most = parts.at_s.tolist(), parts.least.T.tolist(), parts.most.T.tolist()
-    return [Course(label, series.unit, at_s, least[k], most[k]) for k, label in enumerate(series.labels)]
+    return [DownsampledSeries(label, series.unit, at_s, least[k], most[k]) for k, label in enumerate(series.labels)]
 
 
-def _state(flow: Flow, at_s: float) -> tuple[str, int]:
+def _state(flow: ReviewedFlow, at_s: float) -> tuple[str, int]:
     places = bisect_right(flow.states, at_s, key=lambda place: place[0])
     begun = bisect_right(flow.intervals, at_s, key=lambda interval: interval.begin_s)
     action = flow.intervals[begun - 1].action if begun else -1

@@ -1,4 +1,4 @@
-"""An application that runs, for whoever steers it from a program: what happens, and what may be done (E07, E11, E13).
+"""A running application: a program follows its events and steers it (requirements E07, E11, E13).
 
     with start(RunSettings("assemble", is_virtual=True), site) as running:
         running.steer("break 3")
@@ -14,16 +14,16 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from time import monotonic
 
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.plan.preparation import PreparedRun
 from onika.desk.run import steering
-from onika.desk.run.flow_tracker import Whereabouts
+from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.outcome import Outcome
-from onika.desk.run.pending_wait import Vigil
+from onika.desk.run.pending_wait import PendingWait
 from onika.desk.run.recorded_run import RecordedRun
 from onika.desk.run.runtime import Conversation
 from onika.desk.run.settings import RunSettings
-from onika.desk.run.steering import Act, Expect, Look, Order, Wait
+from onika.desk.run.steering import Act, Expectation, PositionQuery, SteeringOrder, SteeringWait
 from onika.desk.run.steering_fault import GOES_ON, objection
 from onika.link.lost import LinkLost
 from onika.wire import event, live, request, steer
@@ -60,8 +60,8 @@ class Running:
         self.prepared = prepared
         self.plan = plan
         self.outcome = outcome
-        self.cast = Cast.of(plan)
-        self.whereabouts = Whereabouts(self.cast)
+        self.flow_index = FlowIndex.of(plan)
+        self.flow_tracker = FlowTracker(self.flow_index)
         self.is_held = is_held
         """In virtual time: whether its clock waits for the one who steers."""
         self.stands = False
@@ -98,12 +98,12 @@ class Running:
 
     def is_stuck(self) -> bool:
         """Whether no flow goes on by itself: only somebody who steers can help."""
-        if not self.whereabouts.is_stuck or self.whereabouts.is_asking or self._is_repeating():
+        if not self.flow_tracker.is_stuck or self.flow_tracker.is_asking or self._is_repeating():
             return False
-        heard_places = [(spot.state, spot.action) for spot in self.whereabouts.spots.values()]
+        heard_places = [(spot.state, spot.action) for spot in self.flow_tracker.statuses.values()]
         told_places = {position.subsystem: (position.state, position.action) for position in self.who()}
         # what was heard may be overtaken already by what the last order did
-        return not told_places or heard_places == [told_places.get(name) for name in self.whereabouts.spots]
+        return not told_places or heard_places == [told_places.get(name) for name in self.flow_tracker.statuses]
 
     def _is_repeating(self) -> bool:
         """Whether a recorded run has not come yet to the instant from which it goes on by itself."""
@@ -117,12 +117,12 @@ class Running:
         answer = self._runtime.ask(steer.Who())
         if not isinstance(answer, steer.Positions):
             return ()
-        self.whereabouts.place(answer.flows)
+        self.flow_tracker.place(answer.flows)
         return answer.flows
 
     def read(self, address: str) -> object:
         """A variable `[SUBSYSTEM/]NAME` as it is now; raises ValueError for one that no task reads or writes."""
-        subsystem, name = self.cast.home(address)
+        subsystem, name = self.flow_index.home(address)
         answer = self._runtime.ask(live.Read(subsystem, (name,)))
         if not isinstance(answer, live.Values):
             raise ValueError(f"expected a value of {address}, found {answer}")
@@ -178,7 +178,7 @@ class Running:
                 self.stands = True
                 self._stood_s = message.at_s
                 continue
-            self.whereabouts.hear(message)
+            self.flow_tracker.hear(message)
             self._news.append(message)
             if isinstance(message, event.Result):
                 self.outcome.result = message
@@ -193,7 +193,7 @@ class Running:
         if not self.is_held or self.is_over:
             return
         until = self._clock() + _PATIENCE_S
-        while not (self.stands or self.is_over or self.whereabouts.is_asking):
+        while not (self.stands or self.is_over or self.flow_tracker.is_asking):
             self._listen(_LOOK_S)
             if self._clock() > until:
                 raise TimeoutError(f"the runtime does not stand still within {_PATIENCE_S:g} s")
@@ -206,7 +206,7 @@ class Running:
         at_once    even while the clock of a held run goes on, at whatever time that is
         """
         try:
-            act = steering.act(line, self.cast)
+            act = steering.act(line, self.flow_index)
         except ValueError as wrong:
             return (objection(LINE, str(wrong), GOES_ON),)
         return self.do(act, at_once=at_once)
@@ -216,14 +216,14 @@ class Running:
         if not at_once:
             self._settle()
         match act:
-            case Order():
+            case SteeringOrder():
                 return self._order(act, place)
-            case Look():
+            case PositionQuery():
                 self.who()
                 return ()
-            case Expect():
+            case Expectation():
                 return self._expect(act, place)
-            case Wait():
+            case SteeringWait():
                 return self._wait(act, place)
 
     def wait(self, words: str, within_s: float = steering.USUAL_S) -> Faults:
@@ -234,7 +234,7 @@ class Running:
         """Answer a task that asks; None ends the run."""
         if self._recorded is not None and self._recorded.is_before(question.at_s):
             return
-        self.whereabouts.is_asking = False
+        self.flow_tracker.is_asking = False
         cause = f"task {question.task} asks for input and nobody answers"
         self._runtime.ask(
             request.Abort(cause) if line is None else request.Reply(question.subsystem, question.task, line)
@@ -257,16 +257,16 @@ class Running:
             for _ in self.hear(_LOOK_S):
                 pass
             if not self.is_over and self.is_stuck():
-                self.abort(f"nobody is there to go on: {self.whereabouts.standing()}")
+                self.abort(f"nobody is there to go on: {self.flow_tracker.standing()}")
             self.go_on()
         if self.outcome.result is None:
             raise ValueError("expected a run that has come to its end, found one without a result")
         return self.outcome.result
 
-    def _order(self, order: Order, place: Place) -> Faults:
+    def _order(self, order: SteeringOrder, place: Place) -> Faults:
         if self.is_over:
             return (Fault(place, "a run that goes on", "its end", "nothing is done"),)
-        self.whereabouts.steered(order.subsystem, is_skip=order.is_skip)
+        self.flow_tracker.steered(order.subsystem, is_skip=order.is_skip)
         answer = self._runtime.ask(order.message)
         if self.is_held and self.stands:
             self._onward(self.now_s)
@@ -275,32 +275,32 @@ class Running:
             return (objection(place, answer.reason, GOES_ON),)
         return ()
 
-    def _expect(self, act: Expect, place: Place) -> Faults:
+    def _expect(self, act: Expectation, place: Place) -> Faults:
         condition = act.condition
         values = {condition.address: self.read(f"{act.subsystem}/{act.name}")}
         if condition.holds(values):
             return ()
         return (Fault(place, condition.text, str(condition.found(values)), "it is not so"),)
 
-    def _wait(self, act: Wait, place: Place) -> Faults:
-        vigil = self.vigil(act)
-        while not vigil.is_over:
-            if self.whereabouts.is_asking:
-                return (Fault(place, str(act.moment), "a task that asks", "answer it, then wait again"),)
-            self.go_on(vigil.until_s)
+    def _wait(self, act: SteeringWait, place: Place) -> Faults:
+        pending_wait = self.pending_wait(act)
+        while not pending_wait.is_over:
+            if self.flow_tracker.is_asking:
+                return (Fault(place, str(act.condition), "a task that asks", "answer it, then wait again"),)
+            self.go_on(pending_wait.until_s)
             self._listen(_LOOK_S)
         self._settle()  # its moment is told before its time is
-        return vigil.faults(place)
+        return pending_wait.faults(place)
 
-    def vigil(self, act: Wait) -> Vigil:
+    def pending_wait(self, act: SteeringWait) -> PendingWait:
         """A wait that begins now."""
-        return Vigil(self, act)
+        return PendingWait(self, act)
 
     def lose(self, cause: str) -> None:
         """What the environment knows of a run whose runtime can say nothing any more (E10)."""
         actions = sum(len(flow.actions) for flow in self.plan.flows)
         lasted = (self.now_s, self._clock() - self._began)
-        self.outcome.result = event.Result(False, cause, self.whereabouts.done, actions, *lasted, {}, (), "")
+        self.outcome.result = event.Result(False, cause, self.flow_tracker.done, actions, *lasted, {}, (), "")
 
     # -- its end
 

@@ -1,4 +1,4 @@
-"""A runtime as the environment sees it: a child process, or one elsewhere, behind a link (house decision 1)."""
+"""A client's view of a runtime: a child process that it launches, or one elsewhere that it reaches over the link."""
 
 import os
 from collections import deque
@@ -50,7 +50,7 @@ _AGAIN = (
 
 
 @dataclass(frozen=True, slots=True)
-class Reply:
+class NumberedResponse:
     """The response to a request that nobody waited for, by its number."""
 
     number: int
@@ -109,10 +109,10 @@ class Conversation:
     def events(self, timeout_s: float) -> Iterator[event.Event]:
         """The events since the last call, at least one within the time-out or none; raises LinkLost at the end."""
         for message in self.messages(timeout_s):
-            if not isinstance(message, Reply):
+            if not isinstance(message, NumberedResponse):
                 yield message
 
-    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | NumberedResponse]:
         """Events and replies to what was sent, as they came; raises LinkLost at the end."""
         if not self._news:
             self._news += self._connection.poll(timeout_s)
@@ -122,9 +122,9 @@ class Conversation:
             if isinstance(notice, SignalReceived):
                 yield event.decode(notice.body)
             elif isinstance(notice, ReplyReceived):
-                yield Reply(notice.number, request.decode_response(notice.body))
+                yield NumberedResponse(notice.number, request.decode_response(notice.body))
             elif isinstance(notice, RequestFailed):
-                yield Reply(notice.number, request.Refused(f"no answer: {notice.fate.value}"))
+                yield NumberedResponse(notice.number, request.Refused(f"no answer: {notice.fate.value}"))
             elif isinstance(notice, ReadingReceived):
                 self._readings[notice.key] = notice.body
             elif isinstance(notice, EpochChanged):

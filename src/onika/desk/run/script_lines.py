@@ -1,4 +1,4 @@
-"""A script: lines for a console in a file, one after another, `#` and what follows it left out (requirement A16)."""
+"""Reads a script: the lines of a file with their places, comments left out (requirement A16)."""
 
 from collections.abc import Iterator
 from pathlib import Path

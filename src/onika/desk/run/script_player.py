@@ -1,60 +1,60 @@
-"""The prompter: carries out a script while its run goes on, one line after another (requirements E07, E13)."""
+"""The script player: carries out the lines of a script one by one while a run goes on (requirements E07, E13)."""
 
 from collections import deque
 from collections.abc import Callable
 
-from onika.desk.run.pending_wait import Vigil
+from onika.desk.run.pending_wait import PendingWait
 from onika.desk.run.running_application import Running
-from onika.desk.run.steering import Look, Wait
-from onika.desk.run.steering_script import Cue
+from onika.desk.run.steering import PositionQuery, SteeringWait
+from onika.desk.run.steering_script import ScriptLine
 from onika.wire.steer import Position
 from onika.words.fault import Fault
 
-Told = Callable[[str, tuple[Fault, ...], tuple[Position, ...]], None]
+LineListener = Callable[[str, tuple[Fault, ...], tuple[Position, ...]], None]
 """A line that is carried out, what is wrong with it, and the positions where it asked for them."""
 
 
-class Prompter:
+class ScriptPlayer:
     """Whenever something has happened, `go_on` carries out the next line if its turn has come.
 
     The first line that fails ends the script, and the run with it.
     """
 
-    def __init__(self, running: Running, cues: tuple[Cue, ...], output: Told) -> None:
+    def __init__(self, running: Running, script_lines: tuple[ScriptLine, ...], output: LineListener) -> None:
         self._running = running
-        self._cues = deque(cues)
+        self._script_lines = deque(script_lines)
         self._told = output
-        self._vigil: Vigil | None = None
+        self._pending_wait: PendingWait | None = None
 
     @property
     def is_over(self) -> bool:
         """Whether no line is left."""
-        return not self._cues
+        return not self._script_lines
 
     @property
     def until_s(self) -> float | None:
         """The time at which the next line is looked at again, whatever happens."""
-        return None if self._vigil is None else self._vigil.until_s
+        return None if self._pending_wait is None else self._pending_wait.until_s
 
     def go_on(self) -> bool:
         """Carry out the next line if its turn has come; whether it has."""
         running = self._running
         if running.is_aborted:
-            self._cues.clear()  # why is told by the result
-        if not self._cues or not self._can_act:
+            self._script_lines.clear()  # why is told by the result
+        if not self._script_lines or not self._can_act:
             return False
-        cue = self._cues[0]
-        if isinstance(cue.act, Wait):
-            if self._vigil is None:
-                self._vigil = running.vigil(cue.act)
-            if not self._vigil.is_over:
+        script_line = self._script_lines[0]
+        if isinstance(script_line.act, SteeringWait):
+            if self._pending_wait is None:
+                self._pending_wait = running.pending_wait(script_line.act)
+            if not self._pending_wait.is_over:
                 return False
-            faults, self._vigil = self._vigil.faults(cue.place), None
+            faults, self._pending_wait = self._pending_wait.faults(script_line.place), None
         else:
-            faults = running.do(cue.act, cue.place)
-        self._cues.popleft()
-        positions = running.who() if isinstance(cue.act, Look) and not faults else ()
-        self._told(cue.text, faults, positions)
+            faults = running.do(script_line.act, script_line.place)
+        self._script_lines.popleft()
+        positions = running.who() if isinstance(script_line.act, PositionQuery) and not faults else ()
+        self._told(script_line.text, faults, positions)
         if faults:
             self._fail(faults)
         return True
@@ -65,10 +65,10 @@ class Prompter:
         running = self._running
         if running.is_over:
             return True
-        return (running.stands or not running.is_held) and not running.whereabouts.is_asking
+        return (running.stands or not running.is_held) and not running.flow_tracker.is_asking
 
     def _fail(self, faults: tuple[Fault, ...]) -> None:
-        self._cues.clear()
+        self._script_lines.clear()
         self._running.outcome.failed += faults
         if not self._running.is_over:
             self._running.abort(f"the script fails at {faults[0].place}")

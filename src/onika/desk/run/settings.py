@@ -1,9 +1,9 @@
-"""What a run is to be: the application, in which time, what is expected of it, and what becomes of it in trouble."""
+"""The settings of a run: the application, real or virtual time, what is expected, and what to do on an error."""
 
 from dataclasses import dataclass
 from pathlib import Path
 
-from onika.desk.run.recorded_run import Source
+from onika.desk.run.recorded_run import RecordingSource
 from onika.model.redirect import Redirect
 from onika.wire import request
 from onika.words.condition import Condition
@@ -52,7 +52,7 @@ class RunSettings:
 
     record: Path | None = None
     """The file of a recording to be made."""
-    source: Source | None = None
+    source: RecordingSource | None = None
     """A recording that is repeated up to an instant; its application, seed and answers count."""
 
     def begin(self, *, is_held: bool) -> request.Begin:

@@ -1,10 +1,10 @@
-"""The words of steering: a line that a person or a script says becomes an act (requirements E07, E08, E13)."""
+"""The steering language: parses a line such as `pause 0` into a request to the runtime (requirements E07, E08, E13)."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from onika.desk.plan.flow_index import Cast
-from onika.desk.run.wait_condition import Moment
+from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import live, request, steer
 from onika.words.condition import Condition
 
@@ -13,7 +13,7 @@ USUAL_S = 60.0
 
 
 @dataclass(frozen=True, slots=True)
-class Order:
+class SteeringOrder:
     """Something to ask of the runtime that changes the course."""
 
     message: request.Request
@@ -23,20 +23,20 @@ class Order:
 
 
 @dataclass(frozen=True, slots=True)
-class Look:
+class PositionQuery:
     """Who is where, and who waits for whom."""
 
 
 @dataclass(frozen=True, slots=True)
-class Wait:
-    """Go on at a moment; a fault where it does not come within the seconds."""
+class SteeringWait:
+    """Go on at a condition; a fault where it does not come within the seconds."""
 
-    moment: Moment
+    condition: WaitCondition
     within_s: float = USUAL_S
 
 
 @dataclass(frozen=True, slots=True)
-class Expect:
+class Expectation:
     """A fault where the condition does not hold now."""
 
     condition: Condition
@@ -44,7 +44,7 @@ class Expect:
     name: str
 
 
-Act = Order | Look | Wait | Expect
+Act = SteeringOrder | PositionQuery | SteeringWait | Expectation
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,17 +53,17 @@ class Verb:
 
     usage: str
     text: str
-    read: Callable[[list[str], Cast], Act]
+    read: Callable[[list[str], FlowIndex], Act]
 
 
-def act(line: str, cast: Cast) -> Act:
+def act(line: str, flow_index: FlowIndex) -> Act:
     """What a line means for these flows; raises ValueError that says what was expected and found."""
     name, *words = line.split() or [""]
     verb = VERBS.get(name)
     if verb is None:
         raise ValueError(f"expected one of {', '.join(VERBS)}, found {name!r}")
     try:
-        return verb.read(words, cast)
+        return verb.read(words, flow_index)
     except _Miswritten:
         raise ValueError(f"expected `{verb.usage}`, found `{line.strip()}`") from None
 
@@ -75,134 +75,134 @@ class _Miswritten(Exception):
 # -- which flow
 
 
-def _every(words: list[str], cast: Cast) -> str:
+def _every(words: list[str], flow_index: FlowIndex) -> str:
     """`[FLOW]`; empty means all of them."""
     if len(words) > 1:
         raise _Miswritten
-    return _named(words[0], cast) if words else cast.lone
+    return _named(words[0], flow_index) if words else flow_index.lone
 
 
-def _one(words: list[str], cast: Cast) -> str:
+def _one(words: list[str], flow_index: FlowIndex) -> str:
     """`[FLOW]`, which has to be said where there are several."""
-    return _every(words, cast) or _unsaid(cast)
+    return _every(words, flow_index) or _unsaid(flow_index)
 
 
-def _with_action(words: list[str], cast: Cast) -> tuple[str, int]:
+def _with_action(words: list[str], flow_index: FlowIndex) -> tuple[str, int]:
     """`[FLOW] N`: a first word that means a flow is one, if more follows; the name of an action may hold blanks."""
     if not words:
         raise _Miswritten
-    flow = cast.flow(words[0]) if len(words) > 1 else ""
+    flow = flow_index.flow(words[0]) if len(words) > 1 else ""
     rest = " ".join(words[1:] if flow else words)
-    flow = flow or cast.lone or _unsaid(cast)
-    return flow, cast.action(flow, rest)
+    flow = flow or flow_index.lone or _unsaid(flow_index)
+    return flow, flow_index.action(flow, rest)
 
 
-def _named(word: str, cast: Cast) -> str:
-    flow = cast.flow(word)
+def _named(word: str, flow_index: FlowIndex) -> str:
+    flow = flow_index.flow(word)
     if not flow:
-        raise ValueError(f"expected a flow ({', '.join(cast.subsystems)}) or its number, found {word!r}")
+        raise ValueError(f"expected a flow ({', '.join(flow_index.subsystems)}) or its number, found {word!r}")
     return flow
 
 
-def _unsaid(cast: Cast) -> str:
-    raise ValueError(f"expected which flow ({', '.join(cast.subsystems)}), found none")
+def _unsaid(flow_index: FlowIndex) -> str:
+    raise ValueError(f"expected which flow ({', '.join(flow_index.subsystems)}), found none")
 
 
 # -- acts
 
 
-def _to_all(kind: Callable[[str], request.Request]) -> Callable[[list[str], Cast], Act]:
-    def read(words: list[str], cast: Cast) -> Act:
-        flow = _every(words, cast)
-        return Order(kind(flow), flow)
+def _to_all(kind: Callable[[str], request.Request]) -> Callable[[list[str], FlowIndex], Act]:
+    def read(words: list[str], flow_index: FlowIndex) -> Act:
+        flow = _every(words, flow_index)
+        return SteeringOrder(kind(flow), flow)
 
     return read
 
 
-def _to_one(kind: Callable[[str], request.Request]) -> Callable[[list[str], Cast], Act]:
-    def read(words: list[str], cast: Cast) -> Act:
-        flow = _one(words, cast)
-        return Order(kind(flow), flow)
+def _to_one(kind: Callable[[str], request.Request]) -> Callable[[list[str], FlowIndex], Act]:
+    def read(words: list[str], flow_index: FlowIndex) -> Act:
+        flow = _one(words, flow_index)
+        return SteeringOrder(kind(flow), flow)
 
     return read
 
 
-def _next(words: list[str], cast: Cast) -> Act:
-    flow = _one(words, cast)
-    return Order(steer.Skip(flow), flow, is_skip=True)
+def _next(words: list[str], flow_index: FlowIndex) -> Act:
+    flow = _one(words, flow_index)
+    return SteeringOrder(steer.Skip(flow), flow, is_skip=True)
 
 
-def _skip(words: list[str], cast: Cast) -> Act:
-    flow, action = _with_action(words, cast)
-    return Order(steer.Skip(flow, action), flow, is_skip=True)
+def _skip(words: list[str], flow_index: FlowIndex) -> Act:
+    flow, action = _with_action(words, flow_index)
+    return SteeringOrder(steer.Skip(flow, action), flow, is_skip=True)
 
 
-def _break(words: list[str], cast: Cast) -> Act:
+def _break(words: list[str], flow_index: FlowIndex) -> Act:
     text = ""
     place = next((place for place, word in enumerate(words) if word.lower() == "if"), None)
     if place is not None:
         condition = Condition.parse(" ".join(words[place + 1 :]))
-        cast.home(condition.address)
+        flow_index.home(condition.address)
         words, text = words[:place], condition.text
-    flow, action = _with_action(words, cast)
-    return Order(steer.Mark(flow, action, True, text), flow)
+    flow, action = _with_action(words, flow_index)
+    return SteeringOrder(steer.Mark(flow, action, True, text), flow)
 
 
-def _unbreak(words: list[str], cast: Cast) -> Act:
-    flow, action = _with_action(words, cast)
-    return Order(steer.Mark(flow, action, False), flow)
+def _unbreak(words: list[str], flow_index: FlowIndex) -> Act:
+    flow, action = _with_action(words, flow_index)
+    return SteeringOrder(steer.Mark(flow, action, False), flow)
 
 
-def _abort(words: list[str], cast: Cast) -> Act:
-    del cast
-    return Order(request.Abort(" ".join(words) or "aborted by the user"))
+def _abort(words: list[str], flow_index: FlowIndex) -> Act:
+    del flow_index
+    return SteeringOrder(request.Abort(" ".join(words) or "aborted by the user"))
 
 
-def _who(words: list[str], cast: Cast) -> Act:
-    del cast
+def _who(words: list[str], flow_index: FlowIndex) -> Act:
+    del flow_index
     if words:
         raise _Miswritten
-    return Look()
+    return PositionQuery()
 
 
-def _touch(words: list[str], cast: Cast) -> Act:
-    del cast
+def _touch(words: list[str], flow_index: FlowIndex) -> Act:
+    del flow_index
     if len(words) != 3:
         raise _Miswritten
     try:
         value = float(words[2])
     except ValueError:
         raise ValueError(f"expected a number as the value, found {words[2]!r}") from None
-    return Order(live.Touch(words[0], words[1], value))
+    return SteeringOrder(live.Touch(words[0], words[1], value))
 
 
-def _expect(words: list[str], cast: Cast) -> Act:
+def _expect(words: list[str], flow_index: FlowIndex) -> Act:
     condition = Condition.parse(" ".join(words))
-    return Expect(condition, *cast.home(condition.address))
+    return Expectation(condition, *flow_index.home(condition.address))
 
 
-def _wait(words: list[str], cast: Cast) -> Act:
+def _wait(words: list[str], flow_index: FlowIndex) -> Act:
     within_s = USUAL_S
     if len(words) > 2 and words[-2] == "within":
         within_s, words = _seconds(words[-1]), words[:-2]
     if not words:
         raise _Miswritten
     kind, rest = words[0], words[1:]
-    if kind in ("began", "done") and _is_action(rest, cast):
-        flow, action = _with_action(rest, cast)
-        return Wait(Moment(kind, flow, action), within_s)
+    if kind in ("began", "done") and _is_action(rest, flow_index):
+        flow, action = _with_action(rest, flow_index)
+        return SteeringWait(WaitCondition(kind, flow, action), within_s)
     if kind in ("paused", "waiting", "stopped", "done"):
-        return Wait(Moment(kind, _every(rest, cast)), within_s)
+        return SteeringWait(WaitCondition(kind, _every(rest, flow_index)), within_s)
     if kind == "began" or rest:
         raise _Miswritten
-    return Wait(Moment("seconds", seconds=_seconds(kind)), within_s)
+    return SteeringWait(WaitCondition("seconds", seconds=_seconds(kind)), within_s)
 
 
-def _is_action(words: list[str], cast: Cast) -> bool:
+def _is_action(words: list[str], flow_index: FlowIndex) -> bool:
     """Whether an action is named, and not only a flow: where there is one flow, a lone number is an action."""
     if len(words) != 1:
         return bool(words)
-    return words[0] not in cast.subsystems and bool(cast.lone or not cast.flow(words[0]))
+    return words[0] not in flow_index.subsystems and bool(flow_index.lone or not flow_index.flow(words[0]))
 
 
 def _seconds(word: str) -> float:

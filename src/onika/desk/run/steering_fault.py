@@ -1,4 +1,4 @@
-"""What is said against a line of steering, as a fault at its place."""
+"""Turns what is wrong with a steering line into a fault at its place."""
 
 from onika.words.fault import Fault, Place
 

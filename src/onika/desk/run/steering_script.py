@@ -1,9 +1,9 @@
-"""A script that steers a run: lines in a file, read whole before anything moves (requirements E07, E13)."""
+"""A steering script: its file is read and checked whole before anything moves (requirements E07, E13)."""
 
 from dataclasses import dataclass
 from pathlib import Path
 
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.desk.run import script_lines as lines_of, steering
 from onika.desk.run.steering import Act
 from onika.desk.run.steering_fault import objection
@@ -11,7 +11,7 @@ from onika.words.fault import Fault, Place
 
 
 @dataclass(frozen=True, slots=True)
-class Cue:
+class ScriptLine:
     """One line: where it stands, what it says, what it means."""
 
     place: Place
@@ -19,23 +19,23 @@ class Cue:
     act: Act
 
 
-def load(path: Path, cast: Cast) -> tuple[tuple[Cue, ...], list[Fault]]:
+def load(path: Path, flow_index: FlowIndex) -> tuple[tuple[ScriptLine, ...], list[Fault]]:
     """The lines of a script for these flows, and everything that is wrong with them."""
     lines, faults = lines_of.load(path)
-    return ((), list(faults)) if lines is None else _judged(lines, cast)
+    return ((), list(faults)) if lines is None else _judged(lines, flow_index)
 
 
-def read(text: str, name: str, cast: Cast) -> tuple[tuple[Cue, ...], list[Fault]]:
+def read(text: str, name: str, flow_index: FlowIndex) -> tuple[tuple[ScriptLine, ...], list[Fault]]:
     """As `load`, from a text that is called so."""
-    return _judged(list(lines_of.lines(text, name)), cast)
+    return _judged(list(lines_of.lines(text, name)), flow_index)
 
 
-def _judged(lines: list[tuple[Place, str]], cast: Cast) -> tuple[tuple[Cue, ...], list[Fault]]:
-    cues: list[Cue] = []
+def _judged(lines: list[tuple[Place, str]], flow_index: FlowIndex) -> tuple[tuple[ScriptLine, ...], list[Fault]]:
+    script_lines: list[ScriptLine] = []
     faults: list[Fault] = []
     for place, line in lines:
         try:
-            cues.append(Cue(place, line, steering.act(line, cast)))
+            script_lines.append(ScriptLine(place, line, steering.act(line, flow_index)))
         except ValueError as wrong:
             faults.append(objection(place, str(wrong), "nothing is run"))
-    return tuple(cues), faults
+    return tuple(script_lines), faults

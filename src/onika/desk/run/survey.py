@@ -1,4 +1,4 @@
-"""A survey of files: every fault of a base directory, of one file, or of an application and all it needs (B07)."""
+"""Checks files: every fault of a base directory, a file, or an application with all it needs (requirement B07)."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -126,7 +126,7 @@ def _judge(files: list[Path], site: Site, note: Callable[[str], None]) -> list[F
 
 
 def _missing(file: Path, site: Site) -> list[Fault]:
-    """Tasks of a configuration that are nowhere on the search path (decision 11)."""
+    """Tasks of a configuration that are nowhere on the search path (reading 11)."""
     content, _ = text.load(file, str(file))
     configuration = None if content is None else conf.read(content, file.stem, str(file))[0]
     here = site.at(file.absolute().parent.parent)

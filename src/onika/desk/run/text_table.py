@@ -1,4 +1,4 @@
-"""A table as lines of text: columns as wide as they have to be, numbers to the right."""
+"""Formats a table as lines of text: columns as wide as they have to be, numbers to the right."""
 
 import re
 from collections.abc import Iterable, Sequence

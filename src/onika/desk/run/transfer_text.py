@@ -1,4 +1,4 @@
-"""What is said of steps in the inputs of hardware tasks where what drives them was exchanged (X04)."""
+"""Describes in a sentence how an input of hardware stepped when its source was exchanged (requirement X04)."""
 
 from collections.abc import Iterator, Sequence
 

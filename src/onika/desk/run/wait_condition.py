@@ -1,10 +1,10 @@
-"""A moment of a run that a script waits for."""
+"""A wait condition: what a script waits for, such as seconds, the beginning of an action, or a paused flow."""
 
 from dataclasses import dataclass
 
 
 @dataclass(frozen=True, slots=True)
-class Moment:
+class WaitCondition:
     """`seconds` later, or that an action has `began` or is `done`, or that a flow is in a state.
 
     The states are `paused`, `waiting`, `stopped` and `done` (without an action). Without a flow: any flow that waits

@@ -1,4 +1,4 @@
-"""A picture of a world: its snapshot drawn by a program of its own, so that nothing here needs graphics."""
+"""Draws a picture of a world: a separate program renders the snapshot, so that nothing here needs graphics."""
 
 import os
 import subprocess

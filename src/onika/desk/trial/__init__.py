@@ -1,1 +1,1 @@
-"""Trials: runs that are kept as tests, done again and judged (requirement X07)."""
+"""Trials: a run is kept as a test, run again later, and judged (requirement X07)."""

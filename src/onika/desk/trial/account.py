@@ -1,4 +1,4 @@
-"""An account of a run in virtual time: what was done, how long it took, what was so after each action."""
+"""An account of a run in virtual time: its actions, their durations, and the values of variables after each."""
 
 import hashlib
 from collections.abc import Iterator
@@ -11,9 +11,9 @@ from msgspec.structs import replace
 from onika.desk.run.run import NotRun, start
 from onika.desk.run.running_application import Running
 from onika.desk.run.settings import RunSettings
-from onika.desk.trial.variables import Variable, kept_after, robots
+from onika.desk.trial.variables import KeptVariable, kept_after, robots
 from onika.link.lost import LinkLost
-from onika.model.kept import Meeting
+from onika.model.kept import KeptMeeting
 from onika.store.site import Site
 from onika.wire import event
 from onika.wire.plan import Plan
@@ -29,34 +29,34 @@ Elements = dict[str, tuple[float, ...]]
 
 
 @dataclass(slots=True)
-class Passed:
+class CompletedAction:
     """An action that was carried out, and what was so when it had ended."""
 
     name: str
     began_s: float
     ended_s: float
-    variables: tuple[Variable, ...] = ()
+    variables: tuple[KeptVariable, ...] = ()
     values: Elements = field(default_factory=dict)
 
 
 @dataclass(slots=True)
-class Part:
+class FlowAccount:
     """What happened on one subsystem; `current` is the action that goes on."""
 
     subsystem: str
     robots: tuple[tuple[str, str], ...]
-    passed: list[Passed] = field(default_factory=list)
+    passed: list[CompletedAction] = field(default_factory=list)
     at_end: Elements = field(default_factory=dict)
-    current: Passed | None = None
+    current: CompletedAction | None = None
 
 
 @dataclass(slots=True)
-class Account:
+class RunAccount:
     """What happened in a run. `cause` says why it did not come to its end, empty: it did; `refusals` why none began."""
 
     digest: str = ""
-    parts: list[Part] = field(default_factory=list)
-    meetings: list[Meeting] = field(default_factory=list)
+    parts: list[FlowAccount] = field(default_factory=list)
+    meetings: list[KeptMeeting] = field(default_factory=list)
     expectations: list[tuple[str, Any, bool]] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
     cause: str = ""
@@ -65,9 +65,9 @@ class Account:
     hash: str = ""
 
 
-def give_account(settings: RunSettings, site: Site, limit_s: float = LONGEST_S) -> Account:
+def give_account(settings: RunSettings, site: Site, limit_s: float = LONGEST_S) -> RunAccount:
     """Run an application in virtual time and look at it after each action; it is ended after so many seconds of it."""
-    account = Account()
+    account = RunAccount()
     try:
         with start(settings, site) as running:
             _watch(running, account, limit_s)
@@ -106,28 +106,28 @@ def timed_events(running: Running, limit_s: float) -> Iterator[event.Event]:
         if running.now_s >= limit_s:
             running.abort(f"it has not come to its end after {limit_s:g} s")
         elif running.is_stuck():
-            running.abort(f"nobody is there to go on: {running.whereabouts.standing()}")
+            running.abort(f"nobody is there to go on: {running.flow_tracker.standing()}")
         running.go_on(limit_s)
     yield from (*pending, *running.hear())
 
 
-def _watch(running: Running, account: Account, limit_s: float) -> None:
+def _watch(running: Running, account: RunAccount, limit_s: float) -> None:
     plan, sheets = running.plan, running.sheets()
     account.digest = digest_of(plan)
-    account.parts = [Part(flow.subsystem, robots(flow, sheets)) for flow in plan.flows]
-    kept: dict[tuple[int, int], tuple[Variable, ...]] = {}
+    account.parts = [FlowAccount(flow.subsystem, robots(flow, sheets)) for flow in plan.flows]
+    kept: dict[tuple[int, int], tuple[KeptVariable, ...]] = {}
     for message in timed_events(running, limit_s):
         match message:
             case event.Began() if not plan.flows[message.flow].actions[message.index].is_noop:
                 action = plan.flows[message.flow].actions[message.index]
                 if (message.flow, message.index) not in kept:
                     kept[message.flow, message.index] = kept_after(plan.flows[message.flow], action, sheets)
-                began = Passed(action.name, message.at_s, message.at_s, kept[message.flow, message.index])
+                began = CompletedAction(action.name, message.at_s, message.at_s, kept[message.flow, message.index])
                 account.parts[message.flow].current = began
             case event.Done():
                 _done(running, account.parts[message.flow], message.at_s)
             case event.Met():
-                account.meetings.append(Meeting(message.tag.rpartition(" ")[2], message.subsystems))
+                account.meetings.append(KeptMeeting(message.tag.rpartition(" ")[2], message.subsystems))
             case event.Failed() | event.Warned() if message.task:
                 account.warnings.append(f"{message.subsystem}, {message.task}: {message.text}")
             case event.Result():
@@ -140,7 +140,7 @@ def _watch(running: Running, account: Account, limit_s: float) -> None:
         part.at_end = _read(running, part, tuple(seen.values()))
 
 
-def _done(running: Running, part: Part, at_s: float) -> None:
+def _done(running: Running, part: FlowAccount, at_s: float) -> None:
     passed, part.current = part.current, None
     if passed is not None:
         passed.ended_s = at_s
@@ -148,7 +148,7 @@ def _done(running: Running, part: Part, at_s: float) -> None:
         part.passed.append(passed)
 
 
-def _read(running: Running, part: Part, variables: tuple[Variable, ...]) -> Elements:
+def _read(running: Running, part: FlowAccount, variables: tuple[KeptVariable, ...]) -> Elements:
     elements: Elements = {}
     for variable in variables:
         value = running.read(f"{part.subsystem}/{variable.name}")

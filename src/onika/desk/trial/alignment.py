@@ -1,4 +1,4 @@
-"""What was done against what was kept: which actions are the same, missing, new, or have another target (X07)."""
+"""Aligns the actions of a run with those kept: the same, missing, new, or with another target (requirement X07)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Where tests are at home: in a folder beside the applications of a base directory (requirement X07)."""
+"""Where test files lie: in a folder beside the applications of a base directory (requirement X07)."""
 
 from pathlib import Path
 

@@ -1,9 +1,9 @@
-"""Judging a run by what was kept of another: in words, what is not as it was, and since when (requirement X07)."""
+"""Judges a run against a kept one: says in sentences what differs, and since when (requirement X07)."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from onika.desk.trial.account import Account, Elements, Part, Passed
+from onika.desk.trial.account import CompletedAction, Elements, FlowAccount, RunAccount
 from onika.desk.trial.alignment import Pair, align
 from onika.files.line import show_number
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
@@ -26,7 +26,7 @@ class Verdict:
         return not self.failures
 
 
-def judge(kept: KeptRun, account: Account) -> Verdict:
+def judge(kept: KeptRun, account: RunAccount) -> Verdict:
     """Compare a run with what was kept of an earlier one."""
     if account.refusals:
         more = len(account.refusals) - _SHOWN
@@ -65,7 +65,7 @@ def judge(kept: KeptRun, account: Account) -> Verdict:
 class _Judging:
     """One flow."""
 
-    def __init__(self, flow: KeptFlow, part: Part, *, is_whole: bool) -> None:
+    def __init__(self, flow: KeptFlow, part: FlowAccount, *, is_whole: bool) -> None:
         self._flow = flow
         self._part = part
         self._is_whole = is_whole
@@ -124,7 +124,7 @@ class _Judging:
         else:
             self.failures.append(f"{self._where}: expected {_named(at, kept.name)}, found it missing")
 
-    def _both(self, at: int, kept: KeptAction, done: Passed, is_after_gap: bool) -> None:
+    def _both(self, at: int, kept: KeptAction, done: CompletedAction, is_after_gap: bool) -> None:
         where = f"after {_named(at, kept.name)} at {done.ended_s:.2f} s"
         if kept.name != done.name:
             self.notes.append(f"{self._where}: {_named(at, kept.name)} is {done.name} now; what it does is judged")
@@ -168,7 +168,7 @@ def _since(name: str, wrong: Sequence[tuple[str, str, str]]) -> str:
     return f"{name}{which} {where}: {text}{again}"
 
 
-def _units(some: Sequence[Passed]) -> dict[str, str]:
+def _units(some: Sequence[CompletedAction]) -> dict[str, str]:
     units: dict[str, str] = {}
     for passed in some:
         for variable in passed.variables:
@@ -181,7 +181,7 @@ def _units(some: Sequence[Passed]) -> dict[str, str]:
     return units
 
 
-def _meetings(kept: KeptRun, account: Account) -> Iterator[str]:
+def _meetings(kept: KeptRun, account: RunAccount) -> Iterator[str]:
     expected = [f"{meeting.tag} of {' and '.join(sorted(meeting.subsystems))}" for meeting in kept.meetings]
     met = [f"{meeting.tag} of {' and '.join(sorted(meeting.subsystems))}" for meeting in account.meetings]
     if expected != met:

@@ -1,4 +1,4 @@
-"""The outcome of tests as JUnit writes it, for build servers (requirement X07)."""
+"""Writes the outcome of tests as JUnit XML, for build servers (requirement X07)."""
 
 import re
 from collections.abc import Sequence

@@ -1,4 +1,4 @@
-"""Keeping a run as a test: what is asked of later ones is chosen by what stays the same in shaken ones (X07)."""
+"""Keeps a run as a test: demands of later runs what stays the same when the run is disturbed (requirement X07)."""
 
 from collections.abc import Callable, Collection, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -6,10 +6,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from onika.desk.run.settings import RunSettings
-from onika.desk.trial.account import Account, Elements, Part, Passed, give_account
+from onika.desk.trial.account import CompletedAction, Elements, FlowAccount, RunAccount, give_account
 from onika.desk.trial.home import home_of
 from onika.desk.trial.tolerance import LASTS_S, demand, readable, tolerance
-from onika.desk.trial.variables import FLOORS, Variable
+from onika.desk.trial.variables import FLOORS, KeptVariable
 from onika.files import kept, text, whole
 from onika.model.kept import Demand, KeptAction, KeptFlow, KeptRun
 from onika.store.site import Site
@@ -62,7 +62,7 @@ def keep(
     return kept_of(settings, first, others)
 
 
-def _one_by_one(attempts: Sequence[RunSettings], site: Site, progress: Progress) -> Iterable[Account]:
+def _one_by_one(attempts: Sequence[RunSettings], site: Site, progress: Progress) -> Iterable[RunAccount]:
     """Of a run that cannot be kept the others say nothing: they are not done."""
     for number, attempt in enumerate(attempts, start=1):
         progress(number, len(attempts))
@@ -72,7 +72,7 @@ def _one_by_one(attempts: Sequence[RunSettings], site: Site, progress: Progress)
             return
 
 
-def _is_good(account: Account) -> bool:
+def _is_good(account: RunAccount) -> bool:
     return not (account.refusals or account.cause) and all(holds for _, _, holds in account.expectations)
 
 
@@ -130,7 +130,7 @@ def store(keepsake: KeptRun, path: Path) -> Refusal | None:
     return done if isinstance(done, Refusal) else None
 
 
-def kept_of(settings: RunSettings, first: Account, others: Sequence[Account]) -> Keepsake:
+def kept_of(settings: RunSettings, first: RunAccount, others: Sequence[RunAccount]) -> Keepsake:
     """What is kept of a run, by the accounts of it and of others that are as good."""
     if first.refusals:
         return Keepsake(None, refusal="; ".join(map(str, first.refusals)))
@@ -186,11 +186,11 @@ def _plain(settings: RunSettings) -> RunSettings:
     )
 
 
-def _way(account: Account) -> list[list[str]]:
+def _way(account: RunAccount) -> list[list[str]]:
     return [[passed.name for passed in part.passed] for part in account.parts]
 
 
-def _flow(number: int, first: Account, alike: Sequence[Account]) -> KeptFlow:
+def _flow(number: int, first: RunAccount, alike: Sequence[RunAccount]) -> KeptFlow:
     part, others = first.parts[number], [account.parts[number] for account in alike]
     actions = []
     for at, passed in enumerate(part.passed):
@@ -201,7 +201,9 @@ def _flow(number: int, first: Account, alike: Sequence[Account]) -> KeptFlow:
     return KeptFlow(part.subsystem, part.robots, notices, tuple(_at_end(part, others)))
 
 
-def _action(passed: Passed, following: Passed | None, others: Sequence[Passed]) -> KeptAction:
+def _action(
+    passed: CompletedAction, following: CompletedAction | None, others: Sequence[CompletedAction]
+) -> KeptAction:
     lasted = [account.ended_s - account.began_s for account in (passed, *others)]
     within = tolerance(LASTS_S, max(abs(duration - lasted[0]) for duration in lasted))
     within = within if within is not None else round(max(lasted), 1)
@@ -210,7 +212,7 @@ def _action(passed: Passed, following: Passed | None, others: Sequence[Passed]) 
     return KeptAction(passed.name, readable(lasted[0], within), within, tuple(after))
 
 
-def _lasts(reference: Variable, passed: Passed, following: Passed | None) -> bool:
+def _lasts(reference: KeptVariable, passed: CompletedAction, following: CompletedAction | None) -> bool:
     """Whether what was read is still the reference of this action: the next one has begun at the same instant.
 
     It is where nobody else writes it, and where the robot stands just there.
@@ -230,12 +232,12 @@ def _lasts(reference: Variable, passed: Passed, following: Passed | None) -> boo
     )
 
 
-def _at_end(part: Part, others: Sequence[Part]) -> Iterable[Demand]:
+def _at_end(part: FlowAccount, others: Sequence[FlowAccount]) -> Iterable[Demand]:
     seen = {variable.name: variable for passed in part.passed for variable in passed.variables if variable.is_measured}
     return _demands(seen.values(), part.at_end, [account.at_end for account in others])
 
 
-def _demands(variables: Iterable[Variable], values: Elements, others: Sequence[Elements]) -> Iterable[Demand]:
+def _demands(variables: Iterable[KeptVariable], values: Elements, others: Sequence[Elements]) -> Iterable[Demand]:
     for variable in variables:
         for address in values:
             if address == variable.name or address.startswith(f"{variable.name}["):

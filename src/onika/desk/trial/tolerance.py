@@ -1,4 +1,4 @@
-"""How exactly something can be asked for: from how much it differs in runs that are all as good (requirement X07)."""
+"""Chooses the tolerance of a demand from how much a value differs in equally good runs (requirement X07)."""
 
 import math
 from collections.abc import Sequence

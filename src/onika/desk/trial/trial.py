@@ -1,4 +1,4 @@
-"""Doing kept runs again: from test files to verdicts, several at a time (requirement X07)."""
+"""Runs kept tests again: from test files to verdicts, several at a time (requirement X07)."""
 
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor

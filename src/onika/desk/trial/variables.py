@@ -1,4 +1,4 @@
-"""Which variables are worth keeping of a run, by what modules declare of them; their names mean nothing here.
+"""Chooses the variables of a run that are worth keeping, by what modules declare; their names mean nothing here.
 
 What a task with a device says of the world is *measured*. A *reference* is what a trigger writes as a single number,
 and what any task writes in the type, shape and unit of something that hardware of the same flow measures. Forces,
@@ -25,7 +25,7 @@ Sheets = Mapping[str, ModuleSheet]
 
 
 @dataclass(frozen=True, slots=True)
-class Variable:
+class KeptVariable:
     """A variable that is worth keeping: its unit, or those of its elements where they differ, and who writes it."""
 
     name: str
@@ -45,7 +45,7 @@ def robots(flow: PlannedFlow, sheets: Sheets) -> tuple[tuple[str, str], ...]:
     return tuple((task.name, _device(task)) for task in flow.tasks if _sheet(task, sheets, "hardware"))
 
 
-def kept_after(flow: PlannedFlow, action: PlannedAction, sheets: Sheets) -> tuple[Variable, ...]:
+def kept_after(flow: PlannedFlow, action: PlannedAction, sheets: Sheets) -> tuple[KeptVariable, ...]:
     """The variables to be kept after an action: of the tasks that are on in it, measured ones first."""
     on = [task for task in flow.tasks if task.name in action.tasks]
     forms = {(port.shape, port.unit) for task in flow.tasks if _device(task) for port in _outputs(task, sheets)}
@@ -53,7 +53,7 @@ def kept_after(flow: PlannedFlow, action: PlannedAction, sheets: Sheets) -> tupl
     return tuple(sorted(variables, key=lambda variable: (not variable.is_measured, variable.name)))
 
 
-def _variables(task: PlannedTask, sheets: Sheets, forms: set[tuple[str, str]]) -> Iterator[Variable]:
+def _variables(task: PlannedTask, sheets: Sheets, forms: set[tuple[str, str]]) -> Iterator[KeptVariable]:
     is_measured, is_trigger = bool(_device(task)), _sheet(task, sheets, "trigger")
     for port in _outputs(task, sheets):
         shape = Shape.parse(port.shape)
@@ -62,7 +62,7 @@ def _variables(task: PlannedTask, sheets: Sheets, forms: set[tuple[str, str]]) -
         is_plain = len(shape.dims) < 2 and (shape.type.is_whole or shape.type.is_real)
         if is_wanted and is_plain and (shape.type.is_whole or any(unit in FLOORS for unit in units)):
             (name,) = resolve((port.name,), dict(task.aliases))
-            yield Variable(name, units, shape.type.is_real, is_measured, task.name)
+            yield KeptVariable(name, units, shape.type.is_real, is_measured, task.name)
 
 
 def _outputs(task: PlannedTask, sheets: Sheets) -> list[PortSheet]:

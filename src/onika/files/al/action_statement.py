@@ -1,12 +1,12 @@
-"""A statement of the text: an action with its targets, a target by itself or a hole, as steps of a flow."""
+"""Reads one statement of AL into steps: an action with its targets, a target by itself, or a hole."""
 
 from collections.abc import Iterator
 from dataclasses import replace
 
 from onika.files.al import token as word, verb
-from onika.files.al.logical_line import Sentence, Token, joined
-from onika.files.al.token_stream import Phrase
-from onika.files.al.where_section import Glossary
+from onika.files.al.logical_line import Statement, Token, joined
+from onika.files.al.token_stream import TokenStream
+from onika.files.al.where_section import WhereSection
 from onika.files.line import show
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
@@ -17,9 +17,9 @@ HEADS = (*verb.VERBS, *verb.PREPOSITIONS, "HOLE")
 """The words a statement begins with."""
 
 
-def read(sentence: Sentence, glossary: Glossary, syntax: Syntax) -> list[Icon | Hole]:
+def read(sentence: Statement, glossary: WhereSection, syntax: Syntax) -> list[Icon | Hole]:
     """Its steps, at least one; raises ValueError "expected …, found …" for a sentence that is no statement."""
-    phrase = Phrase(sentence)
+    phrase = TokenStream(sentence)
     number = sentence.number
     steps: list[Icon | Hole] = []
     if phrase.takes("HOLE"):
@@ -38,7 +38,7 @@ def read(sentence: Sentence, glossary: Glossary, syntax: Syntax) -> list[Icon | 
     return steps
 
 
-def _action(called: str, phrase: Phrase, glossary: Glossary, syntax: Syntax) -> Onikon:
+def _action(called: str, phrase: TokenStream, glossary: WhereSection, syntax: Syntax) -> Onikon:
     if called in verb.HANDS:
         phrase.takes("HAND")
     onikon = _found(phrase, "the name of a job or application", glossary)
@@ -51,7 +51,7 @@ def _action(called: str, phrase: Phrase, glossary: Glossary, syntax: Syntax) -> 
     return onikon
 
 
-def _target(phrase: Phrase, glossary: Glossary, syntax: Syntax) -> Onikon:
+def _target(phrase: TokenStream, glossary: WhereSection, syntax: Syntax) -> Onikon:
     onikon = _found(phrase, "the name of a target", glossary)
     kind = syntax.find(onikon.type)
     if kind is None or not kind.is_target:
@@ -61,7 +61,7 @@ def _target(phrase: Phrase, glossary: Glossary, syntax: Syntax) -> Onikon:
     return replace(onikon, values=tuple(_values(phrase, kind)))
 
 
-def _hole(phrase: Phrase, glossary: Glossary, number: int) -> Hole:
+def _hole(phrase: TokenStream, glossary: WhereSection, number: int) -> Hole:
     at = phrase.rest()
     variant = phrase.variant(default=0)
     if variant and variant not in glossary.holes:
@@ -69,7 +69,7 @@ def _hole(phrase: Phrase, glossary: Glossary, number: int) -> Hole:
     return Hole(number, glossary.holes[variant] if variant else "")
 
 
-def _found(phrase: Phrase, meaning: str, glossary: Glossary) -> Onikon:
+def _found(phrase: TokenStream, meaning: str, glossary: WhereSection) -> Onikon:
     name = phrase.name(meaning, word.KEYWORDS)
     variant = phrase.variant()
     onikon = glossary.find(name, variant)
@@ -80,7 +80,7 @@ def _found(phrase: Phrase, meaning: str, glossary: Glossary) -> Onikon:
     return onikon
 
 
-def _values(phrase: Phrase, kind: IconType) -> Iterator[tuple[Value, ...]]:
+def _values(phrase: TokenStream, kind: IconType) -> Iterator[tuple[Value, ...]]:
     """The values of a target between its parentheses, data item by data item."""
     for at, item in enumerate(kind.items):
         if at and not phrase.takes(";"):
@@ -90,7 +90,7 @@ def _values(phrase: Phrase, kind: IconType) -> Iterator[tuple[Value, ...]]:
         raise ValueError(f"expected ) behind the values of {kind.name}, found {phrase.rest()}")
 
 
-def _item(phrase: Phrase, item: DataItem) -> tuple[Value, ...]:
+def _item(phrase: TokenStream, item: DataItem) -> tuple[Value, ...]:
     left = phrase.left
     if len(left) > 1 and left[1].says("="):
         label = phrase.token("the name of a data item", "word", "text").value

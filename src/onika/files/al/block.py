@@ -1,9 +1,9 @@
-"""An open block of the text while it is read: its flow so far, its parts before, and what waits for an action."""
+"""A block of AL that is being read: its flow so far, its parts before, and marks that wait for an action."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 
-from onika.files.al.logical_line import Sentence
+from onika.files.al.logical_line import Statement
 from onika.model.application import AppFlow, Branch, Hole, Icon, Step
 
 ENDS = {
@@ -21,7 +21,7 @@ ENDS = {
 class LoopMark:
     """A TAG, one end of a loop that is no block."""
 
-    sentence: Sentence
+    sentence: Statement
     tag: str
     is_test: bool
     condition: str
@@ -32,7 +32,7 @@ class Block:
     """One block: `kind` is the word it begins with, `items` the statements of the part that is being read."""
 
     kind: str
-    opened: Sentence
+    opened: Statement
     is_implied: bool = False
     """Whether its BEGIN is lacking, which is told already."""
     depth: int = 0
@@ -48,7 +48,7 @@ class Block:
     """Of a WHILE that came to its DO: the statements before that."""
     condition: str = ""
     """Of a WHILE: the one its DO says."""
-    synch: tuple[Sentence, str] | None = None
+    synch: tuple[Statement, str] | None = None
     """A SYNCH that waits for its action."""
     loop_mark: LoopMark | None = None
     """A TAG that waits for its action."""

@@ -1,11 +1,11 @@
-"""A sentence of the text: one line, or several where a parenthesis is open, without its comments."""
+"""Splits a text of AL into statements: one line, or several where a parenthesis is open, without comments."""
 
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from onika.files.al import token as word
-from onika.files.line import Reading, show
+from onika.files.line import TextReading, show
 
 _SIGN = re.compile(
     r"""(?P<blank>[ \t\r]+) | (?P<end>\n) | (?P<comment>\{[^}]*\})
@@ -38,7 +38,7 @@ class Token:
 
 
 @dataclass(frozen=True, slots=True)
-class Sentence:
+class Statement:
     """Its tokens, at least one."""
 
     tokens: tuple[Token, ...]
@@ -61,7 +61,7 @@ def joined(tokens: Sequence[Token]) -> str:
     return "".join(parts)
 
 
-def sentences(text: str, reading: Reading) -> tuple[list[Sentence], int]:
+def sentences(text: str, reading: TextReading) -> tuple[list[Statement], int]:
     """The sentences up to the line WHERE, and the place in `text` behind it, -1 where there is none.
 
     Faults go to `reading`, whose `end` becomes the last line of the sentences.
@@ -75,7 +75,7 @@ def sentences(text: str, reading: Reading) -> tuple[list[Sentence], int]:
     return list(_grouped(said, reading)), where.end() if where else -1
 
 
-def _grouped(text: str, reading: Reading) -> Iterator[Sentence]:
+def _grouped(text: str, reading: TextReading) -> Iterator[Statement]:
     """A new sentence on every line, but within parentheses, where only a word of the language begins one."""
     tokens: list[Token] = []
     depth = 0
@@ -89,14 +89,14 @@ def _grouped(text: str, reading: Reading) -> Iterator[Sentence]:
         yield _whole(tokens, depth, reading)
 
 
-def _whole(tokens: Sequence[Token], depth: int, reading: Reading) -> Sentence:
-    sentence = Sentence(tuple(tokens))
+def _whole(tokens: Sequence[Token], depth: int, reading: TextReading) -> Statement:
+    sentence = Statement(tuple(tokens))
     if depth > 0:
         reading.fault(sentence.number, "a ) for every (", str(sentence))
     return sentence
 
 
-def _tokens(text: str, reading: Reading) -> Iterator[Token]:
+def _tokens(text: str, reading: TextReading) -> Iterator[Token]:
     at, number, told = 0, 1, 0
     while found := _SIGN.match(text, at):
         kind, value, at = str(found.lastgroup), found[0], found.end()
@@ -109,7 +109,7 @@ def _tokens(text: str, reading: Reading) -> Iterator[Token]:
         number += value.count("\n")
 
 
-def _pass_over(text: str, at: int, number: int, reading: Reading | None) -> int:
+def _pass_over(text: str, at: int, number: int, reading: TextReading | None) -> int:
     """Report a sign that begins nothing; gives where to go on: the end of the line where a brace or quote is open."""
     end = text.find("\n", at)
     end = len(text) if end < 0 else end

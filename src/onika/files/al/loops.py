@@ -1,4 +1,4 @@
-"""The loops of a flow that can be shown as blocks: well formed, apart or one within the other (decision 23)."""
+"""Finds the loops of a flow that can be written as blocks: well formed, apart or nested (reading 23)."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,7 +7,7 @@ from onika.model.application import Icon
 
 
 @dataclass(frozen=True, slots=True)
-class Loop:
+class LoopBlock:
     """A loop as a block of statements; the test is the first or the last of them."""
 
     tag: str
@@ -17,7 +17,7 @@ class Loop:
     condition: str
 
 
-def loops(heads: Sequence[Icon | None]) -> tuple[Loop, ...]:
+def loops(heads: Sequence[Icon | None]) -> tuple[LoopBlock, ...]:
     """The loops among statements, each given by the icon that bears its marks, None where there is none.
 
     A tag that is lacking a partner or a test, or whose loop would cross another one, is none of them.
@@ -27,7 +27,7 @@ def loops(heads: Sequence[Icon | None]) -> tuple[Loop, ...]:
         if icon is not None and icon.while_tag is not None:
             places.setdefault(icon.while_tag, []).append(at)
     whole = {tag: _loop(tag, heads, at) for tag, at in places.items()}
-    found: list[Loop] = []
+    found: list[LoopBlock] = []
     begun: list[str] = []
     for at, icon in enumerate(heads):
         tag = icon.while_tag if icon is not None else None
@@ -44,7 +44,7 @@ def loops(heads: Sequence[Icon | None]) -> tuple[Loop, ...]:
     return tuple(sorted(found, key=lambda loop: loop.first))
 
 
-def _loop(tag: str, heads: Sequence[Icon | None], at: Sequence[int]) -> Loop | None:
+def _loop(tag: str, heads: Sequence[Icon | None], at: Sequence[int]) -> LoopBlock | None:
     """The loop of a tag by itself."""
     if len(at) != 2:
         return None
@@ -52,4 +52,4 @@ def _loop(tag: str, heads: Sequence[Icon | None], at: Sequence[int]) -> Loop | N
     if first is None or last is None or first.while_test == last.while_test:
         return None
     test, anchor = (first, last) if first.while_test else (last, first)
-    return None if anchor.while_if else Loop(tag, at[0], at[1], first.while_test, test.while_if)
+    return None if anchor.while_if else LoopBlock(tag, at[0], at[1], first.while_test, test.while_if)

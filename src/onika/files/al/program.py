@@ -1,15 +1,15 @@
-"""The program of a text, block by block: sentences come, flows are made (dissertation §4.4)."""
+"""Builds flows from the statements of an AL text, block by block (§4.4)."""
 
 from collections import Counter
 from collections.abc import Callable
 
 from onika.files.al import action_statement
 from onika.files.al.block import ENDS, Block, LoopMark, marked
-from onika.files.al.logical_line import Sentence, Token
-from onika.files.al.token_stream import Phrase, halves
-from onika.files.al.where_section import Glossary
+from onika.files.al.logical_line import Statement, Token
+from onika.files.al.token_stream import TokenStream, halves
+from onika.files.al.where_section import WhereSection
 from onika.files.flow import DEEPEST
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.model.application import AppFlow, Icon, Step
 from onika.model.syntax import Syntax
 
@@ -19,10 +19,10 @@ _MIDDLE = {"ELSEIF": "IF", "ELSE": "IF", "DO": "WHILE"}
 _STATEMENT = "statement"
 
 
-class Program:
+class TextProgram:
     """The blocks that are open while sentences come, and the whole once all are closed."""
 
-    def __init__(self, syntax: Syntax, known: Glossary, reading: Reading) -> None:
+    def __init__(self, syntax: Syntax, known: WhereSection, reading: TextReading) -> None:
         self._syntax = syntax
         self._glossary = known
         self._reading = reading
@@ -32,7 +32,7 @@ class Program:
         self._has_more = False
         self.is_parallel = False
 
-    def take(self, sentence: Sentence) -> None:
+    def take(self, sentence: Statement) -> None:
         """One sentence; what is wrong with it is reported, and the next one may come."""
         try:
             self._take(sentence)
@@ -49,7 +49,7 @@ class Program:
 
     # -- one sentence
 
-    def _take(self, sentence: Sentence) -> None:
+    def _take(self, sentence: Statement) -> None:
         form = _form(sentence.tokens)
         if form in _CLOSES or form in _MIDDLE:
             self._reach(_CLOSES.get(form) or _MIDDLE[form], form, sentence)
@@ -72,7 +72,7 @@ class Program:
             known = (*action_statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
             raise ValueError(f"expected a word of the language ({' '.join(known)}), found {sentence}")
 
-    def _statement(self, block: Block, sentence: Sentence) -> None:
+    def _statement(self, block: Block, sentence: Statement) -> None:
         try:
             steps = action_statement.read(sentence, self._glossary, self._syntax)
         except ValueError:
@@ -82,7 +82,7 @@ class Program:
             self._check_waiting(block)
         block.add(steps)
 
-    def _inner(self, sentence: Sentence) -> Block:
+    def _inner(self, sentence: Statement) -> Block:
         """The block in which statements may stand; where its BEGIN is lacking, that is reported once."""
         if not self._open or self._open[-1].holds_flows:
             self._reading.fault(sentence.number, "BEGIN" if self._open else "BEGIN, COBEGIN or CASE OF", str(sentence))
@@ -91,8 +91,8 @@ class Program:
 
     # -- blocks
 
-    def _begin(self, form: str, sentence: Sentence) -> None:
-        phrase = Phrase(sentence, len(form.split()))
+    def _begin(self, form: str, sentence: Statement) -> None:
+        phrase = TokenStream(sentence, len(form.split()))
         if form == "BEGIN" and self._open and not self._open[-1].holds_flows:
             raise ValueError(f"expected BEGIN only at the begin or within COBEGIN or CASE OF, found {sentence}")
         if form == "COBEGIN" and self._open:
@@ -110,7 +110,7 @@ class Program:
             block.tag = phrase.tag()
         phrase.end()
 
-    def _reach(self, kind: str, form: str, sentence: Sentence) -> None:
+    def _reach(self, kind: str, form: str, sentence: Statement) -> None:
         """Close what is open within the block that a sentence ends or divides."""
         if not self._kinds[kind]:
             raise ValueError(f"expected {kind} before {form}, found none open")
@@ -133,10 +133,10 @@ class Program:
         if not block.is_implied:
             self._reading.fault(number, f"{ENDS[block.kind]} for {block.opened} of line {block.opened.number}", found)
 
-    def _divide(self, form: str, sentence: Sentence) -> None:
+    def _divide(self, form: str, sentence: Statement) -> None:
         block = self._open[-1]
         self._check_waiting(block)
-        phrase = Phrase(sentence, 1)
+        phrase = TokenStream(sentence, 1)
         if block.is_last:
             raise ValueError(f"expected {ENDS[block.kind]}, found {sentence}")
         block.is_last = form != "ELSEIF"
@@ -151,10 +151,10 @@ class Program:
                 block.conditions[-1] = phrase.condition("THEN")
         phrase.end()
 
-    def _close(self, form: str, sentence: Sentence) -> None:
+    def _close(self, form: str, sentence: Statement) -> None:
         block = self._pop()
         self._check_waiting(block)
-        phrase = Phrase(sentence, len(form.split()))
+        phrase = TokenStream(sentence, len(form.split()))
         outer = self._open[-1] if self._open else None
         if outer:
             outer.takes_break = False
@@ -168,7 +168,7 @@ class Program:
         elif outer is not None:
             self._close_inner(block, outer, sentence, phrase)
 
-    def _close_inner(self, block: Block, outer: Block, sentence: Sentence, phrase: Phrase) -> None:
+    def _close_inner(self, block: Block, outer: Block, sentence: Statement, phrase: TokenStream) -> None:
         if block.kind in ("WHILE", "REPEAT"):
             outer.items += self._looped(block, sentence, phrase)
         else:
@@ -181,7 +181,7 @@ class Program:
             outer.items.append([block.branch()])
         phrase.end()
 
-    def _looped(self, block: Block, sentence: Sentence, phrase: Phrase) -> list[list[Step]]:
+    def _looped(self, block: Block, sentence: Statement, phrase: TokenStream) -> list[list[Step]]:
         """The statements of a loop, with its tag on the first and the last."""
         if block.kind == "REPEAT":
             condition = phrase.condition() if phrase.takes("NOT") else ""
@@ -215,7 +215,7 @@ class Program:
     def _finish(self, flows: tuple[AppFlow, ...], *, is_parallel: bool) -> None:
         self._flows, self.is_parallel = flows, is_parallel
 
-    def _check_flows(self, block: Block, sentence: Sentence) -> None:
+    def _check_flows(self, block: Block, sentence: Statement) -> None:
         if not block.flows:
             self._reading.fault(sentence.number, f"BEGIN and END within {block.kind}", "none")
 
@@ -239,8 +239,8 @@ def _form(tokens: tuple[Token, ...]) -> str:
     return first
 
 
-def _synch(block: Block, sentence: Sentence) -> None:
-    phrase = Phrase(sentence, 1)
+def _synch(block: Block, sentence: Statement) -> None:
+    phrase = TokenStream(sentence, 1)
     tag = phrase.tag()
     phrase.end()
     if block.synch:
@@ -248,8 +248,8 @@ def _synch(block: Block, sentence: Sentence) -> None:
     block.synch, block.takes_break = (sentence, tag), False
 
 
-def _tag(block: Block, sentence: Sentence) -> None:
-    phrase = Phrase(sentence, 1)
+def _tag(block: Block, sentence: Statement) -> None:
+    phrase = TokenStream(sentence, 1)
     tag = phrase.tag()
     is_test = bool(phrase.takes("TEST"))
     condition = phrase.condition() if phrase.takes("IF") else ""
@@ -259,8 +259,8 @@ def _tag(block: Block, sentence: Sentence) -> None:
     block.loop_mark, block.takes_break = LoopMark(sentence, tag, is_test, condition), False
 
 
-def _break(block: Block, sentence: Sentence) -> None:
-    phrase = Phrase(sentence, 1)
+def _break(block: Block, sentence: Statement) -> None:
+    phrase = TokenStream(sentence, 1)
     is_off = bool(phrase.takes("OFF"))
     condition = phrase.condition() if phrase.takes("IF") else ""
     phrase.end()
@@ -271,4 +271,4 @@ def _break(block: Block, sentence: Sentence) -> None:
     block.rest(condition, is_off=is_off)
 
 
-_MARKS: dict[str, Callable[[Block, Sentence], None]] = {"SYNCH": _synch, "TAG": _tag, "BREAK": _break}
+_MARKS: dict[str, Callable[[Block, Statement], None]] = {"SYNCH": _synch, "TAG": _tag, "BREAK": _break}

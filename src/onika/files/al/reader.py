@@ -3,9 +3,9 @@
 from onika.files import appl
 from onika.files.al import where_section
 from onika.files.al.logical_line import sentences
-from onika.files.al.program import Program
+from onika.files.al.program import TextProgram
 from onika.files.al.where_section import Dictionary
-from onika.files.line import Reading
+from onika.files.line import TextReading
 from onika.model.application import Application
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
@@ -21,11 +21,11 @@ def read(
     Its icons are those of the text's own section WHERE, else those of `dictionary`, with the values the text gives.
     Comments mean nothing. What is read is what its `.appl` says: marks of targets are those of their jobs.
     """
-    reading = Reading(place_file, "the application is left out")
+    reading = TextReading(place_file, "the application is left out")
     text = text.removeprefix("\ufeff")
     found, start = sentences(text, reading)
     known = where_section.read(text, start, syntax, dictionary, reading)
-    program = Program(syntax, known, reading)
+    program = TextProgram(syntax, known, reading)
     for sentence in found:
         program.take(sentence)
     flows = program.end()

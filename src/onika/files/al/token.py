@@ -1,4 +1,4 @@
-"""A word of the text: bare where it cannot be mistaken, else in double quotes."""
+"""A token of AL: bare where it cannot be mistaken, else in double quotes."""
 
 import re
 

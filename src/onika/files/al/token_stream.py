@@ -1,20 +1,20 @@
-"""A phrase: the rest of a sentence while it is read from left to right.
+"""A stream of tokens: the rest of a statement of AL while it is read from left to right.
 
-What does not fit raises ValueError whose text is "expected …, found …"; whoever reads the sentence reports it.
+What does not fit raises ValueError whose text is "expected …, found …"; whoever reads the statement reports it.
 """
 
 from collections.abc import Sequence
 
-from onika.files.al.logical_line import Sentence, Token, joined
+from onika.files.al.logical_line import Statement, Token, joined
 from onika.files.line import show
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
 
 
-class Phrase:
+class TokenStream:
     """The tokens of a sentence and how far it is read."""
 
-    def __init__(self, sentence: Sentence, at: int = 0) -> None:
+    def __init__(self, sentence: Statement, at: int = 0) -> None:
         self._tokens = sentence.tokens
         self._at = at
 

@@ -1,4 +1,4 @@
-"""The glossary of a text, its section WHERE: icons that no dictionary holds alike, and holes that keep a target.
+"""The section WHERE of an AL text: icons that no dictionary holds alike, and holes that keep a target.
 
 Its lines are those of an `.onk`, so that nothing of an icon is lost: `ICON name #2` before the icon's own, `HOLE #1`
 before the lines of a target of unknown type.
@@ -10,7 +10,7 @@ from dataclasses import dataclass, field, replace
 from onika.files.al import token
 from onika.files.flow import HEADS
 from onika.files.icon import SLOTS, read_icon, write_icon
-from onika.files.line import Line, Reading, Slot, row, split
+from onika.files.line import FileLine, KeywordSlot, TextReading, row, split
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.words.name import TASK_NAME
@@ -23,7 +23,7 @@ Dictionary = Callable[[str], Onikon | None]
 
 
 @dataclass(slots=True)
-class Glossary:
+class WhereSection:
     """What names in a text stand for; variant 1 is written without its number."""
 
     dictionary: Dictionary
@@ -82,9 +82,9 @@ class Glossary:
         return known.as_placed() if known else None
 
 
-def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading: Reading) -> Glossary:
+def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading: TextReading) -> WhereSection:
     """The glossary behind the line WHERE, which ends at `start` of the text, -1 where there is none."""
-    glossary = Glossary(dictionary)
+    glossary = WhereSection(dictionary)
     if start < 0:
         return glossary
     lines = _lines(text, start, reading)
@@ -96,10 +96,10 @@ def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading:
     return glossary
 
 
-def _lines(text: str, start: int, reading: Reading) -> Sequence[Line]:
+def _lines(text: str, start: int, reading: TextReading) -> Sequence[FileLine]:
     """The lines up to END WHERE, with their numbers in the whole text."""
     reading.is_extended = True  # whatever version the icons need
-    inner = Reading(reading.file, reading.instead)
+    inner = TextReading(reading.file, reading.instead)
     # the lines before it count, and the one that ends every file of ours closes the section
     inner.open("\n" * text.count("\n", 0, start) + text[start:] + "\nEOF\n")
     lines = inner.lines
@@ -114,8 +114,8 @@ def _lines(text: str, start: int, reading: Reading) -> Sequence[Line]:
     return lines[:end]
 
 
-def _icon(block: Sequence[Line], glossary: Glossary, syntax: Syntax, reading: Reading) -> None:
-    found = reading.arrange(block, (Slot("ICON"), *SLOTS))
+def _icon(block: Sequence[FileLine], glossary: WhereSection, syntax: Syntax, reading: TextReading) -> None:
+    found = reading.arrange(block, (KeywordSlot("ICON"), *SLOTS))
     name, variant = _name(block[0], reading)
     onikon = read_icon(name, found, syntax, reading)
     kind = syntax.find(onikon.type) if onikon else None
@@ -127,7 +127,7 @@ def _icon(block: Sequence[Line], glossary: Glossary, syntax: Syntax, reading: Re
         glossary.icons[name, variant] = onikon
 
 
-def _name(line: Line, reading: Reading) -> tuple[str, int]:
+def _name(line: FileLine, reading: TextReading) -> tuple[str, int]:
     """The name of an icon and its variant."""
     name, *others = line.words or ("",)
     if not TASK_NAME.match(name) or len(others) > 1:
@@ -135,7 +135,7 @@ def _name(line: Line, reading: Reading) -> tuple[str, int]:
     return name, _number(others[0], line, reading) if others else 1
 
 
-def _hole(block: Sequence[Line], glossary: Glossary, _: Syntax, reading: Reading) -> None:
+def _hole(block: Sequence[FileLine], glossary: WhereSection, _: Syntax, reading: TextReading) -> None:
     number = _number(block[0].rest, block[0], reading)
     if number in glossary.holes:
         reading.fault(block[0].number, "every hole once", f"{block[0]} again")
@@ -145,7 +145,7 @@ def _hole(block: Sequence[Line], glossary: Glossary, _: Syntax, reading: Reading
     glossary.holes[number] = "".join(row(line.keyword, line.rest) for line in block[1:])
 
 
-def _number(shown: str, line: Line, reading: Reading) -> int:
+def _number(shown: str, line: FileLine, reading: TextReading) -> int:
     digits = shown[1:]
     if shown.startswith("#") and digits.isascii() and digits.isdigit() and len(digits) < 10 and int(digits) > 0:
         return int(digits)

@@ -4,8 +4,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from onika.files.al import token, verb
-from onika.files.al.loops import Loop, loops
-from onika.files.al.where_section import Dictionary, Glossary
+from onika.files.al.loops import LoopBlock, loops
+from onika.files.al.where_section import Dictionary, WhereSection
 from onika.files.line import one_line
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon, Step, actions
 from onika.model.onikon import Onikon
@@ -21,7 +21,7 @@ def write(application: Application, syntax: Syntax, dictionary: Dictionary = lam
 
     Raises ValueError for a text value with signs that no line holds.
     """
-    return _Writing(syntax, Glossary(dictionary)).text(application)
+    return _Writing(syntax, WhereSection(dictionary)).text(application)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +39,7 @@ class _Statement:
 class _Writing:
     """The lines of a text as they grow."""
 
-    def __init__(self, syntax: Syntax, glossary: Glossary) -> None:
+    def __init__(self, syntax: Syntax, glossary: WhereSection) -> None:
         self._syntax = syntax
         self._glossary = glossary
         self._lines: list[str] = []
@@ -108,7 +108,7 @@ class _Writing:
 
     # -- statements
 
-    def _statement(self, statement: _Statement, loop: Loop | None) -> None:
+    def _statement(self, statement: _Statement, loop: LoopBlock | None) -> None:
         first = statement.steps[0]
         if isinstance(first, Branch):
             self._branch(first)
@@ -220,7 +220,7 @@ def _values(item: DataItem, values: Sequence[Value]) -> Iterator[str]:
         yield label + (token.quoted(value) if isinstance(value, str) else repr(value))
 
 
-def _closing(loop: Loop) -> str:
+def _closing(loop: LoopBlock) -> str:
     if loop.tests_first:
         return "END WHILE"
     return "UNTIL" + (_when(" NOT", loop.condition) or " DONE")

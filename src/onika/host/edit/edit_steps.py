@@ -4,10 +4,11 @@ A step is through when all tasks it is about have got there, have said why not, 
 happens, none waits for ever.
 """
 
-from collections.abc import Collection, Generator, Iterable, Mapping, Sequence
+from collections.abc import Collection, Generator, Mapping, Sequence
 
+from onika.engine import orders
 from onika.host.edit.live_subsystem import LiveSubsystem, Wait
-from onika.host.edit.task_spawner import plainly
+from onika.host.execution.spawner import shape_fault
 from onika.model.lifecycle import State
 from onika.runtime import command
 from onika.runtime.wiring import WiredTask
@@ -15,119 +16,115 @@ from onika.wire.live import Turn
 
 Step = Generator[Wait, None, None]
 Newcomer = tuple[WiredTask, str]
-"""A task to be born, and its unit."""
+"""A task to be spawned, and its unit."""
 Lines = tuple[tuple[str, tuple[str, ...]], ...]
+Rates = tuple[tuple[str, float], ...]
 
 
-def on_now(live: LiveSubsystem) -> list[str]:
+def tasks_on(live: LiveSubsystem) -> list[str]:
     """The tasks that are ON, or would be if somebody answered them."""
-    return [name for name in live.members if live.state(name) in (State.ON, State.ASKING)]
-
-
-def trouble(live: LiveSubsystem, names: Iterable[str]) -> str:
-    """What went wrong with these, as one sentence; empty if nothing did."""
-    return "; ".join(f"{name}: {live.trouble[name]}" for name in dict.fromkeys(names) if name in live.trouble)
+    return [task for task in live.members if live.is_on(task)]
 
 
 def spawn(live: LiveSubsystem, new: Sequence[Newcomer]) -> Step:
     """Bring tasks to life; through when each is OFF, in trouble, or waits for a constant nobody supplies."""
     live.add(new)
-    live.spawn_ready()
-    names = [wired.name for wired, _ in new]
-    yield (
-        lambda: (
-            not any(
-                live.members[name].is_sent and live.state(name) is State.WAITING and name not in live.trouble
-                for name in names
-            )
-        )
-    )
+    live.executor.spawn_ready()
+    tasks = [wired.name for wired, _ in new]
+    yield lambda: not any(live.is_being_spawned(task) for task in tasks)
 
 
-def kill(live: LiveSubsystem, names: Sequence[str]) -> Step:
-    """End tasks; those that were never born are only forgotten."""
-    here = [name for name in names if name in live.members]
-    for name in here:
-        if live.members[name].is_sent and live.state(name) is not State.KILLED:
-            live.send(name, command.Kill(live.name, name))
-    yield lambda: all(not live.members[name].is_sent or live.state(name) is State.KILLED for name in here)
+def kill(live: LiveSubsystem, tasks: Sequence[str]) -> Step:
+    """End tasks; those that were never spawned are only forgotten."""
+    here = [task for task in tasks if task in live.members]
+    for task in here:
+        live.executor.kill(task)
+    yield lambda: not any(live.executor.is_alive(task) for task in here)
     live.remove(here)
 
 
-def switch(
-    live: LiveSubsystem, off: Sequence[str], on: Sequence[Turn], rates: tuple[tuple[str, float], ...] = ()
-) -> Step:
+def switch(live: LiveSubsystem, off: Sequence[str], on: Sequence[Turn], rates: Rates = ()) -> Step:
     """Tasks off and on at one instant, or none of it; through when each was there or has said why not."""
-    names = [turn.task for turn in on]
-    wrong = _why_not(live, off, names, [name for name, _ in rates])
-    live.trouble |= wrong
-    if wrong or not (off or on or rates):
+    coming = [turn.task for turn in on]
+    objections = _objections(live, off, coming, [task for task, _ in rates])
+    live.outcomes.fail_all(objections)
+    if objections or not (off or on or rates):
         return
-    going = [name for name in off if live.state(name) in (State.ON, State.ASKING)]
-    live.went.difference_update(going)
-    live.came.difference_update(names)
-    rate = dict(rates)
-    launches = [command.Launch(turn.task, turn.arguments, rate.pop(turn.task, None)) for turn in on]
-    live.switch([name for name in off if live.state(name) is not State.KILLED], launches, tuple(rate.items()))
+    going = [task for task in off if live.is_on(task)]
+    live.outcomes.expect_switch(going, coming)
+    live.executor.switch(_order(live, off, on, rates))
+    yield lambda: _is_switched(live, going, coming)
+
+
+def _order(live: LiveSubsystem, off: Sequence[str], on: Sequence[Turn], rates: Rates) -> orders.Switch:
+    """The order for the executor; a rate of a task that comes on goes with its start."""
+    kept_rates = dict(rates)
+    starts = tuple(orders.Start(turn.task, turn.arguments, kept_rates.pop(turn.task, None)) for turn in on)
+    living = tuple(task for task in off if live.state(task) not in (State.KILLED, State.WAITING))
+    return orders.Switch(0, living, starts, tuple(kept_rates.items()))
+
+
+def _is_switched(live: LiveSubsystem, going: Sequence[str], coming: Sequence[str]) -> bool:
+    outcomes = live.outcomes
+    all_gone = all(outcomes.has_gone(task) for task in going)
+    return all_gone and all(outcomes.has_come(task) or outcomes.has_trouble(task) for task in coming)
+
+
+def _objections(
+    live: LiveSubsystem, off: Collection[str], on: Sequence[str], rates: Sequence[str]
+) -> Mapping[str, str]:
+    """What can be seen to be wrong with a switch before it is sent out, by task."""
+    objections = {task: f"on: {reason}" for task, reason in live.executor.subsystem.clashes(off, on)}
+    for task in (*rates, *on):
+        entry = "on" if task in on else "rate"
+        if live.state(task) is State.KILLED:
+            objections[task] = f"{entry}: it is gone"
+        elif not live.members[task].is_sent:
+            objections[task] = f"{entry}: it {live.reason(task) or 'is not born yet'}"
+        elif task in on and task not in off and live.is_on(task):
+            objections[task] = f"on: it is {live.state(task).value} already"
+    return objections
+
+
+def reinit(live: LiveSubsystem, task: str, local: Lines | None = None) -> Step:
+    """Bind a task to what its shapes are now, then let it take over its constants: in ERROR, when it is cleared."""
+    if not live.executor.is_alive(task):
+        return
+    yield from _rebind(live, task, local)
+    if live.outcomes.has_trouble(task):
+        return
+    if live.state(task) is State.ERROR:
+        live.desired.reinitialise_later(task)
+    elif live.state(task) is State.OFF:
+        yield from tell(live, task, command.Reinit(live.name, task))
+
+
+def clear(live: LiveSubsystem, task: str) -> Step:
+    """Bring a task out of ERROR, with the constants as they are now."""
+    yield from _rebind(live, task, None)
+    live.outcomes.excuse(task)
+    live.executor.send(task, command.Clear(live.name, task))
+    yield lambda: live.state(task) is not State.ERROR or live.outcomes.has_trouble(task)
+    if live.desired.is_to_be_reinitialised(task) and live.state(task) is State.OFF:
+        live.desired.is_reinitialised(task)
+        yield from tell(live, task, command.Reinit(live.name, task))
+
+
+def tell(live: LiveSubsystem, task: str, order: command.Command) -> Step:
+    """Give a task a command that it answers; through when it has, refuses, or is gone."""
+    live.outcomes.expect_answer(task)
+    live.executor.send(task, order)
     yield (
-        lambda: (
-            all(name in live.went for name in going)
-            and all(name in live.came or name in live.trouble for name in names)
-        )
+        lambda: live.outcomes.has_answered(task) or live.outcomes.has_trouble(task) or live.state(task) is State.KILLED
     )
 
 
-def _why_not(live: LiveSubsystem, off: Collection[str], on: Sequence[str], rates: Sequence[str]) -> Mapping[str, str]:
-    """What can be seen to be wrong with a switch before it is sent out."""
-    wrong = {name: f"on: {reason}" for name, reason in live.subsystem.clashes(off, on)}
-    for name in (*rates, *on):
-        entry = "on" if name in on else "rate"
-        if live.state(name) is State.KILLED:
-            wrong[name] = f"{entry}: it is gone"
-        elif not live.members[name].is_sent:
-            wrong[name] = f"{entry}: it {live.reasons.get(name) or 'is not born yet'}"
-        elif name in on and name not in off and live.state(name) in (State.ON, State.ASKING):
-            wrong[name] = f"on: it is {live.state(name).value} already"
-    return wrong
-
-
-def reinit(live: LiveSubsystem, name: str, local: Lines | None = None) -> Step:
-    """Bind a task to what its shapes are now, then let it take over its constants: in ERROR, when it is cleared."""
-    if live.state(name) is State.KILLED or not live.members[name].is_sent:
-        return
-    yield from _rebind(live, name, local)
-    if name in live.trouble:
-        return
-    if live.state(name) is State.ERROR:
-        live.stale.add(name)
-    elif live.state(name) is State.OFF:
-        yield from _tell(live, name, command.Reinit(live.name, name))
-
-
-def clear(live: LiveSubsystem, name: str) -> Step:
-    """Bring a task out of ERROR, with the constants as they are now."""
-    yield from _rebind(live, name, None)
-    live.trouble.pop(name, None)
-    live.send(name, command.Clear(live.name, name))
-    yield lambda: live.state(name) is not State.ERROR or name in live.trouble
-    if name in live.stale and live.state(name) is State.OFF:
-        live.stale.discard(name)
-        yield from _tell(live, name, command.Reinit(live.name, name))
-
-
-def _rebind(live: LiveSubsystem, name: str, local: Lines | None) -> Step:
-    live.trouble.pop(name, None)
+def _rebind(live: LiveSubsystem, task: str, local: Lines | None) -> Step:
+    live.outcomes.excuse(task)
     try:
-        ports = live.reshaping.ports(live.subsystem, name)
-    except (KeyError, ValueError) as wrong:
-        live.trouble[name] = f"reinit: {plainly(wrong)}"
+        ports = live.reshaping.ports(live.executor.subsystem, task)
+    except (KeyError, ValueError) as error:
+        live.outcomes.fail(task, f"reinit: {shape_fault(error)}")
         return
     if ports or local is not None:
-        yield from _tell(live, name, command.Rebind(live.name, name, ports, local))
-
-
-def _tell(live: LiveSubsystem, name: str, order: command.Command) -> Step:
-    live.done.discard(name)
-    live.trouble.pop(name, None)
-    live.send(name, order)
-    yield lambda: name in live.done or name in live.trouble or live.state(name) is State.KILLED
+        yield from tell(live, task, command.Rebind(live.name, task, ports, local))

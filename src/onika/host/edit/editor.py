@@ -50,7 +50,7 @@ class Editor:
             return refused(faults, notes)
         live = self._stage.by_hand(order.subsystem)
         for code in order.code:
-            live.cradle.know(code, self._loading.cost_ns(code))
+            live.executor.spawner.add_code(code, self._loading.cost_ns(code))
         return self._begin(live, self._carry_out(live, order, new, known, is_next))
 
     def _carry_out(
@@ -92,7 +92,7 @@ class Editor:
                 return refused(
                     [edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, before.sheet)
                 )
-            found = self._loading.constants(live.cradle.code[planned.digest], order.local)
+            found = self._loading.constants(live.executor.spawner.code(planned.digest), order.local)
             if isinstance(found, Fault):
                 return refused([edit_objections.of_change(found)], [])
             stated = _aliased(wired, found)
@@ -115,7 +115,7 @@ class Editor:
         )
         if faults:
             return refused([edit_objections.of_change(fault) for fault in faults], unknown_parameters(planned, sheet))
-        live.cradle.know(order.code, self._loading.cost_ns(order.code))
+        live.executor.spawner.add_code(order.code, self._loading.cost_ns(order.code))
         return self._begin(live, _still(live, before, transactions.swap(live, order.task, wired)))
 
     def clear(self, order: asked.Clear) -> request.Response:
@@ -142,8 +142,7 @@ class Editor:
             return refusal
         if live.state(order.task) is not State.ASKING:
             return request.Refused(f"{order.task} asks for nothing")
-        live.wanted[order.task] = order.line
-        live.send(order.task, command.Answer(order.subsystem, order.task, order.line))
+        live.answer(order.task, order.line)
         return request.Done()
 
     def ask(self, order: asked.Get | asked.Set, answer: Answer) -> None:
@@ -215,7 +214,7 @@ class Editor:
         coming = []
         for name in dict.fromkeys((*(turn.task for turn in order.on), *rates)):
             task = by_name[name].task
-            hz = rates.get(name) or (live.rates.get(name) if live is not None else None) or task.frequency or 0.0
+            hz = rates.get(name) or (live.desired.rate(name) if live is not None else None) or task.frequency or 0.0
             rtpu = units.get(name) or self._stage.unit(task.rtpu)
             coming.append(Coming(rtpu, order.subsystem, name, task.digest, hz))
         off = [(order.subsystem, name) for name in (*order.off, *order.kill)]

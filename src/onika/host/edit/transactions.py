@@ -7,11 +7,11 @@ What was prepared is taken back then, and what was ON is ON again.
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, on_now, reinit, spawn, switch, trouble
+from onika.host.edit.edit_steps import Lines, Newcomer, Step, clear, kill, reinit, spawn, switch, tasks_on, tell
 from onika.host.edit.live_subsystem import LiveSubsystem, Transaction
 from onika.model.lifecycle import State
 from onika.model.rules.order import constant_order
-from onika.model.rules.reconfiguration import Exchange, dependents
+from onika.model.rules.reconfiguration import TaskExchange, dependents
 from onika.runtime import command
 from onika.runtime.table import TableEntry
 from onika.runtime.wiring import WiredTask
@@ -25,7 +25,7 @@ Known = Mapping[str, int]
 class Edit:
     """What an accepted change is to do."""
 
-    exchange: Exchange
+    exchange: TaskExchange
     new: tuple[Newcomer, ...] = ()
     off: tuple[str, ...] = ()
     on: tuple[Turn, ...] = ()
@@ -35,14 +35,14 @@ class Edit:
 
 
 class _Before:
-    """What to go back to."""
+    """How things were before a transaction, to go back to."""
 
     def __init__(self, live: LiveSubsystem, new: Collection[Newcomer]) -> None:
-        self.on = {name: live.wanted.get(name, "") for name in on_now(live)}
+        self.on = {task: live.desired.line(task) for task in tasks_on(live)}
         """Tasks that are ON, with their argument lines."""
-        self.order = [(member.wired, member.rtpu) for member in live.members.values()]
-        self.waiting = [name for name, member in live.members.items() if not member.is_sent]
-        self.wanted, self.rates, self.known = dict(live.wanted), dict(live.rates), dict(live.known)
+        self.placements = live.placements
+        self.waiting = [task for task, member in live.members.items() if not member.is_sent]
+        self.desired = live.desired.copy()
         self.killed: list[str] = []
         supplied = {svar for wired, _ in new for svar in wired.outconst if svar not in wired.outvar}
         self.constants: list[tuple[TableEntry, bytes]] = [
@@ -50,16 +50,16 @@ class _Before:
             for svar, entry in live.table.entries.items()
             if svar in supplied and live.table.ring(svar).count
         ]
-        """What newcomers write as soon as they are born, and others have written before."""
+        """What newcomers write as soon as they are spawned, and others have written before."""
 
-    def newcomers(self, names: Collection[str]) -> list[Newcomer]:
-        """These tasks, to be born again."""
-        return [one for one in self.order if one[0].name in names]
+    def newcomers(self, tasks: Collection[str]) -> list[Newcomer]:
+        """These tasks, to be spawned again."""
+        return [(wired, rtpu) for wired, rtpu in self.placements if wired.name in tasks]
 
-    def rate(self, name: str) -> float:
+    def rate(self, task: str) -> float:
         """The rate a task had."""
-        planned = next(wired.task.frequency for wired, _ in self.newcomers([name]))
-        return self.rates.get(name, planned or 0.0)
+        planned = next(wired.task.frequency for wired, _ in self.newcomers([task]))
+        return self.desired.rate(task) or planned or 0.0
 
 
 def change(live: LiveSubsystem, edit: Edit) -> Transaction:
@@ -69,15 +69,16 @@ def change(live: LiveSubsystem, edit: Edit) -> Transaction:
     before.killed = list(exchange.kill_first)
     yield from switch(live, exchange.kill_first, ())
     yield from kill(live, exchange.kill_first)
-    live.known |= {name: dict(known) for name, known in edit.known.items()}
+    for task, known in edit.known.items():
+        live.desired.state_constants(task, known)
     yield from spawn(live, edit.new)
-    cause = trouble(live, born)
+    cause = live.outcomes.trouble(born)
     is_committed = not cause
     if is_committed:
         again = exchange.reinit  # those born in this change too: a supplier of theirs may have learnt something since
         old = [name for name in exchange.kill if name not in exchange.kill_first]
         yield from _commit(live, edit, [*edit.off, *old], again, before.on)
-        cause = trouble(live, [*(turn.task for turn in edit.on), *again, *(name for name, _ in edit.rates)])
+        cause = live.outcomes.trouble([*(turn.task for turn in edit.on), *again, *(name for name, _ in edit.rates)])
     if not cause:
         yield from kill(live, old)
         _remember(live, edit)
@@ -106,11 +107,11 @@ def reinitialise(live: LiveSubsystem, task: str, wired: WiredTask | None, known:
     cause = yield from _initialise(live, chain, {} if wired is None else {task: wired.task.local})
     back = on if cause else _to_return(live, on)
     if cause and wired is not None:
-        _rewire(live, former, before.known.get(task))
+        _rewire(live, former, before.desired.constants_of(task))
         for name in chain:
             yield from _restore(live, name, name not in errors, former.task.local if name == task else None)
     yield from switch(live, (), [turn for turn in back if live.state(turn.task) is State.OFF])
-    return cause or trouble(live, [turn.task for turn in back])
+    return cause or live.outcomes.trouble([turn.task for turn in back])
 
 
 def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
@@ -119,32 +120,31 @@ def swap(live: LiveSubsystem, task: str, wired: WiredTask) -> Transaction:
     before, member.wired = member.wired, wired
     if not member.is_sent:
         return ""  # it is born with the new code
-    live.done.discard(task)
-    live.send(task, command.Swap(live.cradle.order(live.subsystem, task)))
-    yield lambda: task in live.done or task in live.trouble or live.state(task) is State.KILLED
-    if task not in live.done:
+    order = live.executor.spawner.order(live.executor.subsystem, task)
+    yield from tell(live, task, command.Swap(order))
+    if not live.outcomes.has_answered(task):
         member.wired = before
-    return trouble(live, [task])
+    return live.outcomes.trouble([task])
 
 
 def clearing(live: LiveSubsystem, task: str) -> Transaction:
     """Bring a task out of ERROR."""
     yield from clear(live, task)
-    return trouble(live, [task])
+    return live.outcomes.trouble([task])
 
 
 def close(live: LiveSubsystem) -> Transaction:
     """Kill every task; then the subsystem is no more."""
-    yield from switch(live, on_now(live), ())
+    yield from switch(live, tasks_on(live), ())
     yield from kill(live, list(live.members))
-    live.is_closing = True
+    live.close()
     return ""
 
 
 def rest(live: LiveSubsystem) -> Transaction:
     """Everything off: whoever held the subsystem is gone (X12)."""
-    yield from switch(live, on_now(live), ())
-    live.wanted.clear()
+    yield from switch(live, tasks_on(live), ())
+    live.desired.turn_everything_off()
     return ""
 
 
@@ -164,7 +164,7 @@ def _commit(
     yield from switch(live, [*off, *(turn.task for turn in back)], (), edit.rates)
     for name in again:
         yield from reinit(live, name)
-    if not trouble(live, again):
+    if not live.outcomes.trouble(again):
         yield from switch(live, (), [*_to_return(live, [one for one in back if one.task not in asked]), *edit.on])
 
 
@@ -174,7 +174,7 @@ def _to_return(live: LiveSubsystem, turns: Sequence[Turn]) -> list[Turn]:
         return list(turns)
     for turn in turns:
         if live.members[turn.task].wired.sheet.hardware:
-            live.wanted.pop(turn.task, None)
+            live.desired.turn_off(turn.task)
             live.warn(turn.task, "shapes have changed: it stays OFF until it is turned on")
     return [turn for turn in turns if not live.members[turn.task].wired.sheet.hardware]
 
@@ -183,18 +183,18 @@ def _initialise(live: LiveSubsystem, chain: Sequence[str], local: Mapping[str, L
     """One after the other, up to the first that refuses; why it does."""
     for name in chain:
         yield from reinit(live, name, local.get(name))
-        if name in live.trouble:
-            return trouble(live, [name])
+        if live.outcomes.has_trouble(name):
+            return live.outcomes.trouble([name])
     return ""
 
 
 def _take_back(live: LiveSubsystem, edit: Edit, before: _Before, is_committed: bool) -> Step:
     """As it was: the new ones die, the old ones live, and what was ON comes on again."""
-    live.trouble.clear()
-    yield from switch(live, [name for name in on_now(live) if name not in before.on], ())
+    live.outcomes.begin()
+    yield from switch(live, [name for name in tasks_on(live) if name not in before.on], ())
     awake = [name for name in before.waiting if live.members[name].is_sent]
     yield from kill(live, [*(wired.name for wired, _ in edit.new), *awake])
-    live.known = dict(before.known)
+    live.desired.take_back_constants(before.desired)
     if not is_committed:
         live.reshaping.undo()
     for entry, value in before.constants:
@@ -202,11 +202,11 @@ def _take_back(live: LiveSubsystem, edit: Edit, before: _Before, is_committed: b
             live.table.ring(entry.name).write(value)
             live.table.ring(entry.name).seal()
     yield from spawn(live, before.newcomers([*before.killed, *awake]))
-    live.rewire([one for one in before.order if one[0].name in live.members])
+    live.rewire(before.newcomers(live.members))
     if is_committed:
         yield from _relearn(live, edit)
     yield from _come_back(live, edit, before)
-    live.wanted, live.rates = dict(before.wanted), dict(before.rates)
+    live.desired.take_back(before.desired)
 
 
 def _relearn(live: LiveSubsystem, edit: Edit) -> Step:
@@ -214,7 +214,7 @@ def _relearn(live: LiveSubsystem, edit: Edit) -> Step:
     stale = {*edit.exchange.kill, *edit.exchange.reinit} - {*edit.exchange.kill_first}
     if not (edit.exchange.reinit or live.reshaping.has_changed):
         return
-    yield from switch(live, [name for name in on_now(live) if name in stale], ())
+    yield from switch(live, [name for name in tasks_on(live) if name in stale], ())
     for name in constant_order([one.ports for one in live.placed()])[0]:
         if name in stale:
             yield from _restore(live, name, name in edit.exchange.reinit)
@@ -222,7 +222,7 @@ def _relearn(live: LiveSubsystem, edit: Edit) -> Step:
 
 def _restore(live: LiveSubsystem, name: str, may_clear: bool, local: Lines | None = None) -> Step:
     """Initialise a task anew; one that is in ERROR for what is taken back comes out of it."""
-    live.trouble.pop(name, None)
+    live.outcomes.excuse(name)
     yield from reinit(live, name, local)
     if may_clear and live.state(name) is State.ERROR:
         yield from clear(live, name)
@@ -231,23 +231,25 @@ def _restore(live: LiveSubsystem, name: str, may_clear: bool, local: Lines | Non
 def _come_back(live: LiveSubsystem, edit: Edit, before: _Before) -> Step:
     """Rates as they were, and ON whoever was."""
     on = [Turn(name, line) for name, line in before.on.items() if live.state(name) is State.OFF]
-    changed = [name for name, _ in edit.rates] + [name for name in before.killed if name in before.rates]
+    changed = [name for name, _ in edit.rates] + [
+        name for name in before.killed if before.desired.rate(name) is not None
+    ]
     here = [name for name in changed if live.state(name) in (State.ON, State.OFF, State.ASKING, State.ERROR)]
     yield from switch(live, (), on, tuple((name, before.rate(name)) for name in dict.fromkeys(here)))
 
 
 def _rewire(live: LiveSubsystem, wired: WiredTask, known: Known | None) -> None:
     """A task with other parameters."""
-    live.known.pop(wired.name, None)
-    if known:
-        live.known[wired.name] = dict(known)
-    live.rewire([(wired if name == wired.name else one.wired, one.rtpu) for name, one in live.members.items()])
+    live.desired.state_constants(wired.name, known)
+    live.rewire([(wired if one.name == wired.name else one, rtpu) for one, rtpu in live.placements])
 
 
 def _remember(live: LiveSubsystem, edit: Edit) -> None:
     """What is wanted from now on; what has done its job meanwhile is not."""
-    for name in edit.off:
-        live.wanted.pop(name, None)
-    on = [turn for turn in edit.on if live.state(turn.task) in (State.ON, State.ASKING)]
-    live.wanted |= {turn.task: turn.arguments for turn in on}
-    live.rates |= dict(edit.rates)
+    for task in edit.off:
+        live.desired.turn_off(task)
+    for turn in edit.on:
+        if live.is_on(turn.task):
+            live.desired.turn_on(turn.task, turn.arguments)
+    for task, hz in edit.rates:
+        live.desired.set_rate(task, hz)

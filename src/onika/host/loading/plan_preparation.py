@@ -124,7 +124,7 @@ def unknown_parameters(task: PlannedTask, sheet: ModuleSheet) -> list[str]:
 
 
 def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: Preparation) -> None:
-    """Each action's trigger: the first in its configuration (decision 16)."""
+    """Each action's trigger: the first in its configuration (reading 16)."""
     by_name = {one.name: one for one in wired}
     for index, action in enumerate(flow.actions):
         if action.is_noop:

@@ -1,4 +1,4 @@
-"""The outlook: what follows each flow's current action lies ready on its unit, so that nobody is asked at the finish.
+"""The switch that follows each flow's current action lies ready on its unit, so that nobody is asked at the finish.
 
 It is prepared when everybody of the action is ON and anew whenever that changes. What the user wants of a flow waits
 until nothing is prepared for it any more: else the unit could go on while the engine believes that it has paused.
@@ -8,42 +8,40 @@ from collections.abc import Callable, Mapping
 
 from onika.engine.engine import Engine
 from onika.engine.orders import Switch
-from onika.host.run.switch_dispatch import Switchboard
+from onika.host.execution.subsystem_executor import SubsystemExecutor
 from onika.runtime import command
-from onika.runtime.subsystem import RunningSubsystem
 
 
-class Outlook:
-    """Of all flows of one run."""
+class PreparedSwitches:
+    """Serves all flows of one run."""
 
-    def __init__(self, engine: Engine, subsystems: Mapping[int, RunningSubsystem], switchboard: Switchboard) -> None:
+    def __init__(self, engine: Engine, executors: Mapping[int, SubsystemExecutor]) -> None:
         self._engine = engine
-        self._subsystems = subsystems
-        self._switchboard = switchboard
-        self._known: dict[int, tuple[int, bool]] = {}
+        self._executors = executors
+        self._revisions: dict[int, tuple[int, bool]] = {}
         self._ready: dict[int, Mapping[int, command.Switch]] = {}
         self._tasks: dict[int, str] = {}
         self._waiting: dict[int, list[Callable[[], None]]] = {}
 
-    def look(self) -> None:
+    def refresh(self) -> None:
         """Prepare what follows, where that has changed."""
-        for flow in self._subsystems:
+        for flow in self._executors:
             revision = self._engine.revision(flow)
-            if self._known.get(flow) != revision and not self._waiting.get(flow):
-                self._known[flow] = revision
+            if self._revisions.get(flow) != revision and not self._waiting.get(flow):
+                self._revisions[flow] = revision
                 self._prepare(flow)
 
-    def switched(self, flow: int, order: Switch) -> Switch | None:
-        """The unit has carried out the case of the order's number; what of the order is still to be done, if anything.
+    def switched(self, switch: Switch) -> Switch | None:
+        """The unit has carried out the case of the switch's number; what of it is still to be done, if anything.
 
         The unit forgets what it holds when anybody's state changes, so that mostly nothing is.
         """
-        done = self._ready.pop(flow)[order.number]
-        self._switchboard.adopt(flow, done)
+        done = self._ready.pop(switch.flow)[switch.number]
+        self._executors[switch.flow].adopt(done)
         started = {launch.task for launch in done.on}
-        off = tuple(task for task in order.off if task not in done.off)
-        on = tuple(start for start in order.on if start.task not in started)
-        return Switch(flow, off, on) if off or on else None
+        off = tuple(task for task in switch.off if task not in done.off)
+        on = tuple(start for start in switch.on if start.task not in started)
+        return Switch(switch.flow, off, on) if off or on else None
 
     def finished(self, flow: int) -> None:
         """The action has ended in another way than was prepared."""
@@ -57,19 +55,19 @@ class Outlook:
         waiting = self._waiting.setdefault(flow, [])
         waiting.append(then)
         if len(waiting) == 1:
-            self._switchboard.unprepare(flow, self._tasks[flow])
+            self._executors[flow].unprepare(self._tasks[flow])
 
     def freed(self, flow: int) -> None:
         """The unit has forgotten what was prepared, or is gone."""
         self._ready.pop(flow, None)
         waiting = self._waiting.pop(flow, [])
-        self._known.pop(flow, None)
+        self._revisions.pop(flow, None)
         for then in waiting:
             then()
 
     def free_all(self) -> None:
         """The run comes to its end: nothing is prepared any more."""
-        for flow in list(self._subsystems):
+        for flow in list(self._executors):
             self.freed(flow)
 
     def _prepare(self, flow: int) -> None:
@@ -77,15 +75,10 @@ class Outlook:
         if not cases:
             self._drop(flow)
             return
-        subsystem, task = self._subsystems[flow], cases[0].task
-        ready = []
-        for case in cases:
-            on = [start.task for start in case.switch.on]
-            if subsystem.clashes((task, *case.switch.off), on):
-                return  # it is refused when its time comes
-            ready.append((case, subsystem.forgotten(case.switch.off, on, finished=task)))
-        self._tasks[flow] = task
-        self._ready[flow] = self._switchboard.prepare(flow, task, ready)
+        task = cases[0].task
+        ready = self._executors[flow].prepare(task, cases)
+        if ready is not None:
+            self._tasks[flow], self._ready[flow] = task, ready
 
     def _drop(self, flow: int) -> None:
         """What was prepared does not hold any more."""

@@ -29,12 +29,13 @@ class Performance:
         subsystems: Mapping[int, RunningSubsystem],
         units: Units,
         tell: Callable[[event.Event, str, str], None],
+        lost: Mapping[str, str],
     ) -> None:
         self.session = session
         self.on_loss = begin.on_loss
         self.application = prepared.plan.application
         self.names = tuple(flow.subsystem for flow in prepared.plan.flows)
-        self.runner = Runner(prepared, begin, subsystems, units, self._tell)
+        self.runner = Runner(prepared, begin, subsystems, units, self._tell, lost)
         self._tell_all = tell
         self._subsystems = subsystems
         self._actions = sum(len(flow.actions) for flow in prepared.plan.flows)

@@ -1,26 +1,21 @@
-"""The switching of a run: switches of the engine go out, alone or with those that begin at the same instant (law 9)."""
+"""The switches of a run go out alone, or with those that begin at the same instant (law 9)."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from onika.engine import orders
-from onika.host.run.prepared_switch import Outlook
-from onika.host.run.switch_dispatch import Switchboard
-from onika.runtime.subsystem import RunningSubsystem
-
-Refuse = Callable[[int, str, str], None]
-"""Told the flow, the task and why it does not come on."""
+from onika.host.execution.subsystem_executor import SubsystemExecutor
+from onika.host.run.prepared_switch import PreparedSwitches
+from onika.host.units.unit_registry import Units
+from onika.runtime import command
 
 
-class Switching:
-    """Of all flows of one run."""
+class Switches:
+    """Serves all flows of one run."""
 
-    def __init__(
-        self, subsystems: Mapping[int, RunningSubsystem], outlook: Outlook, switchboard: Switchboard, refuse: Refuse
-    ) -> None:
-        self._subsystems = subsystems
-        self._outlook = outlook
-        self._switchboard = switchboard
-        self._refuse = refuse
+    def __init__(self, executors: Mapping[int, SubsystemExecutor], prepared: PreparedSwitches, units: Units) -> None:
+        self._executors = executors
+        self._prepared = prepared
+        self._units = units
         self._together: list[orders.Switch] = []
         self._left = 0
 
@@ -28,35 +23,36 @@ class Switching:
         """The next switches, so many, are one."""
         self._left = count
 
-    def switch(self, order: orders.Switch) -> None:
+    def switch(self, switch: orders.Switch) -> None:
         """Send it out as soon as all are there that belong to it; what a unit has done by itself is not done again."""
-        if order.number:
-            rest = self._outlook.switched(order.flow, order)
+        if switch.number:
+            rest = self._prepared.switched(switch)
             if rest is None:
                 return
-            order = rest
-        self._together.append(order)
+            switch = rest
+        self._together.append(switch)
         self._left = max(self._left - 1, 0)
         if not self._left:
             together, self._together = self._together, []
             self._put(together)
 
     def _put(self, switches: Sequence[orders.Switch]) -> None:
-        """Unless it would give a variable a second writer."""
-        ready = []
-        for order in switches:
-            subsystem = self._subsystems[order.flow]
-            on = [start.task for start in order.on]
-            self._outlook.finished(order.flow)
-            clashes = subsystem.clashes(order.off, on)
-            if clashes:
-                self._refuse(order.flow, *clashes[0])
-                continue
-            forget = subsystem.forgotten(order.off, on)
-            subsystem.forget(forget)
-            ready.append((order, forget))
-        if len(ready) > 1:
-            self._switchboard.put_together(ready)
+        for switch in switches:
+            self._prepared.finished(switch.flow)
+        admitted = [switch for switch in switches if self._executors[switch.flow].admits(switch)]
+        if len(admitted) > 1:
+            self._put_together(admitted)
         else:
-            for order, forget in ready:
-                self._switchboard.put(order, forget)
+            for switch in admitted:
+                self._executors[switch.flow].switch(switch)
+
+    def _put_together(self, switches: Sequence[orders.Switch]) -> None:
+        """Switches of several flows begin at one instant, as far as each is on one unit and can begin now."""
+        by_unit: dict[str, list[command.Switch]] = {}
+        for switch in switches:
+            group = self._executors[switch.flow].launch_alone(switch)
+            if group is not None:
+                rtpu, whole = group
+                by_unit.setdefault(rtpu, []).append(whole)
+        for rtpu, wholes in by_unit.items():
+            self._units.send(rtpu, command.Together(tuple(wholes)))

@@ -1,4 +1,4 @@
-"""The gate: the runtime's end of all links; requests in, replies, events and readings out (house decision 7)."""
+"""The gate: the runtime's end of all links; requests in, replies, events and readings out."""
 
 import select
 import socket

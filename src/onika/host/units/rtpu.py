@@ -1,4 +1,4 @@
-"""One RTPU as a process: an executive in one thread, woken by its own grid or by a command (house decision 3)."""
+"""One RTPU as a process: an executive in one thread, woken by its own grid or by a command."""
 
 import argparse
 import contextlib

@@ -12,7 +12,7 @@ from onika.words.fault import Refusal
 from onika.words.shape import Shape
 
 
-class Port(Protocol):
+class DeclaredPort(Protocol):
     """A port as a module declares it; its shape as text."""
 
     @property
@@ -32,7 +32,7 @@ Users = Mapping[str, str]
 """By task: what it takes a variable for, as in `double[NDOF] in rad`."""
 
 
-def declared(task: Task, ports: Iterable[Port]) -> dict[str, str]:
+def declared(task: Task, ports: Iterable[DeclaredPort]) -> dict[str, str]:
     """What a task takes its variables for, by their aliased names."""
     aliases = dict(task.aliases)
     return {aliases.get(one.name, one.name): f"{_aliased(one.shape, aliases)} in {one.unit}" for one in ports}

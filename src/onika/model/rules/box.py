@@ -31,7 +31,7 @@ class Pin:
 
 
 @dataclass(frozen=True)
-class Box:
+class TaskBox:
     """What a task icon measures, in pixels."""
 
     width: int
@@ -53,13 +53,13 @@ class Box:
         return -1 if pin.kind.is_input == in_left else 1
 
 
-def box_of(task: Task, preferred: Preferences) -> Box:
+def box_of(task: Task, preferred: Preferences) -> TaskBox:
     """The box of a task: it grows by steps until its pins are far enough apart."""
     inputs, outputs = _sides(task)
     rows = max(len(inputs), len(outputs), 1)
     inner = -(-rows * preferred.min_pin_separation // preferred.step_size) * preferred.step_size
     height = max(_HEAD + inner + _FOOT, preferred.min_size)
-    return Box(WIDTH, height, (*_pins(inputs, task, preferred), *_pins(outputs, task, preferred)))
+    return TaskBox(WIDTH, height, (*_pins(inputs, task, preferred), *_pins(outputs, task, preferred)))
 
 
 def _sides(task: Task) -> tuple[list[tuple[str, PortKind]], list[tuple[str, PortKind]]]:

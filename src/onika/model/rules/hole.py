@@ -1,4 +1,4 @@
-"""What is missing at the holes of an application: targets of some type, or else an action (decisions 32 and 33)."""
+"""What is missing at the holes of an application: targets of some type, or else an action (readings 32 and 33)."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""Which type the icon of a configuration or an application has (requirement D09, decision 31, §5.6.2, §5.6.4)."""
+"""Which type the icon of a configuration or an application has (requirement D09, reading 31, §5.6.2, §5.6.4)."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -24,7 +24,7 @@ class ActionType:
 def job_type(
     configuration: Configuration, tasks: Mapping[str, Task], syntax: Syntax
 ) -> ActionType | tuple[Refusal, ...]:
-    """The type of a job: that of the first of its tasks with OBJECT, else a complete one (decision 16, C29).
+    """The type of a job: that of the first of its tasks with OBJECT, else a complete one (reading 16, C29).
 
     A type that the syntax lacks is kept; the icon acts as a complete one (requirement D16).
     """

@@ -21,7 +21,7 @@ def fits(left: IconType, right: IconType) -> bool:
 def refusals(flow: AppFlow, after: int, step: Solid, syntax: Syntax) -> tuple[Refusal, ...]:
     """Why `step` may not be inserted behind step `after` (-1: the start icon); empty: it may.
 
-    A hole stands for its left neighbour (decision 33). Raises IndexError where there is no such step.
+    A hole stands for its left neighbour (reading 33). Raises IndexError where there is no such step.
     """
     left, right = kind_at(flow, solid_at(flow, after), syntax), kind_of(step, syntax)
     if isinstance(step, Icon) and (right is None or not stands_in_flow(right)):

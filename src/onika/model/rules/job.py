@@ -1,4 +1,4 @@
-"""The configurations behind jobs: they are there, whole, and of the type their icons say (E01, decision 36)."""
+"""Checks the configurations behind jobs: whole, and of the type their icons say (requirement E01, reading 36)."""
 
 from collections.abc import Iterator, Mapping
 from itertools import combinations
@@ -88,7 +88,7 @@ def _type(
 
 
 def _written(name: str, syntax: Syntax) -> str:
-    """A type as the syntax writes it, where it has it (decision 37)."""
+    """A type as the syntax writes it, where it has it (reading 37)."""
     kind = syntax.find(name)
     return kind.name if kind else name
 

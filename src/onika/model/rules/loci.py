@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence, Set
 from dataclasses import dataclass, replace
 
 from onika.model.configuration import Configuration, Locus, Placed
-from onika.model.rules.box import Box, Pin
+from onika.model.rules.box import Pin, TaskBox
 from onika.model.rules.uses import Uses, apart, of_locus, tasks
 
 _OUT = 24
@@ -20,7 +20,7 @@ _CLEAR = 6
 @dataclass(frozen=True, slots=True)
 class _User:
     placed: Placed
-    box: Box
+    box: TaskBox
     pin: Pin
 
     @property
@@ -35,9 +35,9 @@ class _User:
 
 def settled(
     configuration: Configuration,
-    boxes: Mapping[str, Box],
+    boxes: Mapping[str, TaskBox],
     former: Configuration,
-    former_boxes: Mapping[str, Box] | None = None,
+    former_boxes: Mapping[str, TaskBox] | None = None,
 ) -> Configuration:
     """The configuration with one locus for each variable that its tasks use; `boxes` are those of its tasks.
 
@@ -64,7 +64,7 @@ def settled(
     return replace(configuration, loci=tuple(loci))
 
 
-def flipped(configuration: Configuration, names: Sequence[str], boxes: Mapping[str, Box]) -> Configuration:
+def flipped(configuration: Configuration, names: Sequence[str], boxes: Mapping[str, TaskBox]) -> Configuration:
     """The loci that only one of these tasks uses follow it to its other side."""
     counts = _counts(configuration.placed, boxes)
     turned = {pin.svar for name in names if name in boxes for pin in boxes[name].pins}
@@ -77,7 +77,7 @@ def flipped(configuration: Configuration, names: Sequence[str], boxes: Mapping[s
     return replace(configuration, loci=tuple(loci))
 
 
-def wished(configuration: Configuration, spots: Mapping[str, Locus], boxes: Mapping[str, Box]) -> Configuration:
+def wished(configuration: Configuration, spots: Mapping[str, Locus], boxes: Mapping[str, TaskBox]) -> Configuration:
     """The loci of some variables as these say: where they are, but kept off icons, and whether they are shown."""
     icons = _icons(configuration.placed, boxes)
     loci = []
@@ -92,7 +92,10 @@ def wished(configuration: Configuration, spots: Mapping[str, Locus], boxes: Mapp
 
 
 def _exchanged(
-    configuration: Configuration, boxes: Mapping[str, Box], former: Configuration, former_boxes: Mapping[str, Box]
+    configuration: Configuration,
+    boxes: Mapping[str, TaskBox],
+    former: Configuration,
+    former_boxes: Mapping[str, TaskBox],
 ) -> tuple[dict[str, int], dict[str, int]]:
     """How many tasks have left each variable, and how many have come to it."""
     before = {one.task: former_boxes.get(one.task) for one in former.placed}
@@ -116,7 +119,7 @@ def _goes(now: int, before: int, stands: bool) -> bool:
 
 
 def _spots(
-    svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, Box], icons: Sequence[tuple[int, int, int, int]]
+    svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, TaskBox], icons: Sequence[tuple[int, int, int, int]]
 ) -> dict[str, tuple[int, int]]:
     """Where loci go that go anywhere."""
     found = {}
@@ -149,7 +152,7 @@ def _half_way(one: tuple[int, int], other: tuple[int, int]) -> tuple[int, int]:
     return (one[0] + other[0]) // 2, (one[1] + other[1]) // 2
 
 
-def _icons(placed: Sequence[Placed], boxes: Mapping[str, Box]) -> list[tuple[int, int, int, int]]:
+def _icons(placed: Sequence[Placed], boxes: Mapping[str, TaskBox]) -> list[tuple[int, int, int, int]]:
     """The areas that loci are kept off: left, right, top, bottom."""
     return [
         (one.x - _CLEAR, one.x + box.width + _CLEAR, one.y - _CLEAR, one.y + box.height + _CLEAR)
@@ -165,7 +168,7 @@ def _clear_of(spot: tuple[int, int], icons: Sequence[tuple[int, int, int, int]])
     return x, y
 
 
-def _users(svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, Box]) -> dict[str, list[_User]]:
+def _users(svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, TaskBox]) -> dict[str, list[_User]]:
     """The pins of these variables."""
     found: dict[str, list[_User]] = {}
     for one in placed:
@@ -178,7 +181,7 @@ def _users(svars: Set[str], placed: Sequence[Placed], boxes: Mapping[str, Box]) 
     return found
 
 
-def _counts(placed: Sequence[Placed], boxes: Mapping[str, Box]) -> dict[str, Uses]:
+def _counts(placed: Sequence[Placed], boxes: Mapping[str, TaskBox]) -> dict[str, Uses]:
     """How each variable is used, in the order in which they are first used."""
     found: dict[str, Uses] = {}
     for one in placed:

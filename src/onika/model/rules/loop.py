@@ -1,4 +1,4 @@
-"""Whether the loops of a flow are well formed (requirement E01, decision 23)."""
+"""Whether the loops of a flow are well formed (requirement E01, reading 23)."""
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -40,7 +40,7 @@ def faults(
     """What is wrong with the loop tags of a flow; `where` names it in the text.
 
     A tag stands at exactly two different actions of the flow, exactly one of them the test; loops are apart or one
-    within the other. A mark on a target counts for its action, which bears one (decision 24, requirement D06). The
+    within the other. A mark on a target counts for its action, which bears one (reading 24, requirement D06). The
     condition of a loop stands at its test. Flows of branches are not looked into. `every` are the actions of the flow,
     where they are known already.
     """

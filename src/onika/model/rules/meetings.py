@@ -1,4 +1,4 @@
-"""Whether the flows of a plan can meet at their synchronisation tags (requirement X03, decisions 21, 22 and 26).
+"""Whether the flows of a plan can meet at their synchronisation tags (requirement X03, readings 21, 22 and 26).
 
 What must end in a deadlock is a fault; what may, depending on what tasks return, is a note with an example. Skips and
 passes are not considered: they are the user's way out.
@@ -6,7 +6,7 @@ passes are not considered: they are the user's way out.
 
 from collections.abc import Iterator
 
-from onika.model.rules.waits import Explored, Knot, Wait, Waits
+from onika.model.rules.waits import Explored, FlowWait, Knot, Waits
 from onika.wire.plan import Do, Meet, Plan, PlannedAction
 from onika.words.fault import Fault, Place, parted
 
@@ -84,10 +84,10 @@ class _Finder:
         ending = "" if knot.is_circle else ", which has ended by then"
         return ", which ".join([self._waiting(knot.waits[0]), *map(self._waits_on, knot.waits[1:])]) + ending
 
-    def _waiting(self, wait: Wait) -> str:
+    def _waiting(self, wait: FlowWait) -> str:
         return f"{self._flow(wait.flow)} {self._waits_on(wait)}"
 
-    def _waits_on(self, wait: Wait) -> str:
+    def _waits_on(self, wait: FlowWait) -> str:
         other = self._flow(wait.other)
         if wait.at < 0:
             return f"is begun by {other} only"
@@ -96,18 +96,18 @@ class _Finder:
             return f"waits for the end of {other}"
         return f"waits at {_name(here.tag)} ({self._place(wait)}, {self._action_name(wait)}) for {other}"
 
-    def _action(self, wait: Wait) -> PlannedAction | None:
+    def _action(self, wait: FlowWait) -> PlannedAction | None:
         """The action that a flow would go on with, or where there is none the one before."""
         program = self._waits.programs[wait.flow]
         near = (*program[max(wait.at, 0) :], *reversed(program[: max(wait.at, 0)]))
         index = next((one.action for one in near if isinstance(one, Do)), None)
         return None if index is None else self._plan.flows[wait.flow].actions[index]
 
-    def _action_name(self, wait: Wait) -> str:
+    def _action_name(self, wait: FlowWait) -> str:
         action = self._action(wait)
         return action.name if action else "its end"
 
-    def _place(self, wait: Wait) -> Place:
+    def _place(self, wait: FlowWait) -> Place:
         action = self._action(wait)
         return Place(action.place, action.line) if action else Place(self._plan.application)
 

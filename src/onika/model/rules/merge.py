@@ -54,7 +54,7 @@ def merge(placed: Sequence[Placed], running: Sequence[Placed], tasks: Mapping[st
 def _conflicting(
     placed: Iterable[Placed], alive: Mapping[str, Placed], tasks: Mapping[str, Task]
 ) -> dict[str, tuple[Refusal, ...]]:
-    """S of Equation (4): placed tasks that may not stand beside a running task of another name (decision 3)."""
+    """S of Equation (4): placed tasks that may not stand beside a running task of another name (reading 3)."""
     others = [tasks[name] for name in alive if name in tasks]
     found = {
         one.task: placement.refusals(tasks[one.task], [other for other in others if other.name != one.task])
@@ -65,5 +65,5 @@ def _conflicting(
 
 
 def _updated(placed: Placed, running: Placed) -> Placed:
-    """The running task's values win (decision 4); its icon stays where it is."""
+    """The running task's values win (reading 4); its icon stays where it is."""
     return replace(placed, frequency=running.frequency, rtpu=running.rtpu)

@@ -1,4 +1,4 @@
-"""Which applications run within which: all that are reached, and those that would run within themselves (E06)."""
+"""Finds the applications that run within another, and those that would run within themselves (requirement E06)."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field

@@ -58,7 +58,7 @@ def rank(tasks: Sequence[Ports], hardware: Collection[str]) -> dict[str, int]:
     """The place of each task in a cycle, 0 first: writers before readers of an INVAR, hardware tasks as sources.
 
     Every loop is cut at the hardware task, which reads what was written one period ago. Tasks on a loop without
-    hardware keep the order of `tasks`, and so do tasks that do not depend on each other (decision 14).
+    hardware keep the order of `tasks`, and so do tasks that do not depend on each other (reading 14).
     """
     readers = {task.name: () if task.name in hardware else task.invar for task in tasks}
     groups = _ordered(tasks, _suppliers(readers, {task.name: task.outvar for task in tasks}))

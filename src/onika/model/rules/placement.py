@@ -17,12 +17,12 @@ def refusals(task: Task, placed: Iterable[Task]) -> tuple[Refusal, ...]:
 
 def greyed(library: Iterable[Task], placed: Iterable[Task]) -> dict[str, tuple[Refusal, ...]]:
     """The set G of Equation (2): the tasks of a library that may not be placed, each with all its reasons."""
-    standing = Company(placed)
+    standing = PlacedNeighbours(placed)
     reasons = {task.name: tuple(standing.against(task)) for task in library}
     return {name: found for name, found in reasons.items() if found}
 
 
-class Company:
+class PlacedNeighbours:
     """Tasks by what may speak between them and another one, so that few need be looked at."""
 
     def __init__(self, tasks: Iterable[Task]) -> None:
@@ -59,7 +59,7 @@ class Company:
 
 
 def alias_refusals(changed: Task, others: Iterable[Task]) -> tuple[Refusal, ...]:
-    """Why the aliases of `changed` may not be taken over beside the `others` of its configuration (decision 9)."""
+    """Why the aliases of `changed` may not be taken over beside the `others` of its configuration (reading 9)."""
     twice = tuple(
         Refusal(
             f"{' and '.join(names)} of `{changed.name}` would both write {svar}", (f"give {names[-1]} another alias",)

@@ -7,7 +7,7 @@ from onika.model.rules.order import Ports, constant_order
 
 
 @dataclass(frozen=True, slots=True)
-class Change:
+class TaskSwitch:
     """A switch: T1 - T2 goes off, T1 ∩ T2 is not touched, T2 - T1 comes on."""
 
     off: tuple[str, ...]
@@ -16,7 +16,7 @@ class Change:
 
 
 @dataclass(frozen=True, slots=True)
-class Placed:
+class PlacedTask:
     """A task as reconfiguration sees it: its variables, its module and the device it claims."""
 
     ports: Ports
@@ -28,8 +28,8 @@ class Placed:
         """The task's name."""
         return self.ports.name
 
-    def excludes(self, other: "Placed") -> bool:
-        """Whether this one has to go before the other comes (decision 14): one name, one module, one claimed device.
+    def excludes(self, other: "PlacedTask") -> bool:
+        """Whether this one has to go before the other comes (reading 14): one name, one module, one claimed device.
 
         Or because it writes at every cycle what the newcomer writes at initialisation: that would break into it.
         """
@@ -39,13 +39,13 @@ class Placed:
 
 
 @dataclass(frozen=True, slots=True)
-class Exchange:
+class TaskExchange:
     """A change of the tasks that live: who stays untouched, who dies, who is born, who learns new constants."""
 
     keep: tuple[str, ...]
     kill: tuple[str, ...]
     kill_first: tuple[str, ...]
-    """Of `kill`: those that exclude a new task, so that they go before it comes (decision 14)."""
+    """Of `kill`: those that exclude a new task, so that they go before it comes (reading 14)."""
     spawn: tuple[str, ...]
     """In the order of constants."""
     reinit: tuple[str, ...]
@@ -54,25 +54,25 @@ class Exchange:
     In the order of constants (requirement A13)."""
 
 
-def difference(on_now: Iterable[str], wanted: Sequence[str]) -> Change:
+def difference(on_now: Iterable[str], wanted: Sequence[str]) -> TaskSwitch:
     """The change from `on_now` to `wanted`: `off` in the order of the former, `keep` and `on` in that of the latter."""
     before = dict.fromkeys(on_now)
     after = dict.fromkeys(wanted)
-    return Change(
+    return TaskSwitch(
         off=tuple(name for name in before if name not in after),
         keep=tuple(name for name in after if name in before),
         on=tuple(name for name in after if name not in before),
     )
 
 
-def exchange(living: Sequence[Placed], kill: Collection[str], new: Sequence[Placed]) -> Exchange:
+def exchange(living: Sequence[PlacedTask], kill: Collection[str], new: Sequence[PlacedTask]) -> TaskExchange:
     """What happens to each task when `kill` goes and `new` comes; a name that is in both is exchanged."""
     keep = [one for one in living if one.name not in kill]
     gone = [one for one in living if one.name in kill]
     supplied = {svar for one in new for svar in one.ports.outconst}  # if they live at all, from one that is gone now
     born = {one.name for one in new}
     order, _ = constant_order([one.ports for one in (*keep, *new)])
-    return Exchange(
+    return TaskExchange(
         keep=tuple(one.name for one in keep),
         kill=tuple(one.name for one in gone),
         kill_first=tuple(one.name for one in gone if any(one.excludes(other) for other in new)),

@@ -1,4 +1,4 @@
-"""Which tasks may stand for which others while an application runs (requirement E09, §5.9.1, decision 29).
+"""Which tasks may stand for which others while an application runs (requirement E09, §5.9.1, reading 29).
 
 Any task with the same outputs or more, by aliased names. What it writes beyond them, its module and its device must not
 meet those of the tasks beside it; and what it reads must be written, where everything that the other one reads is.

@@ -23,26 +23,26 @@ from onika.wire.plan import (
 )
 
 
-class Value(IntEnum):
+class ReturnValue(IntEnum):
     """What is known before the run of the value that the last action has returned."""
 
     NONE = 0
-    """There is none: branches take flow 0, loops are left (decisions 21 and 22)."""
+    """There is none: branches take flow 0, loops are left (readings 21 and 22)."""
     NOOP = 1
     """That of a no-op: flow 0, go on (requirement D11)."""
     ANY = 2
 
 
-class Stop(NamedTuple):
+class FlowStop(NamedTuple):
     """Where a flow stands still: at a Meet or a Join of its program, or for good."""
 
     at: int
-    value: Value
+    value: ReturnValue
 
 
-IDLE = Stop(-1, Value.NONE)
+IDLE = FlowStop(-1, ReturnValue.NONE)
 """It has come to its end, or has not been begun by its parent."""
-ENDLESS = Stop(-2, Value.NONE)
+ENDLESS = FlowStop(-2, ReturnValue.NONE)
 """It goes round in a loop that waits for nobody and is never left."""
 
 Said = tuple[str, "Said"] | None
@@ -50,10 +50,10 @@ Said = tuple[str, "Said"] | None
 
 
 @dataclass(frozen=True, slots=True)
-class Way:
+class FlowOutcome:
     """One thing a flow can come to: where it stops, the flows it begins before, and an example of the choices to it."""
 
-    stop: Stop
+    stop: FlowStop
     forks: tuple[tuple[int, int], ...]
     choices: tuple[str, ...]
 
@@ -65,16 +65,16 @@ def program_of(flow: PlannedFlow) -> tuple[Instruction, ...]:
     return (*(step for index, action in enumerate(flow.actions) for step in _plain(index, action)), Halt())
 
 
-def ways(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Value) -> tuple[Way, ...]:
+def ways(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: ReturnValue) -> tuple[FlowOutcome, ...]:
     """Everything a flow can come to from this place of its program; every choice is free unless its value is known.
 
     A loop that can be left is left some time; one that cannot, and waits nowhere, is ENDLESS.
     """
     at, value = _straight_on(flow, program, at, value)
     if isinstance(program[at] if at < len(program) else None, Meet):
-        return (Way(Stop(at, _kept(program, at, value)), (), ()),)
-    found: dict[tuple[Stop, tuple[tuple[int, int], ...]], Way] = {}
-    ahead: deque[tuple[int, Value, tuple[tuple[int, int], ...], Said]] = deque([(at, value, (), None)])
+        return (FlowOutcome(FlowStop(at, _kept(program, at, value)), (), ()),)
+    found: dict[tuple[FlowStop, tuple[tuple[int, int], ...]], FlowOutcome] = {}
+    ahead: deque[tuple[int, ReturnValue, tuple[tuple[int, int], ...], Said]] = deque([(at, value, (), None)])
     seen = set()
     while ahead:
         at, value, forks, said = ahead.popleft()
@@ -83,15 +83,15 @@ def ways(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Valu
         seen.add((at, value, forks))
         here = program[at] if at < len(program) else Halt()
         if isinstance(here, Meet | Join | Halt):
-            stop = IDLE if isinstance(here, Halt) else Stop(at, _kept(program, at, value))
-            found.setdefault((stop, forks), Way(stop, forks, _in_order(said)))
+            stop = IDLE if isinstance(here, Halt) else FlowStop(at, _kept(program, at, value))
+            found.setdefault((stop, forks), FlowOutcome(stop, forks, _in_order(said)))
             continue
         if isinstance(here, Do):
-            value = Value.NOOP if flow.actions[here.action].is_noop else Value.ANY
+            value = ReturnValue.NOOP if flow.actions[here.action].is_noop else ReturnValue.ANY
         elif isinstance(here, Fork):
             forks += tuple(one for one in here.flows if one not in forks)
         ahead.extend((to, value, forks, (choice, said) if choice else said) for to, choice in _onward(here, at, value))
-    return tuple(found.values()) or (Way(ENDLESS, (), ()),)
+    return tuple(found.values()) or (FlowOutcome(ENDLESS, (), ()),)
 
 
 def _plain(index: int, action: PlannedAction) -> Iterator[Instruction]:
@@ -102,23 +102,25 @@ def _plain(index: int, action: PlannedAction) -> Iterator[Instruction]:
         yield Rest(index)
 
 
-def _straight_on(flow: PlannedFlow, program: Sequence[Instruction], at: int, value: Value) -> tuple[int, Value]:
+def _straight_on(
+    flow: PlannedFlow, program: Sequence[Instruction], at: int, value: ReturnValue
+) -> tuple[int, ReturnValue]:
     """As far as there is nothing to choose: most of what there is, in one go."""
     while at < len(program):
         here = program[at]
         if type(here) is Do:
-            value = Value.NOOP if flow.actions[here.action].is_noop else Value.ANY
+            value = ReturnValue.NOOP if flow.actions[here.action].is_noop else ReturnValue.ANY
         elif type(here) is not Rest:
             break
         at += 1
     return at, value
 
 
-def _onward(here: Instruction, at: int, value: Value) -> list[tuple[int, str]]:
+def _onward(here: Instruction, at: int, value: ReturnValue) -> list[tuple[int, str]]:
     """The places that can follow, each with the choice that leads there, in words; empty where there is none."""
     match here:
         case Choose():
-            if here.conditions or value is Value.ANY:
+            if here.conditions or value is ReturnValue.ANY:
                 return [(to, f"takes flow {way} of {here.name or 'a branch'}") for way, to in enumerate(here.to)]
             return [(here.to[0], "")]
         case Again():
@@ -131,16 +133,16 @@ def _onward(here: Instruction, at: int, value: Value) -> list[tuple[int, str]]:
             return [(at + 1, "")]
 
 
-def _either(loop: str, condition: str, value: Value, stay: int, leave: int) -> list[tuple[int, str]]:
-    if condition or value is Value.ANY:
+def _either(loop: str, condition: str, value: ReturnValue, stay: int, leave: int) -> list[tuple[int, str]]:
+    if condition or value is ReturnValue.ANY:
         return [(leave, f"leaves loop {loop}"), (stay, f"stays in loop {loop}")]
-    return [(stay if value is Value.NOOP else leave, "")]
+    return [(stay if value is ReturnValue.NOOP else leave, "")]
 
 
-def _kept(program: Sequence[Instruction], at: int, value: Value) -> Value:
+def _kept(program: Sequence[Instruction], at: int, value: ReturnValue) -> ReturnValue:
     """The value, or ANY where the next action makes it nobody's business: so equal futures are one."""
     following = program[at + 1] if at + 1 < len(program) else None
-    return Value.ANY if isinstance(following, Do) else value
+    return ReturnValue.ANY if isinstance(following, Do) else value
 
 
 def _in_order(said: Said) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Which flows share a subsystem, with nested applications in line; what must hold among their tasks (E01, law 9)."""
+"""Finds which flows share a subsystem, and what must hold among their tasks (law 9, requirement E01)."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -17,7 +17,7 @@ from onika.words.fault import Fault
 
 
 @dataclass(slots=True)
-class Subsystem:
+class SharedSubsystem:
     """One subsystem: the passages that run on it and its configurations, each with the icon that uses it first."""
 
     name: str
@@ -28,13 +28,13 @@ class Subsystem:
     """Whether all its tasks are there, so that `variables` are all there are."""
 
 
-def subsystems(nest: Nest, syntax: Syntax) -> dict[str, Subsystem]:
+def subsystems(nest: Nest, syntax: Syntax) -> dict[str, SharedSubsystem]:
     """The subsystems of an application by name: `flow0`, `flow1`, …
 
     The first flow of a nested parallel application runs where that stands, the others on `flow0.1` and so on; all
     flows of a nested conditional one run where that stands.
     """
-    found: dict[str, Subsystem] = {}
+    found: dict[str, SharedSubsystem] = {}
     seen: set[tuple[str, str, int]] = set()
     ways = [(f"flow{at}", nest.top, at) for at in reversed(range(len(nest.top.application.flows)))]
     while ways:
@@ -43,7 +43,7 @@ def subsystems(nest: Nest, syntax: Syntax) -> dict[str, Subsystem]:
         if (name, outline.application.name, number) in seen:
             continue
         seen.add((name, outline.application.name, number))
-        subsystem = found.setdefault(name, Subsystem(name))
+        subsystem = found.setdefault(name, SharedSubsystem(name))
         inner = [
             way for passage in outline.of_flow(number) for way in _enter(subsystem, outline, passage, nest, syntax)
         ]
@@ -52,7 +52,7 @@ def subsystems(nest: Nest, syntax: Syntax) -> dict[str, Subsystem]:
 
 
 def faults(
-    found: Mapping[str, Subsystem],
+    found: Mapping[str, SharedSubsystem],
     known: Mapping[str, Configuration],
     tasks: Mapping[str, Task],
     redirects: Sequence[Redirect] = (),
@@ -73,7 +73,7 @@ def faults(
 
 
 def crew(
-    subsystem: Subsystem,
+    subsystem: SharedSubsystem,
     configurations: Mapping[str, Configuration],
     tasks: Mapping[str, Task],
     redirects: Sequence[Redirect],
@@ -85,7 +85,7 @@ def crew(
 
 
 def _enter(
-    subsystem: Subsystem, outline: Outline, passage: Passage, nest: Nest, syntax: Syntax
+    subsystem: SharedSubsystem, outline: Outline, passage: Passage, nest: Nest, syntax: Syntax
 ) -> Iterator[tuple[str, Outline, int]]:
     """Take in a passage; gives the flows nested in it, each with the name of its subsystem."""
     subsystem.passages.append((outline, passage))
@@ -100,17 +100,17 @@ def _enter(
             subsystem.uses.setdefault(name, (outline, passage, action.position))
 
 
-def _sources(subsystem: Subsystem, configurations: Mapping[str, Configuration]) -> dict[str, union.Source]:
-    found: dict[str, union.Source] = {}
+def _sources(subsystem: SharedSubsystem, configurations: Mapping[str, Configuration]) -> dict[str, union.TaskOrigin]:
+    found: dict[str, union.TaskOrigin] = {}
     for name, (outline, passage, position) in subsystem.uses.items():
         place = outline.place(passage.flow.steps[position])
         inside = f" of {outline.where(passage)}" if outline.is_nested or passage.is_inner else ""
         for placed in configurations[name].placed if name in configurations else ():
-            found.setdefault(placed.task, union.Source(place, f"in `{name}`, step {position}{inside}"))
+            found.setdefault(placed.task, union.TaskOrigin(place, f"in `{name}`, step {position}{inside}"))
     return found
 
 
-def _conditions(subsystem: Subsystem, every: Mapping[str, Subsystem]) -> Iterator[Fault]:
+def _conditions(subsystem: SharedSubsystem, every: Mapping[str, SharedSubsystem]) -> Iterator[Fault]:
     for outline, passage in subsystem.passages:
         for position, step in enumerate(passage.flow.steps):
             given: tuple[str, ...] = ()
@@ -124,7 +124,7 @@ def _conditions(subsystem: Subsystem, every: Mapping[str, Subsystem]) -> Iterato
                     yield outline.fault(step, wrong, f"`{text}` at {at}")
 
 
-def _condition(text: str, subsystem: Subsystem, every: Mapping[str, Subsystem]) -> str:
+def _condition(text: str, subsystem: SharedSubsystem, every: Mapping[str, SharedSubsystem]) -> str:
     """What a condition should be, where it is not."""
     try:
         condition = Condition.parse(text)

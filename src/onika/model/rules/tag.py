@@ -1,4 +1,4 @@
-"""Whether the synchronisation tags of an application have a meaning (requirement E04, decisions 26 and 27)."""
+"""Whether the synchronisation tags of an application have a meaning (requirement E04, readings 26 and 27)."""
 
 from collections.abc import Iterator
 

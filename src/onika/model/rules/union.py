@@ -15,7 +15,7 @@ DEVICE = "DEVICE"
 _Both = tuple[str, Task, Task]
 
 
-class Source(NamedTuple):
+class TaskOrigin(NamedTuple):
     """The icon that brings a task into a flow: its line and its name in texts."""
 
     place: Place
@@ -29,12 +29,12 @@ def tasks_of(configurations: Iterable[Configuration], tasks: Mapping[str, Task])
 
 
 def conflicts(
-    tasks: Sequence[Task], where: str, place: Place, sources: Mapping[str, Source] | None = None
+    tasks: Sequence[Task], where: str, place: Place, sources: Mapping[str, TaskOrigin] | None = None
 ) -> tuple[Fault, ...]:
     """What may not live side by side in one subsystem, though never ON together; `where` names the flow.
 
     One module twice, a device claimed twice, a constant supplied twice, a pure OUTVAR against a pure INCONST
-    (decision 1: sharing an OUTVAR is legal), and a constant that nobody supplies (laws 9 and 10). Each is told of every
+    (reading 1: sharing an OUTVAR is legal), and a constant that nobody supplies (laws 9 and 10). Each is told of every
     later task beside the first. A fault stands at the icon that brings the later task, as far as `sources` knows it.
     """
     known = sources or {}
@@ -67,7 +67,7 @@ def variables(tasks: Iterable[Task]) -> frozenset[str]:
     return frozenset[str]().union(*(task.inputs | task.outputs for task in tasks))
 
 
-def _shown(task: Task, sources: Mapping[str, Source]) -> str:
+def _shown(task: Task, sources: Mapping[str, TaskOrigin]) -> str:
     source = sources.get(task.name)
     return f"`{task.name}` ({source.shown})" if source else f"`{task.name}`"
 

@@ -16,8 +16,8 @@ _PIN = {
     PortKind.OUTCONST: 1 << 2 * _BITS,
     PortKind.INVAR: 1 << 3 * _BITS,
     PortKind.OUTVAR: 1 << 4 * _BITS,
-    PortKind.INBOTH: 1 << 5 * _BITS,  # in `double_in` only (decision 7)
-    PortKind.OUTBOTH: 1 << 2 * _BITS,  # in `outconst` only (decision 7)
+    PortKind.INBOTH: 1 << 5 * _BITS,  # in `double_in` only (reading 7)
+    PortKind.OUTBOTH: 1 << 2 * _BITS,  # in `outconst` only (reading 7)
 }
 
 

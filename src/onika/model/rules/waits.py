@@ -11,15 +11,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import product
 
-from onika.model.rules.stretch import ENDLESS, IDLE, Stop, Value, Way, program_of, ways
+from onika.model.rules.stretch import ENDLESS, IDLE, FlowOutcome, FlowStop, ReturnValue, program_of, ways
 from onika.wire.plan import Join, Meet, PlannedFlow
 
-State = tuple[Stop, ...]
+State = tuple[FlowStop, ...]
 """Where each flow of the plan stops; flows that are not looked at are idle."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
-class Wait:
+class FlowWait:
     """A flow that waits at a place of its program for another one."""
 
     flow: int
@@ -31,7 +31,7 @@ class Wait:
 class Knot:
     """Flows that can never go on: each waits for the next one, the last one for the first or for one that has ended."""
 
-    waits: tuple[Wait, ...]
+    waits: tuple[FlowWait, ...]
     is_circle: bool
     choices: tuple[tuple[int, str], ...]
     """An example of how they come there: who chooses what."""
@@ -44,7 +44,7 @@ class Explored:
     knots: tuple[Knot, ...]
     is_certain: bool
     """Whether every run comes to one of the knots."""
-    idling: tuple[Wait, ...]
+    idling: tuple[FlowWait, ...]
     """Who can come to wait for a flow that goes round in a loop for ever, unless the user lets it leave that."""
     is_whole: bool
     """Whether everything was looked at."""
@@ -61,7 +61,7 @@ class Waits:
         for number, program in enumerate(self.programs):
             for tag in dict.fromkeys(one.tag for one in program if isinstance(one, Meet)):
                 self.parties.setdefault(tag, []).append(number)
-        self._ways: dict[tuple[int, int, Value], tuple[Way, ...]] = {}
+        self._ways: dict[tuple[int, int, ReturnValue], tuple[FlowOutcome, ...]] = {}
 
     def families(self) -> list[tuple[int, ...]]:
         """The flows that have to do with each other, by tags or as parent and nested flow, in groups."""
@@ -116,10 +116,10 @@ class Waits:
     def _first(self, family: Sequence[int]) -> Iterator[tuple[State, tuple[tuple[int, str], ...]]]:
         nowhere = (IDLE,) * len(self._flows)
         roots = [number for number in family if self._flows[number].parent is None]
-        return self._starts(nowhere, [(number, 0, Value.NONE) for number in roots])
+        return self._starts(nowhere, [(number, 0, ReturnValue.NONE) for number in roots])
 
     def _starts(
-        self, state: State, starts: Sequence[tuple[int, int, Value]]
+        self, state: State, starts: Sequence[tuple[int, int, ReturnValue]]
     ) -> Iterator[tuple[State, tuple[tuple[int, str], ...]]]:
         """Let flows go on, each from a place of its program, and those that they begin as well."""
         for each in product(*(self._ways_of(*start) for start in starts)):
@@ -127,14 +127,14 @@ class Waits:
             for (number, _, _), way in zip(starts, each, strict=True):
                 new[number] = way.stop
             said = tuple((start[0], choice) for start, way in zip(starts, each, strict=True) for choice in way.choices)
-            begun = [(child, at, Value.NONE) for way in each for child, at in way.forks]
+            begun = [(child, at, ReturnValue.NONE) for way in each for child, at in way.forks]
             if not begun:
                 yield tuple(new), said
                 continue
             for further, more in self._starts(tuple(new), begun):
                 yield further, said + more
 
-    def _ways_of(self, number: int, at: int, value: Value) -> tuple[Way, ...]:
+    def _ways_of(self, number: int, at: int, value: ReturnValue) -> tuple[FlowOutcome, ...]:
         if (number, at, value) not in self._ways:
             self._ways[number, at, value] = ways(self._flows[number], self.programs[number], at, value)
         return self._ways[number, at, value]
@@ -153,8 +153,8 @@ class _Exploration:
         self._limit = limit
         self._came: dict[State, tuple[State | None, tuple[tuple[int, str], ...]]] = {}
         self._steps: dict[State, list[State]] = {}
-        self._knots: dict[tuple[Wait, ...], Knot] = {}
-        self._idling: dict[Wait, None] = {}
+        self._knots: dict[tuple[FlowWait, ...], Knot] = {}
+        self._idling: dict[FlowWait, None] = {}
         self._has_good_end = False
         self._ahead: deque[State] = deque()
 
@@ -208,13 +208,13 @@ class _Exploration:
             if waits not in self._knots:
                 self._knots[waits] = Knot(waits, is_circle, self._example(state))
 
-    def _chain(self, state: State, number: int, stuck: set[int]) -> tuple[tuple[Wait, ...], bool]:
+    def _chain(self, state: State, number: int, stuck: set[int]) -> tuple[tuple[FlowWait, ...], bool]:
         """From a stuck flow to whom it waits for and so on: the circle at its end, or the wait for an ended flow."""
-        chain: dict[int, Wait] = {}
+        chain: dict[int, FlowWait] = {}
         while number not in chain:
             others = self._waits.waits_for(state, number)
             other = next(one for one in others if self._is_dead(state, one, stuck))
-            chain[number] = Wait(number, state[number].at, other)
+            chain[number] = FlowWait(number, state[number].at, other)
             if self._waits.has_ended(state, other):
                 return _last_wait(list(chain.values())), False
             number = other
@@ -232,7 +232,7 @@ class _Exploration:
         for number, stop in enumerate(state):
             for other in self._waits.waits_for(state, number) if stop.at >= 0 else ():
                 if state[other] == ENDLESS:
-                    self._idling[Wait(number, stop.at, other)] = None
+                    self._idling[FlowWait(number, stop.at, other)] = None
 
     def _example(self, state: State) -> tuple[tuple[int, str], ...]:
         parts, at = [], state
@@ -244,7 +244,7 @@ class _Exploration:
             at = before
 
 
-def _last_wait(chain: list[Wait]) -> tuple[Wait, ...]:
+def _last_wait(chain: list[FlowWait]) -> tuple[FlowWait, ...]:
     """The end of a chain from the last flow on that stands at a wait; those behind it have not been begun."""
     start = max(place for place, one in enumerate(chain) if one.at >= 0)
     return tuple(chain[start:])

@@ -78,14 +78,14 @@ def test_tasks_that_may_not_stand_together_are_told(site, base):  # R-C26
     assert draft(site, base, "jmove", "other", "pd").warnings == ("other and jmove may not stand together",)
 
 
-def test_the_icon_that_it_has_is_offered_again_and_an_old_type_told(site, base):  # decision 36
+def test_the_icon_that_it_has_is_offered_again_and_an_old_type_told(site, base):  # reading 36
     base.save_onikon(icon("move"))
     assert draft(site, base, "jmove", "pd").former.value == icon("move")
     assert draft(site, base, "jmove", "pd").warnings == ()
     assert draft(site, base, "pd").warnings == ("its icon says Joint job, as it was before",)
 
 
-def test_the_icon_of_something_else_is_not_lost_unseen(site, base):  # decision 34
+def test_the_icon_of_something_else_is_not_lost_unseen(site, base):  # reading 34
     base.save_onikon(icon("move", "Complete application"))
     found = draft(site, base, "pd")
     assert found.former is None

@@ -6,7 +6,7 @@ from kit.laboratory import Laboratory
 from onika.files import conf
 from onika.model.configuration import Group
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Placed as Standing, exchange
+from onika.model.rules.reconfiguration import PlacedTask as Standing, exchange
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import GroupView, ShowTask

@@ -81,7 +81,7 @@ def test_what_was_changed_of_a_task_comes_back_with_its_library(sitting, far):  
     assert sitting.environment.tree.tasks["far"].pins[0].svar == "P"
 
 
-def test_a_change_is_not_put_on_the_task_of_that_name_of_another_library(sitting, tmp_path):  # decision 11, R-C04
+def test_a_change_is_not_put_on_the_task_of_that_name_of_another_library(sitting, tmp_path):  # reading 11, R-C04
     other = BaseDirectory(tmp_path / "other")
     other.save_task(RmodText(OWN))
     sitting.do(act.OpenLibrary(str(other.path)))

@@ -37,7 +37,7 @@ def file(sitting, name):
     return sitting.base.task_file(name)
 
 
-def test_an_alias_reaches_every_open_configuration(sitting):  # R-C04, decision 9
+def test_an_alias_reaches_every_open_configuration(sitting):  # R-C04, reading 9
     one, two = sitting.new("writer", "reader"), sitting.new("writer")
     sitting.do(act.Alias("writer", "Q", "GOAL", one))
     assert task(sitting, "writer").aliases == (("Q", "GOAL"),)
@@ -74,7 +74,7 @@ def test_what_was_done_before_an_alias_of_another_document_is_taken_back_with_it
     assert sorted(svars(sitting, one)) == ["GOAL", "IN", "R"]
 
 
-def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with_its_ways_out(sitting):  # decision 9
+def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with_its_ways_out(sitting):  # reading 9
     here, there = sitting.new("writer"), sitting.new("writer", "other")
     no = sitting.no(act.Alias("writer", "Q", "P", here))
     name = sitting.environment.model.documents[there].name
@@ -86,7 +86,7 @@ def test_an_alias_that_would_clash_in_another_open_configuration_is_refused_with
     sitting.do(act.Alias("writer", "Q", "P", here))
 
 
-def test_undo_is_refused_where_it_would_clash_by_now(sitting):  # decision 9, R-X10
+def test_undo_is_refused_where_it_would_clash_by_now(sitting):  # reading 9, R-X10
     doc = sitting.new("writer")
     sitting.do(act.Alias("writer", "Q", "FREE", doc))
     other = sitting.new("writer", "other")
@@ -97,7 +97,7 @@ def test_undo_is_refused_where_it_would_clash_by_now(sitting):  # decision 9, R-
     assert task(sitting, "writer") == WRITER
 
 
-def test_two_outputs_of_one_variable_are_refused_though_nothing_is_placed(sitting):  # decision 9
+def test_two_outputs_of_one_variable_are_refused_though_nothing_is_placed(sitting):  # reading 9
     no = sitting.no(act.Alias("writer", "Q", "R"))
     assert "would both write R" in no.reason
     assert no.remedies[0].show == ShowPin("writer", "R")
@@ -142,7 +142,7 @@ def test_aliases_are_resolved_once_whatever_was_aliased_before(tmp_path_factory,
     assert task(sitting, "swap") == swap
 
 
-def test_a_rate_of_the_library_holds_for_later_placements_and_no_step_is_made(sitting):  # decision 10
+def test_a_rate_of_the_library_holds_for_later_placements_and_no_step_is_made(sitting):  # reading 10
     doc = sitting.new("reader")
     sitting.do(act.LibraryRate("writer", 25.0))
     sitting.do(act.Place(doc, "writer", 0, 0))
@@ -229,7 +229,7 @@ def test_forgetting_takes_the_task_as_its_file_says_now(sitting):  # R-C04
     assert sorted(svars(sitting, doc)) == ["IN", "Q", "R"]
 
 
-def test_forgetting_is_refused_where_the_file_clashes_by_now(sitting):  # decision 9
+def test_forgetting_is_refused_where_the_file_clashes_by_now(sitting):  # reading 9
     sitting.do(act.Alias("other", "P", "Q"))
     sitting.do(act.Alias("writer", "Q", "GOAL"))
     doc = sitting.new("writer", "other")

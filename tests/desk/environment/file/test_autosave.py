@@ -13,7 +13,7 @@ from onika.model.application import AppFlow, Application, Icon
 from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 
 def document(x, doc="c1"):
@@ -53,7 +53,7 @@ def test_who_never_rests_is_kept_all_the_same():
 def test_nothing_is_written_of_what_is_saved_or_the_same():
     autosave = Autosave()
     saved = document(1)
-    saved = replace(saved, opened=Opened(saved.content.configuration, "a.conf", ""))
+    saved = replace(saved, opened=OpenedText(saved.content.configuration, "a.conf", ""))
     autosave.look(model(saved, Document("c2", Content(Configuration("blank")))), 0.0)
     assert autosave.due_s is None
     autosave.look(model(document(1)), 0.0)
@@ -67,7 +67,7 @@ def test_what_is_saved_or_closed_is_kept_no_longer():
     autosave = Autosave()
     autosave.look(model(document(1), document(2, "c2")), 0.0)
     assert len(autosave.take(1.0)) == 2
-    one = replace(document(1), opened=Opened(document(1).content.configuration, "a.conf", ""))
+    one = replace(document(1), opened=OpenedText(document(1).content.configuration, "a.conf", ""))
     autosave.look(model(one), 3.0)
     assert autosave.take(9.0) == (Change("c1", None), Change("c2", None))
     assert autosave.take_all(9.0) == ()
@@ -75,7 +75,7 @@ def test_what_is_saved_or_closed_is_kept_no_longer():
 
 def test_looks_alone_are_kept_too():
     autosave = Autosave()
-    moved = replace(document(5), opened=Opened(document(1).content.configuration, "a.conf", ""))
+    moved = replace(document(5), opened=OpenedText(document(1).content.configuration, "a.conf", ""))
     assert moved.is_moved
     autosave.look(model(moved), 0.0)
     assert autosave.take_all(0.0) == (Change("c1", moved),)
@@ -108,7 +108,7 @@ def application(name, doc="a2"):
 def test_applications_that_are_not_saved_are_kept_too():  # R-X10
     autosave = Autosave()
     opened = application("grip")
-    saved = replace(application("grip", "a3"), opened=Opened(opened.application, Path("/b.appl"), ""))
+    saved = replace(application("grip", "a3"), opened=OpenedText(opened.application, Path("/b.appl"), ""))
     autosave.look(Model(documents={"c1": document(1)}, applications={"a2": opened, "a3": saved}), 0.0)
     assert autosave.take(REST_S) == (Change("c1", document(1)), Change("a2", opened))
     judged = replace(opened, judgement=Judgement(opened.application))

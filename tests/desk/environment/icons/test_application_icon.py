@@ -36,7 +36,7 @@ def test_an_application_without_holes_becomes_a_complete_application_at_once(tmp
     assert cabinet.look() == 0  # nobody waits for the next look at the disk
 
 
-def test_holes_of_one_type_of_target_make_a_type_that_takes_it(tmp_path, lab):  # R-D09, decision 31
+def test_holes_of_one_type_of_target_make_a_type_that_takes_it(tmp_path, lab):  # R-D09, reading 31
     cabinet, doc = opened(tmp_path, lab, [MOVE, HOLE, MOVE, HOLE])
     found = cabinet.do(act.Draft(doc))
     assert (found.type, found.right_edge) == ("Joint application", "2")
@@ -78,7 +78,7 @@ def test_it_is_made_of_what_its_file_says(tmp_path, lab):  # R-D09
     assert cabinet.no(act.Draft(new)).remedies[0].show == ShowSaveAs()
 
 
-def test_the_icon_of_a_configuration_is_replaced_only_where_that_is_meant(tmp_path, lab):  # decision 34
+def test_the_icon_of_a_configuration_is_replaced_only_where_that_is_meant(tmp_path, lab):  # reading 34
     cabinet, doc = opened(tmp_path, lab, [job("opengripC")], icons=(plain("tour"),))
     assert "icon of something else" in cabinet.do(act.Draft(doc)).warnings[0]
     no = cabinet.no(act.MakeJob(doc, WHITE))
@@ -86,7 +86,7 @@ def test_the_icon_of_a_configuration_is_replaced_only_where_that_is_meant(tmp_pa
     assert cabinet.icon("tour").type == "Complete application"
 
 
-def test_the_former_picture_and_what_it_says_are_offered_again(tmp_path, lab):  # R-D09, R-X11, decision 36
+def test_the_former_picture_and_what_it_says_are_offered_again(tmp_path, lab):  # R-D09, R-X11, reading 36
     words = (("es", "visita"),)
     icon = Onikon("tour", "Joint application", "go", (), drawn("V"), (), words)
     cabinet, doc = opened(tmp_path, lab, [job("opengripC")], icons=(icon,))

@@ -78,7 +78,7 @@ def test_a_text_of_several_flows_or_of_none_is_refused(gallery):
     assert gallery.no(act.CopyIcons(doc, numbers(gallery, doc, "_"))).reason == "a hole cannot be copied"
 
 
-def test_a_copied_loop_gets_a_tag_of_its_own_and_half_a_loop_is_none(gallery):  # R-D06, decision 23
+def test_a_copied_loop_gets_a_tag_of_its_own_and_half_a_loop_is_none(gallery):  # R-D06, reading 23
     doc = gallery.begun("grip", "wait", "open")
     test, anchor = numbers(gallery, doc, "open", "grip")
     gallery.do(act.SetLoop(doc, test, anchor))

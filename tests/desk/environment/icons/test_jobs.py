@@ -77,7 +77,7 @@ def test_a_job_is_made_and_offered_again(sitting, doc):  # R-C16, R-D07
     assert [one.level for one in sitting.says] == ["success"]
 
 
-def test_a_9_is_read_as_black(sitting, doc):  # decision 38
+def test_a_9_is_read_as_black(sitting, doc):  # reading 38
     sitting.do(act.MakeJob(doc, "7" * 513 + "9" + "7" * 510))
     assert onikon(sitting).picture.rows[16][1] == "8"
 
@@ -99,7 +99,7 @@ def test_an_icon_that_is_there_is_replaced_only_where_that_is_meant(sitting, doc
     assert "# by hand" in path.read_text()
 
 
-def test_the_icon_of_an_application_is_replaced_only_where_that_is_meant(sitting, doc):  # decision 34
+def test_the_icon_of_an_application_is_replaced_only_where_that_is_meant(sitting, doc):  # reading 34
     sitting.base.save_onikon(Onikon("move", "Complete application", "theirs", (), blank()))
     no = sitting.no(act.MakeJob(doc, BLANK))
     assert "the icon of something else" in no.reason

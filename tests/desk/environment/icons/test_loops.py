@@ -19,7 +19,7 @@ def loops(gallery, doc):
     return [f"{one.while_tag}{'!' * one.while_test}" if one.while_tag else "" for one in steps if isinstance(one, Icon)]
 
 
-def test_two_actions_are_marked_as_a_loop(gallery):  # R-D06, decision 23
+def test_two_actions_are_marked_as_a_loop(gallery):  # R-D06, reading 23
     doc = gallery.begun("move", "there", "grip")
     tag = gallery.do(act.SetLoop(doc, gallery.number(doc, "grip"), gallery.number(doc, "there")))
     assert (tag, loops(gallery, doc)) == ("A", ["A", "", "A!"])
@@ -37,7 +37,7 @@ def test_a_loop_may_go_on_while_a_condition_holds(gallery):  # R-D13
     assert "condition" in gallery.no(act.SetLoop(doc, one, other, condition="never")).fields
 
 
-def test_a_new_loop_replaces_those_that_its_actions_had(gallery):  # decision 23
+def test_a_new_loop_replaces_those_that_its_actions_had(gallery):  # reading 23
     doc = gallery.begun("grip", "wait", "open")
     grip, wait, opened = (gallery.number(doc, name) for name in ("grip", "wait", "open"))
     gallery.do(act.SetLoop(doc, wait, grip))
@@ -45,7 +45,7 @@ def test_a_new_loop_replaces_those_that_its_actions_had(gallery):  # decision 23
     assert loops(gallery, doc) == ["", "A", "A!"]
 
 
-def test_loops_lie_within_each_other_and_never_cross(gallery):  # decision 23, R-X01
+def test_loops_lie_within_each_other_and_never_cross(gallery):  # reading 23, R-X01
     doc = gallery.begun("grip", "wait", "open", "whole")
     one, two, three, four = (gallery.number(doc, name) for name in ("grip", "wait", "open", "whole"))
     gallery.do(act.SetLoop(doc, three, one))
@@ -58,7 +58,7 @@ def test_loops_lie_within_each_other_and_never_cross(gallery):  # decision 23, R
     assert gallery.do(act.SetLoop(doc, three, two)) == "B"
 
 
-def test_what_is_no_loop_is_refused(gallery):  # decision 23
+def test_what_is_no_loop_is_refused(gallery):  # reading 23
     doc = gallery.begun("move", "there", "grip", flows=2)
     gallery.add(doc, "open", flow="1")
     move, there = gallery.number(doc, "move"), gallery.number(doc, "there")
@@ -77,7 +77,7 @@ def test_a_tag_that_is_taken_is_refused_and_a_free_one_offered(gallery):  # R-X0
 
 @given(acts=st.lists(st.tuples(st.sampled_from(["loop", "remove", "delete"]), st.integers(0, 7), st.integers(0, 7))))
 @settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
-def test_whatever_is_marked_the_loops_of_a_flow_are_well_formed(gallery, acts):  # decision 23
+def test_whatever_is_marked_the_loops_of_a_flow_are_well_formed(gallery, acts):  # reading 23
     doc = gallery.begun(*["grip", "wait"] * 4)
     syntax = gallery.environment.model.syntax
     for kind, one, other in acts:

@@ -9,7 +9,7 @@ def gallery(tmp_path):
     return AppFixture(tmp_path)
 
 
-def test_a_breakpoint_counts_once_for_an_action(gallery):  # R-D06, decision 24
+def test_a_breakpoint_counts_once_for_an_action(gallery):  # R-D06, reading 24
     doc = gallery.begun("move", "there", "grip")
     job, target = gallery.number(doc, "move"), gallery.number(doc, "there")
     gallery.do(act.SetBreakpoint(doc, (job, target)))

@@ -36,7 +36,7 @@ def test_applications_are_judged_by_the_new_definition(cabinet):  # R-D16
     assert cabinet.environment.model.sources[path].type == "Weld application"
 
 
-def test_a_definition_at_fault_is_told_and_the_shipped_one_counts(cabinet):  # R-B07, decision 39
+def test_a_definition_at_fault_is_told_and_the_shipped_one_counts(cabinet):  # R-B07, reading 39
     path = cabinet.define(*WELD, *SPARK)
     cabinet.look()
     path.write_text("ONIKON\n")

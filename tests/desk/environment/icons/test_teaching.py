@@ -65,7 +65,7 @@ def test_joint_angles_are_taken_from_the_arm_as_it_stands_and_the_duration_is_le
     assert (found.source, found.subsystem, found.others) == (f"Q_MEZ, as arm measures it in {home}", home, ())
 
 
-def test_a_frame_is_given_as_the_nine_numbers_of_a_target(duet):  # R-D13, decision 44
+def test_a_frame_is_given_as_the_nine_numbers_of_a_target(duet):  # R-D13, reading 44
     doc, _ = measuring(duet, "arm", "eye")
     duet.do(act.Turn(doc, ("arm", "eye"), True))
     found = duet.do(act.Teach("Cartesian object"))

@@ -12,7 +12,7 @@ def aliased(task, pin, svar):
     return Task(task.name, task.module, aliases=((pin, svar),), inconst=task.inconst, outvar=task.outvar, frequency=1.0)
 
 
-def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tmp_path):  # decision 9, Equation (3)
+def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tmp_path):  # reading 9, Equation (3)
     sitting = EnvironmentFixture(tmp_path, (W, C))
     doc = sitting.new("w", "c")
     model = sitting.environment.model
@@ -23,7 +23,7 @@ def test_a_pure_outvar_that_would_meet_a_pure_inconst_speaks_against_an_alias(tm
     assert reason.remedies[0].act == act.Remove(doc, ("c",))
 
 
-def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):  # decision 9
+def test_what_speaks_against_it_already_is_no_reason_against_a_change(tmp_path):  # reading 9
     reader = Task("c", "c", aliases=(("K", "Q"),), inconst=("K",), invar=("P",), frequency=1.0)
     sitting = EnvironmentFixture(tmp_path, (W, reader))
     (tmp_path / "conf").mkdir()

@@ -80,7 +80,7 @@ def test_what_is_wrong_inside_leads_to_the_icon_that_runs_it(play):  # R-E06
     assert the(views, "goneC").step == 2
 
 
-def test_an_icon_of_another_type_than_its_trigger_says_is_taken_anew(play):  # decision 36
+def test_an_icon_of_another_type_than_its_trigger_says_is_taken_anew(play):  # reading 36
     text = "MODULE a\nDESC a\nINCONST none\nOUTCONST none\nINVAR none\nOUTVAR A\nTASKTYPE periodic\nFREQ 10\n\nONIKA\n"
     play.files.task("a", f"{text}OBJECT Joint job")
     wrong = the(found(play, [job("aC")]), "its trigger")

@@ -27,7 +27,7 @@ def test_an_icon_whose_configuration_or_application_is_missing_says_so(tmp_path,
     assert cabinet.icon("lost").source == str(cabinet.base.configuration_file("lost"))
 
 
-def test_an_icon_that_says_another_type_than_is_made_now_says_so_as_soon_as_that_is_so(tmp_path, lab):  # decision 36
+def test_an_icon_that_says_another_type_than_is_made_now_says_so_as_soon_as_that_is_so(tmp_path, lab):  # reading 36
     cabinet = DictionaryFixture(tmp_path, plain("goC", "joint JOB"), plain("jmoveC", "Complete job"))
     assert cabinet.icon("goC").trouble == ""
     assert "makes a Joint job now, not a Complete job" in cabinet.icon("jmoveC").trouble
@@ -42,7 +42,7 @@ def test_an_icon_that_says_another_type_than_is_made_now_says_so_as_soon_as_that
     assert "is at fault" in cabinet.icon("goC").trouble
 
 
-def test_the_icon_of_an_application_is_judged_by_its_holes(tmp_path, lab):  # R-D09, decision 36
+def test_the_icon_of_an_application_is_judged_by_its_holes(tmp_path, lab):  # R-D09, reading 36
     lab.application("visit", [job("goC", "Joint job"), HOLE])
     cabinet = DictionaryFixture(tmp_path, plain("visit", "Joint application"))
     assert cabinet.icon("visit").trouble == ""
@@ -54,7 +54,7 @@ def test_the_icon_of_an_application_is_judged_by_its_holes(tmp_path, lab):  # R-
     assert "no place for a target" in cabinet.icon("visit").trouble
 
 
-def test_what_stands_beside_the_icon_counts_before_the_search_path(tmp_path, lab):  # decision 35
+def test_what_stands_beside_the_icon_counts_before_the_search_path(tmp_path, lab):  # reading 35
     other = Laboratory(tmp_path / "home" / "onika")
     other.configuration("opengripC", "go 10")
     cabinet = DictionaryFixture(tmp_path)

@@ -22,7 +22,7 @@ def test_marks_for_terminals_are_left_out():
     assert plain("its module `x` runs") == "its module x runs"
 
 
-def test_another_alias_is_given_at_its_pin():  # R-X01, decision 9
+def test_another_alias_is_given_at_its_pin():  # R-X01, reading 9
     task = Task("t", "t", aliases=(("A", "B"),), outvar=("A", "B"))
     (reason,) = reasons(placement.alias_refusals(task, ()), "c1", task)
     assert [(one.label, one.show) for one in reason.remedies] == [("Alias B…", ShowPin("t", "B"))]

@@ -54,7 +54,7 @@ def test_a_constant_that_is_only_given_while_running_is_a_fault(sitting):  # R-C
     )
 
 
-def test_a_missing_task_can_be_removed_or_its_library_opened(sitting):  # decision 11
+def test_a_missing_task_can_be_removed_or_its_library_opened(sitting):  # reading 11
     doc = opened(sitting, "gone")
     found = problems(sitting, doc)["missing gone"]
     assert (found.level, found.show) == ("fault", ShowTask("gone"))

@@ -57,14 +57,14 @@ ASKED = event.Asked("flow0", "servo", "", (), 0.5)
 
 def test_what_a_task_of_an_application_asks_is_known_until_it_asks_no_more():  # R-X12, R-C13
     runtime = RuntimeView(holds={"flow0": HoldView("ann#1", "play"), "main": HoldView("ann#1")})
-    asks = holders.asked(runtime, ASKED)
+    asks = holders.with_question(runtime, ASKED)
     assert list(asks.holds["flow0"].asks) == ["servo"]
     assert holders.turned(asks, event.TaskState("flow0", "servo", "ASKING", 1.0)) is asks
     lost = holders.changed(asks, event.Held("flow0", "", "gone"), "", 9.0)
     assert list(lost.holds["flow0"].asks) == ["servo"]
     assert holders.turned(lost, event.TaskState("flow0", "servo", "ON", 1.0)).holds["flow0"].asks == {}
     by_hand = event.Asked("main", "servo", "", (), 0.5)
-    assert holders.asked(runtime, by_hand) is runtime
+    assert holders.with_question(runtime, by_hand) is runtime
 
 
 def test_whoever_comes_later_is_told_what_is_asked_and_what_a_loss_means():  # R-X12

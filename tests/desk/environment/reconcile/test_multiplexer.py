@@ -2,7 +2,7 @@ import pytest
 
 from onika.desk.environment.outcome.outcome import Order
 from onika.desk.environment.reconcile.multiplexer import Talk
-from onika.desk.run.runtime import Reply
+from onika.desk.run.runtime import NumberedResponse
 from onika.link.lost import LinkLost, LossCause
 from onika.wire import event, live, request
 
@@ -51,7 +51,7 @@ def test_orders_and_events_are_told_in_the_order_in_which_they_came(talk, wire):
     talk.ask(first)
     talk.ask(second)
     turned = event.TaskState("main", "a", "ON", 1.0)
-    wire.words = [Reply(2, request.Done()), turned, Reply(1, request.Refused("no"))]
+    wire.words = [NumberedResponse(2, request.Done()), turned, NumberedResponse(1, request.Refused("no"))]
     assert talk.hear() == [(second, request.Done()), turned, (first, request.Refused("no"))]
     assert talk.readings() == {"main/X": b"1"}
 
@@ -61,7 +61,7 @@ def test_the_same_wish_is_said_once(talk, wire):
     talk.attend(wish)
     talk.attend(live.Attend(("*",)))
     talk.attend(live.Attend(("*",), ("main/X",)))
-    wire.words = [Reply(1, request.Done())]
+    wire.words = [NumberedResponse(1, request.Done())]
     assert len(wire.sent) == 2 and talk.hear() == []
 
 
@@ -71,10 +71,10 @@ def test_figures_are_asked_for_twice_a_second_and_never_twice_at_once(talk, wire
     now[0] = 9.0
     talk.poll_figures(is_wanted=True)
     assert wire.sent == [live.Status()]
-    wire.words = [Reply(1, FIGURES)]
+    wire.words = [NumberedResponse(1, FIGURES)]
     assert talk.hear() == [] and talk.figures is FIGURES
     assert talk.poll_figures(is_wanted=True) is None and len(wire.sent) == 2
-    wire.words = [Reply(2, request.Refused("no"))]
+    wire.words = [NumberedResponse(2, request.Refused("no"))]
     talk.hear()
     assert talk.figures is None
     assert talk.poll_figures(is_wanted=True) == pytest.approx(0.5)

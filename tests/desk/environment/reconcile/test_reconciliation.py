@@ -144,7 +144,7 @@ def test_what_takes_itself_back_before_it_goes_out_is_done(duet, busy):  # R-X10
 
 def test_what_cannot_be_asked_any_more_is_refused_and_taken_back(duet, busy):  # law 27
     (first,) = answers_of(duet, act.Place(busy, "b", 0, 0))
-    duet.environment.heard(event.Stopped(True, "enough"))
+    duet.environment.receive(event.Stopped(True, "enough"))
     go(duet)
     assert [one.no.reason for one in first] == ["everything is stopped: allow motion again first"]
     assert duet.document(busy).content.names == ()

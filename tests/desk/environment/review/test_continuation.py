@@ -80,7 +80,7 @@ def test_what_was_ended_by_hand_goes_on_all_the_same(play, tape):  # R-X05
     assert any("ended by hand" in one for one in play.view.notes)
 
 
-def test_what_lives_ends_only_when_the_user_wants_it(play, tape):  # R-X01, decision 30
+def test_what_lives_ends_only_when_the_user_wants_it(play, tape):  # R-X01, reading 30
     doc = play.connected("c")
     looked_at(play, tape)
     no = play.no(act.Continue(1.0))

@@ -70,7 +70,7 @@ def test_a_configuration_that_is_not_saved_is_asked_about(play, tmp_path):  # R-
     assert not play.document(conf).is_dirty
 
 
-def test_what_stands_in_the_way_is_ended_only_when_the_user_wants_it(play):  # decision 30
+def test_what_stands_in_the_way_is_ended_only_when_the_user_wants_it(play):  # reading 30
     lower = play.connected("a")
     apart = play.new("c")
     play.do(act.Connect(apart, subsystem="apart"))
@@ -84,7 +84,7 @@ def test_what_stands_in_the_way_is_ended_only_when_the_user_wants_it(play):  # d
     assert play.view.state == "running"
 
 
-def test_what_cannot_be_ended_is_said_and_nothing_runs(play):  # decision 30
+def test_what_cannot_be_ended_is_said_and_nothing_runs(play):  # reading 30
     play.connected("a")
     doc = play.open([job("aC")])
     play.rebuffs = {live.Close: request.Refused("subsystem Untitled-1 is held by anna#2")}
@@ -101,7 +101,7 @@ def test_an_end_that_is_told_before_it_is_accepted_counts(play):
     survey = play._waiting.popleft()
     play.environment.replied(survey, play.runtime.ask(survey.asked))
     close = play._waiting.popleft()
-    play.environment.heard(event.Edited("Untitled-1", 99, "", 1.0))
+    play.environment.receive(event.Edited("Untitled-1", 99, "", 1.0))
     play.environment.replied(close, live.Accepted(99))
     play.is_held_back = False
     play.pump()

@@ -23,16 +23,16 @@ def reason(play, *tasks):
 
 
 @pytest.mark.parametrize(("lives", "why"), [("a", "its name"), ("twin", "its module"), ("rival", "its device")])
-def test_what_shares_a_name_a_module_or_a_device_is_in_the_way(play, lives, why):  # decision 30
+def test_what_shares_a_name_a_module_or_a_device_is_in_the_way(play, lives, why):  # reading 30
     assert reason(play, lives, "c").startswith(f"{lives} of Untitled-1 live already"), why
 
 
-def test_what_shares_nothing_lives_on(play):  # decision 30
+def test_what_shares_nothing_lives_on(play):  # reading 30
     assert reason(play, "c") == ""
     assert play.carried(live.Close) == []
 
 
-def test_a_subsystem_that_nobody_shows_is_named(play):  # decision 30
+def test_a_subsystem_that_nobody_shows_is_named(play):  # reading 30
     lower = play.connected("a")
     play.do(act.New())
     play.do(act.Close(lower, discards=True, alive="leave"))

@@ -15,7 +15,7 @@ def test_an_icon_is_shown_with_all_that_a_page_needs_of_it(tmp_path):  # R-D01, 
     assert cabinet.environment.tree.dictionaries[cabinet.icon("noop").dictionary].is_shipped
 
 
-def test_what_looks_as_it_did_is_the_same_object(tmp_path):  # house decision 5
+def test_what_looks_as_it_did_is_the_same_object(tmp_path):
     cabinet = DictionaryFixture(tmp_path, plain("grip"), plain("open"))
     before = cabinet.environment.tree
     cabinet.base.save_onikon(plain("grip", description="close"), overwrites=True)

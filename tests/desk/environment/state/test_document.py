@@ -6,13 +6,13 @@ import pytest
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.model.configuration import Configuration, Group, Locus, Placed
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 SAVED = Configuration("c", (Placed("pd", 1, 2), Placed("diff")), (Locus("Q", 3, 4),))
 
 
 def document(configuration):
-    return Document("c1", Content(configuration), opened=Opened(SAVED, Path("c.conf"), ""))
+    return Document("c1", Content(configuration), opened=OpenedText(SAVED, Path("c.conf"), ""))
 
 
 def test_what_was_saved_is_not_dirty():  # R-C06
@@ -54,4 +54,4 @@ def test_a_blank_configuration_is_dirty_once_something_is_placed():  # R-C21
 def test_another_supermodule_or_order_is_a_change():  # R-C06, R-C17
     one, other = (replace(SAVED, groups=(Group("arm", tasks),)) for tasks in (("pd", "diff"), ("diff", "pd")))
     assert document(one).is_dirty
-    assert Document("c1", Content(other), opened=Opened(one, Path("c.conf"), "")).is_dirty
+    assert Document("c1", Content(other), opened=OpenedText(one, Path("c.conf"), "")).is_dirty

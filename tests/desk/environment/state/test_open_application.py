@@ -4,7 +4,7 @@ from pathlib import Path
 from kit.app_fixture import ONIKONS
 from onika.desk.environment.state.open_application import Judgement, OpenApplication
 from onika.model.application import AppFlow, Application, Icon
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 EMPTY = Application("a", False, (AppFlow(()),))
 GRIP = Application("a", False, (AppFlow((Icon(ONIKONS[0], number=1),)),))
@@ -17,7 +17,7 @@ def test_without_a_file_it_is_unsaved_as_soon_as_something_is_in_it():
 
 def test_with_a_file_it_is_unsaved_where_it_says_something_else_numbers_aside():  # R-D05
     numbered = replace(GRIP, flows=(AppFlow((Icon(ONIKONS[0], number=7),)),))
-    opened = OpenApplication("a1", GRIP, opened=Opened(numbered, Path("/a.appl"), ""))
+    opened = OpenApplication("a1", GRIP, opened=OpenedText(numbered, Path("/a.appl"), ""))
     assert not opened.is_dirty
     assert opened.having(EMPTY).is_dirty
     assert opened.name == "a"

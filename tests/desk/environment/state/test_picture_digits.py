@@ -4,7 +4,7 @@ from onika.desk.environment.state.picture_digits import painted
 from onika.model.picture import Picture
 
 
-def test_a_picture_gets_its_black_border_and_a_nine_is_black():  # R-B11, decision 38
+def test_a_picture_gets_its_black_border_and_a_nine_is_black():  # R-B11, reading 38
     found = painted("7" * 500 + "9" + "7" * 523)
     assert isinstance(found, Picture)
     assert found.rows[0] == "8" * 32 and found.rows[15][20] == "8" and found.rows[1] == "8" + "7" * 30 + "8"

@@ -17,7 +17,7 @@ def test_pictures_that_are_alike_have_one_key_and_others_have_others():
     assert drawn(framed(blank().rows)) == drawn(blank()) and key_of(initial("X")) != key_of(blank())
 
 
-def test_where_nothing_is_new_it_is_the_same_album(tmp_path):  # house decision 5
+def test_where_nothing_is_new_it_is_the_same_album(tmp_path):
     album, model = Album(), DictionaryFixture(tmp_path, plain("a")).environment.model
     assert Album().shown((), {}, ("s", "e")) == {"start": "s", "end": "e"}
     found = album.shown(model.dictionaries, model.applications, model.flow_pictures)

@@ -1,6 +1,6 @@
 """The order of constants and the reconfiguration of a living subsystem, read a second time by search.
 
-Written from §5.3.4, A13, laws 3 and 10 and decisions 6 and 14; it shares no code with the rules.
+Written from §5.3.4, A13, laws 3 and 10 and readings 6 and 14; it shares no code with the rules.
 """
 
 from collections.abc import Collection, Sequence
@@ -47,7 +47,7 @@ def kept(living: Sequence[Task], kill: Collection[str]) -> set[str]:
 
 
 def killed_first(living: Sequence[Task], kill: Collection[str], new: Sequence[Task]) -> set[str]:
-    """Of those that go: who shares name, module or hardware with one that comes (decision 14; A06 for the name)."""
+    """Of those that go: who shares name, module or hardware with one that comes (reading 14; A06 for the name)."""
     return {
         old.name
         for old in living

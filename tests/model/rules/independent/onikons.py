@@ -1,6 +1,6 @@
 """Equation (7), insertion and deletion, holes and loops, read a second time on plain lists of type names.
 
-Written from §5.5.3, §5.5.4, §5.7.1, D03, D19, D22 and decisions 23, 24, 33 and 37; it shares no code with the rules. A
+Written from §5.5.3, §5.5.4, §5.7.1, D03, D19, D22 and readings 23, 24, 33 and 37; it shares no code with the rules. A
 flow is the list of its icons' types with None for a hole, without the start and the end that are implied.
 """
 
@@ -35,7 +35,7 @@ def equation_7(a: str, b: str, edges: Edges) -> bool:
 
 
 def left_of(line: Line, after: int) -> int:
-    """The icon that is meant by a place: a hole means its left neighbour (decision 33); -1 is the start."""
+    """The icon that is meant by a place: a hole means its left neighbour (reading 33); -1 is the start."""
     while after >= 0 and line[after] is None:
         after -= 1
     return after
@@ -117,7 +117,7 @@ def actions(line: Line, edges: Edges) -> list[tuple[int, ...]]:
 def loops_are_well_formed(
     groups: Sequence[tuple[int, ...]], tags: Mapping[int, str], tests: Mapping[int, bool]
 ) -> bool:
-    """Decision 23; an action's mark may stand on either of its icons and counts once (decision 24, D06)."""
+    """Reading 23; an action's mark may stand on either of its icons and counts once (reading 24, D06)."""
     marks: dict[str, list[tuple[int, bool]]] = {}
     for number, group in enumerate(groups):
         own = {tags[at] for at in group if at in tags}

@@ -1,6 +1,6 @@
 """Whether an application can be run (E01), read a second time with the naive rules of tasks and onikons.
 
-Written from §5.9.2, E01, D16, D22 and decisions 1, 23, 33 and 36 of the specification and law 10.
+Written from §5.9.2, E01, D16, D22 and readings 1, 23, 33 and 36 and law 10.
 """
 
 from collections.abc import Mapping
@@ -61,7 +61,7 @@ def _pairs_are_right(line: Line, edges: Edges) -> bool:
 
 
 def _has_its_type(kind: str, together: list[Task], edges: Edges) -> bool:
-    """The icon's type is that of the first trigger with a target (decision 36, C29); an unknown one is not judged."""
+    """The icon's type is that of the first trigger with a target (reading 36, C29); an unknown one is not judged."""
     if kind.lower() not in edges:
         return True
     types = [task.object_type.lower() for task in together if task.object_type]

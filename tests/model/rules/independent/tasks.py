@@ -1,6 +1,6 @@
 """Equations (2), (3), (5) and (6), the matrix of pins and the union of a flow, read a second time as tables and sets.
 
-Written from §4.2.2, §5.3.3 and decisions 1, 5, 6, 7 and 9 of the specification alone; it shares no code with the rules.
+Written from §4.2.2, §5.3.3 and readings 1, 5, 6, 7 and 9 alone; it shares no code with the rules.
 """
 
 from collections.abc import Iterable
@@ -22,7 +22,7 @@ CONNECTS = {
     ("INBOTH", "OUTBOTH"): True,
     ("INBOTH", "OUTVAR"): True,
 }
-"""Which input may stand at which output (decision 6)."""
+"""Which input may stand at which output (reading 6)."""
 
 
 def pins(task: Task) -> Pins:
@@ -66,7 +66,7 @@ def may_meet(one: str, other: str) -> bool:
 
 
 def clash(one: Task, other: Task) -> bool:
-    """Equation (3) as decision 5 reads it, either way round."""
+    """Equation (3) as reading 5 reads it, either way round."""
     return bool(named(one, "OUTVAR") & named(other, "INCONST") or named(other, "OUTVAR") & named(one, "INCONST"))
 
 
@@ -98,7 +98,7 @@ def device(task: Task) -> set[str]:
 
 
 def union_is_free(tasks: Iterable[Task]) -> bool:
-    """Decision 1, and what law 9 adds to it: constants have one supplier, which is no pure OUTVAR."""
+    """Reading 1, and what law 9 adds to it: constants have one supplier, which is no pure OUTVAR."""
     return not any(
         one.module == other.module
         or device(one) & device(other)

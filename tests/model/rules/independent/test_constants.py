@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from onika.model.rules.order import Ports, constant_order
-from onika.model.rules.reconfiguration import Exchange, Placed, difference, exchange
+from onika.model.rules.reconfiguration import PlacedTask, TaskExchange, difference, exchange
 from onika.model.task import Task
 
 from . import constants as naive
@@ -20,11 +20,11 @@ def orders_agree(tasks: Tasks) -> None:
     assert {frozenset(cycle) for cycle in cycles} == naive.rings(tasks)
 
 
-def placed(task: Task) -> Placed:
-    return Placed(Ports.of(task), task.module, next(iter(sorted(device(task))), None))
+def placed(task: Task) -> PlacedTask:
+    return PlacedTask(Ports.of(task), task.module, next(iter(sorted(device(task))), None))
 
 
-def ours(living: Tasks, kill: set[str], new: Tasks) -> Exchange:
+def ours(living: Tasks, kill: set[str], new: Tasks) -> TaskExchange:
     return exchange([placed(task) for task in living], kill, [placed(task) for task in new])
 
 
@@ -54,7 +54,7 @@ def test_any_tasks_are_spawned_after_those_they_wait_for(tasks: Tasks) -> None:
 @given(libraries(6, sparse=True), st.sets(st.sampled_from("pqrstuvw"), max_size=4), libraries(5, sparse=True))
 @settings(max_examples=300, deadline=None)
 def test_any_exchange_keeps_kills_spawns_and_reinitialises_the_same(living: Tasks, kill: set[str], new: Tasks) -> None:
-    exchanges_agree(living, kill, new)  # R-A13, decision 14
+    exchanges_agree(living, kill, new)  # R-A13, reading 14
 
 
 @given(libraries(4), libraries(4))
@@ -86,4 +86,4 @@ def test_who_came_with_the_exchange_is_initialised_once_where_nothing_changes_be
 @settings(max_examples=3000, deadline=None)
 def test_thousands_of_exchanges_are_judged_alike(living: Tasks, kill: set[str], new: Tasks) -> None:
     orders_agree(living)  # law 10
-    exchanges_agree(living, kill, new)  # R-A13, decision 14
+    exchanges_agree(living, kill, new)  # R-A13, reading 14

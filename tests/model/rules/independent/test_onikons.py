@@ -72,13 +72,13 @@ def test_a_flow_is_whole_for_both_or_for_neither(syntax: Syntax, kinds: naive.Li
 @given(lines, syntaxes(), st.data())
 @settings(max_examples=250, deadline=None)
 def test_any_loops_are_judged_alike(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
-    loops_agree(kinds, syntax, data)  # R-E01, decisions 23, 24
+    loops_agree(kinds, syntax, data)  # R-E01, readings 23, 24
 
 
 @given(st.lists(st.sampled_from(["Complete job", "Complete NOP"]), min_size=2, max_size=6), st.data())
 @settings(max_examples=250, deadline=None)
 def test_loops_over_whole_actions_are_judged_alike(kinds: naive.Line, data: st.DataObject) -> None:
-    loops_agree(kinds, data.draw(syntaxes()), data)  # R-E01, decision 23
+    loops_agree(kinds, data.draw(syntaxes()), data)  # R-E01, reading 23
 
 
 @given(syntaxes())
@@ -94,7 +94,7 @@ PAIRS: list[naive.Line] = [["Joint job", "Joint object"], ["Complete job"], ["Od
 @given(st.lists(st.sampled_from(PAIRS), min_size=1, max_size=4), st.data())
 @settings(max_examples=250, deadline=None)
 def test_loops_over_jobs_and_their_targets_are_judged_alike(groups: list[naive.Line], data: st.DataObject) -> None:
-    loops_agree([kind for group in groups for kind in group], data.draw(syntaxes()), data)  # R-D06, decision 24
+    loops_agree([kind for group in groups for kind in group], data.draw(syntaxes()), data)  # R-D06, reading 24
 
 
 def test_a_hole_that_stays_keeps_the_unknown_target_in_it() -> None:
@@ -109,7 +109,7 @@ def test_a_hole_that_stays_keeps_the_unknown_target_in_it() -> None:
 
 def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> None:
     types = (("Complete job", 0, 0), ("Joint job", 0, 1), ("Joint object", 1, 0))
-    syntax = Syntax(tuple(IconType(*each) for each in types), ())  # R-D06, decisions 23, 24
+    syntax = Syntax(tuple(IconType(*each) for each in types), ())  # R-D06, readings 23, 24
     kinds: naive.Line = ["Joint job", "Joint object", "Complete job", "Complete job"]
 
     def told(tags: list[str | None], tests: list[bool]) -> list[str]:

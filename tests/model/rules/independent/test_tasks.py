@@ -32,25 +32,25 @@ def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
 def test_any_library_beside_any_configuration_is_judged_alike(
     library: tuple[Task, ...], placed: tuple[Task, ...]
 ) -> None:
-    agree(library, placed)  # R-C07, R-C08, decisions 1, 5, 6
+    agree(library, placed)  # R-C07, R-C08, readings 1, 5, 6
 
 
 @given(libraries(4, sparse=True), libraries(3, sparse=True))
 @settings(max_examples=250, deadline=None)
 def test_tasks_of_few_pins_are_judged_alike(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
-    agree(library, placed)  # R-C07, R-C08, decisions 1, 5, 6
+    agree(library, placed)  # R-C07, R-C08, readings 1, 5, 6
 
 
 @pytest.mark.slow
 @given(st.booleans().flatmap(lambda sparse: st.tuples(libraries(8, sparse=sparse), libraries(8, sparse=sparse))))
 @settings(max_examples=2500, deadline=None)
 def test_thousands_of_libraries_are_judged_alike(both: tuple[tuple[Task, ...], tuple[Task, ...]]) -> None:
-    agree(*both)  # R-C07, R-C08, decisions 1, 5, 6
+    agree(*both)  # R-C07, R-C08, readings 1, 5, 6
 
 
 @pytest.mark.parametrize(("one", "other"), PAIRS)
 def test_two_pins_of_one_variable_stand_together_as_the_matrix_says(one: str, other: str) -> None:
-    first, second = pinned("first", one), pinned("second", other)  # decision 6
+    first, second = pinned("first", one), pinned("second", other)  # reading 6
     assert (placement.refusals(first, [second]) == ()) == naive.may_meet(one, other)
 
 

@@ -1,11 +1,11 @@
 """Check the configuration, on demand: all rules and all warnings, also where these are switched off (C26)."""
 
-from onika.desk.environment.outcome.on_application import is_application, on_application
-from onika.desk.environment.outcome.on_document import on_document
+from typing import Protocol
+
+from onika.desk.environment.outcome.on_file import AnyFile, on_file
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.trouble import problems
-from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.wire import act
@@ -13,18 +13,20 @@ from onika.wire import act
 _ORDER = ("fault", "warning", "note")
 
 
-def check(model: Model, asked: act.Check, outside: Surroundings) -> Done | No:
+@on_file
+def check(model: Model, file: AnyFile, _command: act.Check, _outside: Surroundings) -> Done | No:
     """The value is the sentences, what is wrong first; none where all is well."""
-    return (_application if is_application(asked.doc) else _configuration)(model, asked, outside)
+    if isinstance(file, OpenApplication):
+        faults = (*file.file_faults, *(file.judgement.faults if file.judgement else ()))
+        return Done(model, value=tuple(fault.text for fault in sorted(faults, key=_order)))
+    troubles = sorted(problems(file, model.shelf).values(), key=_order)
+    return Done(model, value=tuple(trouble.text for trouble in troubles))
 
 
-@on_application
-def _application(model: Model, opened: OpenApplication, _asked: act.Check, _outside: Surroundings) -> Done | No:
-    faults = (*opened.file_faults, *(opened.judgement.faults if opened.judgement else ()))
-    return Done(model, value=tuple(one.text for one in sorted(faults, key=lambda one: _ORDER.index(one.level))))
+class _Levelled(Protocol):
+    @property
+    def level(self) -> str: ...
 
 
-@on_document
-def _configuration(model: Model, document: Document, asked: act.Check, _outside: Surroundings) -> Done | No:
-    found = sorted(problems(document, model.shelf).values(), key=lambda one: _ORDER.index(one.level))
-    return Done(model, value=tuple(one.text for one in found))
+def _order(fault: _Levelled) -> int:
+    return _ORDER.index(fault.level)

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 
 from onika.desk.environment.canvas.placement import absent, changed, inside, remove, several
-from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.outcome.services import Surroundings

@@ -5,7 +5,7 @@ from dataclasses import replace
 import msgspec
 
 from onika.desk.environment import following
-from onika.desk.environment.outcome.on_document import closed, on_document
+from onika.desk.environment.outcome.on_file import closed, on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown, Steps
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
@@ -22,6 +22,7 @@ from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import Step
 from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy, ShowConnect, ShowTask
 from onika.words.name import TASK_NAME
@@ -107,7 +108,7 @@ def _joined(
     model, standing = yield Ask(model, live.Survey(), reach)
     document = model.documents.get(doc)
     if document is None:
-        return model, closed()
+        return model, closed(Kind.CONFIGURATION)
     if not isinstance(standing, live.Standing):
         return model, refusal(standing)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
@@ -120,7 +121,7 @@ def _joined(
     model, standing = yield Ask(model, live.Survey())
     document = model.documents.get(doc)
     if document is None or document.live is None:
-        return model, closed()
+        return model, closed(Kind.CONFIGURATION)
     if not isinstance(standing, live.Standing):
         return model, refusal(standing)
     holders = [subsystem.holder for subsystem in standing.subsystems if subsystem.name == document.live.subsystem]

@@ -16,7 +16,7 @@ from onika.model.rules.iconify import ActionType, job_type
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Place
 
@@ -40,7 +40,7 @@ class Draft:
     warnings: tuple[str, ...]
     notes: tuple[str, ...]
     source: Path
-    former: Opened[Onikon] | None = None
+    former: OpenedText[Onikon] | None = None
     taken: str = ""
 
     @property
@@ -96,8 +96,8 @@ def _tasks(document: Document, site: Site) -> dict[str, Task]:
     return {name: record.task for name, record in records.items() if record}
 
 
-def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[Opened[Onikon] | None, str]:
-    """The icon that a job or application has; and why what stands in its place is none of its own (decision 34)."""
+def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tuple[OpenedText[Onikon] | None, str]:
+    """The icon that a job or application has; and why what stands in its place is none of its own (reading 34)."""
     path = home.onikon_file(name)
     if not path.exists():
         return None, ""
@@ -109,8 +109,8 @@ def former_of(name: str, home: BaseDirectory, syntax: Syntax, role: str) -> tupl
     return former, ""
 
 
-def of_type(kind: ActionType, syntax: Syntax, former: Opened[Onikon] | None) -> Iterator[str]:
-    """A type that is not defined (D16), and an icon that says another one (decision 36)."""
+def of_type(kind: ActionType, syntax: Syntax, former: OpenedText[Onikon] | None) -> Iterator[str]:
+    """A type that is not defined (D16), and an icon that says another one (reading 36)."""
     if syntax.find(kind.type) is None:
         yield f"the syntax does not define {kind_named(kind.type)}: its icon acts as a complete {_role(kind, syntax)}"
     if former and (former.value.type, former.value.more_targets) != (kind.type, kind.more_targets):

@@ -8,13 +8,14 @@ from pathlib import Path
 from onika.desk.environment.canvas import clipboard, task_commands
 from onika.desk.environment.canvas.placement import absent, inside, several
 from onika.desk.environment.file.configurations import read
-from onika.desk.environment.outcome.on_document import closed, on_document
+from onika.desk.environment.outcome.on_file import closed, on_document
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.clipboard import Copied, copied
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
 from onika.model.configuration import Configuration, Group
 from onika.model.rules import loci
 from onika.store.base_directory import BaseDirectory
@@ -81,7 +82,7 @@ def insert(model: Model, document: Document, asked: act.Insert, outside: Surroun
     found = read(asked.path, outside)
     if isinstance(found, No):
         return found
-    configuration = found[1].value
+    configuration = found.opened.value
     name = configuration.name
     if not configuration.placed:
         return No(f"{name} has no tasks")
@@ -107,7 +108,7 @@ def turn_group(model: Model, asked: act.TurnGroup, outside: Surroundings) -> Don
 def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
     document = model.documents.get(doc)
     if document is None:
-        return closed()
+        return closed(Kind.CONFIGURATION)
     found = document.content.configuration.group(name)
     return (document, found) if found else No(f"there is no supermodule {name}")
 

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from onika.desk.environment.file.configurations import read
-from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.merge import with_loci
@@ -16,7 +16,7 @@ from onika.desk.environment.state.live import Live
 from onika.desk.environment.state.model import Model
 from onika.model.configuration import Configuration
 from onika.model.rules.order import Ports
-from onika.model.rules.reconfiguration import Placed as Standing, exchange
+from onika.model.rules.reconfiguration import PlacedTask as Standing, exchange
 from onika.wire import act
 from onika.wire.view import Remedy
 
@@ -27,7 +27,7 @@ def open_in_place(model: Model, document: Document, asked: act.OpenInPlace, outs
     found = read(asked.path, outside)
     if isinstance(found, No):
         return found
-    base, opened = found
+    base, opened = found.base, found.opened
     content = _content(document, opened.value)
     if document.live is not None and document.live.state == "live" and not asked.confirmed:
         told = _told(model, document, document.live, content)

@@ -43,7 +43,7 @@ def alias(model: Model, asked: act.Alias, _outside: Surroundings) -> Done | No:
 
 
 def library_rate(model: Model, asked: act.LibraryRate, _outside: Surroundings) -> Done | No:
-    """A rate for later placements of this session (decision 10)."""
+    """A rate for later placements of this session (reading 10)."""
     task = model.shelf.tasks.get(asked.task)
     if task is None:
         return unknown(asked.task)

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import reasons
 from onika.desk.environment.outcome.services import Surroundings

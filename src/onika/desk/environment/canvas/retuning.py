@@ -4,7 +4,7 @@ from dataclasses import replace
 from math import isfinite
 
 from onika.desk.environment.canvas.placement import changed
-from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.document import Document

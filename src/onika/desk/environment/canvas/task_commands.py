@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from onika.desk.environment.canvas.placement import absent, several
-from onika.desk.environment.outcome.on_document import on_document
+from onika.desk.environment.outcome.on_file import on_document
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings

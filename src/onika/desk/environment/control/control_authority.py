@@ -28,18 +28,18 @@ def reset(model: Model, _asked: act.Reset, _outside: Surroundings) -> Procedure:
     return simply_done(model, live.Reset())
 
 
-def take(model: Model, asked: act.Take, _outside: Surroundings) -> No | Procedure:
+def take(model: Model, command: act.Take, _outside: Surroundings) -> No | Procedure:
     """Become the one who may change a subsystem; a run that is nobody's is taken as a whole."""
-    name = held_subsystems.named(model, asked.doc, asked.subsystem, connects=True)
+    name = held_subsystems.named(model, command.doc, command.subsystem, connects=True)
     if isinstance(name, No):
         return name
-    why = held_subsystems.refused(model, name, asked)
+    why = held_subsystems.refused(model, name, command)
     return _changed(model, live.Take(name), name) if why is None else why
 
 
-def release(model: Model, asked: act.Release, _outside: Surroundings) -> No | Procedure:
+def release(model: Model, command: act.Release, _outside: Surroundings) -> No | Procedure:
     """Let another become the one who may."""
-    name = held_subsystems.named(model, asked.doc, asked.subsystem, connects=True)
+    name = held_subsystems.named(model, command.doc, command.subsystem, connects=True)
     if isinstance(name, No):
         return name
     holder = held_subsystems.holder(model, name)
@@ -48,26 +48,26 @@ def release(model: Model, asked: act.Release, _outside: Surroundings) -> No | Pr
     return _changed(model, live.Release(name), name)
 
 
-def hand(model: Model, asked: act.Hand, _outside: Surroundings) -> No | Procedure:
+def hand(model: Model, command: act.Hand, _outside: Surroundings) -> No | Procedure:
     """Offer a subsystem to another session; to nobody: no more."""
-    name = held_subsystems.named(model, asked.doc, asked.subsystem)
+    name = held_subsystems.named(model, command.doc, command.subsystem)
     if isinstance(name, No):
         return name
     if not held_subsystems.is_held_here(model, name):
         is_free = bool(name) and not held_subsystems.holder(model, name)
-        take_it = (Remedy("Take it", act.Take(asked.doc, asked.subsystem)),) if is_free else ()
-        what = held_subsystems.called(model, asked.doc, name)
+        take_it = (Remedy("Take it", act.Take(command.doc, command.subsystem)),) if is_free else ()
+        what = held_subsystems.called(model, command.doc, name)
         return No(f"{what} is not held here, so it cannot be handed over", take_it)
-    return simply_done(model, holding.Hand(name, asked.to))
+    return simply_done(model, holding.Hand(name, command.to))
 
 
-def decline(model: Model, asked: act.Decline, _outside: Surroundings) -> No | Procedure:
+def decline(model: Model, command: act.Decline, _outside: Surroundings) -> No | Procedure:
     """Say no to what is offered."""
-    name = held_subsystems.named(model, asked.doc, asked.subsystem)
+    name = held_subsystems.named(model, command.doc, command.subsystem)
     if isinstance(name, No):
         return name
     if not held_subsystems.is_offered_here(model, name):
-        return No(f"nobody offers {held_subsystems.called(model, asked.doc, name)} to this environment")
+        return No(f"nobody offers {held_subsystems.called(model, command.doc, name)} to this environment")
     return simply_done(model, holding.Decline(name))
 
 

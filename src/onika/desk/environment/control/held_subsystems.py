@@ -2,7 +2,7 @@
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.on_document import closed
+from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure
 from onika.desk.environment.outcome.runtime_refusal import refusal, simply_done
 from onika.desk.environment.outcome.services import Surroundings
@@ -11,6 +11,7 @@ from onika.desk.environment.reconcile.presence import ask_flows, you
 from onika.desk.environment.reconcile.watches import is_going
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
 from onika.wire import act, request, steer
 from onika.wire.view import HoldView, Remedy
 
@@ -21,7 +22,12 @@ def home(model: Model, subsystem: str) -> Document | None:
     """The document that is connected with a subsystem."""
     documents = model.documents.values()
     return next(
-        (one for one in documents if one.live and one.live.state == "live" and one.live.subsystem == subsystem), None
+        (
+            document
+            for document in documents
+            if document.live and document.live.state == "live" and document.live.subsystem == subsystem
+        ),
+        None,
     )
 
 
@@ -31,11 +37,11 @@ def named(model: Model, doc: str, subsystem: str, connects: bool = False) -> str
     connects    whether it is refused where the document is not connected
     """
     if subsystem:
-        known = subsystem in model.runtime.subsystems
-        return subsystem if known else No(f"there is no subsystem {subsystem} any more")
+        is_there = subsystem in model.runtime.subsystems
+        return subsystem if is_there else No(f"there is no subsystem {subsystem} any more")
     document = model.documents.get(doc)
     if document is None:
-        return closed()
+        return closed(Kind.CONFIGURATION)
     if document.live is None or document.live.state != "live":
         connect = Remedy("Connect", act.Connect(document.id))
         return No(f"{document.name} is not connected", (connect,)) if connects else ""
@@ -76,11 +82,11 @@ def is_offered_here(model: Model, subsystem: str) -> bool:
 def run_here(model: Model) -> str:
     """A flow of the run that another began and that is held here now; empty: there is none."""
     own = model.run.homes if model.run is not None else ()
-    runs = (name for name, one in model.runtime.holds.items() if one.application and name not in own)
+    runs = (name for name, hold in model.runtime.holds.items() if hold.application and name not in own)
     return next((name for name in runs if is_held_here(model, name)), "")
 
 
-def refused(model: Model, subsystem: str, asked: act.Take) -> No | None:
+def refused(model: Model, subsystem: str, command: act.Take) -> No | None:
     """Why it is not taken, or not without a word: a run is everything that its flows do."""
     hold = model.runtime.holds.get(subsystem, HoldView())
     if not hold.application or (model.run is not None and subsystem in model.run.homes):
@@ -91,7 +97,7 @@ def refused(model: Model, subsystem: str, asked: act.Take) -> No | None:
     other = other or model.runtime.holds.get(run_here(model), HoldView()).application
     if other:
         return No(f"{other} runs here already, and one application runs at a time")
-    if asked.confirmed or is_offered_here(model, subsystem):
+    if command.confirmed or is_offered_here(model, subsystem):
         return None
     flows = ", ".join(flows_with(model.runtime.holds, subsystem))
     was = f"{hold.former} began it and is gone" if hold.former else "who began it is gone"
@@ -99,30 +105,30 @@ def refused(model: Model, subsystem: str, asked: act.Take) -> No | None:
         f"{hold.application} runs in {flows}; {was}. Taken over, it is yours to let go on, or to end. "
         "Taking it over starts nothing and stops nothing"
     )
-    return No(reason, (Remedy("Take it over", structs.replace(asked, confirmed=True)),))
+    return No(reason, (Remedy("Take it over", structs.replace(command, confirmed=True)),))
 
 
-def steer_taken(model: Model, asked: act.SteerTaken, _outside: Surroundings) -> Procedure:
+def steer_taken(model: Model, command: act.SteerTaken, _outside: Surroundings) -> Procedure:
     """Steer a run that was taken over; what moves, or ends it, is asked back first."""
-    hold = _held(model, asked.subsystem, "steers it")
+    hold = _held(model, command.subsystem, "steers it")
     if isinstance(hold, No):
         return hold
-    meant = _back(asked, hold.application)
-    if meant is not None and not asked.confirmed:
+    meant = _back(command, hold.application)
+    if meant is not None and not command.confirmed:
         return meant
-    model, response = yield Ask(model, _wish(asked))
+    model, response = yield Ask(model, _wish(command))
     return Done(model, orders=(ask_flows(),)) if isinstance(response, request.Done) else No(refusal(response))
 
 
-def answer(model: Model, asked: act.Answer, _outside: Surroundings) -> No | Procedure:
+def answer(model: Model, command: act.Answer, _outside: Surroundings) -> No | Procedure:
     """Answer what a task of a run that was taken over asks, named as `SUBSYSTEM/TASK`; it goes on with the answer."""
-    subsystem, _, task = asked.task.rpartition("/")
+    subsystem, _, task = command.task.rpartition("/")
     hold = _held(model, subsystem, "answers it")
     if isinstance(hold, No):
         return hold
     if task not in hold.asks:
         return No(f"{task} asks for nothing any more")
-    return simply_done(model, request.Reply(subsystem, task, asked.line))
+    return simply_done(model, request.Reply(subsystem, task, command.line))
 
 
 def _held(model: Model, subsystem: str, does: str) -> HoldView | No:
@@ -137,10 +143,10 @@ def _held(model: Model, subsystem: str, does: str) -> HoldView | No:
     return No(f"{hold.application} is held by {by}; only its holder {does}, everybody can stop", take_it)
 
 
-def _back(asked: act.SteerTaken, application: str) -> No | None:
+def _back(command: act.SteerTaken, application: str) -> No | None:
     """What is asked back first: what it does to the machine."""
-    sure = structs.replace(asked, confirmed=True)
-    match asked.wish:
+    sure = structs.replace(command, confirmed=True)
+    match command.wish:
         case "resume":
             reason = f"{application} goes on where it paused, with the icons that its own program has: the robot moves"
             return No(reason, (Remedy("Go on", sure),))
@@ -152,12 +158,12 @@ def _back(asked: act.SteerTaken, application: str) -> No | None:
     return None
 
 
-def _wish(asked: act.SteerTaken) -> request.Request:
-    match asked.wish:
+def _wish(command: act.SteerTaken) -> request.Request:
+    match command.wish:
         case "pause":
             return steer.Pause()
         case "resume":
             return steer.Resume()
         case "clear":
             return steer.Recover()
-    return request.Abort(_BY_THE_USER, asked.subsystem)
+    return request.Abort(_BY_THE_USER, command.subsystem)

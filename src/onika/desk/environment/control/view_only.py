@@ -19,14 +19,14 @@ from onika.wire.view import Remedy
 
 def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> Procedure:
     """This environment changes nothing in this runtime any more."""
-    here = [one for one in model.documents.values() if one.live and one.live.is_held_here]
-    homes = {one.live.subsystem for one in here if one.live}
+    here = [document for document in model.documents.values() if document.live and document.live.is_held_here]
+    homes = {document.live.subsystem for document in here if document.live}
     others = [name for name in model.runtime.holds if name not in homes and is_held_here(model, name)]
     if here or others:
-        by_document = tuple(Remedy(f"Release {one.name}", act.Release(one.id)) for one in here)
+        by_document = tuple(Remedy(f"Release {document.name}", act.Release(document.id)) for document in here)
         by_hand = [name for name in others if not model.runtime.holds[name].application]
         remedies = (*by_document, *(Remedy(f"Release {name}", act.Release(subsystem=name)) for name in by_hand))
-        names = ", ".join((*(one.name for one in here), *others))
+        names = ", ".join((*(document.name for document in here), *others))
         return No(f"{names} is held here; release it first", remedies)
     model, response = yield Ask(model, holding.OnlyWatch())
     if not isinstance(response, request.Done):
@@ -36,7 +36,7 @@ def only_watch(model: Model, _asked: act.OnlyWatch, _outside: Surroundings) -> P
 
 def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings) -> Procedure:
     """This environment leaves and comes anew, under another name; what runs is left as it is."""
-    me = next((one for one in model.runtime.sessions.values() if one.is_you), None)
+    me = next((session for session in model.runtime.sessions.values() if session.is_you), None)
     if me is None or not me.only_watches:
         return No("this environment has not promised that it only watches")
     if not model.runtime.address:
@@ -51,6 +51,6 @@ def watch_no_more(model: Model, _asked: act.WatchNoMore, _outside: Surroundings)
     model = replace(model, runtime=runtime_view(structs.replace(model.runtime, sessions={}), response))
     for document in model.documents.values():
         if document.live is not None and document.live.state == "live":
-            known = with_standing(replace(document.live, me="", offer=None), response)
-            model = model.with_document(replace(document, live=known))
+            subsystem_facts = with_standing(replace(document.live, me="", offer=None), response)
+            model = model.with_document(replace(document, live=subsystem_facts))
     return Done(model, value="this environment may change something again", orders=(ask_company(), ask_flows()))

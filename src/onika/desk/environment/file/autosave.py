@@ -6,8 +6,6 @@ from dataclasses import dataclass
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.model.application import Application
-from onika.model.configuration import Configuration
 
 Kept = Document | OpenApplication
 """What is kept: configurations and applications, which have different ids."""
@@ -40,7 +38,7 @@ class Autosave:
 
     def look(self, model: Model, now_s: float) -> None:
         """The model has changed, or may have."""
-        every: dict[str, Kept] = {**model.documents, **model.applications}
+        every: dict[str, Kept] = {file.id: file for file in model.open_files}
         before, self._unsaved = self._unsaved, self._to_keep(every)
         self._open = every
         if not self._changed():
@@ -75,7 +73,7 @@ class Autosave:
         found = {}
         for doc, one in documents.items():
             is_known = self._open.get(doc) is one
-            if doc in self._unsaved if is_known else _is_unsaved(one):
+            if doc in self._unsaved if is_known else one.is_unsaved:
                 found[doc] = one
         return found
 
@@ -91,15 +89,7 @@ def _are_alike(one: Mapping[str, Kept], other: Mapping[str, Kept]) -> bool:
     return one.keys() == other.keys() and all(_is_alike(one[doc], other[doc]) for doc in one)
 
 
-def _is_unsaved(one: Kept) -> bool:
-    return one.is_dirty or (isinstance(one, Document) and one.is_moved)
-
-
 def _is_alike(one: Kept, other: Kept) -> bool:
     """Whether the same is kept of both: what lives and what was done before does not count."""
     is_of_one_file = one.opened is other.opened and one.base == other.base
-    return is_of_one_file and _content(one) == _content(other)
-
-
-def _content(one: Kept) -> Configuration | Application:
-    return one.content.configuration if isinstance(one, Document) else one.application
+    return is_of_one_file and one.value == other.value

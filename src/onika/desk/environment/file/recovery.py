@@ -20,6 +20,7 @@ from onika.desk.environment.outcome.outcome import Done
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
 from onika.files import appl, text, whole
 from onika.wire import page
 from onika.words.fault import Refusal
@@ -86,18 +87,14 @@ def reopened(model: Model, found: Sequence[Rescue]) -> Done:
     says = []
     for one in found:
         number = model.opened + 1
-        names = {other.name for other in model.documents.values()}
-        names |= {other.name for other in model.applications.values()}
+        names = {file.name for file in model.open_files}
         name = model.blank_name() if not one.path and one.name in names else ""
         try:
             document = _of(model, one, number, name)
         except ValueError as wrong:
             says.append(page.Say("warning", f"{one.name} was not saved and cannot be had back: {wrong}"))
             continue
-        if isinstance(document, Document):
-            model = replace(model.with_document(document), opened=number)
-        else:
-            model = replace(model.with_application(document), opened=number)
+        model = replace(model.with_file(document), opened=number)
         said = f"{document.name} was not saved when Onika ended: it is open as it was"
         says.append(page.Say("info", said, document.id))
     return Done(model, says=tuple(says))
@@ -106,10 +103,10 @@ def reopened(model: Model, found: Sequence[Rescue]) -> Done:
 def _of(model: Model, one: Rescue, number: int, name: str) -> Document | OpenApplication:
     """What was rescued, under the next id; raises ValueError."""
     if one.kind != appl.ENDING:
-        return document_of(one, f"c{number}", name)
+        return document_of(one, Kind.CONFIGURATION.id(number), name)
     if model.syntax is None:
         raise ValueError("there are no types of icons")
-    return application_of(one, f"a{number}", model.syntax, name)
+    return application_of(one, Kind.APPLICATION.id(number), model.syntax, name)
 
 
 def _read(folder: Path) -> Iterator[Rescue]:

@@ -9,10 +9,11 @@ from onika.desk.environment.outcome.unread_faults import told
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
 from onika.files import appl, conf, text
 from onika.model.flow_path import numbered
 from onika.model.syntax import Syntax
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,11 +39,10 @@ class Rescue:
 def rescue_of(document: Document | OpenApplication) -> Rescue:
     """What is to be kept of a document."""
     opened = document.opened
-    is_configuration = isinstance(document, Document)
     return Rescue(
         name=document.name,
         text=_text(document),
-        kind=conf.ENDING if is_configuration else appl.ENDING,
+        kind=conf.ENDING if document.kind is Kind.CONFIGURATION else appl.ENDING,
         base=str(document.base or ""),
         path=str(opened.path) if opened else "",
         former=opened.text if opened else "",
@@ -70,7 +70,7 @@ def document_of(rescue: Rescue, doc: str, name: str = "") -> Document:
         raise ValueError("; ".join(map(str, faults)))
     path = Path(rescue.path) if rescue.path else None
     former = conf.read(rescue.former, rescue.name, rescue.path)[0] if path else None
-    opened = Opened(former, path, rescue.former) if path and former else None
+    opened = OpenedText(former, path, rescue.former) if path and former else None
     return Document(
         doc,
         Content(configuration),
@@ -95,7 +95,7 @@ def application_of(rescue: Rescue, doc: str, syntax: Syntax, name: str = "") -> 
     is_partial = appl.read(rescue.former, rescue.name, rescue.path, syntax)[0] is None
     return replace(
         here,
-        opened=Opened(former, path, rescue.former) if former else None,
+        opened=OpenedText(former, path, rescue.former) if former else None,
         file_faults=told(former, wrong, is_partial=is_partial) if former else (),
         is_partial=is_partial,
         has_changed_on_disk=_has_changed(rescue),

@@ -1,10 +1,11 @@
-"""Undo and Redo: the document as it was, and what is wanted of the running system as far as the step changed it."""
+"""Steps, Undo and Redo: an open file as it was, and what is wanted of the running system where a step changed it."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 from onika.desk.environment.outcome import pin_changes
 from onika.desk.environment.outcome.clash import clashes, refused
+from onika.desk.environment.outcome.on_file import AnyFile, busy, on_file
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state import task_edit
@@ -12,36 +13,60 @@ from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.history import Edits, File, History, Step
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.environment.state.open_libraries import Shelf
+from onika.model.application import Application
 from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Remedy
 
 
-def undo(model: Model, asked: act.Undo, _outside: Surroundings) -> Done | No:
-    """Take the last step of a document back."""
-    document = model.documents.get(asked.doc)
-    step = document.history.last if document else None
-    if document is None or step is None:
+@on_file
+def undo(model: Model, file: AnyFile, command: act.Undo, _outside: Surroundings) -> Done | No:
+    """Take the last step back."""
+    refused_ = busy(model, file)
+    if refused_ is not None:
+        return refused_
+    if file.history.last is None:
         return No("there is nothing to take back")
-    risk = _comes_on(document, step.after, step.before)
-    if risk and not asked.confirmed:
-        return _confirm(f"taking back “{step.label}” turns {risk} ON again", replace_confirmed(asked))
-    way = _Way(step, step.after, step.before, step.edits_after, step.edits_before, step.shelf_before, step.file_before)
-    return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
+    if isinstance(file, OpenApplication):
+        return _application(model, file, file.history.undone(), is_undo=True)
+    return _undone(model, file, file.history.last, command)
 
 
-def redo(model: Model, asked: act.Redo, _outside: Surroundings) -> Done | No:
+@on_file
+def redo(model: Model, file: AnyFile, command: act.Redo, _outside: Surroundings) -> Done | No:
     """Do the step again that was taken back last."""
-    document = model.documents.get(asked.doc)
-    step = document.history.next if document else None
-    if document is None or step is None:
+    refused_ = busy(model, file)
+    if refused_ is not None:
+        return refused_
+    if file.history.next is None:
         return No("there is nothing to do again")
-    risk = _comes_on(document, step.before, step.after)
-    if risk and not asked.confirmed:
-        return _confirm(f"doing “{step.label}” again turns {risk} ON", replace_confirmed(asked))
-    way = _Way(step, step.before, step.after, step.edits_before, step.edits_after, step.shelf_after, step.file_after)
-    return _restored(model, document, way, document.history.redone(), f"“{step.label}” cannot be done again")
+    if isinstance(file, OpenApplication):
+        return _application(model, file, file.history.redone(), is_undo=False)
+    return _redone(model, file, file.history.next, command)
+
+
+def stepped(before: Model, done: Done, by: str, command: act.AnyAct) -> Model:
+    """With one more step in the history of what was changed, as `done` says; taking back is none."""
+    old, new = before.file(done.doc), done.model.file(done.doc)
+    if not done.label or isinstance(command, act.Undo | act.Redo):
+        return done.model
+    if isinstance(old, OpenApplication) and isinstance(new, OpenApplication):
+        if old.application is new.application:
+            return done.model
+        change = Step(done.label, by, old.application, new.application)
+        return done.model.with_application(replace(new, history=new.history.done(change)))
+    if not isinstance(old, Document) or not isinstance(new, Document):
+        return done.model
+    edited = edits_between(before.shelf, done.model.shelf)
+    if old.content == new.content and not edited:
+        return done.model
+    backwards = edits_between(done.model.shelf, before.shelf)
+    step = Step(done.label, by, old.content, new.content, backwards, edited, before.shelf, done.model.shelf)
+    if isinstance(command, act.OpenInPlace):
+        step = replace(step, file_before=File(old.opened, old.base), file_after=File(new.opened, new.base))
+    return done.model.with_document(replace(new, history=new.history.done(step)))
 
 
 def edits_between(before: Shelf, after: Shelf) -> dict[str, Task | None]:
@@ -61,11 +86,6 @@ def _meaning(task: Task | None) -> Task | None:
     return replace(task, frequency=None) if task else None
 
 
-def replace_confirmed(asked: act.Undo | act.Redo) -> act.Undo | act.Redo:
-    """The same act, meant."""
-    return type(asked)(asked.doc, confirmed=True)
-
-
 def moved_wanted(now: Mapping[str, bool], start: Content, end: Content) -> dict[str, bool]:
     """What is wanted now, with the difference between two contents applied to it."""
     wanted = dict(now)
@@ -83,7 +103,7 @@ def moved_wanted(now: Mapping[str, bool], start: Content, end: Content) -> dict[
 class _Way:
     """From one end of a step to the other."""
 
-    step: Step
+    step: Step[Content]
     start: Content
     end: Content
     edits_start: Edits
@@ -102,7 +122,34 @@ class _Way:
         return task_edit.rebased(end, start, task) if end and start and task else end
 
 
-def _restored(model: Model, document: Document, way: _Way, history: History[Step], cannot: str) -> Done | No:
+def _undone(model: Model, document: Document, step: Step[Content], command: act.Undo) -> Done | No:
+    risk = _comes_on(document, step.after, step.before)
+    if risk and not command.confirmed:
+        meant = act.Undo(command.doc, confirmed=True)
+        return No(f"taking back “{step.label}” turns {risk} ON again", (Remedy("Go on", meant),))
+    way = _Way(step, step.after, step.before, step.edits_after, step.edits_before, step.shelf_before, step.file_before)
+    return _restored(model, document, way, document.history.undone(), f"“{step.label}” cannot be taken back")
+
+
+def _redone(model: Model, document: Document, step: Step[Content], command: act.Redo) -> Done | No:
+    risk = _comes_on(document, step.before, step.after)
+    if risk and not command.confirmed:
+        meant = act.Redo(command.doc, confirmed=True)
+        return No(f"doing “{step.label}” again turns {risk} ON", (Remedy("Go on", meant),))
+    way = _Way(step, step.before, step.after, step.edits_before, step.edits_after, step.shelf_after, step.file_after)
+    return _restored(model, document, way, document.history.redone(), f"“{step.label}” cannot be done again")
+
+
+def _application(model: Model, opened: OpenApplication, history: History[Application], *, is_undo: bool) -> Done:
+    """As it was, but for its name: that is of the file."""
+    step = history.future[-1] if is_undo else history.past[-1]
+    content = step.before if is_undo else step.after
+    application = content if content.name == opened.name else replace(content, name=opened.name)
+    opened = replace(opened, application=application, history=history)
+    return Done(model.with_application(opened), step.label, opened.id)
+
+
+def _restored(model: Model, document: Document, way: _Way, history: History[Content], cannot: str) -> Done | No:
     wanted = moved_wanted(document.content.wanted, way.start, way.end) if document.live else {}
     names = {one.task for one in way.end.configuration.placed}
     kept = {name: is_on for name, is_on in wanted.items() if name in names}
@@ -128,7 +175,3 @@ def _comes_on(document: Document, start: Content, end: Content) -> str:
     now = document.content.wanted
     after = moved_wanted(now, start, end)
     return " and ".join(sorted(name for name, is_on in after.items() if is_on and not now.get(name)))
-
-
-def _confirm(reason: str, meant: act.Undo | act.Redo) -> No:
-    return No(reason, (Remedy("Go on", meant),))

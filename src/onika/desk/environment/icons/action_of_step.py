@@ -1,11 +1,11 @@
-"""The action to which a step belongs: a mark on a target is one of its job (decision 24, requirement D06)."""
+"""The action to which a step belongs: a mark on a target is one of its job (reading 24, requirement D06)."""
 
 from collections.abc import Iterable
 from dataclasses import replace
 from typing import NamedTuple
 
 from onika.desk.environment.icons.alteration import flow_at
-from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication

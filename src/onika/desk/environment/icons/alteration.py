@@ -8,7 +8,7 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.model.application import AppFlow, Application
-from onika.model.flow_path import Spot, flows_by_path, numbered, spot_of, spots, with_flows
+from onika.model.flow_path import StepAddress, flows_by_path, numbered, spot_of, spots, with_flows
 from onika.wire import act
 
 
@@ -39,7 +39,7 @@ def place_behind(application: Application, path: str, after: int) -> tuple[str, 
     return (spot.path, spot.position) if spot else No("the icon it should stand behind is no longer there")
 
 
-def spots_of(application: Application, steps: act.Steps) -> list[Spot] | No:
+def spots_of(application: Application, steps: act.Steps) -> list[StepAddress] | No:
     """Where steps stand, in their order there; those that somebody else has deleted are passed over."""
     wanted = set(steps)
     there = [spot for number, spot in spots(application).items() if number in wanted]

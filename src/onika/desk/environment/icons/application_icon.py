@@ -1,4 +1,4 @@
-"""The icon that an application would make for others (requirement D09, decisions 31 and 34, §5.6.4)."""
+"""The icon that an application would make for others (requirement D09, readings 31 and 34, §5.6.4)."""
 
 from collections.abc import Iterable, Iterator, Sequence
 

@@ -9,7 +9,7 @@ from onika.desk.environment.icons.alteration import flow_at, place_behind, reflo
 from onika.desk.environment.icons.fitting import misfit
 from onika.desk.environment.icons.insertion import is_too_deep, is_within, remove_icons, too_deep
 from onika.desk.environment.icons.loops import for_pasting
-from onika.desk.environment.outcome.on_application import (
+from onika.desk.environment.outcome.on_file import (
     is_running,
     on_application,
     on_resting_application,

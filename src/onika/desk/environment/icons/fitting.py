@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.outcome.outcome import No
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.model import Model

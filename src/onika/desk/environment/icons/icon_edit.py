@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from onika.desk.environment.icons.alteration import altered
-from onika.desk.environment.outcome.on_application import on_resting_application
+from onika.desk.environment.outcome.on_file import on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state import target_values

@@ -5,7 +5,7 @@ from dataclasses import replace
 from onika.desk.environment.icons.alteration import flow_at, place_behind, reflowed, spots_of
 from onika.desk.environment.icons.branches import branch_of
 from onika.desk.environment.icons.fitting import misfit, onikon
-from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
+from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.icon_words import for_placing

@@ -8,13 +8,14 @@ from onika.desk.environment.canvas.draft import Draft, drafted
 from onika.desk.environment.file import file_index
 from onika.desk.environment.icons import application_icon
 from onika.desk.environment.icons.dictionaries import shown_at_once
-from onika.desk.environment.outcome.on_document import closed
+from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.remedy import overwriting, plain
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.icon_words import forgotten, told_again
 from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
 from onika.desk.environment.state.picture_digits import painted
 from onika.desk.plan.icon_names import kind_named
 from onika.model.onikon import Onikon
@@ -64,7 +65,7 @@ def _drafted(model: Model, doc: str, outside: Surroundings) -> Draft | No:
         return application_icon.drafted(model, application, outside.site)
     document = model.documents.get(doc)
     if document is None:
-        return closed()
+        return closed(Kind.CONFIGURATION)
     unsaved = _unsaved(document)
     if unsaved:
         return unsaved

@@ -1,4 +1,4 @@
-"""Loops: two actions of one flow, one of which decides and one of which is gone back to (D06, D13, decision 23)."""
+"""Loops: two actions of one flow, one of which decides and one of which is gone back to (D06, D13, reading 23)."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -7,7 +7,7 @@ from string import ascii_uppercase
 from onika.desk.environment.icons.action_of_step import action_of, exchanged, unmarked
 from onika.desk.environment.icons.alteration import reflowed
 from onika.desk.environment.icons.marks import condition_of, tag_refused
-from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
+from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model

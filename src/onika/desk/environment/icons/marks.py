@@ -1,11 +1,11 @@
-"""Breakpoints and synchronisation tags, which count once for an action (requirement D06, decisions 24 to 26)."""
+"""Breakpoints and synchronisation tags, which count once for an action (requirement D06, readings 24 to 26)."""
 
 import re
 from dataclasses import replace
 
 from onika.desk.environment.icons.action_of_step import Acting, action_of, exchanged
 from onika.desk.environment.icons.alteration import reflowed
-from onika.desk.environment.outcome.on_application import on_application, on_resting_application
+from onika.desk.environment.outcome.on_file import on_application, on_resting_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model

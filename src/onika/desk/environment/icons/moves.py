@@ -6,7 +6,7 @@ from dataclasses import replace
 from onika.desk.environment.icons.alteration import altered, flow_at, place_behind, spots_of
 from onika.desk.environment.icons.fitting import misfit
 from onika.desk.environment.icons.insertion import is_too_deep, is_within, too_deep, without
-from onika.desk.environment.outcome.on_application import on_resting_application, syntax_of
+from onika.desk.environment.outcome.on_file import on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model

@@ -1,4 +1,4 @@
-"""A frame as the nine numbers of a Cartesian target: approach, normal, position (decision 44)."""
+"""A frame as the nine numbers of a Cartesian target: approach, normal, position (reading 44)."""
 
 from collections.abc import Sequence
 

@@ -18,7 +18,7 @@ from onika.desk.environment.state.picture_digits import painted
 from onika.desk.environment.state.target_items import items_of
 from onika.model.onikon import Onikon
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.store.site import is_shipped
 from onika.wire import act, page
 from onika.wire.view import Remedy
@@ -69,7 +69,7 @@ def remove_onikon(model: Model, command: act.RemoveOnikon, outside: Surroundings
     return Done(now, says=(page.Say("success", f"{command.onikon} is deleted"),))
 
 
-def _found(model: Model, name: str) -> tuple[BaseDirectory, Opened[Onikon]] | No:
+def _found(model: Model, name: str) -> tuple[BaseDirectory, OpenedText[Onikon]] | No:
     home = home_of(model.dictionaries, name)
     return No(f"no open dictionary has an icon {name}") if home is None else (home.base, home.onikons[name])
 

@@ -1,4 +1,4 @@
-"""Tasks that would not fit into open configurations any more if a change of theirs were taken over (decision 9)."""
+"""Tasks that would not fit into open configurations any more if a change of theirs were taken over (reading 9)."""
 
 from collections.abc import Collection, Iterator
 

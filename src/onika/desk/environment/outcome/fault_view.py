@@ -14,12 +14,12 @@ from onika.desk.plan.preparation import PreparedRun
 from onika.desk.plan.substitutes import with_substitutes
 from onika.files import appl, rmod
 from onika.model.application import Application, Branch, Hole, Icon, Step
-from onika.model.flow_path import Spot, flows_by_path, spots
+from onika.model.flow_path import StepAddress, flows_by_path, spots
 from onika.model.redirect import Redirect
 from onika.model.rules.hole import holes
 from onika.model.rules.outline import Outline
 from onika.model.syntax import Syntax
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy, ShowConfiguration, ShowFits, ShowLoop, ShowStep, ShowTarget, ShowValues
@@ -41,12 +41,12 @@ class Troubles:
     application: Application
     syntax: Syntax
     place: Place
-    program: Program | None
+    program: ApplicationProgram | None
     redirects: tuple[Redirect, ...] = ()
     prepared: PreparedRun | None = None
     site: Site | None = None
     """Where substitutes are looked for; None: none are told."""
-    _spots: Mapping[int, Spot] = field(default_factory=dict)
+    _spots: Mapping[int, StepAddress] = field(default_factory=dict)
     _users: Mapping[str, int] = field(default_factory=dict)
     _targets: Mapping[int, tuple[int, ...]] = field(default_factory=dict)
     """Of each action."""
@@ -199,13 +199,13 @@ def _is_of_values(fault: Fault) -> bool:
     return fault.expected.startswith("values for")
 
 
-def _named(name: str, program: Program) -> list[str]:
+def _named(name: str, program: ApplicationProgram) -> list[str]:
     """A task, with the names of its files."""
     task = program.tasks.get(name)
     return [f"{name}.rmod", name, *([f"{task.module}.py"] if task else [])]
 
 
-def _use(name: str, number: int, program: Program, users: dict[str, int]) -> None:
+def _use(name: str, number: int, program: ApplicationProgram, users: dict[str, int]) -> None:
     """Notes which step is the first to use which files, and names of what stands in them."""
     waiting = [name]
     while waiting:

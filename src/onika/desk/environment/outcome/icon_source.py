@@ -1,4 +1,4 @@
-"""What the icon of an action stands for: its file, and whether that is still what the icon says (decision 36)."""
+"""What the icon of an action stands for: its file, and whether that is still what the icon says (reading 36)."""
 
 from collections.abc import Iterable
 from pathlib import Path
@@ -33,7 +33,7 @@ class Sources:
             self._first.setdefault(Path(path).name, path)
 
     def path_of(self, onikon: Onikon, dictionary: Dictionary) -> str:
-        """The file behind an icon: beside its dictionary, else the first on the search path (decision 35); or empty."""
+        """The file behind an icon: beside its dictionary, else the first on the search path (reading 35); or empty."""
         role = role_of(self._syntax.acting(onikon.type))
         if role not in _ENDINGS:
             return ""

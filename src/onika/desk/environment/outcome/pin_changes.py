@@ -1,4 +1,4 @@
-"""What becomes of open documents when the pins of library tasks change (decision 9, requirement C24)."""
+"""What becomes of open documents when the pins of library tasks change (reading 9, requirement C24)."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -8,7 +8,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.configuration import Configuration
 from onika.model.rules import loci
-from onika.model.rules.box import Box
+from onika.model.rules.box import TaskBox
 
 
 def resettled(model: Model, before: Shelf) -> Model:
@@ -35,7 +35,7 @@ def settled(content: Content, before: Shelf, after: Shelf) -> Content:
 
 
 def _renamed(
-    configuration: Configuration, changed: Sequence[str], old: Mapping[str, Box], new: Mapping[str, Box]
+    configuration: Configuration, changed: Sequence[str], old: Mapping[str, TaskBox], new: Mapping[str, TaskBox]
 ) -> Configuration:
     """A locus that only changed tasks used keeps its place under their new name for it."""
     used = {svar for box in new.values() for svar in box.uses}

@@ -1,4 +1,4 @@
-"""What is wrong with the file of an application, as it was read: each fault at the step where it stands (issue B07)."""
+"""What is wrong with the file of an application, as it was read: each fault at the step where it stands (B07)."""
 
 from collections.abc import Iterable
 

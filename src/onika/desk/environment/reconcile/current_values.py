@@ -25,8 +25,8 @@ def ask_present(model: Model, document: Document, task: str) -> tuple[Order, ...
 
 def measured(model: Model, task: str, moving: Collection[str]) -> dict[str, str]:
     """By input of a task: the variable of its kind that it reads and that one of the tasks that are ON writes."""
-    known = model.shelf.tasks
-    written = {svar for name in moving if name in known for svar in known[name].outputs}
+    library_tasks = model.shelf.tasks
+    written = {svar for name in moving if name in library_tasks for svar in library_tasks[name].outputs}
     return {name: svar for name, svar in _wanted(model, task).items() if svar in written}  # else it is old
 
 
@@ -41,25 +41,25 @@ def _wanted(model: Model, name: str) -> Mapping[str, str]:
     sheet = model.shelf.sheets.get(task.module) if task else None
     if task is None or sheet is None:
         return {}
-    read = [one for one in sheet.ports if PortKind(one.kind).is_input and PortKind(one.kind).at_cycle]
+    read = [port for port in sheet.ports if PortKind(port.kind).is_input and PortKind(port.kind).at_cycle]
     aliases = dict(task.aliases)
     return {
-        one.name: aliases.get(port.name, port.name)
-        for one in sheet.inputs
+        input_sheet.name: aliases.get(port.name, port.name)
+        for input_sheet in sheet.inputs
         for port in reversed(read)  # of several the first
-        if "[" in one.shape and (port.shape, port.unit) == (one.shape, one.unit)
+        if "[" in input_sheet.shape and (port.shape, port.unit) == (input_sheet.shape, input_sheet.unit)
     }
 
 
 def _told(model: Model, response: request.Response, doc: str, task: str, wanted: Mapping[str, str]) -> Done:
     document = model.documents.get(doc)
-    known = document.live if document else None
-    facts = known.tasks.get(task) if known else None
-    if document is None or known is None or facts is None or not isinstance(response, live.Values):
+    subsystem_facts = document.live if document else None
+    facts = subsystem_facts.tasks.get(task) if subsystem_facts else None
+    if document is None or subsystem_facts is None or facts is None or not isinstance(response, live.Values):
         return Done(model)
-    known = known.with_task(task, replace(facts, present=values_of(response, wanted)))
-    return Done(model.with_document(replace(document, live=known)))
+    message = subsystem_facts.with_task(task, replace(facts, present=values_of(response, wanted)))
+    return Done(model.with_document(replace(document, live=message)))
 
 
 def _flat(value: object) -> list[float]:
-    return [one for part in value for one in _flat(part)] if isinstance(value, list) else [float(str(value))]
+    return [number for part in value for number in _flat(part)] if isinstance(value, list) else [float(str(value))]

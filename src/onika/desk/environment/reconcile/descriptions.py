@@ -56,8 +56,8 @@ def forgotten(model: Model, module: str) -> Model:
     shelf = model.shelf
     if module not in shelf.sheets and module not in shelf.unread:
         return model
-    sheets = {name: one for name, one in shelf.sheets.items() if name != module}
-    unread = {name: one for name, one in shelf.unread.items() if name != module}
+    sheets = {name: sheet for name, sheet in shelf.sheets.items() if name != module}
+    unread = {name: reason for name, reason in shelf.unread.items() if name != module}
     return replace(model, shelf=replace(shelf, sheets=sheets, unread=unread))
 
 
@@ -73,8 +73,8 @@ def _told(model: Model, response: request.Response, module: str, digest: str, le
 
 def _lacking(shelf: Shelf, learnt: Learnt) -> Iterator[tuple[str, str]]:
     """Modules that are not described, each with a task that uses it."""
-    known = {*shelf.sheets, *shelf.unread, *learnt.names}
+    described = {*shelf.sheets, *shelf.unread, *learnt.names}
     for name, task in shelf.tasks.items():
-        if task.module not in known:
-            known.add(task.module)
+        if task.module not in described:
+            described.add(task.module)
             yield task.module, name

@@ -18,44 +18,44 @@ from onika.wire import event, page, view
 from onika.wire.view import ShowTask
 
 
-def heard(model: Model, told: event.Event, at_s: float = 0.0) -> Done:
+def after_event(model: Model, message: event.Event, at_s: float = 0.0) -> Done:
     """The model after a piece of news, and what is worth a line; `at_s` is seconds since 1970."""
-    model = _questioned(model, told)
-    match told:
+    model = _questioned(model, message)
+    match message:
         case event.TaskState() | event.Failed() | event.Asked() | event.Warned() | event.Signalled():
-            return _of_task(model, told)
-        case event.Stepped() if told.is_too_far:
-            return _stepped(model, told)
+            return _of_task(model, message)
+        case event.Stepped() if message.is_too_far:
+            return _stepped(model, message)
         case event.Edited():
-            document = _home(model, told.subsystem)
-            return reconciliation.edited(model, document.id, told.number, told.cause) if document else Done(model)
+            document = _home(model, message.subsystem)
+            return reconciliation.edited(model, document.id, message.number, message.cause) if document else Done(model)
         case event.Held():
-            return _held(model, told, at_s)
+            return _held(model, message, at_s)
         case event.Offered():
-            return presence.offered(model, told, at_s)
+            return presence.offered(model, message, at_s)
         case event.Company():
-            return presence.came(model, told)
+            return presence.came(model, message)
         case event.Moved():
-            return Done(replace(model, runtime=holders.moved(model.runtime, told)))
+            return Done(replace(model, runtime=holders.moved(model.runtime, message)))
         case event.Result() if not is_going(model):  # of a run that is not of this environment
             return Done(model, orders=(presence.ask_what(),))
         case event.Stopped():
-            return _stopped(model, told)
+            return _stopped(model, message)
         case event.Lost():
-            return _lost(model, told)
-        case event.Drive() if told.state in ("TRIPPED", "PRESSED") and not model.runtime.is_stopped:
-            why = f": {told.cause}" if told.cause else ""
-            return Done(model, says=(page.Say("error", f"drive {told.device} is {told.state}{why}"),))
+            return _lost(model, message)
+        case event.Drive() if message.state in ("TRIPPED", "PRESSED") and not model.runtime.is_stopped:
+            why = f": {message.cause}" if message.cause else ""
+            return Done(model, says=(page.Say("error", f"drive {message.device} is {message.state}{why}"),))
     return Done(model)
 
 
-def _questioned(model: Model, told: event.Event) -> Model:
+def _questioned(model: Model, message: event.Event) -> Model:
     """What tasks of applications ask, whoever began these."""
-    match told:
+    match message:
         case event.Asked():
-            return replace(model, runtime=holders.asked(model.runtime, told))
+            return replace(model, runtime=holders.with_question(model.runtime, message))
         case event.TaskState():
-            runtime = holders.turned(model.runtime, told)
+            runtime = holders.turned(model.runtime, message)
             return model if runtime is model.runtime else replace(model, runtime=runtime)
     return model
 
@@ -63,49 +63,51 @@ def _questioned(model: Model, told: event.Event) -> Model:
 _OfTask = event.TaskState | event.Failed | event.Asked | event.Warned | event.Signalled
 
 
-def _of_task(model: Model, told: _OfTask) -> Done:
-    document = _home(model, told.subsystem)
+def _of_task(model: Model, of_task: _OfTask) -> Done:
+    document = _home(model, of_task.subsystem)
     if document is None or document.live is None:
-        is_new = bool(told.subsystem) and told.subsystem not in model.runtime.subsystems and not is_going(model)
-        return Done(_with_subsystem(model, told.subsystem), orders=(presence.ask_what(),) if is_new else ())
-    known, facts = document.live, document.live.tasks.get(told.task)
-    where = ShowTask(told.task)
+        is_new = bool(of_task.subsystem) and of_task.subsystem not in model.runtime.subsystems and not is_going(model)
+        return Done(_with_subsystem(model, of_task.subsystem), orders=(presence.ask_what(),) if is_new else ())
+    subsystem_facts, facts = document.live, document.live.tasks.get(of_task.task)
+    where = ShowTask(of_task.task)
 
-    def done(new: TaskFacts, *said: page.Say) -> Done:
-        new_live = known.with_task(told.task, new) if facts else known
-        return Done(model.with_document(replace(document, live=new_live)), says=said)
+    def done(new: TaskFacts, *messages: page.Say) -> Done:
+        new_live = subsystem_facts.with_task(of_task.task, new) if facts else subsystem_facts
+        return Done(model.with_document(replace(document, live=new_live)), says=messages)
 
-    match told:
+    match of_task:
         case event.TaskState():
-            return _turned(model, document, known, told)
+            return _turned(model, document, subsystem_facts, of_task)
         case event.Failed():
-            said = page.Say("error", f"{told.task} failed: {told.text}", document.id, where, told.at_s)
-            return done(replace(facts or TaskFacts(""), failed=told), said)
+            message = page.Say("error", f"{of_task.task} failed: {of_task.text}", document.id, where, of_task.at_s)
+            return done(replace(facts or TaskFacts(""), failed=of_task), message)
         case event.Asked():
-            now = done(replace(facts or TaskFacts(""), question=told))
-            return replace(now, orders=ask_present(model, document, told.task))
+            now = done(replace(facts or TaskFacts(""), question=of_task))
+            return replace(now, orders=ask_present(model, document, of_task.task))
         case event.Warned():
-            text = f"{told.task}: {told.text}" if told.task else told.text
-            said = page.Say("warning", text, document.id, where if told.task else None, told.at_s)
-            return done(replace(facts or TaskFacts(""), warnings=(facts.warnings if facts else 0) + 1), said)
+            text = f"{of_task.task}: {of_task.text}" if of_task.task else of_task.text
+            message = page.Say("warning", text, document.id, where if of_task.task else None, of_task.at_s)
+            return done(replace(facts or TaskFacts(""), warnings=(facts.warnings if facts else 0) + 1), message)
         case event.Signalled():
-            return Done(model, says=(_signal(told, document.id),))
+            return Done(model, says=(_signal(of_task, document.id),))
 
 
-def _turned(model: Model, document: Document, known: Live, told: event.TaskState) -> Done:
+def _turned(model: Model, document: Document, subsystem_facts: Live, message: event.TaskState) -> Done:
     """A task's state has changed; what is wanted follows where nobody here has asked for something else."""
-    facts = known.tasks.get(told.task)
+    facts = subsystem_facts.tasks.get(message.task)
     if facts is None:  # somebody else's, or one that is dead already
         return (
-            Done(model) if told.state == "KILLED" or known.pending else Done(model, orders=(look_again(document.id),))
+            Done(model)
+            if message.state == "KILLED" or subsystem_facts.pending
+            else Done(model, orders=(look_again(document.id),))
         )
-    if told.state == "KILLED":
+    if message.state == "KILLED":
         if facts.state == "SPAWNING":  # the old one of an exchange
             return Done(model)
-        known = known.with_task(told.task, None)
+        live = subsystem_facts.with_task(message.task, None)
     else:
-        known = known.with_task(told.task, _in_state(facts, told.state))
-    return Done(model.with_document(settled(replace(document, live=known))))
+        live = subsystem_facts.with_task(message.task, _in_state(facts, message.state))
+    return Done(model.with_document(settled(replace(document, live=live))))
 
 
 def _in_state(facts: TaskFacts, state: str) -> TaskFacts:
@@ -119,53 +121,56 @@ def _in_state(facts: TaskFacts, state: str) -> TaskFacts:
     )
 
 
-def _signal(told: event.Signalled, doc: str) -> page.Say:
-    where = ShowTask(told.task)
-    if told.kind == "FINISH":
-        return page.Say("end", f"{told.task} has finished", doc, where, told.at_s)
-    text = f"{told.task} signals {told.kind}" + (f": {told.text}" if told.text else "")
-    return page.Say("info" if told.kind == "LEGAL" else "warning", text, doc, where, told.at_s)
+def _signal(message: event.Signalled, doc: str) -> page.Say:
+    where = ShowTask(message.task)
+    if message.kind == "FINISH":
+        return page.Say("end", f"{message.task} has finished", doc, where, message.at_s)
+    text = f"{message.task} signals {message.kind}" + (f": {message.text}" if message.text else "")
+    return page.Say("info" if message.kind == "LEGAL" else "warning", text, doc, where, message.at_s)
 
 
-def _held(model: Model, told: event.Held, at_s: float) -> Done:
-    runtime = holders.changed(model.runtime, told, presence.you(model), at_s)
-    subsystems = {**runtime.subsystems, told.subsystem: runtime.holds[told.subsystem].application or told.holder}
+def _held(model: Model, message: event.Held, at_s: float) -> Done:
+    runtime = holders.changed(model.runtime, message, presence.you(model), at_s)
+    subsystems = {
+        **runtime.subsystems,
+        message.subsystem: runtime.holds[message.subsystem].application or message.holder,
+    }
     model = replace(model, runtime=msgspec.structs.replace(runtime, subsystems=subsystems))
-    document = _home(model, told.subsystem)
+    document = _home(model, message.subsystem)
     says: tuple[page.Say, ...] = ()
-    if told.cause and not told.holder:  # who holds it no more is gone or was silent, and others may want it
-        says = (page.Say("warning", f"{told.subsystem}: {told.cause}", document.id if document else ""),)
+    if message.cause and not message.holder:  # who holds it no more is gone or was silent, and others may want it
+        says = (page.Say("warning", f"{message.subsystem}: {message.cause}", document.id if document else ""),)
     if document is None or document.live is None:
         return Done(model, says=says)
-    known = replace(document.live, holder=told.holder, offer=None)
-    return Done(model.with_document(replace(document, live=known)), says=says)
+    subsystem_facts = replace(document.live, holder=message.holder, offer=None)
+    return Done(model.with_document(replace(document, live=subsystem_facts)), says=says)
 
 
-def _stepped(model: Model, told: event.Stepped) -> Done:
-    document = _home(model, told.subsystem)
+def _stepped(model: Model, message: event.Stepped) -> Done:
+    document = _home(model, message.subsystem)
     if document is None:
         return Done(model)
-    said = page.Say("warning", transfer_text.sentence(told), document.id, ShowTask(told.task), told.at_s)
-    return Done(model, says=(said,))
+    line = page.Say("warning", transfer_text.sentence(message), document.id, ShowTask(message.task), message.at_s)
+    return Done(model, says=(line,))
 
 
-def _stopped(model: Model, told: event.Stopped) -> Done:
-    text = told.cause if told.is_stopped else ""
-    runtime = msgspec.structs.replace(model.runtime, is_stopped=told.is_stopped, stop_text=text)
-    said = (
-        f"everything is stopped: {told.cause}"
-        if told.is_stopped
+def _stopped(model: Model, message: event.Stopped) -> Done:
+    text = message.cause if message.is_stopped else ""
+    runtime = msgspec.structs.replace(model.runtime, is_stopped=message.is_stopped, stop_text=text)
+    text = (
+        f"everything is stopped: {message.cause}"
+        if message.is_stopped
         else "motion is allowed again; nothing comes on by itself"
     )
-    return Done(replace(model, runtime=runtime), says=(page.Say("error" if told.is_stopped else "info", said),))
+    return Done(replace(model, runtime=runtime), says=(page.Say("error" if message.is_stopped else "info", text),))
 
 
-def _lost(model: Model, told: event.Lost) -> Done:
+def _lost(model: Model, message: event.Lost) -> Done:
     units = dict(model.runtime.units)
-    if told.name in units:
-        units[told.name] = view.UnitView(0.0, is_lost=True)
+    if message.name in units:
+        units[message.name] = view.UnitView(0.0, is_lost=True)
     runtime = msgspec.structs.replace(model.runtime, units=units)
-    return Done(replace(model, runtime=runtime), says=(page.Say("error", f"{told.name} is lost: {told.cause}"),))
+    return Done(replace(model, runtime=runtime), says=(page.Say("error", f"{message.name} is lost: {message.cause}"),))
 
 
 def _with_subsystem(model: Model, name: str) -> Model:
@@ -179,5 +184,10 @@ def _home(model: Model, subsystem: str) -> Document | None:
     """The document that is connected with a subsystem."""
     documents = model.documents.values()
     return next(
-        (one for one in documents if one.live and one.live.state == "live" and one.live.subsystem == subsystem), None
+        (
+            document
+            for document in documents
+            if document.live and document.live.state == "live" and document.live.subsystem == subsystem
+        ),
+        None,
     )

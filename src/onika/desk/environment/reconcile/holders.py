@@ -14,95 +14,97 @@ OFFER_S = 60.0
 
 def surveyed(former: Mapping[str, HoldView], standing: live.Standing) -> dict[str, HoldView]:
     """As it stands; what was told of a holder who is the same one still counts."""
-    found = {}
-    for one in standing.subsystems:
-        known = former.get(one.name, HoldView())
-        if known.holder != one.holder:
-            known = HoldView(one.holder, state=known.state, asks=known.asks)
-        asks = _asks(known, one.asks) if one.application else {}
-        found[one.name] = structs.replace(known, application=one.application, asks=asks, on_loss=one.on_loss)
-    return found
+    holds = {}
+    for subsystem in standing.subsystems:
+        hold = former.get(subsystem.name, HoldView())
+        if hold.holder != subsystem.holder:
+            hold = HoldView(subsystem.holder, state=hold.state, asks=hold.asks)
+        asks = _asks(hold, subsystem.asks) if subsystem.application else {}
+        holds[subsystem.name] = structs.replace(
+            hold, application=subsystem.application, asks=asks, on_loss=subsystem.on_loss
+        )
+    return holds
 
 
-def asked(runtime: RuntimeView, told: event.Asked) -> RuntimeView:
+def with_question(runtime: RuntimeView, message: event.Asked) -> RuntimeView:
     """A task of an application asks; of one that is held by hand its document shows it."""
-    known = runtime.holds.get(told.subsystem)
-    if known is None or not known.application:
+    former = runtime.holds.get(message.subsystem)
+    if former is None or not former.application:
         return runtime
-    asks = {**known.asks, told.task: ask_view(told)}
-    return _with(runtime, told.subsystem, structs.replace(known, asks=asks))
+    asks = {**former.asks, message.task: ask_view(message)}
+    return _with(runtime, message.subsystem, structs.replace(former, asks=asks))
 
 
-def turned(runtime: RuntimeView, told: event.TaskState) -> RuntimeView:
+def turned(runtime: RuntimeView, message: event.TaskState) -> RuntimeView:
     """A task has come into another state: if that is not ASKING, it asks for nothing any more."""
-    known = runtime.holds.get(told.subsystem)
-    if known is None or told.state == "ASKING" or told.task not in known.asks:
+    former = runtime.holds.get(message.subsystem)
+    if former is None or message.state == "ASKING" or message.task not in former.asks:
         return runtime
-    asks = {name: one for name, one in known.asks.items() if name != told.task}
-    return _with(runtime, told.subsystem, structs.replace(known, asks=asks))
+    asks = {name: ask for name, ask in former.asks.items() if name != message.task}
+    return _with(runtime, message.subsystem, structs.replace(former, asks=asks))
 
 
-def changed(runtime: RuntimeView, told: event.Held, me: str, at_s: float) -> RuntimeView:
+def changed(runtime: RuntimeView, message: event.Held, me: str, at_s: float) -> RuntimeView:
     """Somebody else holds it, or nobody any more; who was silent, or is gone, is remembered."""
-    known = runtime.holds.get(told.subsystem, HoldView())
-    is_loss = bool(not told.holder and told.cause)
+    former = runtime.holds.get(message.subsystem, HoldView())
+    is_loss = bool(not message.holder and message.cause)
     return _with(
         runtime,
-        told.subsystem,
+        message.subsystem,
         HoldView(
-            told.holder,
-            known.application,
-            known.state,
+            message.holder,
+            former.application,
+            former.state,
             since_at_s=at_s,
-            cause=told.cause,
-            former=known.holder if is_loss else "",
-            was_here=is_loss and bool(me) and known.holder == me,
-            asks=known.asks,
-            on_loss=known.on_loss,
+            cause=message.cause,
+            former=former.holder if is_loss else "",
+            was_here=is_loss and bool(me) and former.holder == me,
+            asks=former.asks,
+            on_loss=former.on_loss,
         ),
     )
 
 
-def offered(runtime: RuntimeView, told: event.Offered, at_s: float) -> RuntimeView:
+def offered(runtime: RuntimeView, message: event.Offered, at_s: float) -> RuntimeView:
     """A holder offers it, or does so no more."""
-    known = runtime.holds.get(told.subsystem)
-    if known is None:
+    former = runtime.holds.get(message.subsystem)
+    if former is None:
         return runtime
-    to, until_s = ("", 0.0) if told.outcome else (told.to, at_s + OFFER_S if at_s else 0.0)
-    return _with(runtime, told.subsystem, structs.replace(known, offered_to=to, offered_until_s=until_s))
+    to, until_s = ("", 0.0) if message.outcome else (message.to, at_s + OFFER_S if at_s else 0.0)
+    return _with(runtime, message.subsystem, structs.replace(former, offered_to=to, offered_until_s=until_s))
 
 
-def moved(runtime: RuntimeView, told: event.Moved) -> RuntimeView:
+def moved(runtime: RuntimeView, message: event.Moved) -> RuntimeView:
     """A flow has come into another state."""
-    known = runtime.holds.get(told.subsystem)
-    if known is None or known.state == told.state:
+    former = runtime.holds.get(message.subsystem)
+    if former is None or former.state == message.state:
         return runtime
-    return _with(runtime, told.subsystem, structs.replace(known, state=told.state))
+    return _with(runtime, message.subsystem, structs.replace(former, state=message.state))
 
 
 def placed(runtime: RuntimeView, positions: steer.Positions) -> RuntimeView:
     """Where the flows of applications are."""
-    for one in positions.flows:
-        known = runtime.holds.get(one.subsystem)
-        if known is not None and known.state != one.state:
-            runtime = _with(runtime, one.subsystem, structs.replace(known, state=one.state))
+    for flow in positions.flows:
+        former = runtime.holds.get(flow.subsystem)
+        if former is not None and former.state != flow.state:
+            runtime = _with(runtime, flow.subsystem, structs.replace(former, state=flow.state))
     return runtime
 
 
 def flows_with(holds: Mapping[str, HoldView], subsystem: str) -> tuple[str, ...]:
     """The subsystems of the application that runs in one of them, this one among them; none runs: this one."""
-    known = holds.get(subsystem, HoldView())
-    if not known.application:
+    former = holds.get(subsystem, HoldView())
+    if not former.application:
         return (subsystem,)
-    same = (known.application, known.holder)
-    return tuple(name for name, one in holds.items() if (one.application, one.holder) == same)
+    same = (former.application, former.holder)
+    return tuple(name for name, hold in holds.items() if (hold.application, hold.holder) == same)
 
 
-def _asks(known: HoldView, told: Iterable[event.Asked]) -> dict[str, AskView]:
+def _asks(former: HoldView, questions: Iterable[event.Asked]) -> dict[str, AskView]:
     """What is asked now; a question that is shown already stays the one that it is."""
-    found = {one.task: ask_view(one) for one in told}
-    shown = {name: structs.replace(one, present={}) for name, one in known.asks.items()}
-    return {name: known.asks[name] if shown.get(name) == one else one for name, one in found.items()}
+    views = {question.task: ask_view(question) for question in questions}
+    shown = {name: structs.replace(ask, present={}) for name, ask in former.asks.items()}
+    return {name: former.asks[name] if shown.get(name) == view else view for name, view in views.items()}
 
 
 def _with(runtime: RuntimeView, subsystem: str, hold: HoldView) -> RuntimeView:

@@ -11,54 +11,57 @@ from onika.wire import event, live
 
 def alive(standing: live.Standing, subsystem: str) -> Mapping[str, live.TaskStanding]:
     """The living tasks of a subsystem, by name."""
-    home = next((one for one in standing.subsystems if one.name == subsystem), None)
-    return {one.task.name: one for one in home.tasks if one.state != "KILLED"} if home else {}
+    home = next((candidate for candidate in standing.subsystems if candidate.name == subsystem), None)
+    return {task.task.name: task for task in home.tasks if task.state != "KILLED"} if home else {}
 
 
-def with_standing(known: Live, standing: live.Standing) -> Live:
+def with_standing(subsystem_facts: Live, standing: live.Standing) -> Live:
     """With the facts of a subsystem; what is about to be born is still so."""
-    there = alive(standing, known.subsystem)
-    home = next((one for one in standing.subsystems if one.name == known.subsystem), None)
-    asks = {one.task: one for one in home.asks} if home else {}
-    tasks = {name: _facts(one, known.tasks.get(name), asks.get(name)) for name, one in there.items()}
-    if known.pending:
-        tasks = {name: one for name, one in known.tasks.items() if one.state == "SPAWNING"} | {
-            name: one for name, one in tasks.items() if known.state_of(name) != "SPAWNING"
+    there = alive(standing, subsystem_facts.subsystem)
+    home = next((subsystem for subsystem in standing.subsystems if subsystem.name == subsystem_facts.subsystem), None)
+    asks = {ask.task: ask for ask in home.asks} if home else {}
+    tasks = {
+        name: _facts(task_standing, subsystem_facts.tasks.get(name), asks.get(name))
+        for name, task_standing in there.items()
+    }
+    if subsystem_facts.pending:
+        tasks = {name: task for name, task in subsystem_facts.tasks.items() if task.state == "SPAWNING"} | {
+            name: task for name, task in tasks.items() if subsystem_facts.state_of(name) != "SPAWNING"
         }
-    return replace(known, tasks=tasks, holder=home.holder if home else "")
+    return replace(subsystem_facts, tasks=tasks, holder=home.holder if home else "")
 
 
 def settled(document: Document) -> Document:
     """Where nothing is under way, what is wanted is what there is: facts come first."""
-    known = document.live
-    if known is None or known.state != "live" or known.pending:
+    subsystem_facts = document.live
+    if subsystem_facts is None or subsystem_facts.state != "live" or subsystem_facts.pending:
         return document
-    content = true_to_facts(document.content, known, document.content)
-    return replace(document, content=content, live=replace(known, base=Base(content, document.history)))
+    content = true_to_facts(document.content, subsystem_facts, document.content)
+    return replace(document, content=content, live=replace(subsystem_facts, base=Base(content, document.history)))
 
 
-def true_to_facts(content: Content, known: Live, sent: Content) -> Content:
+def true_to_facts(content: Content, subsystem_facts: Live, sent: Content) -> Content:
     """With what is wanted as it is, but where somebody has asked for something else since `sent`."""
     wanted = {
-        name: _is_wanted(known.state_of(name), is_on) if sent.wanted.get(name) == is_on else is_on
+        name: _is_wanted(subsystem_facts.state_of(name), is_on) if sent.wanted.get(name) == is_on else is_on
         for name, is_on in content.wanted.items()
     }
     return content if wanted == content.wanted else replace(content, wanted=wanted)
 
 
-def _facts(one: live.TaskStanding, former: TaskFacts | None, asked: event.Asked | None) -> TaskFacts:
-    known = former or TaskFacts("")
-    asked = asked or known.question
-    is_asking = one.state == "ASKING"
+def _facts(standing: live.TaskStanding, former: TaskFacts | None, question: event.Asked | None) -> TaskFacts:
+    former_facts = former or TaskFacts("")
+    question = question or former_facts.question
+    is_asking = standing.state == "ASKING"
     return TaskFacts(
-        state=one.state,
-        note="" if asked and is_asking else one.reason,
-        rtpu=one.rtpu,
-        hz=one.frequency,
-        question=asked if is_asking else None,
-        present=known.present if is_asking else {},
-        failed=known.failed if one.state == "ERROR" else None,
-        warnings=known.warnings,
+        state=standing.state,
+        note="" if question and is_asking else standing.reason,
+        rtpu=standing.rtpu,
+        hz=standing.frequency,
+        question=question if is_asking else None,
+        present=former_facts.present if is_asking else {},
+        failed=former_facts.failed if standing.state == "ERROR" else None,
+        warnings=former_facts.warnings,
     )
 
 

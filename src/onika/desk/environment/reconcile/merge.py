@@ -33,18 +33,21 @@ class Merged:
     says: tuple[page.Say, ...]
 
 
-def merged(model: Model, document: Document, known: Live, standing: live.Standing) -> Merged:
+def merged(model: Model, document: Document, subsystem_facts: Live, standing: live.Standing) -> Merged:
     """Equation (1) with (4): what runs wins, what runs and is not placed comes onto the canvas, the rest is spawned."""
-    there = alive(standing, known.subsystem)
-    running = tuple(_placed(one) for one in there.values())
-    tasks = {**model.shelf.tasks, **{name: task_of(one.task) for name, one in there.items()}}
-    found = merge(document.content.configuration.placed, running, tasks)
-    configuration = _configuration(model, document.content.configuration, found)
-    wanted = {name: one.is_wanted_on or one.state in ("ON", "ASKING") for name, one in there.items()}
-    known = replace(with_standing(known, standing), state="live", turns={}, pending={}, early={})
-    spawn = () if known.is_foreign else tuple(one.task for one in found.spawn)
-    document = replace(document, content=Content(configuration, wanted), live=known)
-    return Merged(document, spawn, tuple(_says(document, found, known)))
+    there = alive(standing, subsystem_facts.subsystem)
+    running = tuple(_placed(task_standing) for task_standing in there.values())
+    tasks = {**model.shelf.tasks, **{name: task_of(task_standing.task) for name, task_standing in there.items()}}
+    merged_tasks = merge(document.content.configuration.placed, running, tasks)
+    configuration = _configuration(model, document.content.configuration, merged_tasks)
+    wanted = {
+        name: task_standing.is_wanted_on or task_standing.state in ("ON", "ASKING")
+        for name, task_standing in there.items()
+    }
+    message = replace(with_standing(subsystem_facts, standing), state="live", turns={}, pending={}, early={})
+    spawn = () if message.is_foreign else tuple(placed.task for placed in merged_tasks.spawn)
+    document = replace(document, content=Content(configuration, wanted), live=message)
+    return Merged(document, spawn, tuple(_says(document, merged_tasks, message)))
 
 
 def look_again(doc: str) -> Order:
@@ -58,13 +61,13 @@ def seen(model: Model, response: request.Response, doc: str) -> Done:
         return Done(model)
     model = replace(model, runtime=runtime_view(model.runtime, response))
     document = model.documents.get(doc)
-    known = document.live if document else None
-    if document is None or known is None or known.state != "live":
+    subsystem_facts = document.live if document else None
+    if document is None or subsystem_facts is None or subsystem_facts.state != "live":
         return Done(model)
-    known = with_standing(known, response)
-    document = replace(document, live=known)
-    if not known.pending:
-        document = settled(document.having(_with_strangers(model, document, known, response)))
+    message = with_standing(subsystem_facts, response)
+    document = replace(document, live=message)
+    if not message.pending:
+        document = settled(document.having(_with_strangers(model, document, message, response)))
     return Done(model.with_document(document))
 
 
@@ -76,9 +79,12 @@ def runtime_view(former: view.RuntimeView, standing: live.Standing) -> view.Runt
         is_virtual=standing.is_virtual,
         is_stopped=standing.is_stopped,
         stop_text=former.stop_text if standing.is_stopped else "",
-        units={one.name: view.UnitView(round(one.load, 2), one.is_lost) for one in standing.rtpus},
+        units={
+            rtpu_standing.name: view.UnitView(round(rtpu_standing.load, 2), rtpu_standing.is_lost)
+            for rtpu_standing in standing.rtpus
+        },
         worlds=dict.fromkeys(standing.worlds, True),
-        subsystems={one.name: one.application or one.holder for one in standing.subsystems},
+        subsystems={subsystem.name: subsystem.application or subsystem.holder for subsystem in standing.subsystems},
         holds=holders.surveyed(former.holds, standing),
         sessions=former.sessions,
     )
@@ -92,26 +98,26 @@ def with_loci(model: Model, document: Document) -> Model:
     return model.with_document(document.having(replace(document.content, configuration=placed)))
 
 
-def _placed(one: live.TaskStanding) -> Placed:
-    filed = one.task.frequency
-    changed = one.frequency is not None and one.frequency != filed
-    return Placed(one.task.name, frequency=one.frequency or 0.0 if changed else 0.0, rtpu=one.rtpu)
+def _placed(standing: live.TaskStanding) -> Placed:
+    filed = standing.task.frequency
+    changed = standing.frequency is not None and standing.frequency != filed
+    return Placed(standing.task.name, frequency=standing.frequency or 0.0 if changed else 0.0, rtpu=standing.rtpu)
 
 
-def _configuration(model: Model, former: Configuration, found: Merge) -> Configuration:
+def _configuration(model: Model, former: Configuration, merged_tasks: Merge) -> Configuration:
     """What is placed afterwards, each at its place; newcomers stand to the right of all others."""
-    stays = {one.task: one for one in (*found.update, *found.spawn)}
-    placed = [stays.get(one.task, one) for one in former.placed if one.task not in found.remove]
-    boxes = model.shelf.boxes(tuple(one.task for one in (*placed, *found.add)))
-    x = max((one.x + _width(boxes, one.task) for one in placed), default=0) + _GAP
-    top = y = min((one.y for one in placed), default=_GAP)
+    stays = {placed.task: placed for placed in (*merged_tasks.update, *merged_tasks.spawn)}
+    placed = [stays.get(placed.task, placed) for placed in former.placed if placed.task not in merged_tasks.remove]
+    boxes = model.shelf.boxes(tuple(placed.task for placed in (*placed, *merged_tasks.add)))
+    x = max((placed.x + _width(boxes, placed.task) for placed in placed), default=0) + _GAP
+    top = y = min((placed.y for placed in placed), default=_GAP)
     column = 0
-    for one in found.add:
+    for newcomer in merged_tasks.add:
         if y > top + _BELOW:
             x, y, column = x + column + _GAP, top, 0
-        placed.append(replace(one, x=x, y=y))
-        y += (boxes[one.task].height if one.task in boxes else _GAP) + _GAP
-        column = max(column, _width(boxes, one.task))
+        placed.append(replace(newcomer, x=x, y=y))
+        y += (boxes[newcomer.task].height if newcomer.task in boxes else _GAP) + _GAP
+        column = max(column, _width(boxes, newcomer.task))
     if tuple(placed) == former.placed:
         return former
     return loci.settled(replace(former, placed=tuple(placed)).regrouped(former.groups), boxes, former)
@@ -121,13 +127,13 @@ def _width(boxes: Mapping[str, object], name: str) -> int:
     return getattr(boxes.get(name), "width", 136)
 
 
-def _with_strangers(model: Model, document: Document, known: Live, standing: live.Standing) -> Content:
+def _with_strangers(model: Model, document: Document, subsystem_facts: Live, standing: live.Standing) -> Content:
     """With tasks that somebody else has brought to life, and without the wish for those that live no more."""
-    content, there = document.content, alive(standing, known.subsystem)
+    content, there = document.content, alive(standing, subsystem_facts.subsystem)
     here = set(content.names)
-    new = tuple(_placed(one) for name, one in there.items() if name not in here)
+    new = tuple(_placed(task_standing) for name, task_standing in there.items() if name not in here)
     wanted = {name: is_on for name, is_on in content.wanted.items() if name in here}
-    wanted |= {one.task: there[one.task].state in ("ON", "ASKING") for one in new}
+    wanted |= {placed.task: there[placed.task].state in ("ON", "ASKING") for placed in new}
     configuration = content.configuration
     if new:
         configuration = _configuration(model, configuration, Merge({}, new, (), ()))
@@ -136,23 +142,29 @@ def _with_strangers(model: Model, document: Document, known: Live, standing: liv
     return Content(configuration, wanted)
 
 
-def _says(document: Document, found: Merge, known: Live) -> list[page.Say]:
+def _says(document: Document, merged_tasks: Merge, subsystem_facts: Live) -> list[page.Say]:
     """What connecting has done, one line for each thing."""
-    said = [
-        page.Say("warning", f"{name} leaves the canvas: {'; '.join(plain(one.reason) for one in why)}", document.id)
-        for name, why in found.remove.items()
+    messages = [
+        page.Say(
+            "warning", f"{name} leaves the canvas: {'; '.join(plain(refusal.reason) for refusal in why)}", document.id
+        )
+        for name, why in merged_tasks.remove.items()
     ]
-    if found.add:
-        names = ", ".join(one.task for one in found.add)
-        said.append(
+    if merged_tasks.add:
+        names = ", ".join(placed.task for placed in merged_tasks.add)
+        messages.append(
             page.Say(
                 "info",
-                f"{names} {'runs' if len(found.add) == 1 else 'run'} already and came onto the canvas",
+                f"{names} {'runs' if len(merged_tasks.add) == 1 else 'run'} already and came onto the canvas",
                 document.id,
             )
         )
-    if known.is_foreign:
-        said.append(
-            page.Say("warning", f"{known.subsystem} is held by {known.holder}: you can only watch", document.id)
+    if subsystem_facts.is_foreign:
+        messages.append(
+            page.Say(
+                "warning",
+                f"{subsystem_facts.subsystem} is held by {subsystem_facts.holder}: you can only watch",
+                document.id,
+            )
         )
-    return said
+    return messages

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator
 from typing import Protocol
 
 from onika.desk.environment.outcome.outcome import Order
-from onika.desk.run.runtime import Reply
+from onika.desk.run.runtime import NumberedResponse
 from onika.wire import event, live, request
 
 _EVERY_S = 0.5
@@ -14,11 +14,11 @@ _EVERY_S = 0.5
 class Runtime(Protocol):
     """A runtime, launched or reached."""
 
-    def send(self, asked: request.Request) -> int:
+    def send(self, message: request.Request) -> int:
         """Ask without waiting; the number of the reply."""
         ...
 
-    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | Reply]:
+    def messages(self, timeout_s: float = 0.0) -> Iterator[event.Event | NumberedResponse]:
         """Events and replies as they came; raises LinkLost at the end."""
         ...
 
@@ -59,16 +59,16 @@ class Talk:
     def hear(self) -> list[event.Event | Answered]:
         """What has come since the last call, in order; raises LinkLost at the end, `orphans` are left then."""
         self.figures = None
-        found: list[event.Event | Answered] = []
-        for one in self._runtime.messages():
-            if not isinstance(one, Reply):
-                found.append(one)
-            elif one.number == self._figures_asked:
+        messages: list[event.Event | Answered] = []
+        for message in self._runtime.messages():
+            if not isinstance(message, NumberedResponse):
+                messages.append(message)
+            elif message.number == self._figures_asked:
                 self._figures_asked = None
-                self.figures = one.response if isinstance(one.response, live.Figures) else None
-            elif one.number in self._waiting:
-                found.append((self._waiting.pop(one.number), one.response))
-        return found
+                self.figures = message.response if isinstance(message.response, live.Figures) else None
+            elif message.number in self._waiting:
+                messages.append((self._waiting.pop(message.number), message.response))
+        return messages
 
     def readings(self) -> dict[str, bytes]:
         """The newest reading under each key since the last call."""

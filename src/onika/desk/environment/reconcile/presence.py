@@ -38,30 +38,37 @@ def ask_flows() -> Order:
     return Order(steer.Who(), _placed)
 
 
-def came(model: Model, told: event.Company) -> Done:
+def came(model: Model, message: event.Company) -> Done:
     """Somebody has come or gone."""
-    return Done(_with_sessions(model, told.sessions, you(model)))
+    return Done(_with_sessions(model, message.sessions, you(model)))
 
 
-def offered(model: Model, told: event.Offered, at_s: float = 0.0) -> Done:
+def offered(model: Model, message: event.Offered, at_s: float = 0.0) -> Done:
     """A holder offers something, or does so no more; those whom it is about are told."""
     me = you(model)
-    model = replace(model, runtime=holds.offered(model.runtime, told, at_s))
+    model = replace(model, runtime=holds.offered(model.runtime, message, at_s))
     document = next(
-        (one for one in model.documents.values() if one.live and one.live.subsystem == told.subsystem), None
+        (
+            document
+            for document in model.documents.values()
+            if document.live and document.live.subsystem == message.subsystem
+        ),
+        None,
     )
     says = (
-        (page.Say("info", _words(told, me), document.id if document else ""),) if me in (told.holder, told.to) else ()
+        (page.Say("info", _words(message, me), document.id if document else ""),)
+        if me in (message.holder, message.to)
+        else ()
     )
     if document is None or document.live is None:
         return Done(model, says=says)
-    offer = None if told.outcome else Offer(told.holder, told.to, told.to == me)
+    offer = None if message.outcome else Offer(message.holder, message.to, message.to == me)
     return Done(model.with_document(replace(document, live=replace(document.live, offer=offer))), says=says)
 
 
 def you(model: Model) -> str:
     """The name by which the runtime knows this environment; empty: it was not told yet."""
-    return next((name for name, one in model.runtime.sessions.items() if one.is_you), "")
+    return next((name for name, session in model.runtime.sessions.items() if session.is_you), "")
 
 
 def surveyed(model: Model, response: request.Response) -> Done:
@@ -85,21 +92,23 @@ def _answered(model: Model, response: request.Response) -> Done:
 
 def _with_sessions(model: Model, sessions: Sequence[holding.SessionStanding], me: str) -> Model:
     views = {
-        one.name: view.SessionView(one.role, one.is_here, one.only_watches, one.name == me, one.lease_s)
-        for one in sessions
+        session.name: view.SessionView(
+            session.role, session.is_here, session.only_watches, session.name == me, session.lease_s
+        )
+        for session in sessions
     }
     return replace(model, runtime=msgspec.structs.replace(model.runtime, sessions=views))
 
 
-def _words(told: event.Offered, me: str) -> str:
-    is_accepted = told.outcome == "accepted"
-    if told.to == me:
+def _words(message: event.Offered, me: str) -> str:
+    is_accepted = message.outcome == "accepted"
+    if message.to == me:
         if is_accepted:
-            return f"{told.subsystem} is held here now: {told.holder} has handed it over"
-        text = f"{told.holder} offers {told.subsystem}: take it, or decline"
-        return f"{told.holder} offers {told.subsystem} no more: {told.outcome}" if told.outcome else text
+            return f"{message.subsystem} is held here now: {message.holder} has handed it over"
+        text = f"{message.holder} offers {message.subsystem}: take it, or decline"
+        return f"{message.holder} offers {message.subsystem} no more: {message.outcome}" if message.outcome else text
     if is_accepted:
-        return f"{told.to} has taken {told.subsystem}"
-    if told.outcome:
-        return f"{told.subsystem} is no longer offered to {told.to}: {told.outcome}"
-    return f"{told.subsystem} is offered to {told.to}"
+        return f"{message.to} has taken {message.subsystem}"
+    if message.outcome:
+        return f"{message.subsystem} is no longer offered to {message.to}: {message.outcome}"
+    return f"{message.subsystem} is offered to {message.to}"

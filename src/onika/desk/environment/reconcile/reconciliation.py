@@ -27,31 +27,31 @@ _KEPT = 64
 
 def pursue(model: Model, document: Document) -> Done | No:
     """Ask the runtime for what a document differs in from what it was asked for, or wait; a no where it cannot be."""
-    known, base = _of(document)
-    under_way = next((one.after for one in known.pending.values() if one.after is not None), None)
-    asked = under_way or base.content
-    what = alteration(asked, document.content, known, model.shelf, base.edits, living_units(model))
+    subsystem_facts, base = _of(document)
+    under_way = next((pending.after for pending in subsystem_facts.pending.values() if pending.after is not None), None)
+    content = under_way or base.content
+    what = alteration(content, document.content, subsystem_facts, model.shelf, base.edits, living_units(model))
     if what.faults:
         return No("; ".join(what.faults))
     if what.is_nothing:
         if under_way is None:
-            known = replace(known, turns={}, base=Base(document.content, document.history))
-        return Done(model.with_document(replace(document, live=known)))
-    refused = _refused(document, known, what, model)
+            subsystem_facts = replace(subsystem_facts, turns={}, base=Base(document.content, document.history))
+        return Done(model.with_document(replace(document, live=subsystem_facts)))
+    refused = _refused(document, subsystem_facts, what, model)
     if refused:
         return refused
-    return _sent(model, document, what) if under_way is None else _awaiting(model, document, known)
+    return _sent(model, document, what) if under_way is None else _awaiting(model, document, subsystem_facts)
 
 
 def pursue_all(model: Model, docs: Iterable[str]) -> Done | No:
     """The same for several documents."""
     done = Done(model)
     for doc in docs:
-        found = pursue(done.model, done.model.documents[doc])
-        if isinstance(found, No):
-            return found
-        orders, says = (*done.orders, *found.orders), (*done.says, *found.says)
-        done = Done(found.model, orders=orders, says=says, awaits=done.awaits or found.awaits)
+        outcome = pursue(done.model, done.model.documents[doc])
+        if isinstance(outcome, No):
+            return outcome
+        orders, says = (*done.orders, *outcome.orders), (*done.says, *outcome.says)
+        done = Done(outcome.model, orders=orders, says=says, awaits=done.awaits or outcome.awaits)
     return done
 
 
@@ -74,30 +74,30 @@ def noted(model: Model, former: Shelf, *, but: str = "") -> tuple[Model, tuple[s
 
 def under_way(document: Document, task: str) -> tuple[Document, int]:
     """With something about a task asked for that changes nothing in the document, and by which count it is known."""
-    known, _ = _of(document)
-    key = known.requests + 1
-    pending = {**known.pending, key: Pending(tasks=frozenset((task,)))}
-    return replace(document, live=replace(known, requests=key, pending=pending)), key
+    subsystem_facts, _ = _of(document)
+    key = subsystem_facts.requests + 1
+    pending = {**subsystem_facts.pending, key: Pending(tasks=frozenset((task,)))}
+    return replace(document, live=replace(subsystem_facts, requests=key, pending=pending)), key
 
 
-def next_change(doc: str, known: Live) -> Change:
+def next_change(doc: str, subsystem_facts: Live) -> Change:
     """The change of a subsystem that is asked for next."""
-    return Change(doc, known.changes + 1)
+    return Change(doc, subsystem_facts.changes + 1)
 
 
 def accepted(model: Model, response: request.Response, doc: str, key: int, change: Change | None = None) -> Done:
     """The runtime has accepted what it was asked for, or says all that is wrong with it; acts may wait for `change`."""
     document = model.documents.get(doc)
-    known = document.live if document else None
-    if document is None or known is None or key not in known.pending:
+    subsystem_facts = document.live if document else None
+    if document is None or subsystem_facts is None or key not in subsystem_facts.pending:
         return Done(model, news=_news(change, None))
     if not isinstance(response, live.Accepted):
         done = _failed(model, document, key)
         return replace(done, news=(*_news(change, No(refusal(response))), *done.news))
-    early = dict(known.early)
+    early = dict(subsystem_facts.early)
     cause = early.pop(response.number, None)
-    pending = {**known.pending, key: replace(known.pending[key], number=response.number)}
-    model = model.with_document(replace(document, live=replace(known, pending=pending, early=early)))
+    pending = {**subsystem_facts.pending, key: replace(subsystem_facts.pending[key], number=response.number)}
+    model = model.with_document(replace(document, live=replace(subsystem_facts, pending=pending, early=early)))
     done = Done(model) if cause is None else edited(model, doc, response.number, cause)
     return replace(done, news=(*_news(change, None), *done.news))
 
@@ -105,12 +105,12 @@ def accepted(model: Model, response: request.Response, doc: str, key: int, chang
 def edited(model: Model, doc: str, number: int, cause: str) -> Done:
     """How something that was accepted has ended: done, or with a cause come to nothing."""
     document = model.documents.get(doc)
-    known = document.live if document else None
-    if document is None or known is None:
+    subsystem_facts = document.live if document else None
+    if document is None or subsystem_facts is None:
         return Done(model)
-    key = next((key for key, one in known.pending.items() if one.number == number), None)
+    key = next((key for key, pending in subsystem_facts.pending.items() if pending.number == number), None)
     if key is None:
-        return _unknown(model, document, known, number, cause)
+        return _unknown(model, document, subsystem_facts, number, cause)
     if cause:
         done = _failed(model, document, key)
         return replace(done, says=(page.Say("error", f"nothing is changed: {cause}", doc), *done.says))
@@ -119,81 +119,85 @@ def edited(model: Model, doc: str, number: int, cause: str) -> Done:
 
 def living_units(model: Model) -> tuple[str, ...]:
     """The processing units that live."""
-    return tuple(name for name, one in model.runtime.units.items() if not one.is_lost)
+    return tuple(name for name, unit in model.runtime.units.items() if not unit.is_lost)
 
 
 def _of(document: Document) -> tuple[Live, Base]:
-    known = document.live
-    if known is None or known.base is None:
+    subsystem_facts = document.live
+    if subsystem_facts is None or subsystem_facts.base is None:
         raise ValueError(f"expected a connected document, found {document.name}")
-    return known, known.base
+    return subsystem_facts, subsystem_facts.base
 
 
 def _news(change: Change | None, no: No | None) -> tuple[News, ...]:
     return () if change is None else ((change, no),)
 
 
-def _awaiting(model: Model, document: Document, known: Live) -> Done:
+def _awaiting(model: Model, document: Document, subsystem_facts: Live) -> Done:
     """What is done while a change is under way goes out with the next one, and is answered with it."""
-    document = replace(document, live=replace(known, is_awaited=True))
-    return Done(model.with_document(document), awaits=next_change(document.id, known))
+    document = replace(document, live=replace(subsystem_facts, is_awaited=True))
+    return Done(model.with_document(document), awaits=next_change(document.id, subsystem_facts))
 
 
 def _sent(model: Model, document: Document, what: Alteration) -> Done:
-    known, base = _of(document)
+    subsystem_facts, base = _of(document)
     content = document.content
     if what.resting:
         content = replace(content, wanted={**content.wanted, **dict.fromkeys(what.resting, False)})
-    key = known.requests + 1
+    key = subsystem_facts.requests + 1
     pending = Pending(base, content, document.history, what.names)
-    change = next_change(document.id, known)
-    known = with_facts(known, what, living_units(model))
-    pendings = {**known.pending, key: pending}
-    known = replace(known, requests=key, changes=change.number, is_awaited=False)
-    known = replace(known, pending=pendings, base=replace(base, edits={}))
+    change = next_change(document.id, subsystem_facts)
+    message = with_facts(subsystem_facts, what, living_units(model))
+    pendings = {**message.pending, key: pending}
+    subsystem_facts = replace(message, requests=key, changes=change.number, is_awaited=False)
+    subsystem_facts = replace(subsystem_facts, pending=pendings, base=replace(base, edits={}))
     then = partial(accepted, doc=document.id, key=key, change=change)
-    order = Order(what.change(known.subsystem), then)
+    order = Order(what.change(subsystem_facts.subsystem), then)
     says = tuple(_rests(name, document) for name in what.resting)
-    document = replace(document, content=content, live=known)
+    document = replace(document, content=content, live=subsystem_facts)
     return Done(model.with_document(document), orders=(order,), says=says, awaits=change)
 
 
 def _carried_out(document: Document, key: int) -> Document:
     """What was asked for is done: from now on the document differs from that alone."""
-    known, base = _of(document)
-    pending = known.pending[key]
-    known = known.without_pending(key)
+    subsystem_facts, base = _of(document)
+    pending = subsystem_facts.pending[key]
+    subsystem_facts = subsystem_facts.without_pending(key)
     content = document.content
     if pending.after is not None:
         after = pending.after
-        if not known.pending:
-            content = true_to_facts(content, known, after)
-            after = true_to_facts(after, known, after)
+        if not subsystem_facts.pending:
+            content = true_to_facts(content, subsystem_facts, after)
+            after = true_to_facts(after, subsystem_facts, after)
         base = Base(after, pending.present, base.edits)
-    elif not known.pending:
-        content = true_to_facts(content, known, base.content)
-        base = replace(base, content=true_to_facts(base.content, known, base.content))
-    return replace(document, content=content, live=replace(known, base=base))
+    elif not subsystem_facts.pending:
+        content = true_to_facts(content, subsystem_facts, base.content)
+        base = replace(base, content=true_to_facts(base.content, subsystem_facts, base.content))
+    return replace(document, content=content, live=replace(subsystem_facts, base=base))
 
 
 def _failed(model: Model, document: Document, key: int) -> Done:
     """Without what came to nothing, and with the rest."""
-    known, base = _of(document)
-    pending = known.pending[key]
-    known = known.without_pending(key)
+    subsystem_facts, base = _of(document)
+    pending = subsystem_facts.pending[key]
+    subsystem_facts = subsystem_facts.without_pending(key)
     if pending.before is None or pending.after is None:
-        return _go_on(model, settled(replace(document, live=known)))
+        return _go_on(model, settled(replace(document, live=subsystem_facts)))
     before = pending.before
     content = reverted(document.content, before.content, pending.after)
-    born = [name for name in pending.tasks if known.state_of(name) == "SPAWNING" and name not in before.content.wanted]
-    tasks = {name: one for name, one in known.tasks.items() if name not in born}
+    born = [
+        name
+        for name in pending.tasks
+        if subsystem_facts.state_of(name) == "SPAWNING" and name not in before.content.wanted
+    ]
+    tasks = {name: task for name, task in subsystem_facts.tasks.items() if name not in born}
     history = without_steps(document.history, before.history, pending.present)
     edits = {name: task for name, task in base.edits.items() if name not in before.edits}
-    known = replace(known, tasks=tasks, base=Base(before.content, before.history, edits))
+    subsystem_facts = replace(subsystem_facts, tasks=tasks, base=Base(before.content, before.history, edits))
     former = model.shelf
     shelf = former.edited(before.edits) if before.edits else former
     document = file_before(document, before.history, pending.present)
-    document = replace(document, content=content, history=history, live=known)
+    document = replace(document, content=content, history=history, live=subsystem_facts)
     done = _go_on(merge.with_loci(replace(model, shelf=shelf), document), None, document.id)
     others = pursue_all(*noted(done.model, former, but=document.id))
     if isinstance(others, No):
@@ -206,25 +210,27 @@ def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
     """Look at what there is now, and ask for what was done to the document meanwhile."""
     document = document or model.documents[doc]
     done = pursue(model.with_document(document), document)
-    look, (known, base) = merge.look_again(document.id), _of(document)
+    look, (subsystem_facts, base) = merge.look_again(document.id), _of(document)
     if isinstance(done, No):  # what waited cannot be asked any more
-        news = ((next_change(document.id, known), No(done.reason)),) if known.is_awaited else ()
+        news = ((next_change(document.id, subsystem_facts), No(done.reason)),) if subsystem_facts.is_awaited else ()
         says = () if news else (page.Say("error", f"nothing more is changed: {done.reason}", document.id),)
-        known = replace(known, turns={}, is_awaited=False)
-        document = replace(document, content=base.content, history=base.history, live=known)
+        subsystem_facts = replace(subsystem_facts, turns={}, is_awaited=False)
+        document = replace(document, content=base.content, history=base.history, live=subsystem_facts)
         return Done(model.with_document(document), orders=(look,), says=says, news=news)
     done = replace(done, orders=(*done.orders, look))
     document = done.model.documents[document.id]
-    known, _ = _of(document)
-    if known.is_changing or not known.is_awaited:
+    subsystem_facts, _ = _of(document)
+    if subsystem_facts.is_changing or not subsystem_facts.is_awaited:
         return done
-    model = done.model.with_document(replace(document, live=replace(known, is_awaited=False)))
-    return replace(done, model=model, news=((next_change(document.id, known), None),))  # it has come to nothing anew
+    model = done.model.with_document(replace(document, live=replace(subsystem_facts, is_awaited=False)))
+    come_to_nothing = (next_change(document.id, subsystem_facts), None)
+    return replace(done, model=model, news=(come_to_nothing,))
 
 
-def _refused(document: Document, known: Live, what: Alteration, model: Model) -> No | None:
-    if known.is_foreign:
-        reason = f"{known.subsystem} is held by {known.holder}, who can release it; everybody can stop it"
+def _refused(document: Document, subsystem_facts: Live, what: Alteration, model: Model) -> No | None:
+    if subsystem_facts.is_foreign:
+        name, holder = subsystem_facts.subsystem, subsystem_facts.holder
+        reason = f"{name} is held by {holder}, who can release it; everybody can stop it"
         return No(reason, (Remedy("Take it", act.Take(document.id)),))
     if model.runtime.is_stopped and what.wakes:
         return No("everything is stopped: allow motion again first", (Remedy("Reset", act.Reset()),))
@@ -236,9 +242,9 @@ def _rests(name: str, document: Document) -> page.Say:
     return page.Say("warning", text, document.id, ShowTask(name))
 
 
-def _unknown(model: Model, document: Document, known: Live, number: int, cause: str) -> Done:
+def _unknown(model: Model, document: Document, subsystem_facts: Live, number: int, cause: str) -> Done:
     """An outcome that was told before its change was accepted, or one of somebody else's change."""
-    if any(one.number is None for one in known.pending.values()):
-        early = dict(list({**known.early, number: cause}.items())[-_KEPT:])
-        return Done(model.with_document(replace(document, live=replace(known, early=early))))
+    if any(pending.number is None for pending in subsystem_facts.pending.values()):
+        early = dict(list({**subsystem_facts.early, number: cause}.items())[-_KEPT:])
+        return Done(model.with_document(replace(document, live=replace(subsystem_facts, early=early))))
     return Done(model, orders=(merge.look_again(document.id),))

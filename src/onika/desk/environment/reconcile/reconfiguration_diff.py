@@ -33,9 +33,9 @@ class Alteration:
     @property
     def names(self) -> frozenset[str]:
         """Whom it touches."""
-        born = (one.task.name for one in self.spawn)
+        born = (newcomer.task.name for newcomer in self.spawn)
         return frozenset(
-            (*self.kill, *born, *self.off, *(one.task for one in self.on), *(one for one, _ in self.rates))
+            (*self.kill, *born, *self.off, *(turn.task for turn in self.on), *(turn for turn, _ in self.rates))
         )
 
     @property
@@ -45,72 +45,91 @@ class Alteration:
 
     def change(self, subsystem: str) -> live.Change:
         """As it is asked of a runtime."""
-        code = {one.code.digest: one.code for one in self.spawn}
-        spawn = tuple(one.task for one in self.spawn)
+        code = {newcomer.code.digest: newcomer.code for newcomer in self.spawn}
+        spawn = tuple(newcomer.task for newcomer in self.spawn)
         return live.Change(subsystem, self.kill, spawn, tuple(code.values()), self.off, self.on, self.rates)
 
 
 def alteration(
-    before: Content, after: Content, known: Live, shelf: Shelf, changed: Collection[str], units: Collection[str]
+    before: Content,
+    after: Content,
+    subsystem_facts: Live,
+    shelf: Shelf,
+    changed: Collection[str],
+    units: Collection[str],
 ) -> Alteration:
     """From one content to another, with some tasks of the libraries changed, beside what is known to live."""
-    stay = [name for name in after.wanted if name in before.wanted and name in known.tasks]
+    stay = [name for name in after.wanted if name in before.wanted and name in subsystem_facts.tasks]
     rates = _rates(stay, before, after, shelf)
     unborn = {
-        name for name, _ in rates if known.state_of(name) == "WAITING"
+        name for name, _ in rates if subsystem_facts.state_of(name) == "WAITING"
     }  # who is not born yet has no rate to change
-    exchanged = [name for name in stay if name in changed or name in unborn or _moves(name, after, known, units)]
-    absent = [name for name in after.wanted if name not in known.tasks and name in before.wanted]
+    exchanged = [
+        name for name in stay if name in changed or name in unborn or _moves(name, after, subsystem_facts, units)
+    ]
+    absent = [name for name in after.wanted if name not in subsystem_facts.tasks and name in before.wanted]
     new = [name for name in after.wanted if name not in before.wanted]
-    born = [*new, *exchanged, *(name for name in absent if after.wanted[name] and _is_turned(name, before, known))]
+    born = [
+        *new,
+        *exchanged,
+        *(name for name in absent if after.wanted[name] and _is_turned(name, before, subsystem_facts)),
+    ]
     births = {name: _birth(name, after, shelf, units) for name in born if name in shelf.tasks}
     resting = [name for name in exchanged if before.wanted[name] and is_hardware(shelf.tasks[name], shelf)]
     on = [
         name
         for name, is_on in after.wanted.items()
-        if is_on and name not in resting and (name in births or _comes_on(name, before, known))
+        if is_on and name not in resting and (name in births or _comes_on(name, before, subsystem_facts))
     ]
     off = [name for name in stay if before.wanted[name] and not after.wanted[name] and name not in births]
     groups = after.configuration  # a runtime spawns who supplies a constant before who needs it, whatever they say
     return Alteration(
         kill=tuple(
-            name for name in before.wanted if name in known.tasks and (name not in after.wanted or name in births)
+            name
+            for name in before.wanted
+            if name in subsystem_facts.tasks and (name not in after.wanted or name in births)
         ),
-        spawn=tuple(one for name in groups.in_group_order(births) if isinstance(one := births[name], Birth)),
+        spawn=tuple(newcomer for name in groups.in_group_order(births) if isinstance(newcomer := births[name], Birth)),
         off=tuple(reversed(groups.in_group_order(reversed(off)))),
-        on=tuple(live.Turn(name, known.turns.get(name, "")) for name in _in_order(on, after, shelf)),
+        on=tuple(live.Turn(name, subsystem_facts.turns.get(name, "")) for name in _in_order(on, after, shelf)),
         rates=tuple((name, hz) for name, hz in rates if name not in births),
         resting=tuple(resting),
-        faults=tuple(one for one in births.values() if isinstance(one, str)),
+        faults=tuple(newcomer for newcomer in births.values() if isinstance(newcomer, str)),
     )
 
 
-def with_facts(known: Live, what: Alteration, units: Collection[str]) -> Live:
+def with_facts(subsystem_facts: Live, what: Alteration, units: Collection[str]) -> Live:
     """What is known while it is under way: who is to be born is shown at once."""
     first = next(iter(units), "")
     spawning = {
-        one.task.name: TaskFacts(
-            "SPAWNING", rtpu=one.task.rtpu if one.task.rtpu in units else first, hz=one.task.frequency
+        newcomer.task.name: TaskFacts(
+            "SPAWNING", rtpu=newcomer.task.rtpu if newcomer.task.rtpu in units else first, hz=newcomer.task.frequency
         )
-        for one in what.spawn
+        for newcomer in what.spawn
     }
-    rates = {name: replace(known.tasks[name], hz=hz) for name, hz in what.rates if name in known.tasks}
-    return replace(known, tasks={**known.tasks, **rates, **spawning}, turns={})
+    rates = {
+        name: replace(subsystem_facts.tasks[name], hz=hz) for name, hz in what.rates if name in subsystem_facts.tasks
+    }
+    return replace(subsystem_facts, tasks={**subsystem_facts.tasks, **rates, **spawning}, turns={})
 
 
-def _comes_on(name: str, before: Content, known: Live) -> bool:
+def _comes_on(name: str, before: Content, subsystem_facts: Live) -> bool:
     """Whether one that lives is to go ON and is not."""
-    return name in known.tasks and not known.tasks[name].is_moving and _is_turned(name, before, known)
+    return (
+        name in subsystem_facts.tasks
+        and not subsystem_facts.tasks[name].is_moving
+        and _is_turned(name, before, subsystem_facts)
+    )
 
 
-def _is_turned(name: str, before: Content, known: Live) -> bool:
-    return name in known.turns or not before.wanted.get(name, False)
+def _is_turned(name: str, before: Content, subsystem_facts: Live) -> bool:
+    return name in subsystem_facts.turns or not before.wanted.get(name, False)
 
 
-def _moves(name: str, after: Content, known: Live, units: Collection[str]) -> bool:
+def _moves(name: str, after: Content, subsystem_facts: Live, units: Collection[str]) -> bool:
     """Whether it is to live on another unit."""
     placed = after.placed(name)
-    here = known.tasks[name].rtpu
+    here = subsystem_facts.tasks[name].rtpu
     return placed is not None and bool(here) and placed.rtpu in units and placed.rtpu != here
 
 
@@ -122,15 +141,15 @@ def _birth(name: str, after: Content, shelf: Shelf, units: Collection[str]) -> B
 
 
 def _rates(names: list[str], before: Content, after: Content, shelf: Shelf) -> list[tuple[str, float]]:
-    found = []
+    signs = []
     for name in names:
         old, new, task = before.placed(name), after.placed(name), shelf.tasks.get(name)
         if old is None or new is None or task is None or old.frequency == new.frequency:
             continue
         hz = rate_of(new, task)
         if hz is not None:
-            found.append((name, hz))
-    return found
+            signs.append((name, hz))
+    return signs
 
 
 def _in_order(names: list[str], after: Content, shelf: Shelf) -> list[str]:

@@ -19,40 +19,40 @@ class Tally:
         """The rows by `DOC/TASK`; `docs` are the documents by their subsystems."""
         sums: dict[tuple[str, str, int], dict[str, float]] = {}
         rows: dict[str, dict[str, Any]] = {}
-        for one in figures.tasks:
-            row = columns(one)
-            key = (one.subsystem, one.task, one.tid)
+        for task in figures.tasks:
+            row = columns(task)
+            key = (task.subsystem, task.task, task.tid)
             before = self._sums.get(key, {})
             sums[key] = {name: row[name] + before.get(name, 0) for name in _COUNTED}
-            if one.subsystem in docs:
-                rows[f"{docs[one.subsystem]}/{one.task}"] = row | sums[key]
+            if task.subsystem in docs:
+                rows[f"{docs[task.subsystem]}/{task.task}"] = row | sums[key]
         self._sums = sums
         return rows
 
 
-def columns(one: live.TaskFigure) -> dict[str, Any]:
+def columns(request: live.TaskFigure) -> dict[str, Any]:
     """Every column of §A.5; None where there is nothing to say. Shares are 0 to 1, times in ms, ptime in s."""
     return {
-        "rmod": one.rmod,
-        "rtpu": one.rtpu,
-        "tid": one.tid,
-        "S": one.type,
-        "crit": one.crit,
-        "state": one.state,
-        "cycle": one.cycle,
-        "miss": one.miss,
-        "ref-F": one.ref_hz or None,
-        "ref-T": 1e3 / one.ref_hz if one.ref_hz > 0 else None,
-        "mez-F": one.mez_hz or None,
-        "mez-T": 1e3 / one.mez_hz if one.mez_hz > 0 else None,
-        "ptime": one.ptime_s,
-        "tot-C": one.total_ms,
-        "tick": one.tick_ms,
-        "min-U": one.least_use,
-        "max-U": one.most_use,
-        "avg-U": one.mean_use,
-        "min-C": one.least_ms,
-        "max-C": one.most_ms,
-        "avg-C": one.mean_ms,
-        "warn": one.warn,
+        "rmod": request.rmod,
+        "rtpu": request.rtpu,
+        "tid": request.tid,
+        "S": request.type,
+        "crit": request.crit,
+        "state": request.state,
+        "cycle": request.cycle,
+        "miss": request.miss,
+        "ref-F": request.ref_hz or None,
+        "ref-T": 1e3 / request.ref_hz if request.ref_hz > 0 else None,
+        "mez-F": request.mez_hz or None,
+        "mez-T": 1e3 / request.mez_hz if request.mez_hz > 0 else None,
+        "ptime": request.ptime_s,
+        "tot-C": request.total_ms,
+        "tick": request.tick_ms,
+        "min-U": request.least_use,
+        "max-U": request.most_use,
+        "avg-U": request.mean_use,
+        "min-C": request.least_ms,
+        "max-C": request.most_ms,
+        "avg-C": request.mean_ms,
+        "warn": request.warn,
     }

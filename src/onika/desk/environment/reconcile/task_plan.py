@@ -55,7 +55,7 @@ def code_of(module: str, shelf: Shelf, task: str) -> Code | str:
 def code_path(module: str, shelf: Shelf, task: str) -> Path | None:
     """Where the code of a task's module stands."""
     home = shelf.homes.get(task)
-    bases = (*((home.base,) if home else ()), *(one.base for one in shelf.libraries))
+    bases = (*((home.base,) if home else ()), *(library.base for library in shelf.libraries))
     return next((path for base in bases if (path := base.code_file(module)).is_file()), None)
 
 

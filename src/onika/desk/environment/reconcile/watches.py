@@ -29,8 +29,8 @@ class Watching:
         hz = _SLOWEST_HZ if isnan(self.hz) else min(max(self.hz, _SLOWEST_HZ), FASTEST_HZ)
         # others' runs tell the same words; the own one is heard of by its subsystems too where it was handed over
         own = model.run.homes if model.run is not None else ()
-        heard = (*sorted({*homes.values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
-        return live.Attend(heard, readings, tuple(sorted(self.worlds)), hz)
+        attended = (*sorted({*homes.values(), *own}), holding.COMPANY) if is_going(model) else ("*",)
+        return live.Attend(attended, readings, tuple(sorted(self.worlds)), hz)
 
 
 def keys_of(model: Model, key: str) -> tuple[str, ...]:
@@ -54,7 +54,7 @@ def _home_in_run(model: Model, doc: str, name: str) -> str:
     if model.run is None or model.run.doc != doc or not name:
         return ""
     try:
-        return "/".join(model.run.cast.home(name))
+        return "/".join(model.run.flow_index.home(name))
     except ValueError:
         return ""
 
@@ -62,7 +62,7 @@ def _home_in_run(model: Model, doc: str, name: str) -> str:
 def homes_of(model: Model) -> dict[str, str]:
     """The subsystems of the documents that are connected, by their ids."""
     return {
-        doc: one.live.subsystem
-        for doc, one in model.documents.items()
-        if one.live is not None and one.live.state == "live"
+        doc: document.live.subsystem
+        for doc, document in model.documents.items()
+        if document.live is not None and document.live.state == "live"
     }

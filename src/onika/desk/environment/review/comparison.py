@@ -21,53 +21,58 @@ from onika.wire.view import DifferenceView
 _SHAPE = re.compile(r"[a-z]+\[(\d+(?:,\d+)*)\]")
 
 
-def compare_with(model: Model, asked: act.CompareWith, outside: Surroundings) -> Procedure:
+def compare_with(model: Model, command: act.CompareWith, outside: Surroundings) -> Procedure:
     """Show another one beside it; the value is its path. The difference comes later, with the tree."""
     reading, comparing = outside.reading, outside.comparing
     if reading is None or comparing is None:
         return NOT_HERE
     if model.looking is None:
         return No("no recording is looked at: open one first")
-    if wrong := _negative(asked):
+    if wrong := _negative(command):
         return No("a tolerance is 0 or more", fields=wrong)
-    if not asked.path:
+    if not command.path:
         put_one_away(model.looking.other, reading)
         return Done(replace(model, looking=Looking(model.looking.subject)))
-    model, other = yield from read(model, asked.path, outside, reading, opens=False)
+    model, other = yield from read(model, command.path, outside, reading, opens=False)
     if isinstance(other, No):
         return other
     if model.looking is None:
         put_one_away(other, reading)
         return No("the recording was put away meanwhile")
     put_one_away(model.looking.other, reading)
-    one = model.looking.subject
-    is_virtual = one.view.is_virtual and other.view.is_virtual
-    tolerance = usual(is_virtual, asked.tolerance, asked.part, asked.time_s)
-    comparing.do(lambda: comparing.tell(_compared(one, other, tolerance)))
-    return Done(replace(model, looking=Looking(one, other)), value=other.view.path)
+    subject = model.looking.subject
+    is_virtual = subject.view.is_virtual and other.view.is_virtual
+    tolerance = usual(is_virtual, command.tolerance, command.part, command.time_s)
+    comparing.do(lambda: comparing.tell(_compared(subject, other, tolerance)))
+    return Done(replace(model, looking=Looking(subject, other)), value=other.view.path)
 
 
-def _negative(asked: act.CompareWith) -> dict[str, str]:
-    return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(asked, name) or 0) < 0}
+def _negative(command: act.CompareWith) -> dict[str, str]:
+    return {name: "expected 0 or more" for name in ("tolerance", "part", "time_s") if (getattr(command, name) or 0) < 0}
 
 
-def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Callable[[Model], Done]:
+def _compared(subject: Subject, other: Subject, tolerance: Tolerance) -> Callable[[Model], Done]:
     """Both files are read anew, so that nobody waits who looks at them meanwhile."""
-    found: Difference | None = None
+    first: Difference | None = None
     wrong = ""
     try:
-        readers = Reader(one.path), Reader(other.path)
-        found = first_difference(*readers, tolerance, lambda: not (one.away.is_set() or other.away.is_set()))
+        readers = Reader(subject.path), Reader(other.path)
+        first = first_difference(*readers, tolerance, lambda: not (subject.away.is_set() or other.away.is_set()))
         for reader in readers:
             reader.close()
     except UNREADABLE as fault:
         wrong = f"the two recordings cannot be compared: {fault}"
 
-    def told(model: Model) -> Done:
+    def with_difference(model: Model) -> Done:
         looking = model.looking
-        if looking is None or not looking.subject.is_of(one) or looking.other is None or not looking.other.is_of(other):
+        if (
+            looking is None
+            or not looking.subject.is_of(subject)
+            or looking.other is None
+            or not looking.other.is_of(other)
+        ):
             return Done(model)
-        difference = DifferenceView(wrong) if wrong else _view(found, one)
+        difference = DifferenceView(wrong) if wrong else _view(first, subject)
         difference = structs.replace(
             difference,
             tolerance=tolerance.value,
@@ -77,19 +82,19 @@ def _compared(one: Subject, other: Subject, tolerance: Tolerance) -> Callable[[M
         )
         return Done(replace(model, looking=replace(looking, difference=difference)))
 
-    return told
+    return with_difference
 
 
-def _numbers(found: Difference, unit: str) -> tuple[str, str] | None:
+def _numbers(difference: Difference, unit: str) -> tuple[str, str] | None:
     """Two numbers with their unit, and as many digits as tell them apart; None: they are something else."""
     try:
-        first, second = float(found.first), float(found.second)
+        first, second = float(difference.first), float(difference.second)
     except ValueError:
         return None
     pairs = ((f"{first:.{digits}g}", f"{second:.{digits}g}") for digits in range(4, 17))
-    told = next((pair for pair in pairs if pair[0] != pair[1]), (found.first, found.second))
+    pair = next((pair for pair in pairs if pair[0] != pair[1]), (difference.first, difference.second))
     behind = f" {unit}" if unit not in ("", "-") else ""
-    return f"{told[0]}{behind}", f"{told[1]}{behind}"
+    return f"{pair[0]}{behind}", f"{pair[1]}{behind}"
 
 
 def _plain(side: str) -> str:
@@ -98,10 +103,13 @@ def _plain(side: str) -> str:
     return f"{' × '.join(shape[1].split(','))} values" if shape else side
 
 
-def _view(found: Difference | None, one: Subject) -> DifferenceView:
-    if found is None:
+def _view(difference: Difference | None, subject: Subject) -> DifferenceView:
+    if difference is None:
         return DifferenceView()
-    series = one.review.series.get(found.variable)
-    first, second = _numbers(found, series.unit if series else "") or (_plain(found.first), _plain(found.second))
-    text = one.with_icons(f"{found.what}: {first}, in the other {second}")
-    return DifferenceView(text, found.at_ns * 1e-9, found.variable)
+    series = subject.review.series.get(difference.variable)
+    first, second = _numbers(difference, series.unit if series else "") or (
+        _plain(difference.first),
+        _plain(difference.second),
+    )
+    text = subject.with_icons(f"{difference.what}: {first}, in the other {second}")
+    return DifferenceView(text, difference.at_ns * 1e-9, difference.variable)

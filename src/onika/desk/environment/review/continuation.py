@@ -23,7 +23,7 @@ from onika.desk.environment.runs import flow_placement, run_reducer
 from onika.desk.environment.runs.obstacles import left
 from onika.desk.environment.state.model import Model
 from onika.desk.plan.icon_names import listed
-from onika.desk.run.recorded_run import RecordedRun, Source, recorded_run
+from onika.desk.run.recorded_run import RecordedRun, RecordingSource, recorded_run
 from onika.desk.run.runtime import in_short
 from onika.wire import act, live, page, request, view
 from onika.wire.view import Remedy
@@ -33,24 +33,24 @@ _BY_USER = "aborted by the user"
 _ENDING = (request.Abort, request.Stop, live.Reset)
 
 
-def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Procedure:
+def continue_run(model: Model, command: act.Continue, outside: Surroundings) -> Procedure:
     """Repeat the run that is looked at up to an instant, then let it go on; the value is the number of the run."""
-    wrong = _refused(model, asked, outside)
+    wrong = _refused(model, command, outside)
     if wrong is not None:
         return wrong
     if model.looking is None or outside.reading is None:
         return NOT_HERE
     subject = model.looking.subject
-    model, recorded = yield Work(model, outside.reading, partial(_read, subject, asked.at_s))
+    model, recorded = yield Work(model, outside.reading, partial(_read, subject, command.at_s))
     if isinstance(recorded, No):
         return recorded
-    wrong = _refused(model, asked, outside)
+    wrong = _refused(model, command, outside)
     if wrong is None and model.looking is not None and not model.looking.subject.is_of(subject):
         wrong = No("another recording is looked at now")
     if wrong is not None:
         return wrong
     former = model.run
-    model, wrong = yield from _repeated(model, _run(model, subject, asked.at_s, outside), recorded)
+    model, wrong = yield from _repeated(model, _run(model, subject, command.at_s, outside), recorded)
     if wrong is not None:
         yield Shown(replace(model, run=former))  # nothing runs; the recording is still looked at
         return wrong
@@ -59,14 +59,14 @@ def continue_run(model: Model, asked: act.Continue, outside: Surroundings) -> Pr
 
 
 def _read(subject: Subject, at_s: float) -> RecordedRun | No:
-    recorded = recorded_run(Source(subject.path, at_s))
+    recorded = recorded_run(RecordingSource(subject.path, at_s))
     if isinstance(recorded, RecordedRun):
         return recorded
-    why = (f"it cannot be continued: expected {one.expected}, found {one.found}" for one in recorded)
+    why = (f"it cannot be continued: expected {fault.expected}, found {fault.found}" for fault in recorded)
     return No("; ".join(why))
 
 
-def _refused(model: Model, asked: act.Continue, outside: Surroundings) -> No | None:
+def _refused(model: Model, command: act.Continue, outside: Surroundings) -> No | None:
     if outside.reading is None:
         return NOT_HERE
     if model.looking is None:
@@ -74,13 +74,13 @@ def _refused(model: Model, asked: act.Continue, outside: Surroundings) -> No | N
     recording = model.looking.subject.view
     if recording.cannot_continue:
         return No(f"{recording.name} cannot be continued: {recording.cannot_continue}")
-    if not recording.begin_s <= asked.at_s <= recording.end_s:
-        return No(f"expected an instant from {recording.begin_s:g} to {recording.end_s:g} s, found {asked.at_s:g}")
+    if not recording.begin_s <= command.at_s <= recording.end_s:
+        return No(f"expected an instant from {recording.begin_s:g} to {recording.end_s:g} s, found {command.at_s:g}")
     if model.run is not None and not model.run.is_over:
         return No(f"{model.run.view.name} runs, and one application runs at a time", (_ABORT,))
     ends = _ends(model)
-    if ends and not asked.confirmed:
-        go_on = Remedy("End it and go on in the simulator", act.Continue(asked.at_s, confirmed=True))
+    if ends and not command.confirmed:
+        go_on = Remedy("End it and go on in the simulator", act.Continue(command.at_s, confirmed=True))
         return No(ends, (go_on,))
     return None
 
@@ -90,19 +90,19 @@ def _ends(model: Model) -> str:
     runtime = model.runtime
     if runtime.state != "linked":
         return ""
-    connected = [(one.name, one.live) for one in model.documents.values() if one.live is not None]
-    others = runtime.subsystems.keys() - {known.subsystem for _, known in connected}
-    found = [*(name for name, known in connected if known.tasks), *sorted(others)]
-    if not found:
+    connected = [(document.name, document.live) for document in model.documents.values() if document.live is not None]
+    others = runtime.subsystems.keys() - {message.subsystem for _, message in connected}
+    living = [*(name for name, message in connected if message.tasks), *sorted(others)]
+    if not living:
         return ""
     if runtime.address:
         return (
-            f"the runtime at {runtime.address} is left for the simulator, and {listed(found)} with it: "
+            f"the runtime at {runtime.address} is left for the simulator, and {listed(living)} with it: "
             "what this environment held there comes to rest"
         )
     what = "simulator" if runtime.is_virtual else "runtime"
-    tasks = "its tasks" if len(found) == 1 else "their tasks"
-    return f"the {what} that lives now ends for the simulator of this run, and {listed(found)} with {tasks}"
+    tasks = "its tasks" if len(living) == 1 else "their tasks"
+    return f"the {what} that lives now ends for the simulator of this run, and {listed(living)} with {tasks}"
 
 
 def _repeated(model: Model, run: Run, recorded: RecordedRun) -> Steps[tuple[Model, No | None]]:
@@ -151,7 +151,7 @@ def _unprepared(response: request.Response) -> No | None:
 
 def _not_ended(recorded: RecordedRun) -> tuple[RecordedRun, tuple[str, ...]]:
     """Without the word that ended it then, so that it can go on; what is to be said of that."""
-    kept = tuple(one for one in recorded.inputs if not isinstance(request.decode_request(one.body), _ENDING))
+    kept = tuple(entry for entry in recorded.inputs if not isinstance(request.decode_request(entry.body), _ENDING))
     notes = () if len(kept) == len(recorded.inputs) else ("the recorded run was ended by hand; here it is not",)
     return replace(recorded, inputs=kept), notes
 

@@ -20,24 +20,24 @@ from onika.wire.view import StretchView
 _MOST_POINTS = 4000
 
 
-def course(model: Model, asked: act.Course, outside: Surroundings) -> Procedure:
+def course(model: Model, command: act.Course, outside: Surroundings) -> Procedure:
     """A variable over a stretch of the run; the value is a tuple of `view.StretchView`, empty for what is no number."""
-    found = looked_at(model, of_other=asked.of_other)
-    if isinstance(found, No):
-        return found
-    aside, series = outside.reading, found.review.series.get(asked.variable)
+    subject = looked_at(model, of_other=command.of_other)
+    if isinstance(subject, No):
+        return subject
+    aside, series = outside.reading, subject.review.series.get(command.variable)
     if aside is None:
         return NOT_HERE
     if series is None:
-        return No(f"{asked.variable} is not in {found.path.name}")
+        return No(f"{command.variable} is not in {subject.path.name}")
     if not recorded.is_drawn(series):
         return Done(model, value=())
-    known = found.samples.get(asked.variable)
-    if known is not None:
-        return Done(model, value=_stretches(found, asked, known))
+    samples = subject.samples.get(command.variable)
+    if samples is not None:
+        return Done(model, value=_stretches(subject, command, samples))
 
-    model, samples = yield Work(model, aside, lambda: _read(found, asked.variable, series))
-    return samples if isinstance(samples, No) else Done(model, value=_stretches(found, asked, samples))
+    model, samples = yield Work(model, aside, lambda: _read(subject, command.variable, series))
+    return samples if isinstance(samples, No) else Done(model, value=_stretches(subject, command, samples))
 
 
 def _read(subject: Subject, variable: str, series: Series) -> Samples | No:
@@ -51,11 +51,11 @@ def _read(subject: Subject, variable: str, series: Series) -> Samples | No:
     return samples
 
 
-def _stretches(found: Subject, asked: act.Course, samples: Samples) -> tuple[StretchView, ...]:
-    begin = round(sane(asked.begin_s) * 1e9)
-    end = max(round(sane(asked.end_s) * 1e9), begin)
-    some = recorded.parts(samples, begin, end, min(max(asked.points, 1), _MOST_POINTS))
+def _stretches(subject: Subject, command: act.Course, samples: Samples) -> tuple[StretchView, ...]:
+    begin = round(sane(command.begin_s) * 1e9)
+    end = max(round(sane(command.end_s) * 1e9), begin)
+    some = recorded.parts(samples, begin, end, min(max(command.points, 1), _MOST_POINTS))
     return tuple(
-        StretchView(one.label, one.unit, tuple(one.at_s), tuple(one.least), tuple(one.most))
-        for one in drawn(found.review.series[asked.variable], some)
+        StretchView(course.label, course.unit, tuple(course.at_s), tuple(course.least), tuple(course.most))
+        for course in drawn(subject.review.series[command.variable], some)
     )

@@ -8,7 +8,7 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 
-from onika.desk.environment.file import applications
+from onika.desk.environment.file import file_acts
 from onika.desk.environment.outcome.fault_view import place_of
 from onika.desk.environment.outcome.outcome import Done, No, Procedure, Steps, Work
 from onika.desk.environment.outcome.services import Surroundings
@@ -33,12 +33,12 @@ NOT_HERE = No("recordings cannot be looked at here")
 _NO_SYNTAX = Syntax((), ())
 
 
-def open_recording(model: Model, asked: act.OpenRecording, outside: Surroundings) -> Procedure:
+def open_recording(model: Model, command: act.OpenRecording, outside: Surroundings) -> Procedure:
     """Look at a recorded run; the value is the path of its file."""
     aside = outside.reading
     if aside is None:
         return NOT_HERE
-    model, recorded = yield from read(model, asked.path, outside, aside, opens=True)
+    model, recorded = yield from read(model, command.path, outside, aside, opens=True)
     if isinstance(recorded, No):
         return recorded
     put_away(model, aside)
@@ -59,11 +59,11 @@ def put_away(model: Model, aside: Aside) -> None:
         put_one_away(model.looking.other, aside)
 
 
-def put_one_away(one: Subject | None, aside: Aside) -> None:
+def put_one_away(looked_at: Subject | None, aside: Aside) -> None:
     """Close the file of a run that nobody looks at any more, as soon as nobody reads in it."""
-    if one is not None:
-        one.away.set()
-        aside.do(one.review.close)
+    if looked_at is not None:
+        looked_at.away.set()
+        aside.do(looked_at.review.close)
 
 
 def read(
@@ -104,11 +104,11 @@ def _opened(
     model: Model, plan: Plan, outside: Surroundings, *, opens: bool
 ) -> tuple[Model, OpenApplication | None, str]:
     """The open application whose run it was, opened where it is not; or why there is none."""
-    one = open_one(model, plan)
-    if one is not None or not opens:
-        return model, one, ""
+    application = open_one(model, plan)
+    if application is not None or not opens:
+        return model, application, ""
     place = _place(plan)
-    done = applications.open_file(model, act.Open(place if Path(place).is_file() else plan.application), outside)
+    done = file_acts.open_file(model, act.Open(place if Path(place).is_file() else plan.application), outside)
     if isinstance(done, No):
         return model, None, f"{plan.application} is not open: {done.reason}. Its actions are shown without icons"
     return done.model, done.model.applications[str(done.value)], ""
@@ -117,24 +117,32 @@ def _opened(
 def open_one(model: Model, plan: Plan) -> OpenApplication | None:
     """The open application that was recorded; None: it is not open."""
     place = _place(plan)
-    same = [one for one in model.applications.values() if place_of(one).file in (place, str(Path(place).absolute()))]
+    same = [
+        application
+        for application in model.applications.values()
+        if place_of(application).file in (place, str(Path(place).absolute()))
+    ]
     if not same and not Path(place).is_file():  # recorded in another folder, or on another machine
-        same = [one for one in model.applications.values() if one.opened and one.name == plan.application]
+        same = [
+            application
+            for application in model.applications.values()
+            if application.opened and application.name == plan.application
+        ]
     return same[0] if same else None
 
 
 def _place(plan: Plan) -> str:
     """What stood for the file of the application: where the first action that is in no other one stands."""
-    own = (one.place for flow in plan.flows for one in flow.actions if not one.within)
+    own = (action.place for flow in plan.flows for action in flow.actions if not action.within)
     return next(own, plan.application)
 
 
 def subject_of(review: Review, opened: OpenApplication | None, note: str, site: Site, syntax: Syntax) -> Subject:
     """A recording shown at the icons of an application as it is now."""
     present = None if opened is None else _present(opened, site, syntax)
-    found = recast(review.run.prepare.plan, present)
-    found = replace(found, notes=(*((note,) if note else ()), *found.notes))
-    return subject(review, found, durations(review.run.prepare.targets, syntax))
+    mapping = recast(review.run.prepare.plan, present)
+    mapping = replace(mapping, notes=(*((note,) if note else ()), *mapping.notes))
+    return subject(review, mapping, durations(review.run.prepare.targets, syntax))
 
 
 def _present(opened: OpenApplication, site: Site, syntax: Syntax) -> Present:

@@ -33,9 +33,11 @@ def _files(folder: Path, made: str) -> Iterator[RecordingFile]:
     for path in folder.glob(f"*{ENDING}"):
         if str(path) != made:
             try:
-                found = glimpse(path)
-                began_at_s = datetime.fromisoformat(found.began).timestamp()
+                recording = glimpse(path)
+                began_at_s = datetime.fromisoformat(recording.began).timestamp()
                 size = path.stat().st_size
             except UNREADABLE:
                 continue  # something else that lies there, or that has gone
-            yield RecordingFile(str(path), found.application, began_at_s, found.took_s, size, found.is_whole)
+            yield RecordingFile(
+                str(path), recording.application, began_at_s, recording.took_s, size, recording.is_whole
+            )

@@ -20,12 +20,12 @@ Handler = Callable[[Model, Any, Surroundings], Done | No]
 def relinked(carry_out: Handler) -> Handler:
     """What an act does that opens an application or reads its file again; then its recorded runs follow."""
 
-    def handler(model: Model, asked: Any, outside: Surroundings) -> Done | No:
-        done = carry_out(model, asked, outside)
+    def handler(model: Model, command: Any, outside: Surroundings) -> Done | No:
+        done = carry_out(model, command, outside)
         looking = done.model.looking if isinstance(done, Done) else None
         if isinstance(done, No) or looking is None:
             return done
-        is_read_again = isinstance(asked, act.Reload)
+        is_read_again = isinstance(command, act.Reload)
         for subject in _both(looking):
             _follow(subject, done.model, outside, is_read_again=is_read_again)
         return done
@@ -57,11 +57,11 @@ def _follow(subject: Subject, model: Model, outside: Surroundings, *, is_read_ag
     aside.do(work)
 
 
-def _shown(model: Model, former: Subject, found: Subject, opened: OpenApplication) -> Model:
+def _shown(model: Model, former: Subject, relinked: Subject, opened: OpenApplication) -> Model:
     """With one recorded run as it is shown now, unless something has come between."""
     looking = model.looking
     if looking is None or opened.id not in model.applications:
         return model
     if looking.subject is former:
-        return replace(model, looking=replace(looking, subject=found))
-    return replace(model, looking=replace(looking, other=found)) if looking.other is former else model
+        return replace(model, looking=replace(looking, subject=relinked))
+    return replace(model, looking=replace(looking, other=relinked)) if looking.other is former else model

@@ -14,28 +14,28 @@ from onika.wire.view import InstantView
 _FAR_S = 1e9
 
 
-def glance(model: Model, asked: act.Glance, _outside: Surroundings) -> Done | No:
+def glance(model: Model, command: act.Glance, _outside: Surroundings) -> Done | No:
     """What it was like; the value is a `view.InstantView`."""
-    found = looked_at(model, of_other=asked.of_other)
-    if isinstance(found, No):
-        return found
+    subject = looked_at(model, of_other=command.of_other)
+    if isinstance(subject, No):
+        return subject
     try:
-        return Done(model, value=_instant(found, model, sane(asked.at_s)))
+        return Done(model, value=_instant(subject, model, sane(command.at_s)))
     except UNREADABLE as wrong:
-        return spoilt(found, wrong)
+        return spoilt(subject, wrong)
 
 
-def recorded_scene(model: Model, asked: act.RecordedScene, _outside: Surroundings) -> Done | No:
+def recorded_scene(model: Model, command: act.RecordedScene, _outside: Surroundings) -> Done | No:
     """What a world consisted of; the value is as that of `act.Scene`."""
-    found = looked_at(model, of_other=asked.of_other)
-    if isinstance(found, No):
-        return found
+    subject = looked_at(model, of_other=command.of_other)
+    if isinstance(subject, No):
+        return subject
     try:
-        shapes = found.review.shapes(asked.world, sane(asked.at_s))
+        shapes = subject.review.shapes(command.world, sane(command.at_s))
     except UNREADABLE as wrong:
-        return spoilt(found, wrong)
+        return spoilt(subject, wrong)
     if shapes is None:
-        return No(f"nothing of a world {asked.world} is in this recording")
+        return No(f"nothing of a world {command.world} is in this recording")
     return Done(model, value={"shapes": shapes})
 
 
@@ -52,39 +52,43 @@ def sane(at_s: float) -> float:
     return min(max(at_s, -_FAR_S), _FAR_S)
 
 
-def spoilt(found: Subject, wrong: Exception) -> No:
+def spoilt(subject: Subject, wrong: Exception) -> No:
     """The file is not what it was when it was opened, or was spoilt before."""
-    return No(f"{found.path.name} cannot be read there: {wrong}")
+    return No(f"{subject.path.name} cannot be read there: {wrong}")
 
 
-def _instant(found: Subject, model: Model, at_s: float) -> InstantView:
-    instant = found.review.at(at_s, with_pictures=False)
-    run = found.replay.at(at_s)
-    seen = {world: instant.poses.get(world) or found.review.first_poses(world) for world in found.review.worlds}
-    poses = {world: {"rows": rows, "lit": found.review.lit(world, at_s)} for world, rows in seen.items() if rows}
-    tasks = {**instant.tasks, **_replaced(found, instant.tasks)}
-    return InstantView(at_s, run, tasks, instant.variables, poses, _homes(found, model))
+def _instant(subject: Subject, model: Model, at_s: float) -> InstantView:
+    instant = subject.review.at(at_s, with_pictures=False)
+    run = subject.replay.at(at_s)
+    seen = {world: instant.poses.get(world) or subject.review.first_poses(world) for world in subject.review.worlds}
+    poses = {world: {"rows": rows, "lit": subject.review.lit(world, at_s)} for world, rows in seen.items() if rows}
+    tasks = {**instant.tasks, **_replaced(subject, instant.tasks)}
+    return InstantView(at_s, run, tasks, instant.variables, poses, _homes(subject, model))
 
 
-def _replaced(found: Subject, states: Mapping[str, str]) -> dict[str, str]:
+def _replaced(subject: Subject, states: Mapping[str, str]) -> dict[str, str]:
     """What a configuration names is shown in the state of what stood for it: it wrote the same variables."""
-    flows = found.review.run.prepare.plan.flows
+    flows = subject.review.run.prepare.plan.flows
     stood = {
         f"{flow.subsystem}/{old.name}": f"{flow.subsystem}/{name}" for flow in flows for name, old in flow.replaced
     }
     return {old: states[name] for old, name in stood.items() if name in states}
 
 
-def _homes(found: Subject, model: Model) -> dict[str, str]:
+def _homes(subject: Subject, model: Model) -> dict[str, str]:
     """By open configuration, the subsystem in which its tasks were: where most of them were, and a job of its name."""
     homes = {}
     for doc, document in model.documents.items():
         names = set(document.content.names)
         likely = [
-            (sum(one.name in names for one in flow.tasks), document.name in {one.job for one in flow.actions}, flow)
-            for flow in found.review.run.prepare.plan.flows
+            (
+                sum(task.name in names for task in flow.tasks),
+                document.name in {action.job for action in flow.actions},
+                flow,
+            )
+            for flow in subject.review.run.prepare.plan.flows
         ]
-        most = max(likely, key=lambda one: one[:2], default=None)
+        most = max(likely, key=lambda candidate: candidate[:2], default=None)
         if most is not None and most[0]:
             homes[doc] = most[2].subsystem
     return homes

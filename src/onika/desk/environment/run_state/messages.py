@@ -10,7 +10,7 @@ from onika.desk.plan.icon_names import named
 from onika.files import appl, rmod
 from onika.model.application import Application, Hole, actions, every_flow
 from onika.model.syntax import Syntax
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan, PlannedAction
 from onika.words.fault import Place
 
@@ -33,7 +33,7 @@ class Speech:
     """What stands for a file, by its path; long paths first, for a short one may be a part of them."""
 
     @classmethod
-    def of(cls, place: Place, application: Application, program: Program | None, syntax: Syntax) -> "Speech":
+    def of(cls, place: Place, application: Application, program: ApplicationProgram | None, syntax: Syntax) -> "Speech":
         """Those of an application that stands in the file `place`, and of what it runs."""
         applications = {place.file: application}
         if program is not None:

@@ -12,8 +12,8 @@ from onika.desk.environment.run_state.replay import Replay
 from onika.desk.environment.run_state.run import Run, begun
 from onika.desk.environment.run_state.step_mapping import Recast
 from onika.desk.environment.run_state.variable_cache import Kept
-from onika.desk.run.recorded_run import Source, recorded_run
-from onika.desk.run.run_review import Flow, Review
+from onika.desk.run.recorded_run import RecordingSource, recorded_run
+from onika.desk.run.run_review import Review, ReviewedFlow
 from onika.record.series import Series
 from onika.wire.view import PassageView, RecordedFlowView, RecordedVariableView, RecordingView, RedirectView
 
@@ -92,7 +92,7 @@ def _redirects(review: Review) -> Iterator[RedirectView]:
             yield RedirectView(old.name, name, home if len(plan.flows) > 1 else "", (home,))
 
 
-def _passages(flow: Flow, run: Run, number: int) -> tuple[PassageView, ...]:
+def _passages(flow: ReviewedFlow, run: Run, number: int) -> tuple[PassageView, ...]:
     return tuple(
         PassageView(
             interval.action,
@@ -125,7 +125,7 @@ def _losses(review: Review) -> list[str]:
 
 
 def _cannot_continue(path: Path) -> str:
-    source = recorded_run(Source(path))
+    source = recorded_run(RecordingSource(path))
     return (
         "; ".join(f"expected {fault.expected}, found {fault.found}" for fault in source)
         if isinstance(source, tuple)

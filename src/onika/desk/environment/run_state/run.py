@@ -8,7 +8,7 @@ from msgspec import structs
 
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
-from onika.desk.plan.flow_index import Cast
+from onika.desk.plan.flow_index import FlowIndex
 from onika.wire import event
 from onika.wire.plan import Again, Plan, PlannedAction, Unless
 from onika.wire.view import FlowRunView, RunView
@@ -20,7 +20,7 @@ class Run:
 
     view: RunView
     plan: Plan
-    cast: Cast
+    flow_index: FlowIndex
     """Its flows by the words of steering."""
     belonging: Belonging
     speech: Speech = field(default_factory=Speech)
@@ -116,4 +116,4 @@ def begun(doc: str, plan: Plan, number: int, at_s: float, belonging: Belonging, 
     }
     of = sum(len(flow.actions) for flow in plan.flows)
     view = RunView(doc, plan.application, number, began_at_s=at_s, flows=flows, of=of)
-    return Run(view, plan, Cast.of(plan), belonging, speech.hearing(plan))
+    return Run(view, plan, FlowIndex.of(plan), belonging, speech.hearing(plan))

@@ -85,7 +85,7 @@ def _choice(words: str, run: Run, explained: event.Explained) -> Remedy:
         return Remedy(words, act.Steer(words))
     verb, *whom = words.split()[:-1]
     subsystem = whom[0] if whom else explained.subsystem
-    others = set(range(run.cast.count(subsystem))) - {explained.index if subsystem == explained.subsystem else -1}
+    others = set(range(run.flow_index.count(subsystem))) - {explained.index if subsystem == explained.subsystem else -1}
     return Remedy(words, act.Steer(f"{verb} {subsystem} {others.pop() + 1}") if len(others) == 1 else None)
 
 

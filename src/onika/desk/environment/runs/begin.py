@@ -13,7 +13,7 @@ import msgspec
 from onika.desk.environment.control.held_subsystems import run_here
 from onika.desk.environment.following import given_up
 from onika.desk.environment.outcome.fault_view import Troubles, place_of
-from onika.desk.environment.outcome.on_application import closed
+from onika.desk.environment.outcome.on_file import closed
 from onika.desk.environment.outcome.outcome import Ask, Done, Ending, No, Order, Procedure, Reach, Shown, Steps, Until
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
@@ -29,6 +29,7 @@ from onika.desk.environment.runs.preflight_result import looked, worth_noting
 from onika.desk.environment.runs.readiness_refusal import refused, refused_by_runtime
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
 from onika.desk.plan.preparation import PreparedRun, prepare
 from onika.desk.plan.subsystem_renaming import rehoused
 from onika.desk.run.runtime import in_short
@@ -49,7 +50,7 @@ _ABORT = Remedy("Abort it", act.Steer("abort"))
 class _Start:
     """A run on its way: what is to be begun, and what there was to be seen before it."""
 
-    asked: act.Run
+    command: act.Run
     name: str
     plan: Plan
     targets: tuple[TargetValues, ...]
@@ -63,10 +64,10 @@ class _Start:
     """The file of its recording; empty: none is made."""
 
 
-def run(model: Model, asked: act.Run, outside: Surroundings) -> Procedure:
+def run(model: Model, command: act.Run, outside: Surroundings) -> Procedure:
     """Run an application as it is here; the value is the number of the run."""
     former = model.run
-    begun_with = _start(model, asked, outside)
+    begun_with = _start(model, command, outside)
     if isinstance(begun_with, No):
         return begun_with
     model, start = begun_with
@@ -77,17 +78,17 @@ def run(model: Model, asked: act.Run, outside: Surroundings) -> Procedure:
     if model.run is None:
         return Done(model)
     run = model.run if model.run.is_over else model.run.shown(state="running")
-    says = (page.Say("info", f"{start.name} runs", asked.doc),)
+    says = (page.Say("info", f"{start.name} runs", command.doc),)
     described = describe(replace(model, run=run, performed=model.performed + 1))  # what tasks ask can be prefilled then
     end = (Order(request.Abort("aborted by the user")),) if _is_given_up(model) else ()
     return Done(described.model, value=run.view.number, says=says, orders=(*end, run_reducer.look(), *described.orders))
 
 
-def _start(model: Model, asked: act.Run, outside: Surroundings) -> tuple[Model, _Start] | No:
+def _start(model: Model, command: act.Run, outside: Surroundings) -> tuple[Model, _Start] | No:
     """What is to be begun, with everything saved that it uses; or all that speaks against it here."""
-    opened = model.applications.get(asked.doc)
+    opened = model.applications.get(command.doc)
     if opened is None:
-        return closed()
+        return closed(Kind.APPLICATION)
     syntax = model.syntax
     busy = _busy(model)
     if busy is not None:
@@ -97,25 +98,25 @@ def _start(model: Model, asked: act.Run, outside: Surroundings) -> tuple[Model, 
     unread = not_run(opened)
     if unread is not None:
         return unread
-    prepared = ready(opened, outside.site, syntax, passes_breakpoints=asked.passes_breakpoints)
+    prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
     changed = unsaved.used(unsaved.dirty(model), prepared.program)
-    if changed and asked.saves_unsaved:
+    if changed and command.saves_unsaved:
         saved = unsaved.saved(model, changed, outside)
         if isinstance(saved, No):
             return saved
         model, changed = saved.model, ()
-        prepared = ready(opened, outside.site, syntax, passes_breakpoints=asked.passes_breakpoints)
+        prepared = ready(opened, outside.site, syntax, passes_breakpoints=command.passes_breakpoints)
     troubles = Troubles.of(opened, syntax, prepared, outside.site)
-    complaint = refused(opened, tuple(troubles.views(prepared))) or unsaved.refused(opened, changed, asked)
+    complaint = refused(opened, tuple(troubles.views(prepared))) or unsaved.refused(opened, changed, command)
     if complaint is not None:
         return complaint
     if prepared.plan is None:
         return No(f"{opened.name} has nothing to run")
-    file = recording.place(model, asked, opened.name, outside)
+    file = recording.place(model, command, opened.name, outside)
     if isinstance(file, No):
         return file
     return model, _Start(
-        asked=asked,
+        command=command,
         name=opened.name,
         plan=prepared.plan,
         targets=prepared.targets,
@@ -151,19 +152,19 @@ def ready(opened: OpenApplication, site: Site, syntax: Syntax, *, passes_breakpo
 
 def durations(targets: tuple[TargetValues, ...], syntax: Syntax) -> dict[tuple[int, int], float]:
     """What the targets of a plan say of how long their actions should take, in s, by flow and action."""
-    found: dict[tuple[int, int], float] = {}
-    for one in targets:
-        kind, at = syntax.find(one.kind), 0
+    durations: dict[tuple[int, int], float] = {}
+    for target in targets:
+        kind, at = syntax.find(target.kind), 0
         for item in kind.items if kind else ():
-            value = one.values[at] if at < len(one.values) else 0.0
+            value = target.values[at] if at < len(target.values) else 0.0
             if item.name.lower() == "duration" and not isinstance(value, str):
-                found[one.flow, one.action] = found.get((one.flow, one.action), 0.0) + float(value)
+                durations[target.flow, target.action] = durations.get((target.flow, target.action), 0.0) + float(value)
             at += item.count
-    return found
+    return durations
 
 
 def _new(model: Model, start: _Start) -> Run:
-    run = begun(start.asked.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.speech)
+    run = begun(start.command.doc, start.plan, model.performed + 1, start.began_at_s, start.belonging, start.speech)
     run = replace(run, durations=start.durations).shown(recording=start.record)
     for note in start.notes:
         run = run.noted(note)
@@ -193,7 +194,7 @@ def _begun(model: Model, start: _Start) -> Steps[tuple[Model, No | None]]:
     model, refused_ = _prepared(model, response, start)
     if refused_ is not None:
         return model, refused_
-    begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.asked.on_loss, record=start.record)
+    begin = request.Begin(may_ask=True, on_error="wait", on_loss=start.command.on_loss, record=start.record)
     model, response = yield Ask(model, begin)
     return model, None if isinstance(response, request.Done) else _unbegun(start, refusal(response))
 
@@ -206,7 +207,7 @@ def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Star
     if refused_ is not None:
         return refused_
     obstructing = obstacles(model, standing, start.plan)
-    if obstructing and not start.asked.confirmed:
+    if obstructing and not start.command.confirmed:
         return _in_the_way(obstructing, start)
     gone = tuple(obstacle.subsystem for obstacle in obstructing)
     living = {subsystem.name for subsystem in standing.subsystems if subsystem.tasks or subsystem.application}
@@ -214,14 +215,14 @@ def _placed(model: Model, standing: live.Standing, start: _Start) -> tuple[_Star
     return replace(start, plan=plan, notes=flow_placement.notes(model, plan)), gone
 
 
-def _in_the_way(found: Sequence[Obstacle], start: _Start) -> No:
-    what = ", ".join(dict.fromkeys(one.document or f"subsystem {one.subsystem}" for one in found))
-    has = "has" if len(found) == 1 else "have"
+def _in_the_way(in_the_way: Sequence[Obstacle], start: _Start) -> No:
+    what = ", ".join(dict.fromkeys(obstacle.document or f"subsystem {obstacle.subsystem}" for obstacle in in_the_way))
+    has = "has" if len(in_the_way) == 1 else "have"
     reason = (
-        f"{' and '.join(map(str, found))} live already, and {start.name} needs such tasks for itself. "
+        f"{' and '.join(map(str, in_the_way))} live already, and {start.name} needs such tasks for itself. "
         f"{what} {has} to end first, with all tasks; nothing else ends"
     )
-    return No(reason, (Remedy(_END_THEM, msgspec.structs.replace(start.asked, confirmed=True)),))
+    return No(reason, (Remedy(_END_THEM, msgspec.structs.replace(start.command, confirmed=True)),))
 
 
 def _ended(model: Model, start: _Start, subsystem: str) -> Steps[tuple[Model, No | None]]:
@@ -262,7 +263,7 @@ def _prepared(model: Model, response: request.Response, start: _Start) -> tuple[
 def _unbegun(start: _Start, why: str) -> No:
     """The runtime will not begin it, for its recording's sake or another's."""
     if start.record and why.startswith(_NO_RECORDING):
-        return recording.without(why.removeprefix(f"{_NO_RECORDING}: "), start.asked)
+        return recording.without(why.removeprefix(f"{_NO_RECORDING}: "), start.command)
     return No(f"{start.name} does not run: {why}")
 
 

@@ -50,9 +50,9 @@ def notes(model: Model, plan: Plan) -> tuple[str, ...]:
 
 def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:
     """A subsystem for each flow that is not nested: of its own name, else of one that nobody has."""
-    connected = {one.live.subsystem for one in model.documents.values() if one.live is not None}
+    connected = {document.live.subsystem for document in model.documents.values() if document.live is not None}
     used = {name.partition(".")[0] for name in (*taken, *connected)}
-    found: dict[str, str] = {}
+    homes: dict[str, str] = {}
     number = 0
     for home in chiefs(plan):
         name = home
@@ -60,13 +60,13 @@ def free(model: Model, plan: Plan, taken: Collection[str]) -> dict[str, str]:
             number += 1
             name = f"{home}-{number}"
         used.add(name)
-        found[home] = name
-    return found
+        homes[home] = name
+    return homes
 
 
 def _unit(wanted: str, units: Mapping[str, view.UnitView]) -> str:
-    """The unit of a task: the one it names, else the first that lives (decision 12)."""
+    """The unit of a task: the one it names, else the first that lives (reading 12)."""
     if wanted in units:
         return wanted
-    living = [name for name, one in units.items() if not one.is_lost]
+    living = [name for name, unit in units.items() if not unit.is_lost]
     return next(iter(living or units), UNKNOWN)

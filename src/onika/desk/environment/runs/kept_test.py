@@ -9,7 +9,7 @@ from pathlib import Path
 
 import msgspec
 
-from onika.desk.environment.outcome.on_application import on_application
+from onika.desk.environment.outcome.on_file import on_application
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.outcome.unread_faults import not_run
@@ -34,21 +34,21 @@ _NICE = 10
 
 
 @on_application
-def keep_test(model: Model, opened: OpenApplication, asked: act.KeepTest, outside: Surroundings) -> Done | No:
+def keep_test(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Surroundings) -> Done | No:
     """Begin to keep it; the value is the file."""
     if outside.keeping is None:
         return No("no test can be kept here")
     if model.keeping is not None and model.keeping.state == "running":
         return No(f"{Path(model.keeping.path).name} is being kept now, and one test is kept at a time")
-    expectations = _expectations(asked.expects)
-    path = _path(opened, asked.path, outside)
-    wrong = [one for one in (expectations, path, _unrunnable(opened)) if isinstance(one, No)]
+    expectations = _expectations(command.expects)
+    path = _path(opened, command.path, outside)
+    wrong = [part for part in (expectations, path, _unrunnable(opened)) if isinstance(part, No)]
     if isinstance(expectations, No) or isinstance(path, No) or wrong:
         return wrong[0]
-    if path.exists() and not asked.confirmed:
-        again = msgspec.structs.replace(asked, confirmed=True)
+    if path.exists() and not command.confirmed:
+        again = msgspec.structs.replace(command, confirmed=True)
         return No(f"{path} is there already", (Remedy("Replace it", again),))
-    saved = _saved(model, opened, asked, outside)
+    saved = _saved(model, opened, command, outside)
     if isinstance(saved, No):
         return saved
     opened = saved.applications[opened.id]
@@ -65,13 +65,13 @@ def keep_test(model: Model, opened: OpenApplication, asked: act.KeepTest, outsid
 
 
 def _expectations(texts: Sequence[str]) -> tuple[Condition, ...] | No:
-    found = []
+    conditions = []
     for text in filter(None, map(str.strip, texts)):
         try:
-            found.append(Condition.parse(text))
+            conditions.append(Condition.parse(text))
         except ValueError as wrong:
             return No(str(wrong), fields={"expects": str(wrong)})
-    return tuple(found)
+    return tuple(conditions)
 
 
 def _path(opened: OpenApplication, wanted: str, outside: Surroundings) -> Path | No:
@@ -102,14 +102,14 @@ def _unrunnable(opened: OpenApplication) -> No | None:
     unread = not_run(opened)
     if unread is not None:
         return unread
-    faults = [one.text for one in opened.judgement.faults if one.level == "fault"] if opened.judgement else []
+    faults = [fault.text for fault in opened.judgement.faults if fault.level == "fault"] if opened.judgement else []
     if not opened.is_judged or not faults:
         return None
     more = f", and {len(faults) - 1} more" if len(faults) > 1 else ""
     return No(f"{opened.name} cannot run as it is: {faults[0]}{more}")
 
 
-def _saved(model: Model, opened: OpenApplication, asked: act.KeepTest, outside: Surroundings) -> Model | No:
+def _saved(model: Model, opened: OpenApplication, command: act.KeepTest, outside: Surroundings) -> Model | No:
     """With everything saved that the test would use: it does what files say."""
     if model.syntax is None:
         return No("there is no syntax definition that can be read: nothing is known of the types of icons")
@@ -119,8 +119,8 @@ def _saved(model: Model, opened: OpenApplication, asked: act.KeepTest, outside: 
     changed = tuple(dict.fromkeys((*unsaved.used(dirty, program), *own)))
     if not changed:
         return model
-    if not asked.saves_unsaved:
-        remedy = Remedy("Save and keep", msgspec.structs.replace(asked, saves_unsaved=True))
+    if not command.saves_unsaved:
+        remedy = Remedy("Save and keep", msgspec.structs.replace(command, saves_unsaved=True))
         are = "is" if len(changed) == 1 else "are"
         names = listed([name for _, name in changed])
         return No(f"{names} {are} changed here and not saved; a test does what files say", (remedy,))
@@ -135,8 +135,8 @@ def _keep(aside: Aside, opened: OpenApplication, path: Path, settings: RunSettin
         aside.tell(lambda model: Done(_shown(model, KeepingView(opened.id, str(path), run=number, of=of))))
 
     _stand_back()
-    is_kept, told = keep_in(path, settings, site, progress=progress)
-    first, *notes = map(in_short, told)
+    is_kept, lines = keep_in(path, settings, site, progress=progress)
+    first, *notes = map(in_short, lines)
     text = "; ".join((first.removeprefix(f"{path}: "), *notes))
     shown = KeepingView(opened.id, str(path), "kept" if is_kept else "failed", text)
     if is_kept:

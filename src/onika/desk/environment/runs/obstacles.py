@@ -1,4 +1,4 @@
-"""What lives already and stands in the way of a run: tasks of its names, its modules, its devices (decision 30)."""
+"""What lives already and stands in the way of a run: tasks of its names, its modules, its devices (reading 30)."""
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -28,20 +28,26 @@ class Obstacle:
 def obstacles(model: Model, standing: live.Standing, plan: Plan) -> tuple[Obstacle, ...]:
     """All that lives in the way of a plan, by subsystem; what does not share anything with it lives on."""
     planned = [task_of(task) for flow in plan.flows for task in flow.tasks]
-    names, modules = {one.name for one in planned}, {one.module for one in planned}
+    names, modules = {task.name for task in planned}, {task.module for task in planned}
     claimed = set(_devices(planned))
-    documents = {one.live.subsystem: one.name for one in model.documents.values() if one.live is not None}
-    found = []
-    for one in standing.subsystems:
-        living = [task_of(task.task) for task in one.tasks if task.state != "KILLED"] if not one.application else []
+    documents = {
+        document.live.subsystem: document.name for document in model.documents.values() if document.live is not None
+    }
+    obstacles_met = []
+    for subsystem in standing.subsystems:
+        living = (
+            [task_of(task.task) for task in subsystem.tasks if task.state != "KILLED"]
+            if not subsystem.application
+            else []
+        )
         shared = tuple(
             task.name
             for task in living
             if task.name in names or task.module in modules or not claimed.isdisjoint(_devices([task]))
         )
         if shared:
-            found.append(Obstacle(one.name, shared, documents.get(one.name, "")))
-    return tuple(found)
+            obstacles_met.append(Obstacle(subsystem.name, shared, documents.get(subsystem.name, "")))
+    return tuple(obstacles_met)
 
 
 def left(model: Model, subsystems: Iterable[str]) -> Model:

@@ -7,7 +7,7 @@ does before each run. It is launched where there is none.
 from dataclasses import replace
 
 from onika.desk.environment.outcome.fault_view import Troubles
-from onika.desk.environment.outcome.on_application import on_application
+from onika.desk.environment.outcome.on_file import on_application
 from onika.desk.environment.outcome.outcome import Ask, Done, No, Procedure, Reach, Shown
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.outcome.services import Surroundings
@@ -37,10 +37,10 @@ def preflight(
         return No("there is no syntax definition that can be read: nothing is known of the types of icons")
     prepared = ready(opened, outside.site, model.syntax)
     troubles = Troubles.of(opened, model.syntax, prepared, outside.site)
-    found = tuple(troubles.views(prepared))
+    views = tuple(troubles.views(prepared))
     if prepared.plan is None or not any(flow.tasks for flow in prepared.plan.flows):
-        return Done(model, value=_count(found)) if _count(found) else No(f"{opened.name} has nothing to run")
-    return _checked(model, opened, troubles, prepared.plan, prepared.targets, found)
+        return Done(model, value=_count(views)) if _count(views) else No(f"{opened.name} has nothing to run")
+    return _checked(model, opened, troubles, prepared.plan, prepared.targets, views)
 
 
 def _checked(
@@ -49,7 +49,7 @@ def _checked(
     troubles: Troubles,
     plan: Plan,
     targets: tuple[TargetValues, ...],
-    found: tuple[FaultView, ...],
+    fault_views: tuple[FaultView, ...],
 ) -> Procedure:
     """Have the runtime look at it too; `found` was seen without one."""
     url = model.runtime.address
@@ -70,7 +70,7 @@ def _checked(
     model = looked(model, troubles, plan, response)
     here = model.applications.get(opened.id)
     result = here.looked if here is not None else None
-    return Done(model, value=_count((*found, *(result.faults if result is not None else ()))))
+    return Done(model, value=_count((*fault_views, *(result.faults if result is not None else ()))))
 
 
 def _busy(model: Model, name: str) -> No | None:
@@ -81,6 +81,6 @@ def _busy(model: Model, name: str) -> No | None:
     return No(f"{model.run.view.name} runs: {name} is checked when that has ended", remedies)
 
 
-def _count(found: tuple[FaultView, ...]) -> int:
+def _count(fault_views: tuple[FaultView, ...]) -> int:
     """Each that keeps it from running, once."""
-    return len({(one.step, one.text) for one in found if one.level == "fault"})
+    return len({(fault_view.step, fault_view.text) for fault_view in fault_views if fault_view.level == "fault"})

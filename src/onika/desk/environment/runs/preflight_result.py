@@ -27,16 +27,16 @@ def looked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> 
     opened = model.applications.get(troubles.doc)
     if opened is None:
         return model
-    found = (*troubles.told(map(fault_of, prepared.faults), is_of_runtime=True), *_noted(troubles, prepared))
-    one = Looked(troubles.application, troubles.redirects, model.runtime.address, found)
-    return marked(model.with_application(replace(opened, looked=one)), troubles, plan, prepared)
+    fault_views = (*troubles.told(map(fault_of, prepared.faults), is_of_runtime=True), *_noted(troubles, prepared))
+    result = Looked(troubles.application, troubles.redirects, model.runtime.address, fault_views)
+    return marked(model.with_application(replace(opened, looked=result)), troubles, plan, prepared)
 
 
 def worth_noting(prepared: Prepared) -> Iterator[str]:
     """The notes of a run: targets that are re-resolved are counted, for each of them has a mark at its icon."""
     yield from (note for note in prepared.notes if _RESOLVED not in note)
-    targets = {(one.target, one.were, one.task, one.instead_of) for one in prepared.resolved}
-    for (task, old), count in sorted(Counter(one[2:] for one in targets).items()):
+    targets = {(resolved.target, resolved.were, resolved.task, resolved.instead_of) for resolved in prepared.resolved}
+    for (task, old), count in sorted(Counter(target[2:] for target in targets).items()):
         if count == 1:
             yield f"1 target is re-resolved for {task}, by the pose that it is for {old}"
         else:
@@ -48,11 +48,11 @@ def _noted(troubles: Troubles, prepared: Prepared) -> Iterator[FaultView]:
     for note in prepared.notes:
         if _RESOLVED in note:
             continue
-        found = _NOTE.fullmatch(note)
-        step = troubles.step_of(Place(found[1], int(found[2] or 0))) if found else 0
+        match = _NOTE.fullmatch(note)
+        step = troubles.step_of(Place(match[1], int(match[2] or 0))) if match else 0
         text = note
-        if found:
-            name = Path(found[1]).name
-            text = f"{name.removesuffix(rmod.ENDING)}: {found[3]}" if name.endswith(rmod.ENDING) else found[3]
+        if match:
+            name = Path(match[1]).name
+            text = f"{name.removesuffix(rmod.ENDING)}: {match[3]}" if name.endswith(rmod.ENDING) else match[3]
         show = (Remedy("Show it", show=ShowStep(step)),) if step else ()
         yield FaultView(text, "warning", step, show, is_of_runtime=True)

@@ -23,7 +23,7 @@ from onika.model.application import Application
 from onika.model.redirect import Redirect
 from onika.model.syntax import Syntax
 from onika.store.cached_site import RememberingSite, Stamp
-from onika.store.program import Program
+from onika.store.program import ApplicationProgram
 from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy
@@ -48,7 +48,7 @@ class _Known:
     syntax: Syntax
     dirty: tuple[Changed, ...]
     stamps: tuple[Stamp, ...]
-    program: Program | None
+    program: ApplicationProgram | None
     redirects: tuple[Redirect, ...] = ()
 
 
@@ -67,8 +67,8 @@ class Judge:
             return ()
         self._seen = seen
         dirty = unsaved.dirty(model)
-        self._known = {doc: one for doc, one in self._known.items() if doc in model.applications}
-        every = (Case(one, model.syntax, dirty) for one in model.applications.values())
+        self._known = {doc: case for doc, case in self._known.items() if doc in model.applications}
+        every = (Case(application, model.syntax, dirty) for application in model.applications.values())
         return tuple(case for case in every if self._is_new(case))
 
     def stale(self, model: Model) -> tuple[Case, ...]:
@@ -76,12 +76,12 @@ class Judge:
         if model.syntax is None:
             return ()
         dirty = unsaved.dirty(model)
-        found = []
+        judged = []
         for opened in model.applications.values():
-            known = self._known.get(opened.id)
-            if known is not None and known.stamps != self._stamps(opened, known.program):
-                found.append(Case(opened, model.syntax, dirty, has_new_files=True))
-        return tuple(found)
+            former = self._known.get(opened.id)
+            if former is not None and former.stamps != self._stamps(opened, former.program):
+                judged.append(Case(opened, model.syntax, dirty, has_new_files=True))
+        return tuple(judged)
 
     def judge(self, case: Case) -> Judgement:
         """What is wrong with an application, and what is worth knowing of it."""
@@ -92,24 +92,26 @@ class Judge:
             opened.application, case.syntax, case.dirty, stamps, prepared.program, opened.redirects
         )
         troubles = Troubles.of(opened, case.syntax, prepared, self._site)
-        told = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
-        return Judgement(opened.application, told, case.has_new_files, _homes(opened, prepared))
+        fault_views = (*troubles.views(prepared), *_unsaved(case, troubles, prepared.program), *_unchosen(opened))
+        return Judgement(opened.application, fault_views, case.has_new_files, _homes(opened, prepared))
 
     def _is_new(self, case: Case) -> bool:
-        known = self._known.get(case.opened.id)
-        if known is None or known.application is not case.opened.application or known.syntax is not case.syntax:
+        former = self._known.get(case.opened.id)
+        if former is None or former.application is not case.opened.application or former.syntax is not case.syntax:
             return True
-        if known.redirects != case.opened.redirects:
+        if former.redirects != case.opened.redirects:
             return True
-        return known.dirty != case.dirty
+        return former.dirty != case.dirty
 
-    def _stamps(self, opened: OpenApplication, program: Program | None) -> tuple[Stamp, ...]:
+    def _stamps(self, opened: OpenApplication, program: ApplicationProgram | None) -> tuple[Stamp, ...]:
         """Of all files that count, also of those that are not there."""
         home = self._site if opened.base is None else self._site.at(opened.base)
         applications = (opened.application, *(program.applications.values() if program else ()))
-        names = dict.fromkeys(icon.onikon.name for one in applications for icon in icons(one))
+        names = dict.fromkeys(icon.onikon.name for application in applications for icon in icons(application))
         tasks = dict.fromkeys(
-            placed.task for one in (program.configurations.values() if program else ()) for placed in one.placed
+            placed.task
+            for configuration in (program.configurations.values() if program else ())
+            for placed in configuration.placed
         )
         bases = {name: home.home_of_task(name) for name in tasks}
         files = (
@@ -141,10 +143,10 @@ def _homes(opened: OpenApplication, prepared: PreparedRun) -> dict[str, tuple[st
     plan, program = prepared.plan, prepared.program
     if plan is None or program is None:
         return {}
-    return {one.old: redirection.homes_of(one.old, plan, program) for one in opened.redirects}
+    return {redirect.old: redirection.homes_of(redirect.old, plan, program) for redirect in opened.redirects}
 
 
-def _unsaved(case: Case, troubles: Troubles, program: Program | None) -> Iterator[FaultView]:
+def _unsaved(case: Case, troubles: Troubles, program: ApplicationProgram | None) -> Iterator[FaultView]:
     for doc, name in unsaved.used(case.dirty, program):
         text = f"{name} is changed here and not saved: what its file says is run"
         yield FaultView(text, "warning", troubles.user_of(name), (Remedy(f"Save {name}", act.Save(doc)),))

@@ -15,9 +15,9 @@ _TOLD = 8
 _OFFERED = 6
 
 
-def refused(opened: OpenApplication, found: Sequence[FaultView]) -> No | None:
+def refused(opened: OpenApplication, fault_views: Sequence[FaultView]) -> No | None:
     """Why it cannot run: all that speaks against it."""
-    faults = [one for one in found if one.level == "fault"]
+    faults = [fault_view for fault_view in fault_views if fault_view.level == "fault"]
     if not faults:
         return None
     return No(f"{opened.name} cannot run: {_listed(faults)}", _offered(faults))
@@ -33,12 +33,12 @@ def refused_by_runtime(troubles: Troubles, response: request.Response) -> No:
 
 def _listed(faults: Sequence[FaultView]) -> str:
     """What is told in a line; all of it stands at the icons and in the list beside them."""
-    told = [one.text for one in faults[:_TOLD]]
+    texts = [fault.text for fault in faults[:_TOLD]]
     more = f"; and {len(faults) - _TOLD} more" if len(faults) > _TOLD else ""
-    return told[0] if len(faults) == 1 else f"{len(faults)} things: {'; '.join(told)}{more}"
+    return texts[0] if len(faults) == 1 else f"{len(faults)} things: {'; '.join(texts)}{more}"
 
 
 def _offered(faults: Sequence[FaultView]) -> tuple[Remedy, ...]:
     """The first remedy of each, then where it stands."""
-    first = [one.remedies[0] for one in faults if one.remedies]
+    first = [fault.remedies[0] for fault in faults if fault.remedies]
     return tuple(dict.fromkeys(first))[:_OFFERED]

@@ -20,23 +20,23 @@ LEAST_BYTES = 50_000_000
 _MEGA = 1_000_000
 
 
-def place(model: Model, asked: act.Run, name: str, outside: Surroundings) -> Path | No | None:
+def place(model: Model, command: act.Run, name: str, outside: Surroundings) -> Path | No | None:
     """The file of a run that is to be recorded; a no where none can be made, None where none is wanted."""
-    if not asked.is_recorded:
+    if not command.is_recorded:
         return None
     if model.runtime.address:
         where = f"the runtime at {model.runtime.address} was started by somebody else"
-        return without(f"{where}: it records runs only for the program that launched it", asked)
+        return without(f"{where}: it records runs only for the program that launched it", command)
     if outside.state is None:
-        return without("there is no folder for recordings in this session", asked)
+        return without("there is no folder for recordings in this session", command)
     path = recording_path(outside.state, name, outside.calendar())
     wrong = _unwritable(path.parent)
-    return without(wrong, asked) if wrong else path
+    return without(wrong, command) if wrong else path
 
 
-def without(why: str, asked: act.Run) -> No:
+def without(why: str, command: act.Run) -> No:
     """It cannot be recorded; the user may run it all the same."""
-    remedy = Remedy("Run without recording", msgspec.structs.replace(asked, is_recorded=False))
+    remedy = Remedy("Run without recording", msgspec.structs.replace(command, is_recorded=False))
     return No(f"the run cannot be recorded: {why}", (remedy,))
 
 

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.on_application import on_application, on_resting_application, syntax_of
+from onika.desk.environment.outcome.on_file import on_application, on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.runs.begin import ready
@@ -22,10 +22,10 @@ from onika.wire.view import CandidateView, SeatsView, SeatView
 
 
 @on_resting_application
-def redirect(model: Model, opened: OpenApplication, asked: act.Redirect, outside: Surroundings) -> Done | No:
+def redirect(model: Model, opened: OpenApplication, command: act.Redirect, outside: Surroundings) -> Done | No:
     """Let a task stand for another one; refused with all reasons why it cannot."""
-    wish = Redirect(asked.old, asked.new or asked.old, asked.flow)
-    is_split = bool(wish.home) and any(one.old == wish.old and not one.home for one in opened.redirects)
+    wish = Redirect(command.old, command.new or command.old, command.flow)
+    is_split = bool(wish.home) and any(redirect.old == wish.old and not redirect.home for redirect in opened.redirects)
     before = ready(opened, outside.site, syntax_of(model)) if is_split else None
     others = tuple(_others(opened.redirects, wish, before))
     redirects = others if wish.new == wish.old else (*others, wish)
@@ -41,51 +41,53 @@ def redirect(model: Model, opened: OpenApplication, asked: act.Redirect, outside
 
 def _others(redirects: tuple[Redirect, ...], wish: Redirect, prepared: PreparedRun | None) -> Iterator[Redirect]:
     """What holds besides: a wish for all flows ends those for single ones, and is meant for the others after one."""
-    for one in redirects:
-        if one.old != wish.old or (wish.home and one.home and one.home != wish.home):
-            yield one
-        elif prepared is not None and not one.home and prepared.plan is not None and prepared.program is not None:
-            homes = redirection.homes_of(one.old, prepared.plan, prepared.program)
-            yield from (replace(one, flow=home) for home in homes if home != wish.home)
+    for redirect in redirects:
+        if redirect.old != wish.old or (wish.home and redirect.home and redirect.home != wish.home):
+            yield redirect
+        elif prepared is not None and not redirect.home and prepared.plan is not None and prepared.program is not None:
+            homes = redirection.homes_of(redirect.old, prepared.plan, prepared.program)
+            yield from (replace(redirect, flow=home) for home in homes if home != wish.home)
 
 
 @on_application
-def seats(model: Model, opened: OpenApplication, asked: act.Seats, outside: Surroundings) -> Done | No:
+def seats(model: Model, opened: OpenApplication, command: act.Seats, outside: Surroundings) -> Done | No:
     """Who could stand for whom; the value is a `view.SeatsView`."""
     prepared = ready(opened, outside.site, syntax_of(model))
     if prepared.plan is None or prepared.program is None:
         return No(f"{opened.name} has nothing to run")
-    known = [record.task for library in open_libraries(outside.site.directories) for record in library.tasks.values()]
-    found = redirection.seats(prepared.program, prepared.plan, opened.redirects, known)
-    flows = {flow: tuple(map(_seat, some)) for flow, some in found.items()}
+    library_tasks = [
+        record.task for library in open_libraries(outside.site.directories) for record in library.tasks.values()
+    ]
+    seats = redirection.seats(prepared.program, prepared.plan, opened.redirects, library_tasks)
+    flows = {flow: tuple(map(_seat, some)) for flow, some in seats.items()}
     return Done(model, value=SeatsView(flows if len(flows) < 2 else {"": _everywhere(flows), **flows}))
 
 
 def _everywhere(flows: dict[str, tuple[SeatView, ...]]) -> tuple[SeatView, ...]:
     """The seats of all flows as those of one: who is to stand in all of them has to be able to in each."""
-    found: dict[str, list[SeatView]] = {}
+    by_home: dict[str, list[SeatView]] = {}
     for some in flows.values():
-        for one in some:
-            found.setdefault(one.task, []).append(one)
-    return tuple(map(_joined, found.values()))
+        for seat_view in some:
+            by_home.setdefault(seat_view.task, []).append(seat_view)
+    return tuple(map(_joined, by_home.values()))
 
 
 def _joined(seats: Sequence[SeatView]) -> SeatView:
-    first, holders = seats[0], {one.taken_by for one in seats}
+    first, holders = seats[0], {seat.taken_by for seat in seats}
     reasons: dict[str, dict[str, None]] = {}
-    for each in (each for one in seats for each in one.candidates):
+    for each in (each for seat in seats for each in seat.candidates):
         reasons.setdefault(each.name, {}).update(dict.fromkeys(each.reasons))
     candidates = [structs.replace(each, reasons=tuple(reasons[each.name])) for each in first.candidates]
     candidates.sort(key=lambda each: (bool(each.reasons), each.name))
     return structs.replace(first, taken_by=first.taken_by if len(holders) == 1 else "", candidates=tuple(candidates))
 
 
-def _seat(one: Seat) -> SeatView:
+def _seat(seat: Seat) -> SeatView:
     candidates = tuple(
         CandidateView(
             each.task.name, each.task.description, each.more, tuple(refusal.reason for refusal in each.refusals)
         )
-        for each in one.candidates
+        for each in seat.candidates
     )
-    is_hardware = bool(list(devices(one.task)))
-    return SeatView(one.task.name, one.taken_by, candidates, one.task.description, is_hardware)
+    is_hardware = bool(list(devices(seat.task)))
+    return SeatView(seat.task.name, seat.taken_by, candidates, seat.task.description, is_hardware)

@@ -19,17 +19,19 @@ from onika.wire.view import Remedy
 _CAUSE = "the runtime was started anew"
 
 
-def start_anew(model: Model, asked: act.StartAnew, _outside: Surroundings) -> Procedure:
+def start_anew(model: Model, command: act.StartAnew, _outside: Surroundings) -> Procedure:
     """End the runtime that was started here, and start another; what was connected is connected no more."""
     if model.runtime.address:
         return No(f"the runtime at {model.runtime.address} was started by somebody else, who alone can start it anew")
-    connected = [one for one in model.documents.values() if one.live is not None and one.live.state == "live"]
-    living = [one for one in connected if one.live is not None and one.live.tasks]
-    ends = [*([model.run.view.name] if is_going(model) and model.run else []), *(one.name for one in living)]
-    if ends and not asked.confirmed:
+    connected = [
+        document for document in model.documents.values() if document.live is not None and document.live.state == "live"
+    ]
+    living = [document for document in connected if document.live is not None and document.live.tasks]
+    ends = [*([model.run.view.name] if is_going(model) and model.run else []), *(document.name for document in living)]
+    if ends and not command.confirmed:
         return No(_told(ends), (Remedy("Start anew", act.StartAnew(confirmed=True)),))
-    after = left(model, [one.live.subsystem for one in connected if one.live is not None])
-    says = [page.Say("info", f"{one.name} is no longer connected: {_CAUSE}", one.id) for one in living]
+    after = left(model, [document.live.subsystem for document in connected if document.live is not None])
+    says = [page.Say("info", f"{document.name} is no longer connected: {_CAUSE}", document.id) for document in living]
     if after.run is not None and not after.run.is_over:
         after = replace(after, run=flow_progress.lost(after.run, _CAUSE))
         says.append(page.Say("error", f"{model.run.view.name if model.run else ''} was aborted: {_CAUSE}"))

@@ -14,10 +14,11 @@ def marked(model: Model, troubles: Troubles, plan: Plan, prepared: Prepared) -> 
     if opened is None:
         return model
     marks: dict[int, str] = {}
-    for one in prepared.resolved:
-        spot = plan.flows[one.flow].actions[one.action].spot
+    for resolved in prepared.resolved:
+        spot = plan.flows[resolved.flow].actions[resolved.action].spot
         if spot:
-            words = f"{one.target} is re-resolved for {one.task}, by the pose that it is for {one.instead_of}"
-            step = troubles.target_of(spot[0], one.target) if len(spot) == 1 else spot[0]
+            new, old = resolved.task, resolved.instead_of
+            words = f"{resolved.target} is re-resolved for {new}, by the pose that it is for {old}"
+            step = troubles.target_of(spot[0], resolved.target) if len(spot) == 1 else spot[0]
             marks[step] = "; ".join(dict.fromkeys((*filter(None, [marks.get(step)]), words)))
     return model if marks == opened.marks else model.with_application(replace(opened, marks=marks))

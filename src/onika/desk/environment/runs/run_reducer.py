@@ -16,22 +16,22 @@ from onika.wire import event, live, page, request, steer
 from onika.wire.view import ShowStep
 
 
-def heard(model: Model, told: event.Event) -> Done:
+def after_event(model: Model, message: event.Event) -> Done:
     """The model after a piece of news, as far as it is about the run."""
     run = model.run
     if run is None or run.is_over:
         return Done(model)
-    if isinstance(told, event.Edited) and run.view.state == "beginning":
-        return _edited(model, run, told)
-    now = flow_progress.after(run, told)
+    if isinstance(message, event.Edited) and run.view.state == "beginning":
+        return _edited(model, run, message)
+    now = flow_progress.after(run, message)
     if now is run:
         return Done(model)
-    if isinstance(told, event.Result):
+    if isinstance(message, event.Result):
         now = recording.measured(now)
     return Done(
         replace(model, run=now),
-        orders=_orders(model, run, now, told),
-        says=_says(now, told, is_held=model.runtime.is_stopped),
+        orders=_orders(model, run, now, message),
+        says=_says(now, message, is_held=model.runtime.is_stopped),
     )
 
 
@@ -57,36 +57,36 @@ def look() -> Order:
     return Order(live.Survey(), _surveyed)
 
 
-def _edited(model: Model, run: Run, told: event.Edited) -> Done:
+def _edited(model: Model, run: Run, message: event.Edited) -> Done:
     """A live change has come to its end while the run is about to begin; it may be what the run waits for."""
-    if run.awaits != told.number:
-        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, told.number: told.cause})))
-    news = ((Ending(told.number), No(told.cause) if told.cause else None),)
+    if run.awaits != message.number:
+        return Done(replace(model, run=replace(run, outcomes={**run.outcomes, message.number: message.cause})))
+    news = ((Ending(message.number), No(message.cause) if message.cause else None),)
     return Done(replace(model, run=replace(run, awaits=None)), news=news)
 
 
-def _orders(model: Model, former: Run, run: Run, told: event.Event) -> tuple[Order, ...]:
-    match told:
+def _orders(model: Model, former: Run, run: Run, message: event.Event) -> tuple[Order, ...]:
+    match message:
         case event.Began():
             is_first = not former.view.steps
-            return (*((look(),) if is_first else ()), *((who(),) if run.has_loops(told.flow) else ()))
+            return (*((look(),) if is_first else ()), *((who(),) if run.has_loops(message.flow) else ()))
         case event.Asked():
-            return _ask_present(model, run, told)
+            return _ask_present(model, run, message)
         case event.Result():
             return (look(),)
     return ()
 
 
-def _says(run: Run, told: event.Event, *, is_held: bool) -> tuple[page.Say, ...]:
+def _says(run: Run, message: event.Event, *, is_held: bool) -> tuple[page.Say, ...]:
     doc = run.doc
-    match told:
-        case event.Explained() if told.choices and not is_held:  # an end is told with the result, a stop by the stop
-            where = run.step_at(told.subsystem, told.index)
-            who_ = "/".join(one for one in (told.subsystem, told.task) if one)
-            text = run.speech.with_icons(f"{who_}: {told.text}" if who_ else told.text)
-            return (page.Say("error", text, doc, ShowStep(where) if where else None, told.at_s),)
+    match message:
+        case event.Explained() if message.choices and not is_held:  # an end is told with the result, a stop by the stop
+            where = run.step_at(message.subsystem, message.index)
+            who_ = "/".join(part for part in (message.subsystem, message.task) if part)
+            text = run.speech.with_icons(f"{who_}: {message.text}" if who_ else message.text)
+            return (page.Say("error", text, doc, ShowStep(where) if where else None, message.at_s),)
         case event.Warned() | event.Stepped():
-            return (page.Say("warning", run.view.notes[-1], doc, None, told.at_s),)
+            return (page.Say("warning", run.view.notes[-1], doc, None, message.at_s),)
         case event.Result():
             return (end(run),)
     return ()
@@ -104,22 +104,22 @@ def _actions(count: int) -> str:
     return f"{count} action{'' if count == 1 else 's'}"
 
 
-def _ask_present(model: Model, run: Run, told: event.Asked) -> tuple[Order, ...]:
+def _ask_present(model: Model, run: Run, message: event.Asked) -> tuple[Order, ...]:
     """Where the arm stands, as a possible answer."""
-    moving = [one.partition("/")[2] for one in run.on if one.startswith(f"{told.subsystem}/")]
-    wanted = measured(model, told.task, moving)
+    moving = [address.partition("/")[2] for address in run.on if address.startswith(f"{message.subsystem}/")]
+    wanted = measured(model, message.task, moving)
     if not wanted:
         return ()
-    then = partial(_present, key=f"{told.subsystem}/{told.task}", wanted=wanted)
-    return (Order(live.Read(told.subsystem, tuple(dict.fromkeys(wanted.values()))), then),)
+    then = partial(_present, key=f"{message.subsystem}/{message.task}", wanted=wanted)
+    return (Order(live.Read(message.subsystem, tuple(dict.fromkeys(wanted.values()))), then),)
 
 
 def _present(model: Model, response: request.Response, key: str, wanted: dict[str, str]) -> Done:
     run = model.run
     if run is None or key not in run.view.asks or not isinstance(response, live.Values):
         return Done(model)
-    asked = structs.replace(run.view.asks[key], present=values_of(response, wanted))
-    return Done(replace(model, run=run.shown(asks={**run.view.asks, key: asked})))
+    ask_view = structs.replace(run.view.asks[key], present=values_of(response, wanted))
+    return Done(replace(model, run=run.shown(asks={**run.view.asks, key: ask_view})))
 
 
 def placed(model: Model, response: request.Response) -> Done:
@@ -128,11 +128,11 @@ def placed(model: Model, response: request.Response) -> Done:
     if run is None or run.is_over or not isinstance(response, steer.Positions):
         return Done(model)
     flows = dict(run.view.flows)
-    for one in response.flows:
-        known = flows.get(one.subsystem)
-        if known is not None:
-            is_pausing = one.is_pausing and one.state != "paused"
-            flows[one.subsystem] = structs.replace(known, is_pausing=is_pausing, loops=run_view.loops(one.loops))
+    for flow in response.flows:
+        shown = flows.get(flow.subsystem)
+        if shown is not None:
+            is_pausing = flow.is_pausing and flow.state != "paused"
+            flows[flow.subsystem] = structs.replace(shown, is_pausing=is_pausing, loops=run_view.loops(flow.loops))
     return Done(replace(model, run=run.shown(flows=flows)))
 
 

@@ -19,25 +19,25 @@ def lost(model: Model, reason: str) -> Done:
     """The runtime is gone: layouts stay, nothing lives, nothing is wanted; connecting again merges."""
     documents = {
         key: replace(
-            one,
-            content=replace(one.content, wanted={}),
-            live=Live(one.live.subsystem, "lost"),
+            document,
+            content=replace(document.content, wanted={}),
+            live=Live(document.live.subsystem, "lost"),
         )
-        if one.live is not None and one.live.state == "live"
-        else one
-        for key, one in model.documents.items()
+        if document.live is not None and document.live.state == "live"
+        else document
+        for key, document in model.documents.items()
     }
     runtime = view.RuntimeView("lost", model.runtime.address, reason)  # there it is told in full
     done = run_lost(replace(model, documents=documents, runtime=runtime), in_short(reason))
-    said = f"The runtime at {runtime.address} is gone." if runtime.address else _ENDED
-    return replace(done, says=(page.Say("error", said), *done.says))
+    text = f"The runtime at {runtime.address} is gone." if runtime.address else _ENDED
+    return replace(done, says=(page.Say("error", text), *done.says))
 
 
 def with_loads(model: Model, loads: Mapping[str, float]) -> Done:
     """The shares of their time that units have used at last."""
     units = {
-        name: msgspec.structs.replace(one, load=round(loads.get(name, one.load), 2))
-        for name, one in model.runtime.units.items()
+        name: msgspec.structs.replace(unit, load=round(loads.get(name, unit.load), 2))
+        for name, unit in model.runtime.units.items()
     }
     if units == model.runtime.units:
         return Done(model)

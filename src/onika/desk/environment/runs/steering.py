@@ -19,51 +19,53 @@ from onika.wire import act, page, request, steer
 from onika.wire.view import Remedy
 
 
-def steer_line(model: Model, asked: act.Steer, _outside: Surroundings) -> Done | No | Procedure:
+def steer_line(model: Model, command: act.Steer, _outside: Surroundings) -> Done | No | Procedure:
     """Do what a line of steering says, for the run that goes on."""
     run = _going(model)
     if isinstance(run, No):
         return run
     try:
-        wish = steering.act(asked.line, run.cast)
+        wish = steering.act(command.line, run.flow_index)
     except ValueError as wrong:
         return No(str(wrong))
-    if isinstance(wish, steering.Look):
+    if isinstance(wish, steering.PositionQuery):
         return _look(model)
-    if not isinstance(wish, steering.Order):
-        return No(f"`{asked.line}` is for scripts: it waits, and a page goes on")
+    if not isinstance(wish, steering.SteeringOrder):
+        return No(f"`{command.line}` is for scripts: it waits, and a page goes on")
     if isinstance(wish.message, request.Abort) and run.view.state == "beginning":
         return Done(replace(model, run=replace(run, is_given_up=True)))  # what is asked for already comes to its end
     if isinstance(wish.message, steer.Resume):
-        named = len(asked.line.split()) > 1
-        whom = wish.subsystem if named or not any(one.is_nested for one in run.cast.parts) else ""  # whoever rests
+        named = len(command.line.split()) > 1
+        whom = (
+            wish.subsystem if named or not any(part.is_nested for part in run.flow_index.parts) else ""
+        )  # whoever rests
         return _resumed(model, whom)
     return _steered(model, wish.message)
 
 
-def skip_to(model: Model, asked: act.SkipTo, _outside: Surroundings) -> No | Procedure:
+def skip_to(model: Model, command: act.SkipTo, _outside: Surroundings) -> No | Procedure:
     """Send the flow of a step to it at once; to the first action of what runs an application, or of a branch."""
     run = _going(model)
     if isinstance(run, No):
         return run
-    found = next(run.actions_of(asked.step), None)
-    if found is None:
+    action_place = next(run.actions_of(command.step), None)
+    if action_place is None:
         return No("nothing of this run is carried out there: it was begun without it")
-    flow, index = found
+    flow, index = action_place
     return _steered(model, steer.Skip(run.homes[flow], index))
 
 
-def answer(model: Model, asked: act.Answer, outside: Surroundings) -> No | Procedure:
+def answer(model: Model, command: act.Answer, outside: Surroundings) -> No | Procedure:
     """Answer what a task of the run asks, named as `SUBSYSTEM/TASK`, or one of a configuration, or of a taken run."""
-    if not asked.doc:
-        return held_subsystems.answer(model, asked, outside)
+    if not command.doc:
+        return held_subsystems.answer(model, command, outside)
     run = model.run
-    if run is None or asked.doc != run.doc:
-        return task_commands.answer(model, asked, outside)
-    if asked.task not in run.view.asks:
-        return No(f"{asked.task} asks for nothing")
-    subsystem, _, task = asked.task.rpartition("/")
-    return simply_done(model, request.Reply(subsystem, task, asked.line))
+    if run is None or command.doc != run.doc:
+        return task_commands.answer(model, command, outside)
+    if command.task not in run.view.asks:
+        return No(f"{command.task} asks for nothing")
+    subsystem, _, task = command.task.rpartition("/")
+    return simply_done(model, request.Reply(subsystem, task, command.line))
 
 
 def dismiss(model: Model, _asked: act.Dismiss, _outside: Surroundings) -> Done | No:
@@ -83,14 +85,14 @@ def marks(before: Model, after: Model) -> tuple[Order, ...]:
         return ()
     former, now = _breakpoints(old), _breakpoints(new)
     changed = [step for step in {**former, **now} if former.get(step) != now.get(step)]
-    return tuple(Order(asked, _marked) for step in changed for asked in _mark(run, step, now))
+    return tuple(Order(mark, _marked) for step in changed for mark in _mark(run, step, now))
 
 
 def _mark(run: Run, step: int, now: dict[int, str]) -> Iterator[steer.Mark]:
     """For each action of a step; of an application only for the last one in it."""
-    found = list(run.actions_of(step))
-    is_nested = any(len(action.spot) > 1 for one in found if (action := run.action(*one)) is not None)
-    for flow, index in found[-1:] if is_nested else found:
+    places = list(run.actions_of(step))
+    is_nested = any(len(action.spot) > 1 for place in places if (action := run.action(*place)) is not None)
+    for flow, index in places[-1:] if is_nested else places:
         yield steer.Mark(run.homes[flow], index, step in now, now.get(step, ""))
 
 
@@ -130,8 +132,8 @@ def _look(model: Model) -> Procedure:
 def _marked(model: Model, response: request.Response) -> Done:
     if isinstance(response, request.Done):
         return Done(model)
-    said = page.Say("warning", f"the breakpoint counts from the next run on: {refusal(response)}")
-    return Done(model, says=(said,))
+    message = page.Say("warning", f"the breakpoint counts from the next run on: {refusal(response)}")
+    return Done(model, says=(message,))
 
 
 def _is_going(model: Model) -> bool:

@@ -4,13 +4,13 @@ from collections.abc import Iterable, Sequence
 
 import msgspec
 
-from onika.desk.environment.file import applications, configurations
-from onika.desk.environment.outcome.on_application import is_application
+from onika.desk.environment.file import file_acts
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import OpenApplication
-from onika.store.program import Program
+from onika.desk.environment.state.open_file import Kind
+from onika.store.program import ApplicationProgram
 from onika.wire import act
 from onika.wire.view import Remedy
 
@@ -20,40 +20,38 @@ Changed = tuple[str, str]
 
 def dirty(model: Model) -> tuple[Changed, ...]:
     """What is open here and not saved."""
-    jobs = [(one.id, one.name) for one in model.documents.values() if one.is_dirty]
-    return (*jobs, *((one.id, one.name) for one in model.applications.values() if one.is_dirty))
+    return tuple((file.id, file.name) for file in model.open_files if file.is_dirty)
 
 
-def used(changed: Iterable[Changed], program: Program | None) -> tuple[Changed, ...]:
+def used(changed: Iterable[Changed], program: ApplicationProgram | None) -> tuple[Changed, ...]:
     """Those that a program uses: configurations of jobs, and applications in it."""
     if program is None:
         return ()
     return tuple(
         (doc, name)
         for doc, name in changed
-        if name in (program.applications if is_application(doc) else program.configurations)
+        if name in (program.applications if Kind.of(doc) is Kind.APPLICATION else program.configurations)
     )
 
 
 def saved(model: Model, changed: Sequence[Changed], outside: Surroundings) -> Done | No:
     """With all of them saved; a no where one cannot be."""
     for doc, _ in changed:
-        save = configurations.save if doc in model.documents else applications.save
-        done = save(model, act.Save(doc), outside)
+        done = file_acts.save(model, act.Save(doc), outside)
         if isinstance(done, No):
             return done
         model = done.model
     return Done(model)
 
 
-def refused(opened: OpenApplication, changed: Sequence[Changed], asked: act.Run) -> No | None:
+def refused(opened: OpenApplication, changed: Sequence[Changed], command: act.Run) -> No | None:
     """Why it does not run like this: what is shown is not what would run."""
-    if not changed or asked.ignores_unsaved:
+    if not changed or command.ignores_unsaved:
         return None
     names = ", ".join(name for _, name in changed)
     are, what = ("is", "its file says") if len(changed) == 1 else ("are", "their files say")
     remedies = (
-        Remedy("Save and run", msgspec.structs.replace(asked, saves_unsaved=True)),
-        Remedy(f"Run what {what}", msgspec.structs.replace(asked, ignores_unsaved=True)),
+        Remedy("Save and run", msgspec.structs.replace(command, saves_unsaved=True)),
+        Remedy(f"Run what {what}", msgspec.structs.replace(command, ignores_unsaved=True)),
     )
     return No(f"{names} {are} changed here and not saved; {opened.name} would run what {what}", remedies)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from msgspec import structs
 
-from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.show.step_view import Known, step_views
 from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_application import Looked, OpenApplication

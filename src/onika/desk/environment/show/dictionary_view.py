@@ -12,7 +12,7 @@ from onika.desk.environment.state.pictures import key_of
 from onika.model.application import wanted_targets
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 from onika.store.site import is_shipped
 from onika.wire.view import DictionaryView, OnikonView
 
@@ -47,7 +47,9 @@ def onikon_views(model: Model, former: Mapping[str, OnikonView]) -> dict[str, On
     return views
 
 
-def _view(opened: Opened[Onikon], order: int, dictionary: Dictionary, sources: Sources, syntax: Syntax) -> OnikonView:
+def _view(
+    opened: OpenedText[Onikon], order: int, dictionary: Dictionary, sources: Sources, syntax: Syntax
+) -> OnikonView:
     onikon = opened.value
     kind = syntax.acting(onikon.type)
     left, right = edges_of(kind)

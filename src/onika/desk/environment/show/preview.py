@@ -12,7 +12,7 @@ from onika.desk.environment.state.model import Model
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.application import Application, Icon
 from onika.model.configuration import Configuration
-from onika.model.rules.box import Box
+from onika.model.rules.box import TaskBox
 from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.wire import act
@@ -30,12 +30,8 @@ def peek(model: Model, command: act.Peek, outside: Surroundings) -> Done | No:
     path = Path(command.path)
     if path.suffix == ".appl":
         return _application(model, path)
-    configuration = configurations.read(command.path, outside)
-    return (
-        configuration
-        if isinstance(configuration, No)
-        else Done(model, value=_drawn(configuration[1].value, model.shelf))
-    )
+    reading = configurations.read(command.path, outside)
+    return reading if isinstance(reading, No) else Done(model, value=_drawn(reading.opened.value, model.shelf))
 
 
 def _application(model: Model, path: Path) -> Done | No:
@@ -63,7 +59,7 @@ def _drawn(configuration: Configuration, shelf: Shelf) -> PeekView:
     return PeekView(configuration.name, places, tuple(dict.fromkeys(_wires(boxes.items()))))
 
 
-def _wires(boxes: Iterable[tuple[str, Box | None]]) -> Iterator[tuple[str, str]]:
+def _wires(boxes: Iterable[tuple[str, TaskBox | None]]) -> Iterator[tuple[str, str]]:
     """Writer and reader of each variable; constants are moved once and would only hide the picture."""
     writers: dict[str, list[str]] = {}
     readers: dict[str, list[str]] = {}

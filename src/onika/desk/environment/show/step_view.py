@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from onika.desk.environment.outcome.on_application import syntax_of
+from onika.desk.environment.outcome.on_file import syntax_of
 from onika.desk.environment.state import target_values
 from onika.desk.environment.state.icon_types import role_of
 from onika.desk.environment.state.icon_words import words_of

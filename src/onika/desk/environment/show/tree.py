@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Any
 
-from onika.desk.environment.outcome.on_application import is_running
+from onika.desk.environment.outcome.on_file import is_running
 from onika.desk.environment.outcome.trouble import problems
 from onika.desk.environment.show.application_view import ApplicationSight
 from onika.desk.environment.show.button_view import button_views

@@ -1,4 +1,4 @@
-"""The difference of two trees as a patch: the places that changed, with what stands there now (house decision 5)."""
+"""The difference of two trees as a patch: the places that changed, with what stands there now."""
 
 from collections.abc import Iterator
 from typing import Any

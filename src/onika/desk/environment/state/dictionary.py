@@ -8,10 +8,10 @@ from onika.files import text
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
-from onika.store.opened_text import Faults, Opened
+from onika.store.opened_text import Faults, OpenedText
 from onika.words.fault import Fault, Place
 
-Found = tuple[Opened[Onikon] | None, Faults]
+Found = tuple[OpenedText[Onikon] | None, Faults]
 """What one file gave."""
 
 
@@ -20,7 +20,7 @@ class Dictionary:
     """What one base directory has; a name that an earlier open dictionary has already is not in it."""
 
     base: BaseDirectory
-    onikons: Mapping[str, Opened[Onikon]]
+    onikons: Mapping[str, OpenedText[Onikon]]
     """By their names, grouped by type in the order of the syntax."""
     faults: Faults = ()
     readings: Mapping[str, Found] = field(default_factory=dict)
@@ -55,7 +55,7 @@ def has_dictionary(base: BaseDirectory) -> bool:
     return (base.path / "dict").is_dir()
 
 
-def find(dictionaries: Iterable[Dictionary], name: str) -> Opened[Onikon] | None:
+def find(dictionaries: Iterable[Dictionary], name: str) -> OpenedText[Onikon] | None:
     """The icon of a name among open dictionaries."""
     return next((dictionary.onikons[name] for dictionary in dictionaries if name in dictionary.onikons), None)
 
@@ -77,7 +77,7 @@ def _open(
     readings = {name: _read(base, name, syntax, former_readings.get(name), changed) for name in names}
     ranks = {kind.name: place for place, kind in enumerate(syntax.types)}
 
-    def rank(opened: Opened[Onikon]) -> tuple[int, str, str]:
+    def rank(opened: OpenedText[Onikon]) -> tuple[int, str, str]:
         return ranks.get(opened.value.type, len(ranks)), opened.value.type, opened.value.name
 
     icons = sorted((opened for opened, _ in readings.values() if opened is not None), key=rank)

@@ -1,28 +1,20 @@
 """An open document: its content, its past, the file it came from and what of it lives (requirement C06)."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from pathlib import Path
+from dataclasses import dataclass, replace
 
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.history import History, Step
 from onika.desk.environment.state.live import Live
+from onika.desk.environment.state.open_file import Kind, OpenFile
 from onika.model.configuration import Configuration
-from onika.store.opened_text import Opened
 
 
 @dataclass(frozen=True, slots=True)
-class Document:
+class Document(OpenFile[Configuration, Content]):
     """An open configuration."""
 
-    id: str
+    kind = Kind.CONFIGURATION
     content: Content
-    history: History[Step] = field(default_factory=History)
-    opened: Opened[Configuration] | None = None
-    """The file as it was read or saved last; None: it has none yet."""
-    base: Path | None = None
-    """The base directory of its file."""
-    has_changed_on_disk: bool = False
     live: Live | None = None
     """What is known of it in the running system; None: it is not connected."""
 
@@ -30,6 +22,11 @@ class Document:
     def name(self) -> str:
         """What it is called."""
         return self.content.configuration.name
+
+    @property
+    def value(self) -> Configuration:
+        """What its file would hold if it were saved now."""
+        return self.content.configuration
 
     @property
     def is_dirty(self) -> bool:
@@ -40,6 +37,11 @@ class Document:
     def is_moved(self) -> bool:
         """Whether it has changed in its looks only."""
         return not self.is_dirty and self.content.configuration != self._saved
+
+    @property
+    def is_unsaved(self) -> bool:
+        """Whether it has changed since it was saved, in its looks too."""
+        return self.is_dirty or self.is_moved
 
     @property
     def _saved(self) -> Configuration:

@@ -1,25 +1,19 @@
-"""What was done to a document, so that it can be taken back and done again (requirement X10)."""
+"""What was done to an open file, so that it can be taken back and done again (requirement X10)."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Generic, Protocol, TypeVar
+from typing import Generic, TypeVar
 
-from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.open_libraries import Shelf
 from onika.model.configuration import Configuration
 from onika.model.task import Task
-from onika.store.opened_text import Opened
+from onika.store.opened_text import OpenedText
 
 _KEPT = 500
 
 
-class _Labelled(Protocol):
-    @property
-    def label(self) -> str: ...
-
-
-_S = TypeVar("_S", bound=_Labelled)
+_C = TypeVar("_C")
 
 Edits = Mapping[str, Task | None]
 """Tasks as they were changed in this session, by name; None: as its file says."""
@@ -29,18 +23,18 @@ Edits = Mapping[str, Task | None]
 class File:
     """The file that a document is tied to, as it was read or saved last, and its base directory."""
 
-    opened: Opened[Configuration] | None
+    opened: OpenedText[Configuration] | None
     base: Path | None
 
 
 @dataclass(frozen=True, slots=True)
-class Step:
-    """One thing that was done: the document before and after it, and the tasks of the libraries it changed."""
+class Step(Generic[_C]):
+    """One thing that was done: what is open before and after it, and the tasks of the libraries it changed."""
 
     label: str
     by: str
-    before: Content
-    after: Content
+    before: _C
+    after: _C
     edits_before: Edits = field(default_factory=dict)
     edits_after: Edits = field(default_factory=dict)
     shelf_before: Shelf | None = None
@@ -52,30 +46,30 @@ class Step:
 
 
 @dataclass(frozen=True, slots=True)
-class History(Generic[_S]):
+class History(Generic[_C]):
     """The steps of a document, oldest first, and those taken back, the next to be done again last."""
 
-    past: tuple[_S, ...] = ()
-    future: tuple[_S, ...] = ()
+    past: tuple[Step[_C], ...] = ()
+    future: tuple[Step[_C], ...] = ()
 
     @property
-    def last(self) -> _S | None:
+    def last(self) -> Step[_C] | None:
         """What Undo takes back."""
         return self.past[-1] if self.past else None
 
     @property
-    def next(self) -> _S | None:
+    def next(self) -> Step[_C] | None:
         """What Redo does again."""
         return self.future[-1] if self.future else None
 
-    def done(self, step: _S) -> "History[_S]":
+    def done(self, step: Step[_C]) -> "History[_C]":
         """With one more step; what was taken back is gone."""
         return History((*self.past, step)[-_KEPT:])
 
-    def undone(self) -> "History[_S]":
+    def undone(self) -> "History[_C]":
         """With the last step taken back; raises IndexError where there is none."""
         return History(self.past[:-1], (*self.future, self.past[-1]))
 
-    def redone(self) -> "History[_S]":
+    def redone(self) -> "History[_C]":
         """With the next step done again; raises IndexError where there is none."""
         return History((*self.past, self.future[-1]), self.future[:-1])

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field, replace
 from typing import Literal
 
 from onika.desk.environment.state.content import Content
-from onika.desk.environment.state.history import Edits, History, Step
+from onika.desk.environment.state.history import Edits, History
 from onika.wire import event
 
 
@@ -34,7 +34,7 @@ class Base:
     """What the runtime was asked for up to now: what a document differs in from it is still to be asked."""
 
     content: Content
-    history: History[Step] = field(default_factory=History)
+    history: History[Content] = field(default_factory=History)
     edits: Edits = field(default_factory=dict)
     """Tasks of the libraries that have changed since, as they were."""
 
@@ -46,7 +46,7 @@ class Pending:
     before: Base | None = None
     """Of a change of the subsystem: what to go back to where it fails."""
     after: Content | None = None
-    present: History[Step] = field(default_factory=History)
+    present: History[Content] = field(default_factory=History)
     """The history with the steps that it carries out."""
     tasks: frozenset[str] = frozenset()
     """Which tasks it touches."""

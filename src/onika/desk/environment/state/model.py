@@ -1,4 +1,4 @@
-"""Everything that is open in an environment, as one value (house decision 5)."""
+"""Everything that is open in an environment, as one value."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
@@ -79,15 +79,26 @@ class Model:
         """With an application in its newest form."""
         return replace(self, applications={**self.applications, application.id: application})
 
+    @property
+    def open_files(self) -> tuple[Document | OpenApplication, ...]:
+        """All that is open: configurations, then applications."""
+        return *self.documents.values(), *self.applications.values()
+
+    def file(self, doc: str) -> Document | OpenApplication | None:
+        """The open file of this id."""
+        return self.documents.get(doc) or self.applications.get(doc)
+
+    def with_file(self, file: Document | OpenApplication) -> "Model":
+        """With an open file in its newest form."""
+        return self.with_document(file) if isinstance(file, Document) else self.with_application(file)
+
     def without(self, doc: str) -> "Model":
         """With one document less."""
         return replace(self, documents={key: document for key, document in self.documents.items() if key != doc})
 
     def blank_name(self) -> str:
         """The name of the next new configuration or application (C21)."""
-        taken = {document.name for document in self.documents.values()} | {
-            application.name for application in self.applications.values()
-        }
+        taken = {file.name for file in self.open_files}
         number = 1
         while f"Untitled-{number}" in taken:
             number += 1

@@ -2,23 +2,11 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
-from onika.desk.environment.state.history import History
+from onika.desk.environment.state.open_file import Kind, OpenFile
 from onika.model.application import Application
 from onika.model.redirect import Redirect
-from onika.store.opened_text import Opened
 from onika.wire.view import FaultView
-
-
-@dataclass(frozen=True, slots=True)
-class Change:
-    """One thing that was done to an application."""
-
-    label: str
-    by: str
-    before: Application
-    after: Application
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,20 +33,14 @@ class Looked:
 
 
 @dataclass(frozen=True, slots=True)
-class OpenApplication:
+class OpenApplication(OpenFile[Application, Application]):
     """An application whose steps have numbers."""
 
-    id: str
+    kind = Kind.APPLICATION
     application: Application
     """Every step in it, those of branches too, has a number of its own."""
     last_number: int = 0
     """The greatest number that was ever given here: none is used again."""
-    history: History[Change] = field(default_factory=History)
-    opened: Opened[Application] | None = None
-    """The file as it was read or saved last; None: it has none yet."""
-    base: Path | None = None
-    """The base directory of its file, or the one it is meant for."""
-    has_changed_on_disk: bool = False
     file_faults: tuple[FaultView, ...] = ()
     """What was wrong with the file when it was read."""
     is_partial: bool = False
@@ -76,6 +58,11 @@ class OpenApplication:
     def name(self) -> str:
         """What it is called."""
         return self.application.name
+
+    @property
+    def value(self) -> Application:
+        """What its file would hold if it were saved now."""
+        return self.application
 
     @property
     def is_dirty(self) -> bool:

@@ -9,8 +9,8 @@ from onika.desk.environment.state import task_edit
 from onika.files.rmod import RmodText
 from onika.model.preferences import Preferences
 from onika.model.rules import agreement
-from onika.model.rules.box import Box, box_of
-from onika.model.rules.placement import Company
+from onika.model.rules.box import TaskBox, box_of
+from onika.model.rules.placement import PlacedNeighbours
 from onika.model.task import Task
 from onika.store.library import Library
 from onika.wire.sheet import ModuleSheet
@@ -18,13 +18,13 @@ from onika.wire.sheet import ModuleSheet
 
 @dataclass(frozen=True)
 class Shelf:
-    """Tasks by name, from the libraries in search order; the first of a name counts (decision 11)."""
+    """Tasks by name, from the libraries in search order; the first of a name counts (reading 11)."""
 
     libraries: tuple[Library, ...] = ()
     edits: Mapping[str, Task] = field(default_factory=dict)
     """Tasks that are no longer as their files say."""
     rates: Mapping[str, float] = field(default_factory=dict)
-    """Rates for later placements of this session, in Hz (decision 10)."""
+    """Rates for later placements of this session, in Hz (reading 10)."""
     sheets: Mapping[str, ModuleSheet] = field(default_factory=dict)
     """What classes of modules declare, by the modules' names, as far as a runtime has read them."""
     unread: Mapping[str, str] = field(default_factory=dict)
@@ -55,9 +55,9 @@ class Shelf:
         return libraries
 
     @cached_property
-    def company(self) -> Company:
+    def company(self) -> PlacedNeighbours:
         """The tasks by what may speak between them and a placed one."""
-        return Company(self.tasks.values())
+        return PlacedNeighbours(self.tasks.values())
 
     def code_file(self, name: str) -> Path | None:
         """The code of a task's module: beside its own file, else in the first library that has it; None: nowhere."""
@@ -66,7 +66,7 @@ class Shelf:
         return library.base.code_file(module) if library else None
 
     @cached_property
-    def _boxes(self) -> dict[str, Box]:
+    def _boxes(self) -> dict[str, TaskBox]:
         return {}
 
     @cached_property
@@ -85,7 +85,7 @@ class Shelf:
             task for task in self.tasks.values() if task.module in sheets and sheets[task.module].hardware
         )
 
-    def box(self, name: str) -> Box | None:
+    def box(self, name: str) -> TaskBox | None:
         """The icon of a task; None for one that no open library knows."""
         task = self.tasks.get(name)
         if task is None:
@@ -94,7 +94,7 @@ class Shelf:
             self._boxes[name] = box_of(task, self.preferences)
         return self._boxes[name]
 
-    def boxes(self, names: tuple[str, ...]) -> dict[str, Box]:
+    def boxes(self, names: tuple[str, ...]) -> dict[str, TaskBox]:
         """The icons of those tasks that are known."""
         return {name: box for name in names if (box := self.box(name)) is not None}
 

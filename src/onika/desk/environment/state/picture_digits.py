@@ -4,7 +4,7 @@ from onika.model.picture import BLACK, SIZE, Picture, framed
 
 
 def painted(digits: str) -> Picture | str:
-    """The picture of 1024 digits, its border made black; a 9 is black too (decision 38). Else what is wrong."""
+    """The picture of 1024 digits, its border made black; a 9 is black too (reading 38). Else what is wrong."""
     if len(digits) != SIZE * SIZE or not (digits.isascii() and digits.isdigit()):
         strange = sorted({digit for digit in digits if not (digit.isascii() and digit.isdigit())})
         summary = f"{len(digits)} signs" + (f", among them {strange[0]!r}" if strange else "")

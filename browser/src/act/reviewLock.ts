@@ -1,0 +1,18 @@
+// While a recorded run is looked at, nothing on the page sets the live robot in motion: what is drawn is not what it does.
+// Stop is another matter: it stands in its place and works.
+import type { AnyAct } from '../api.gen'
+import { desk } from '../link/desk.svelte'
+import { Refusal } from '../link/refusal'
+import { t } from '../texts/index.svelte'
+
+const MOVES: ReadonlySet<AnyAct['t']> = new Set(['Turn', 'Toggle', 'TurnGroup', 'Clear', 'Reinit', 'Renew', 'Answer', 'Run', 'Steer', 'SkipTo', 'StartAnew'])
+/** In a configuration that lives these change what runs. */
+const CHANGES: ReadonlySet<AnyAct['t']> = new Set(['Place', 'Exchange', 'Remove', 'Cut', 'Paste', 'Insert', 'Rate', 'Unit', 'Undo', 'Redo', 'OpenInPlace', 'Local', 'Alias'])
+
+/** Why an act has to wait until the recording is put away; undefined: it does not. */
+export function reviewLock(act: AnyAct): Refusal | undefined {
+  if (!desk.live.review) return undefined
+  const lives = 'doc' in act && (desk.live.documents[act.doc ?? '']?.connection ?? 'none') !== 'none'
+  if (!MOVES.has(act.t) && !(lives && CHANGES.has(act.t))) return undefined
+  return new Refusal(t('review.hinders'), [{ label: t('review.close'), act: { t: 'CloseRecording' } }])
+}

@@ -1,0 +1,208 @@
+// What a user can do in the workspace, whether by hand, key or menu. Each sends one act; the environment decides.
+import { act } from '../act/act'
+import { announce } from '../state/announce'
+import { desk } from '../link/desk.svelte'
+import { openDialog } from '../state/dialogs.svelte'
+import { look } from '../state/look.svelte'
+import { pickSteps, workspace, type Place } from '../state/workspace.svelte'
+import { note } from '../link/note'
+import type { Point } from '../act/refused.svelte'
+import { goInto, open } from '../act/opening'
+import { t } from '../texts/index.svelte'
+import { flowOf, headOf, inReadingOrder, wholeOf } from '../application/actions'
+import { readPlace } from './place'
+import { workspaceState } from './workspaceState.svelte'
+import { gapOf } from '../application/gaps'
+import { nameOf } from '../application/words'
+
+/** The text that was copied last here: the environment still has it in its buffer. */
+let copied = ''
+
+export const pickedSteps = (): number[] => inReadingOrder(workspaceState.app, workspace.steps)
+
+/** The steps that are meant: those picked, else the one that the cursor stands behind. */
+export function meant(): number[] {
+  const picked = pickedSteps()
+  return picked.length ? picked : workspaceState.step(workspace.place.after) ? [workspace.place.after] : []
+}
+
+/** The actions that are meant, by their jobs: marks are theirs. */
+export const meantHeads = (): number[] =>
+  [...new Set(meant().map((step) => headOf(workspaceState.actions, step)))].filter((step) => (workspaceState.step(step)?.kind ?? 'icon') === 'icon')
+
+export function select(step: number): void {
+  pickSteps(step)
+  placeBehind(step)
+  const { name = '' } = workspaceState.step(step) ?? {}
+  note('select_icon', name, String(step), 'appl')
+}
+
+export function selectAlso(step: number): void {
+  if (!workspace.steps.delete(step)) workspace.steps.add(step)
+  placeBehind(step)
+}
+
+/** All from the cursor's step to this one, where both stand in one flow. */
+export function selectTo(step: number): void {
+  const flow = flowOf(workspaceState.app, step)
+  const steps = workspaceState.app?.flows?.[flow]?.steps ?? []
+  const [from, to] = [Math.max(0, steps.indexOf(workspace.place.after)), steps.indexOf(step)]
+  for (const one of steps.slice(Math.min(from, to), Math.max(from, to) + 1)) workspace.steps.add(one)
+}
+
+export function selectAll(): void {
+  const flow = workspace.place.flow in (workspaceState.app?.flows ?? {}) ? workspace.place.flow : '0'
+  pickSteps(...(workspaceState.app?.flows?.[flow]?.steps ?? []))
+}
+
+export const deselect = (): void => pickSteps()
+
+/** A hole stands for the step before it (reading 33). */
+export function placeBehind(step: number): void {
+  const flow = flowOf(workspaceState.app, step)
+  const steps = workspaceState.app?.flows?.[flow]?.steps ?? []
+  const after = workspaceState.step(step)?.kind === 'hole' ? (steps[steps.indexOf(step) - 1] ?? 0) : step
+  workspace.place = { flow, after }
+}
+
+/** Put the insertion cursor somewhere, and bring it into view. */
+export function goTo(place: Place, isSaid = false): void {
+  workspace.place = { flow: place.flow, after: place.after }
+  showPlace(place)
+  if (isSaid) announce(readPlace(place.flow, place.after))
+}
+
+export function showPlace(place: Place): void {
+  const gap = gapOf(workspaceState.shown.gaps, place)
+  if (gap) workspaceState.show(gap.y)
+}
+
+/** Insert an icon of a dictionary; the cursor moves on behind it. True where it went well. */
+export async function insert(onikon: string, place: Place = workspace.place, at: Point = windowPoint(place)): Promise<boolean> {
+  const { flow, after } = place
+  const step = await act({ t: 'InsertIcon', doc: workspace.app, onikon, flow, after }, at)
+  if (step === undefined) return false
+  if (typeof step === 'number') arrive(flow, step)
+  announce(t('upper.inserted', { name: nameOf(workspaceState.step(Number(step))) || onikon }))
+  return true
+}
+
+function arrive(flow: string, step: number): void {
+  deselect()
+  goTo({ flow, after: step })
+}
+
+/** Where a place is in the window: a refusal stands beside it. */
+export function windowPoint(place: Place): Point {
+  const gap = gapOf(workspaceState.shown.gaps, place)
+  return workspaceState.toWindow(gap ? { x: gap.x + 12, y: gap.y + workspaceState.size } : { x: 40, y: 40 })
+}
+
+const stepPoint = (step: number): Point | undefined => {
+  const cell = workspaceState.cells.get(step)
+  return cell && workspaceState.toWindow({ x: cell.x + cell.w, y: cell.y + workspaceState.size })
+}
+
+export async function remove(steps = meant()): Promise<void> {
+  if (!steps.length) return
+  const place = placeWithout(steps)
+  if ((await act({ t: 'RemoveIcons', doc: workspace.app, steps }, stepPoint(steps[0]!))) !== undefined) left(place)
+}
+
+/** Where the cursor is when these are gone: behind what stood before the first of them. */
+function placeWithout(steps: readonly number[]): Place {
+  const flow = flowOf(workspaceState.app, steps[0]!)
+  const all = workspaceState.app?.flows?.[flow]?.steps ?? []
+  const before = all.slice(0, all.indexOf(steps[0]!)).filter((one) => workspaceState.step(one)?.kind !== 'hole')
+  return { flow, after: before.at(-1) ?? 0 }
+}
+
+function left(place: Place): void {
+  deselect()
+  goTo(place)
+}
+
+export async function copy(steps = meant()): Promise<void> {
+  if (steps.length) takeText(await act({ t: 'CopyIcons', doc: workspace.app, steps }))
+}
+
+/** What Delete does to what is picked (table B.4): it goes into the buffer. */
+export async function cut(steps = meant()): Promise<void> {
+  if (!steps.length) return
+  const place = placeWithout(steps)
+  const text = await act({ t: 'CutIcons', doc: workspace.app, steps }, stepPoint(steps[0]!))
+  if (text === undefined) return
+  takeText(text)
+  left(place)
+}
+
+export async function paste(text = '', place: Place = workspace.place): Promise<void> {
+  const { flow, after } = place
+  const numbers = await act({ t: 'PasteIcons', doc: workspace.app, flow, after, text: text === copied ? '' : text }, windowPoint(place))
+  if (Array.isArray(numbers) && typeof numbers.at(-1) === 'number') arrive(flow, numbers.at(-1) as number)
+}
+
+/** The text of what was copied also goes to the system's clipboard, where the browser allows it. */
+function takeText(text: unknown): void {
+  if (typeof text !== 'string') return
+  copied = text
+  void navigator.clipboard?.writeText(text).catch(() => undefined)
+}
+
+export async function move(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {
+  if ((await act({ t: 'MoveIcons', doc: workspace.app, steps: [...steps], flow, after }, at)) !== undefined) goTo({ flow, after: steps.at(-1) ?? after })
+}
+
+/** Copies of steps behind another one, as one who drags with Ctrl means. */
+export async function copyTo(steps: readonly number[], { flow, after }: Place, at?: Point): Promise<void> {
+  const text = await act({ t: 'CopyIcons', doc: workspace.app, steps: [...steps] }, at)
+  if (text === undefined) return
+  takeText(text)
+  await act({ t: 'PasteIcons', doc: workspace.app, flow, after }, at)
+}
+
+/** Set the breakpoint of the actions meant, or take it away where all have it. */
+export function turnBreakpoint(steps = meantHeads()): void {
+  if (!steps.length) return
+  const areSet = steps.every((step) => workspaceState.step(step)?.breaks)
+  void act({ t: 'SetBreakpoint', doc: workspace.app, steps, is_set: !areSet }, stepPoint(steps[0]!))
+}
+
+export function edit(step: number): void {
+  const one = workspaceState.step(step)
+  if (!one) return
+  if (one.kind === 'hole') quickAt(step)
+  else if (one.kind === 'branch') workspaceState.opened = { kind: 'branch', step }
+  else openDialog('icon', { step: String(step) })
+}
+
+export const editPicture = (step: number): void => openDialog('icon', { step: String(step), tab: 'picture' })
+
+/** Look for what fits into a hole. */
+export function quickAt(hole: number): void {
+  placeBehind(hole)
+  workspaceState.opened = { kind: 'quick', words: '' }
+}
+
+/** Show what stands behind an icon (D12): an application in its tab; a configuration at the lower level, in the place of a live one. */
+export async function expand(step: number): Promise<void> {
+  const one = workspaceState.step(step)
+  const name = one?.name ?? ''
+  if (!one || !name) return
+  const path = desk.tree.onikons[name]?.source || name
+  if (one.role === 'application') await open(path)
+  else if (one.role === 'job') await goInto(path)
+}
+
+/** Why a step cannot be expanded; empty: it can. */
+export function whyNotExpand(step: number): string {
+  const role = workspaceState.step(step)?.role
+  if (role !== 'job' && role !== 'application') return t('upper.nothingBehind')
+  return role === 'job' && look.isUpperOnly ? t('upper.isUpperOnly') : ''
+}
+
+export const whole = (step: number): readonly number[] => wholeOf(workspaceState.actions, step)
+
+export const addFlow = (step = 0): unknown => act({ t: 'AddFlow', doc: workspace.app, step })
+export const removeFlow = (flow: string): unknown => act({ t: 'RemoveFlow', doc: workspace.app, flow })
+export const setParallel = (isParallel: boolean): unknown => act({ t: 'SetParallel', doc: workspace.app, is_parallel: isParallel })

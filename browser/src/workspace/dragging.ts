@@ -1,0 +1,50 @@
+// Icons dragged within the workspace: they move, or with Ctrl their copies do.
+import type { Gesture } from '../gesture/gesture'
+import { workspace } from '../state/workspace.svelte'
+import { showRefusal } from '../act/refused.svelte'
+import { Refusal } from '../link/refusal'
+import { t } from '../texts/index.svelte'
+import { workspaceState } from './workspaceState.svelte'
+import { copyTo, move } from './acts'
+import { edgeScroll } from './scrolling'
+import { slotAt } from './slot'
+
+export class Dragging implements Gesture {
+  constructor(private readonly steps: readonly number[], first: PointerEvent) {
+    this.move(first)
+  }
+
+  move(event: PointerEvent): void {
+    const at = { x: event.clientX, y: event.clientY }
+    workspaceState.lifted = { steps: this.steps, at, isCopy: event.ctrlKey || event.metaKey }
+    const [first, last] = [workspaceState.step(this.steps[0] ?? 0), workspaceState.step(this.steps.at(-1) ?? 0)]
+    const slot = slotAt(at, first?.left ?? '', last?.right ?? '')
+    workspaceState.slot = slot && !this.isOwn(slot.flow, slot.after) ? slot : undefined
+    edgeScroll(event)
+  }
+
+  up(event: PointerEvent): void {
+    const { slot } = workspaceState
+    const isCopy = event.ctrlKey || event.metaKey
+    this.cancel()
+    if (!slot) return
+    workspaceState.isQuiet = true
+    const at = { x: event.clientX, y: event.clientY }
+    if (workspaceState.isRunning) showRefusal(new Refusal(t('upper.locked')), at)
+    else if (isCopy) void copyTo(this.steps, slot, at)
+    else void move(this.steps, slot, at)
+  }
+
+  cancel(): void {
+    workspaceState.lifted = undefined
+    workspaceState.slot = undefined
+  }
+
+  /** Where it stands already. */
+  private isOwn(flow: string, after: number): boolean {
+    if (workspaceState.lifted?.isCopy) return false
+    const all = workspaceState.app?.flows?.[flow]?.steps ?? []
+    const before = all[all.indexOf(this.steps[0] ?? 0) - 1] ?? 0
+    return this.steps.includes(after) || (after === before && workspace.app !== '' && all.includes(this.steps[0] ?? 0))
+  }
+}

@@ -1,0 +1,251 @@
+// A world in three dimensions, drawn by three.js: built once, then only posed. It draws when something has changed and
+// at no other time.
+import {
+  AmbientLight, Box3, BoxGeometry, BufferGeometry, CapsuleGeometry, Color, CylinderGeometry, DirectionalLight, DoubleSide, Fog,
+  GridHelper, Group, HemisphereLight, Mesh, MeshBasicMaterial, MeshLambertMaterial, PCFShadowMap, PerspectiveCamera, PlaneGeometry,
+  PointLight, Scene, SphereGeometry, SRGBColorSpace, Vector3, WebGLRenderer, type Material,
+} from 'three'
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js'
+import { inks } from '../values/inks'
+import { bodiesOf, GLOW, ROW, type Shape, type World } from '../values/world'
+
+const ENDLESS = 30
+/** Nobody sees more pictures than these, and nobody sees a smaller move: 0.2 mm, or as much of a turn. */
+const APART_MS = 33
+const SEEN = 0.0002
+/** Of its time a picture leaves so much to all else: without graphics hardware it is made by the processor that drives the arm. */
+const REST = 3
+const FROM = new Vector3(-1.15, -1.55, 0.75).normalize() // where one looks from at first
+/** Paint of a lamp's glass. */
+const BULB = 'glass'
+
+export class WorldScene {
+  readonly bodies: number
+  private readonly renderer = new WebGLRenderer({ antialias: true })
+  private readonly scene = new Scene()
+  private readonly camera = new PerspectiveCamera(30, 1, 0.02, 60)
+  private readonly controls: OrbitControls
+  private readonly groups: Group[]
+  private readonly glows: Mesh[] = []
+  private readonly bulbs: MeshLambertMaterial[] = []
+  private readonly floors: MeshLambertMaterial[] = []
+  private readonly grid = new GridHelper(12, 40)
+  private readonly lights: { sky: HemisphereLight; window: DirectionalLight; lamp?: PointLight }
+  private isDue = false
+  private posed: Float32Array = new Float32Array()
+  private isLit: boolean | undefined
+  /** How long the last picture took until the next could be made, in ms. */
+  private took = 0
+  private began = 0
+  private isViewed = false
+  private isSized = false
+
+  /** `place` is filled by the picture. Throws where the browser has no WebGL. */
+  constructor(
+    private readonly place: HTMLElement,
+    world: World,
+  ) {
+    this.bodies = bodiesOf(world)
+    this.groups = Array.from({ length: this.bodies }, () => new Group())
+    this.scene.add(...this.groups)
+    for (const shape of world.shapes) this.build(shape)
+    this.lights = this.light()
+    this.renderer.shadowMap.enabled = true
+    this.renderer.shadowMap.type = PCFShadowMap
+    this.renderer.outputColorSpace = SRGBColorSpace
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2))
+    this.camera.up.set(0, 0, 1)
+    this.controls = new OrbitControls(this.camera, this.renderer.domElement)
+    this.controls.maxPolarAngle = Math.PI * 0.495
+    this.controls.addEventListener('change', () => this.draw())
+    this.controls.listenToKeyEvents(place)
+    place.append(this.renderer.domElement)
+    this.ground()
+    this.resize()
+  }
+
+  /** Rows of x y z w x y z. The first ones also decide from where one looks. */
+  pose(rows: Float32Array): void {
+    if (rows.length === this.posed.length && rows.every((value, k) => Math.abs(value - this.posed[k]) < SEEN)) return
+    if (!isWhole(rows)) return // a world that has not taken its first step yet
+    this.posed = rows
+    this.groups.forEach((group, k) => {
+      const [x, y, z, qw, qx, qy, qz] = rows.subarray(k * ROW, (k + 1) * ROW)
+      group.position.set(x, y, z)
+      group.quaternion.set(qx, qy, qz, qw)
+    })
+    if (!this.isViewed) this.look()
+    this.draw()
+  }
+
+  /** Lamps shine or do not. */
+  lit(isOn: boolean): void {
+    if (isOn === this.isLit) return
+    this.isLit = isOn
+    for (const glow of this.glows) glow.visible = isOn
+    for (const bulb of this.bulbs) bulb.emissive.set(isOn ? '#ffd469' : '#000000')
+    if (this.lights.lamp) this.lights.lamp.intensity = isOn ? 0.12 : 0
+    this.draw()
+  }
+
+  /** The first view again. */
+  look(): void {
+    this.isViewed = true
+    const box = new Box3()
+    for (const group of this.groups.slice(1)) box.expandByObject(group)
+    if (box.isEmpty()) box.set(new Vector3(-1, -1, 0), new Vector3(1, 1, 1))
+    const middle = box.getCenter(new Vector3())
+    const radius = box.getSize(new Vector3()).length() / 2
+    const narrow = Math.min(1, this.camera.aspect)
+    const away = radius / Math.sin((this.camera.fov * Math.PI) / 360) / narrow
+    this.controls.target.copy(middle)
+    this.camera.position.copy(middle).addScaledVector(FROM, away * 0.95)
+    this.controls.update()
+    this.draw()
+  }
+
+  /** Colours of the page's ground; call it when that changes. */
+  ground(): void {
+    const tones = inks(this.place, ['--canvas', '--dot', '--line'])
+    const canvas = new Color(tones['--canvas'])
+    const isDark = canvas.getHSL({ h: 0, s: 0, l: 0 }).l < 0.5
+    this.scene.background = canvas
+    this.scene.fog = new Fog(canvas, 5, 14)
+    for (const floor of this.floors) floor.color.copy(canvas)
+    for (const line of [this.grid.material].flat()) Object.assign(line, { transparent: true, opacity: isDark ? 0.5 : 0.8 })
+    const dot = new Color(tones['--line'])
+    const colours = this.grid.geometry.getAttribute('color')
+    for (let k = 0; k < colours.count; k += 1) colours.setXYZ(k, dot.r, dot.g, dot.b)
+    colours.needsUpdate = true
+    this.lights.sky.intensity = isDark ? 1.1 : 1.9
+    this.lights.window.intensity = isDark ? 1.6 : 1.9
+    this.draw()
+  }
+
+  /** Until the next picture the last one is stretched: a canvas of another size would be empty. */
+  resize(): void {
+    this.isSized = false
+    Object.assign(this.canvas.style, { width: '100%', height: '100%' })
+    this.camera.aspect = Math.max(1, this.place.clientWidth) / Math.max(1, this.place.clientHeight)
+    this.camera.updateProjectionMatrix()
+    this.draw()
+  }
+
+  private size(): void {
+    this.isSized = true
+    this.renderer.setSize(Math.max(1, this.place.clientWidth), Math.max(1, this.place.clientHeight))
+  }
+
+  get canvas(): HTMLCanvasElement {
+    return this.renderer.domElement
+  }
+
+  destroy(): void {
+    this.controls.dispose()
+    this.scene.traverse((one) => {
+      if (!(one instanceof Mesh)) return
+      ;(one.geometry as BufferGeometry).dispose()
+      for (const material of [one.material as Material | Material[]].flat()) material.dispose()
+    })
+    this.renderer.dispose()
+    this.renderer.forceContextLoss()
+    this.canvas.remove()
+  }
+
+  /** Soon, and once; never more often than can be seen, and seldom where a picture takes long. */
+  private draw(): void {
+    if (this.isDue || !this.isViewed) return // before the first poses the camera stands where the arm does
+    this.isDue = true
+    const picture = (): void => {
+      this.isDue = false
+      const began = performance.now()
+      if (!this.isSized) this.size()
+      this.renderer.render(this.scene, this.camera)
+      this.began = began
+      requestAnimationFrame(() => (this.took = performance.now() - began))
+    }
+    const wait = this.began + Math.max(APART_MS, this.took * (1 + REST)) - performance.now()
+    if (wait > 0) setTimeout(() => requestAnimationFrame(picture), wait)
+    else requestAnimationFrame(picture)
+  }
+
+  private build(shape: Shape): void {
+    const geometry = geometryOf(shape)
+    if (!geometry) return
+    const [r, g, b, opacity] = shape.rgba
+    const isGlow = shape.paint === GLOW
+    const colour = new Color().setRGB(r, g, b, SRGBColorSpace)
+    const material = isGlow
+      ? new MeshBasicMaterial({ color: colour, transparent: true, opacity: 0.22, depthWrite: false })
+      : new MeshLambertMaterial({ color: colour, transparent: opacity < 1, opacity })
+    const mesh = new Mesh(geometry, material)
+    mesh.name = shape.name
+    mesh.position.set(...shape.position)
+    const [w, x, y, z] = shape.quaternion
+    mesh.quaternion.set(x, y, z, w)
+    mesh.castShadow = !isGlow && shape.kind !== 'plane'
+    mesh.receiveShadow = !isGlow
+    if (shape.kind === 'ellipsoid') mesh.scale.set(shape.size[0], shape.size[1], shape.size[2])
+    if (isGlow) {
+      mesh.visible = false
+      this.glows.push(mesh)
+    }
+    if (shape.paint === BULB && material instanceof MeshLambertMaterial) this.bulbs.push(material)
+    if (shape.kind === 'plane' && material instanceof MeshLambertMaterial) this.layFloor(shape, material)
+    this.groups[shape.body]?.add(mesh)
+  }
+
+  private layFloor(shape: Shape, material: MeshLambertMaterial): void {
+    material.side = DoubleSide
+    this.floors.push(material)
+    this.grid.rotation.x = Math.PI / 2
+    this.grid.position.set(shape.position[0], shape.position[1], shape.position[2] + 0.002)
+    this.scene.add(this.grid)
+  }
+
+  private light(): WorldScene['lights'] {
+    const sky = new HemisphereLight('#ffffff', '#cfc8ba', 1.9)
+    sky.position.set(0, 0, 1)
+    const window = new DirectionalLight('#fff8ec', 1.9)
+    window.position.set(-1.6, -3.2, 4.2)
+    window.castShadow = true
+    window.shadow.mapSize.set(1024, 1024)
+    window.shadow.bias = -0.0006
+    window.shadow.normalBias = 0.01
+    Object.assign(window.shadow.camera, { left: -2, right: 2, top: 2, bottom: -2, near: 1, far: 10 })
+    this.scene.add(sky, window, new AmbientLight('#ffffff', 0.25))
+    const glow = this.glows[0]
+    if (!glow?.parent) return { sky, window }
+    const lamp = new PointLight('#ffd469', 0, 1.2)
+    lamp.position.copy(glow.position)
+    glow.parent.add(lamp)
+    return { sky, window, lamp }
+  }
+}
+
+/** Whether every body has a direction: rows that nobody has filled yet are all zero. */
+function isWhole(rows: Float32Array): boolean {
+  for (let k = 0; k < rows.length; k += ROW) if (!rows.subarray(k + 3, k + ROW).some((one) => Math.abs(one) > SEEN)) return false
+  return true
+}
+
+/** The shapes of a scene; those of other kinds (meshes, height fields) are not drawn. */
+function geometryOf({ kind, size }: Shape): BufferGeometry | undefined {
+  const [a, b, c] = size
+  switch (kind) {
+    case 'plane':
+      return new PlaneGeometry(a ? 2 * a : ENDLESS, b ? 2 * b : ENDLESS)
+    case 'box':
+      return new BoxGeometry(2 * a, 2 * b, 2 * c)
+    case 'sphere':
+      return new SphereGeometry(a, 24, 16)
+    case 'ellipsoid':
+      return new SphereGeometry(1, 24, 16)
+    case 'cylinder':
+      return new CylinderGeometry(a, a, 2 * b, 32).rotateX(Math.PI / 2)
+    case 'capsule':
+      return new CapsuleGeometry(a, 2 * b, 8, 20).rotateX(Math.PI / 2)
+    default:
+      return undefined
+  }
+}

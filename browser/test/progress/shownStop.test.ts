@@ -1,0 +1,130 @@
+// R-X06: the stop explained: when it shows itself, what it is called, what can be done, which plots say most.
+import { beforeEach, describe, expect, it } from 'vitest'
+import type { CourseView, RunView, StopView } from '../../src/api.gen'
+import { look } from '../../src/state/look.svelte'
+import { standstills, shownStop } from '../../src/progress/shownStop.svelte'
+import { choicesOf, inShort, titleOf } from '../../src/progress/stopText'
+import { stopVariables } from '../../src/progress/stopVariables'
+
+const stop = (more: Partial<StopView> = {}): StopView => ({ text: 'cycle: no solution', kind: 'error', at_s: 12, subsystem: 'flow0', task: 'invkin', ...more })
+let number = 100
+const run = (stops: Record<string, StopView>, more: Partial<RunView> = {}): RunView =>
+  ({ doc: 'a1', name: 'r', number, state: 'running', flows: { flow0: { order: 0 }, flow1: { order: 1 } }, stops, ...more })
+
+describe('a standstill', () => {
+  beforeEach(() => {
+    number += 1
+    shownStop.take(null)
+  })
+
+  it('shows itself when it comes, and stays aside once it is put there', () => {
+    expect(shownStop.take(run({ flow0: stop() }))?.at).toBe('flow0')
+    expect(shownStop.shown).not.toBe('')
+    shownStop.putAside()
+    expect(shownStop.take(run({ flow0: stop({ text: 'told anew' }) }))).toBeUndefined()
+    expect(shownStop.shown).toBe('')
+    shownStop.open()
+    expect(shownStop.shown).toContain('flow0')
+  })
+
+  it('is not pushed away by a later one while somebody reads it', () => {
+    const first = shownStop.take(run({ flow0: stop() }))!
+    expect(shownStop.take(run({ flow0: stop(), flow1: stop({ at_s: 13 }) }))?.at).toBe('flow1')
+    expect(shownStop.shown).toBe(first.key)
+    shownStop.openAt('flow1')
+    expect(shownStop.shown).toContain('flow1')
+  })
+
+  it('goes when the flow goes on, and the next one shows itself', () => {
+    shownStop.take(run({ flow0: stop() }))
+    shownStop.take(run({}))
+    expect(shownStop.shown).toBe('')
+    expect(shownStop.take(run({ flow0: stop({ at_s: 20 }) }))?.stop.at_s).toBe(20)
+  })
+
+  it('a flow whose others go on again is deserted no more', () => {
+    const deserted = (state: string): number => {
+      const flows = { flow0: { order: 0, state }, flow1: { order: 1, state: 'waiting', waits_for: ['flow0'] } }
+      return standstills(run({ flow1: stop({ kind: 'deserted', subsystem: 'flow1' }) }, { flows })).length
+    }
+    expect([deserted('stopped'), deserted('ended'), deserted('running')]).toEqual([1, 1, 0])
+  })
+
+  it('several stand in the order in which they came', () => {
+    expect(standstills(run({ flow0: stop(), flow1: stop({ at_s: 3 }) })).map(({ at }) => at)).toEqual(['flow1', 'flow0'])
+  })
+
+  it('an end that somebody wanted is not explained', () => {
+    expect(standstills(run({ '': stop({ kind: 'user', subsystem: '' }) }))).toEqual([])
+    expect(standstills(null)).toEqual([])
+  })
+})
+
+describe('its title', () => {
+  it('names the flow and the task', () => {
+    look.language = 'en'
+    expect(titleOf(run({}), 'flow1', stop({ subsystem: '' }))).toBe('Flow 1 stopped: invkin has an error')
+    expect(titleOf(run({}), '', stop({ subsystem: '', task: '', kind: 'new' }))).toBe('The run stands still')
+    look.language = 'es'
+    expect(titleOf(run({}), 'flow0', stop({ kind: 'pressed' }))).toBe('Flujo 0 se detuvo: el botón de emergencia está pulsado')
+    look.language = 'en'
+  })
+})
+
+describe('what was said', () => {
+  it('is a sentence, where the module made it one', () => {
+    expect(inShort('cycle: ModuleError: panic button pressed')).toBe('Panic button pressed')
+    expect(inShort('cycle: ZeroDivisionError: division by zero')).toBe('Cycle: ZeroDivisionError: division by zero')
+  })
+})
+
+describe('its choices', () => {
+  const CHOICES = ['clear flow0', 'skip flow0 N', 'pass flow1', 'abort'].map((line) => ({ label: line, act: { t: 'Steer', line } as const }))
+  const one = stop({ choices: CHOICES, meanings: ['clears invkin and repeats it', 'the same', 'lets it go on alone', 'ends the run'] })
+
+  it('stand in order, by the words of whoever knows the run', () => {
+    look.language = 'en'
+    expect(choicesOf(run({}), one).map(({ verb, title, words }) => [verb, title, words])).toEqual([
+      ['clear', 'Try again', 'Clears invkin and repeats it.'],
+      ['skip', 'Go on elsewhere', 'The same.'],
+      ['pass', 'Let it go on alone (Flow 1)', 'Lets it go on alone.'],
+      ['abort', 'End the run', 'Ends the run.'],
+    ])
+  })
+
+  it('are said in the language of the page', () => {
+    look.language = 'es'
+    expect(choicesOf(run({}), one)[0]!.words).toBe('Borra el error de invkin y repite la misma acción.')
+    look.language = 'en'
+  })
+
+  it('of a word that is not known stand as they are', () => {
+    expect(choicesOf(run({}), stop({ choices: [{ label: 'pray' }], meanings: ['helps sometimes!'] }))[0]).toMatchObject({ title: 'pray', words: 'Helps sometimes!' })
+  })
+})
+
+describe('the last seconds', () => {
+  const course = (variable: string, values: unknown[]): CourseView => ({ variable, unit: 'rad', at_s: values.map((_, k) => 10 + k), values })
+
+  it('of a vector show the element that went farthest', () => {
+    const [one] = stopVariables([course('Q_MEZ', [[0, 1, 5], [0, 3, 5], [0, 2, 5.5]])], 12)
+    expect([one!.element, one!.width, [...one!.stretch.t]]).toEqual([1, 3, [-2, -1, 0]])
+  })
+
+  it('each element has its own unit, where they differ', () => {
+    const [one, other] = [{ ...course('GRIP', [[0, 1], [0, 3]]), unit: 'm, N' }, { ...course('IS_SHUT', [0, 1]), unit: '-' }]
+    expect(stopVariables([one, other, course('Q', [[1, 2], [1, 3]])], 12).map(({ unit }) => unit)).toEqual(['N', '', 'rad'])
+  })
+
+  it('what is no number any more says most', () => {
+    expect(stopVariables([course('Q_REF', [[0, 1], [9, 1], [18, NaN]])], 12)[0]!.element).toBe(1)
+  })
+
+  it('variables in which nothing happens come last', () => {
+    expect(stopVariables([course('KP', [1, 1]), course('X', [1, 2])], 11).map(({ variable }) => variable)).toEqual(['X', 'KP'])
+  })
+
+  it('texts and vectors that change their length are left out', () => {
+    expect(stopVariables([course('NAME', ['a', 'b']), course('V', [[1], [1, 2]]), course('NONE', [])], 11)).toEqual([])
+  })
+})

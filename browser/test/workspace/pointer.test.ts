@@ -1,0 +1,209 @@
+// What buttons and keys mean in the workspace, row by row of table B.4.
+import { beforeEach, describe, expect, test, vi } from 'vitest'
+import type { AnyAct, StepView } from '../../src/api.gen'
+
+const { sent, answers } = vi.hoisted(() => {
+  vi.stubGlobal('navigator', { language: 'en' })
+  vi.stubGlobal('Element', class {})
+  vi.stubGlobal('HTMLElement', class {})
+  return { sent: [] as AnyAct[], answers: new Map<string, unknown>() }
+})
+vi.mock('../../src/link/link', () => ({
+  send: (act: AnyAct) => (act.t === 'Note' || sent.push(act), Promise.resolve(answers.get(act.t) ?? null)),
+  hear: () => () => undefined,
+}))
+
+const { desk, fullTree } = await import('../../src/link/desk.svelte')
+const { closeDialog, dialogs } = await import('../../src/state/dialogs.svelte')
+const { look } = await import('../../src/state/look.svelte')
+const { pickSteps, workspace } = await import('../../src/state/workspace.svelte')
+const { workspaceState } = await import('../../src/workspace/workspaceState.svelte')
+const { PointerGestures } = await import('../../src/workspace/pointer')
+const { keyDown } = await import('../../src/workspace/keys')
+
+/** Something in the workspace that a pointer may be over. */
+class Thing extends (Element as unknown as new () => object) {
+  constructor(readonly dataset: Record<string, string>) {
+    super()
+  }
+
+  closest(): Thing | null {
+    return Object.keys(this.dataset).length ? this : null
+  }
+}
+const GROUND = new Thing({})
+const hand = new PointerGestures()
+
+/** The middle of a step, as the pointer finds it. */
+function at(step: number): { clientX: number; clientY: number } {
+  const cell = workspaceState.cells.get(step)
+  return cell ? { clientX: cell.x + cell.w / 2, clientY: cell.y + 32 } : { clientX: 5, clientY: 500 }
+}
+const over = (step: number): Thing => new Thing({ step: String(step), flow: '0' })
+const event = (target: Thing, more: Partial<PointerEvent> = {}): PointerEvent =>
+  ({ target, button: 0, pointerId: 1, pointerType: 'mouse', preventDefault: () => undefined, ...more }) as unknown as PointerEvent
+
+function click(step: number, more: Partial<PointerEvent> = {}): void {
+  const one = event(step ? over(step) : GROUND, { ...at(step), ...more })
+  hand.down(one)
+  hand.up(one)
+}
+function drag(step: number, to: number, more: Partial<PointerEvent> = {}): void {
+  hand.down(event(over(step), { ...at(step), ...more }))
+  const there = { clientX: (workspaceState.base.gaps.find((gap) => gap.after === to)?.x ?? 0) + 1, clientY: at(step).clientY }
+  hand.move(event(over(step), { ...there, ...more }))
+  hand.up(event(over(step), { ...there, ...more }))
+}
+const press = (key: string, more: Partial<KeyboardEvent> = {}): boolean => keyDown({ key, ...more } as KeyboardEvent)
+const settled = (): Promise<void> => new Promise((done) => setTimeout(done))
+
+const job = (name: string, right: string): StepView => ({ name, role: 'job', type: 'job', left: '0', right, description: name })
+const target: StepView = { name: 'home', role: 'target', type: 'object', left: '1', right: '0', is_joined: true }
+const STEPS: Record<string, StepView> = { 1: job('open', '0'), 2: job('turn', '1'), 3: target, 4: job('close', '0') }
+
+beforeEach(() => {
+  vi.stubGlobal('document', { elementFromPoint: () => null, activeElement: null })
+  desk.tree = fullTree({
+    applications: { a1: { name: 'one', order: 0, steps: STEPS, flows: { 0: { steps: [1, 2, 3, 4], start: '0', end: '0' } } } },
+    onikons: {
+      open: { type: 'job', role: 'job', order: 0, dictionary: '', left: '0', right: '0', picture: '', source: '/b/conf/open.conf' },
+      turn: { type: 'job', role: 'job', order: 0, dictionary: '', left: '0', right: '1', picture: '', source: '/b/conf/turn.conf' },
+    },
+  })
+  look.level = 'applications'
+  Object.assign(workspace, { app: 'a1', onikon: '', place: { flow: '0', after: 0 } })
+  closeDialog()
+  pickSteps()
+  Object.assign(workspaceState, { width: 1000, height: 600, top: 0, hasKeys: true })
+  workspaceState.close()
+  sent.length = 0
+  answers.clear()
+})
+
+describe('the left button', () => {
+  test('selects the icon, and the next one goes behind it', () => { // R-G04
+    click(2)
+    expect([...workspace.steps]).toEqual([2])
+    expect(workspace.place).toEqual({ flow: '0', after: 2 })
+  })
+
+  test('over empty space selects nothing', () => { // R-G04
+    click(2)
+    click(0)
+    expect(workspace.steps.size).toBe(0)
+  })
+
+  test('with Ctrl selects several', () => {
+    click(2)
+    click(4, { ctrlKey: true })
+    expect([...workspace.steps]).toEqual([2, 4])
+  })
+
+  test('with Shift over a job opens its configuration', () => { // R-D12 R-G04
+    click(1, { shiftKey: true })
+    expect(sent).toEqual([{ t: 'Open', path: '/b/conf/open.conf' }])
+  })
+
+  test('drags an action with its target elsewhere', () => { // R-D05
+    drag(2, 0)
+    expect(sent).toEqual([{ t: 'MoveIcons', doc: 'a1', steps: [2, 3], flow: '0', after: 0 }])
+  })
+
+  test('drags a target alone', () => {
+    drag(3, 1)
+    expect(sent[0]).toMatchObject({ t: 'MoveIcons', steps: [3], after: 1 })
+  })
+
+  test('with Ctrl drags copies', async () => {
+    drag(4, 0, { ctrlKey: true })
+    await settled()
+    expect(sent.map((act) => act.t)).toEqual(['CopyIcons', 'PasteIcons'])
+  })
+
+  test('drags nothing where it is let go where it was', () => {
+    drag(2, 1)
+    drag(2, 3)
+    expect(sent).toEqual([])
+  })
+
+  test('drags nothing while the application runs', () => { // R-D18
+    desk.tree.applications.a1!.is_running = true
+    drag(2, 0)
+    expect(sent).toEqual([])
+  })
+})
+
+describe('the middle button', () => {
+  test('shows name and types of an action', () => { // R-G04
+    click(1, { button: 1 })
+    expect(workspaceState.opened).toEqual({ kind: 'facts', step: 1 })
+  })
+
+  test('shows the values of an object, which can be edited', () => { // R-G04 R-D08
+    click(3, { button: 1 })
+    expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
+  })
+
+  test('with Shift opens the picture editor', () => { // R-G04
+    click(1, { button: 1, shiftKey: true })
+    expect(dialogs.current).toEqual({ name: 'icon', data: { step: '1', tab: 'picture' } })
+  })
+})
+
+describe('the right button', () => {
+  test('inserts what is selected in the dictionary behind the icon', async () => { // R-G04 R-D03
+    workspace.onikon = 'open'
+    answers.set('InsertIcon', 9)
+    hand.context(event(over(3), { ...at(3), button: 2 }))
+    await settled()
+    expect(sent).toEqual([{ t: 'InsertIcon', doc: 'a1', onikon: 'open', flow: '0', after: 3 }])
+    expect(workspace.onikon).toBe('')
+  })
+
+  test('opens a menu where nothing is selected there', () => {
+    hand.context(event(over(3), { ...at(3), button: 2 }))
+    expect(workspaceState.opened).toMatchObject({ kind: 'menu', over: { kind: 'step', step: 3 } })
+    expect([...workspace.steps]).toEqual([3])
+  })
+})
+
+test('a double click edits', () => {
+  hand.double(event(over(3), at(3)) as unknown as MouseEvent)
+  expect(dialogs.current).toEqual({ name: 'icon', data: { step: '3' } })
+})
+
+describe('keys', () => {
+  test('move the cursor; what is selected alone goes along', () => { // R-X11
+    press('ArrowRight')
+    press('ArrowRight')
+    expect(workspace.place).toEqual({ flow: '0', after: 2 })
+    expect(workspace.steps.size).toBe(0)
+    press(' ')
+    press('ArrowRight')
+    expect([...workspace.steps]).toEqual([3])
+    press('Home')
+    expect(workspace.place.after).toBe(0)
+    press('End')
+    expect(workspace.place.after).toBe(4)
+  })
+
+  test('with Shift select more', () => { // R-X11
+    press('ArrowRight')
+    press('ArrowRight', { shiftKey: true })
+    press('ArrowRight', { shiftKey: true })
+    expect([...workspace.steps]).toEqual([1, 2, 3])
+  })
+
+  test('begin a search by a letter, where nothing is selected', () => { // R-X11
+    press('o')
+    expect(workspaceState.opened).toEqual({ kind: 'quick', words: 'o' })
+  })
+
+  test('of table B.4 stay what they are there', () => { // R-G04
+    click(2)
+    expect(press('c')).toBe(false)
+    click(0)
+    expect(press('v')).toBe(false)
+    expect(workspaceState.opened.kind).toBe('')
+  })
+})

@@ -1,0 +1,119 @@
+"""Acts on files that are, or are to be, open: open, save, close, read again, keep (requirements C06, C21, D04, X10).
+
+Configurations and applications differ in how they are read, written and taken over (`file_kind`).
+"""
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from onika.desk.environment.file.applications import Applications
+from onika.desk.environment.file.configurations import Configurations
+from onika.desk.environment.file.file_kind import FileKind
+from onika.desk.environment.outcome.on_file import AnyFile, busy, on_file
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.remedy import overwriting, plain
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
+from onika.files import appl, conf, text
+from onika.store.base_directory import BaseDirectory
+from onika.store.site import is_shipped
+from onika.wire import act
+from onika.wire.view import Remedy, ShowSaveAs
+from onika.words.fault import Refusal
+from onika.words.name import TASK_NAME
+
+KINDS: Mapping[Kind, FileKind[Any, Any]] = {
+    Kind.CONFIGURATION: Configurations(),
+    Kind.APPLICATION: Applications(),
+}
+
+
+def open_file(model: Model, command: act.Open, outside: Surroundings) -> Done | No:
+    """Open a file beside the others; one that is open already is shown. The value is its id."""
+    kind = KINDS[_kind(command.path, outside)]
+    reading = kind.read(model, command.path, outside)
+    if isinstance(reading, No):
+        return reading
+    for file in model.open_files:
+        if file.opened and file.opened.path == reading.opened.path:
+            return Done(model, value=file.id)
+    return kind.open(model, reading)
+
+
+@on_file
+def save(model: Model, file: AnyFile, command: act.Save, outside: Surroundings) -> Done | No:
+    """Save an open file; the value is its path."""
+    kind, name = KINDS[file.kind], command.name or file.name
+    if not TASK_NAME.match(name):
+        form = "a name of letters, digits and _ . - that begins with a letter"
+        return No(f"{name!r} is no name for a file", fields={"name": f"expected {form}"})
+    own = outside.site.own
+    base = Path(command.base).expanduser().absolute() if command.base else file.base or (own if command.name else None)
+    if base is None:
+        return No("it has no file yet: give it a name and a base directory", (Remedy("Save as…", show=ShowSaveAs()),))
+    if is_shipped(base) and not command.overwrites:
+        return _shipped(command, name, own)
+    again = act.Save(command.doc, command.name, command.base, overwrites=True)
+    elsewhere = Remedy("Save as…", show=ShowSaveAs())
+    loss = kind.loss(file, kind.path(BaseDirectory(base), name))
+    if loss and not command.overwrites:
+        return No(loss, (elsewhere, Remedy("Overwrite it", again)))
+    opened = kind.write(BaseDirectory(base), name, file, overwrites=command.overwrites)
+    if isinstance(opened, No):
+        return opened
+    if isinstance(opened, Refusal):
+        return No(plain(opened.reason), (*overwriting(opened, again), elsewhere))
+    return kind.saved(model, file, opened, base)
+
+
+@on_file
+def close(model: Model, file: AnyFile, command: act.Close, _outside: Surroundings) -> Done | No:
+    """Close an open file."""
+    refused = busy(model, file)
+    if refused is not None:
+        return refused
+    if file.is_unsaved and not command.discards:
+        remedies = (Remedy("Save it first", act.Save(command.doc)), Remedy("Discard it", act.Close(command.doc, True)))
+        return No(f"{file.name} is not saved", remedies)
+    return KINDS[file.kind].close(model, file, command.alive, discards=command.discards)
+
+
+@on_file
+def reload(model: Model, file: AnyFile, _command: act.Reload, outside: Surroundings) -> Done | No:
+    """Take over what stands in the file now, as a step that can be taken back."""
+    refused = busy(model, file)
+    if refused is not None:
+        return refused
+    if file.opened is None:
+        return No(f"{file.name} has no file yet")
+    reading = KINDS[file.kind].read(model, str(file.opened.path), outside)
+    return reading if isinstance(reading, No) else KINDS[file.kind].reread(model, file, reading)
+
+
+@on_file
+def keep(model: Model, file: AnyFile, _command: act.Keep, _outside: Surroundings) -> Done | No:
+    """Go on with what is here; the next Save finds the file as it was seen now, and overwrites it."""
+    file = file.differing(False)
+    content = text.load(file.opened.path, str(file.opened.path))[0] if file.opened else None
+    if content is None:
+        return Done(model.with_file(file))
+    return Done(model.with_file(file.seen(content)))
+
+
+def _kind(path_or_name: str, outside: Surroundings) -> Kind:
+    """The ending says what is opened; of a name alone a configuration, else an application."""
+    ending, bases = Path(path_or_name).suffix, outside.site.directories
+    if ending in (appl.ENDING, conf.ENDING):
+        return Kind.APPLICATION if ending == appl.ENDING else Kind.CONFIGURATION
+    is_configuration = any(path_or_name in base.configurations for base in bases)
+    is_application = any(path_or_name in base.applications for base in bases)
+    return Kind.APPLICATION if is_application and not is_configuration else Kind.CONFIGURATION
+
+
+def _shipped(command: act.Save, name: str, own: Path | None) -> No:
+    """What comes with Onika is not changed by the way."""
+    here = () if own is None else (Remedy(f"Save a copy in {own}", act.Save(command.doc, name, str(own))),)
+    meant = Remedy("Change the shipped one", act.Save(command.doc, command.name, command.base, overwrites=True))
+    return No(f"{name} would be part of Onika itself there", (*here, Remedy("Save as…", show=ShowSaveAs()), meant))

@@ -1,0 +1,103 @@
+"""What is different of configurations and applications as files: how they are read, written and taken over."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Generic, Protocol, TypeVar
+
+from onika.desk.environment.outcome.outcome import Done, No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_file import Kind
+from onika.store.base_directory import BaseDirectory
+from onika.store.opened_text import Faults, OpenedText
+from onika.words.fault import Refusal
+
+READ_AGAIN = "reading the file again"
+
+_T = TypeVar("_T")
+_F = TypeVar("_F")
+
+
+@dataclass(frozen=True, slots=True)
+class Reading(Generic[_T]):
+    """A file as it was read; `is_partial`: as far as it could be."""
+
+    base: BaseDirectory
+    opened: OpenedText[_T]
+    faults: Faults = ()
+    is_partial: bool = False
+
+
+class FileKind(Protocol[_F, _T]):
+    """One kind of files: `_F` is an open one, `_T` what it holds."""
+
+    def read(self, model: Model, path_or_name: str, outside: Surroundings, /) -> Reading[_T] | No:
+        """A file by its path, or by its name on the search path."""
+        ...
+
+    def read_again(self, model: Model, base: BaseDirectory, name: str, /) -> Reading[_T] | Faults:
+        """A file of a base directory; the faults where it cannot be read."""
+        ...
+
+    def open(self, model: Model, reading: Reading[_T], /) -> Done:
+        """What was read is open beside the others; the value is its id."""
+        ...
+
+    def loss(self, file: _F, path: Path, /) -> str:
+        """What would be lost if it were saved there; empty: nothing."""
+        ...
+
+    def path(self, base: BaseDirectory, name: str, /) -> Path:
+        """The file of a name in a base directory."""
+        ...
+
+    def write(self, base: BaseDirectory, name: str, file: _F, /, *, overwrites: bool) -> OpenedText[_T] | Refusal | No:
+        """Write the file under a name."""
+        ...
+
+    def saved(self, model: Model, file: _F, opened: OpenedText[_T], base: Path, /) -> Done:
+        """It was saved there; the value is the path."""
+        ...
+
+    def close(self, model: Model, file: _F, alive: str, /, *, discards: bool) -> Done | No:
+        """It is open no more."""
+        ...
+
+    def reread(self, model: Model, file: _F, reading: Reading[_T], /) -> Done:
+        """What stands in the file now is taken over, as a step."""
+        ...
+
+    def refreshed(self, file: _F, reading: Reading[_T], /) -> _F:
+        """The same, with its step in the history, where nothing that lives or runs is concerned."""
+        ...
+
+    def is_in_use(self, model: Model, file: _F, /) -> bool:
+        """Whether something that lives or runs is of it."""
+        ...
+
+    def at_fault(self, faults: Faults, /) -> str:
+        """What is said of a file that cannot be read any more."""
+        ...
+
+
+def place(path_or_name: str, kind: Kind, outside: Surroundings) -> tuple[BaseDirectory, str] | No:
+    """The base directory and the name of a file; its ending is called as its folder."""
+    folder = "appl" if kind is Kind.APPLICATION else "conf"
+    path = Path(path_or_name)
+    if path.suffix == f".{folder}":
+        if not path.is_file():
+            return No(f"{path} is no file" if path.exists() else f"there is no file {path}")
+        if path.absolute().parent.name != folder:
+            return No(f"{path} stands in no folder {folder}/ of a base directory: what it names could not be found")
+        return BaseDirectory(path.absolute().parent.parent), path.stem
+    bases = [base for base in outside.site.directories if path_or_name in names_of(base, kind)]
+    if not bases:
+        article = "an" if kind is Kind.APPLICATION else "a"
+        return No(f"no base directory on the search path has {article} {kind.value} {path_or_name}")
+    return bases[0], path_or_name
+
+
+def names_of(base: BaseDirectory, kind: Kind) -> Sequence[str]:
+    """The files of a kind in a base directory."""
+    return base.applications if kind is Kind.APPLICATION else base.configurations

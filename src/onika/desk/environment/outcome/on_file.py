@@ -1,0 +1,100 @@
+"""Decorators of acts on open files: each passes the file to the act's handler, or refuses the act (requirement D18)."""
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Protocol, TypeVar
+
+from onika.desk.environment.outcome.outcome import No
+from onika.desk.environment.outcome.services import Surroundings
+from onika.desk.environment.state.document import Document
+from onika.desk.environment.state.model import Model
+from onika.desk.environment.state.open_application import OpenApplication
+from onika.desk.environment.state.open_file import Kind
+from onika.model.syntax import Syntax
+from onika.wire import act
+from onika.wire.view import Remedy, ShowSaveAs
+
+
+class _OfFile(Protocol):
+    @property
+    def doc(self) -> str: ...
+
+
+_A = TypeVar("_A", bound=_OfFile)
+_F = TypeVar("_F")
+_R = TypeVar("_R")
+_Inner = Callable[[Model, _F, _A, Surroundings], _R]
+_Handler = Callable[[Model, _A, Surroundings], _R | No]
+AnyFile = Document | OpenApplication
+
+_NO_SYNTAX = Syntax((), ())
+
+
+def closed(kind: Kind) -> No:
+    """The file is no longer open: somebody else has closed it."""
+    return No(f"this {kind.value} is no longer open")
+
+
+def on_file(carry_out: _Inner[AnyFile, _A, _R]) -> _Handler[_A, _R]:
+    """The handler of an act, made of a function that takes the act's open file too."""
+
+    @wraps(carry_out)
+    def handler(model: Model, command: _A, outside: Surroundings) -> _R | No:
+        file = model.file(command.doc)
+        return closed(Kind.of(command.doc)) if file is None else carry_out(model, file, command, outside)
+
+    return handler
+
+
+def on_document(carry_out: _Inner[Document, _A, _R]) -> _Handler[_A, _R]:
+    """The same for an act on a configuration."""
+
+    @wraps(carry_out)
+    def handler(model: Model, command: _A, outside: Surroundings) -> _R | No:
+        document = model.documents.get(command.doc)
+        return closed(Kind.CONFIGURATION) if document is None else carry_out(model, document, command, outside)
+
+    return handler
+
+
+def on_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handler[_A, _R]:
+    """The same for an act on an application."""
+
+    @wraps(carry_out)
+    def handler(model: Model, command: _A, outside: Surroundings) -> _R | No:
+        application = model.applications.get(command.doc)
+        return closed(Kind.APPLICATION) if application is None else carry_out(model, application, command, outside)
+
+    return handler
+
+
+def on_resting_application(carry_out: _Inner[OpenApplication, _A, _R]) -> _Handler[_A, _R]:
+    """The same for an act that changes an application: refused while it runs."""
+
+    @wraps(carry_out)
+    def unless_it_runs(model: Model, application: OpenApplication, command: _A, outside: Surroundings) -> _R | No:
+        return busy(model, application) or carry_out(model, application, command, outside)
+
+    return on_application(unless_it_runs)
+
+
+def busy(model: Model, file: AnyFile) -> No | None:
+    """Why nothing in an open file is changed now."""
+    return running(file) if is_running(model, file.id) else None
+
+
+def is_running(model: Model, doc: str) -> bool:
+    """Whether it is the application that runs now."""
+    run = model.run
+    return run is not None and run.doc == doc and not run.is_over
+
+
+def running(file: AnyFile) -> No:
+    """Nothing is changed in what runs."""
+    remedies = (Remedy("Abort the run", act.Steer("abort")), Remedy("Save a copy…", show=ShowSaveAs()))
+    return No(f"{file.name} is running: nothing in it is changed until it has ended", remedies)
+
+
+def syntax_of(model: Model) -> Syntax:
+    """The types of icons; none where the definition could not be read."""
+    return model.syntax or _NO_SYNTAX
