@@ -143,7 +143,7 @@ class SpeaksFirst(ServerEnd):
     def open(self, now_ns: int) -> None:
         super().open(now_ns)
         if self._acked < self._sent_to:
-            self._queues.signal(Signal(self._sent_to, self._journal.body(self._said)))
+            self._queues.signal(Signal(self._sent_to, self._journal.body(self._sent_to)))
 
 
 class SaysWithoutJournal(ServerEnd):
