@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import found_by
 
 from onika.host.loading import loader as room
 from onika.host.loading.loader import Loader
@@ -37,13 +38,13 @@ def test_a_process_of_its_own_answers_as_direct_loading_does(loader):  # law 21
     assert loader.constants(code(GOOD), ()) == {"N": 3}
     assert loader.resolve(code(GOOD), {}, [("joint object", [1.0])]) == ["too far"]
     assert loader.sheet(code("class (")).place.line == 1
-    assert "ZeroDivisionError" in loader.constants(code(GOOD.replace('{"N": 3}', "1 / 0")), ()).found
-    assert "ZeroDivisionError" in loader.resolve(code(GOOD.replace('["too far"]', "1 / 0 and [0]")), {}, []).found
+    assert "ZeroDivisionError" in found_by(loader.constants(code(GOOD.replace('{"N": 3}', "1 / 0")), ()))
+    assert "ZeroDivisionError" in found_by(loader.resolve(code(GOOD.replace('["too far"]', "1 / 0 and [0]")), {}, []))
 
 
 def test_code_that_ends_the_process_is_named_and_the_next_is_looked_at_all_the_same(loader):  # law 21
     fault = loader.sheet(code("import os\nos._exit(1)\n"))
-    assert (fault.place.file, fault.found) == ("/lab/module/thing.py", "the loader died of it")
+    assert (fault.place.file, found_by(fault)) == ("/lab/module/thing.py", "the loader died of it")
     assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)
 
 
@@ -51,13 +52,13 @@ def test_code_that_never_returns_is_named_and_the_next_is_looked_at_all_the_same
     loader.sheet(code(GOOD))  # it is up
     monkeypatch.setattr(room, "PATIENCE_S", 0.2)
     fault = loader.sheet(code("while True: pass\n"))
-    assert fault.found == "nothing within 0.2 s"
+    assert found_by(fault) == "nothing within 0.2 s"
     monkeypatch.undo()
     assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)
 
 
 def test_code_that_closes_everything_is_named(loader):  # law 21
-    assert loader.sheet(code("import os\nos.closerange(3, 65536)\n")).found == "the loader died of it"
+    assert found_by(loader.sheet(code("import os\nos.closerange(3, 65536)\n"))) == "the loader died of it"
 
 
 def test_code_that_prints_megabytes_is_looked_at(loader, capfd):  # law 30

@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import found_by
 
 from onika.host.loading import loader_client as room
 from onika.host.loading.loader import AskDevices, AskSheet, Devices, Sheet, Wrong
@@ -9,6 +10,7 @@ from onika.wire.plan import Code
 from onika.wire.request import FaultText
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 class FakeLoader:
@@ -29,7 +31,11 @@ class FakeLoader:
     def give_up(self, code):
         self.given_up.append(code.module)
         self.is_lost = False
-        return Wrong(FaultText(code.path, 0, "a module", "the loader died of it", "not used"))
+        return Wrong(
+            FaultText(
+                code.path, 0, Reason.plain("expected a module, found the loader died of it"), Reason.plain("not used")
+            )
+        )
 
 
 def code(name):
@@ -78,7 +84,7 @@ def test_code_of_which_the_loader_dies_is_a_fault_and_the_next_question_goes_on(
     assert inquiry.take() is True
     found = inquiry.sheet(code("a"))
     assert isinstance(found, Fault)
-    assert found.found == "the loader died of it"
+    assert found_by(found) == "the loader died of it"
     assert loader.asked[-1] == AskSheet(code("b"))
 
 

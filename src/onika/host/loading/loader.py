@@ -42,6 +42,7 @@ from onika.wire.plan import Code
 from onika.wire.request import FaultText
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 PATIENCE_S = 10.0
 """How long a module may take to be imported and looked at."""
@@ -138,11 +139,12 @@ class Loader:
 
     def give_up(self, code: Code) -> Wrong:
         """The process died of a question or does not answer it: start another, and say what happened."""
-        found = "the loader died of it" if self.is_lost else f"nothing within {PATIENCE_S:g} s"
+        silent = Reason.of("host.loader_silent", seconds=PATIENCE_S)
+        reason = Reason.of("host.loader_died") if self.is_lost else silent
         self.close()
         self._post, self._process = self._start()
-        instead = f"module {code.module} is not used"
-        return Wrong(FaultText(code.path, 0, "a module that can be imported and looked at", found, instead))
+        instead = Reason.of("host.module_not_used", module=code.module)
+        return Wrong(FaultText(code.path, 0, reason, instead))
 
     def _ask(self, question: Question, code: Code) -> Answer:
         self.send(question)
@@ -160,7 +162,11 @@ def fault_of(answer: Answer) -> Fault:
     if not isinstance(answer, Wrong):
         raise TypeError(f"expected the answer to the question, found {answer!r}")
     text = answer.fault
-    return Fault(Place(text.file, text.line), text.expected, text.found, text.instead)
+    return Fault(
+        Place(text.file, text.line),
+        text.reason,
+        text.instead,
+    )
 
 
 def _answer(question: Question, loading: DirectLoading) -> Answer:
@@ -193,7 +199,7 @@ def _answer(question: Question, loading: DirectLoading) -> Answer:
 
 
 def _wrong(fault: Fault) -> Wrong:
-    return Wrong(FaultText(fault.place.file, fault.place.line, fault.expected, fault.found, fault.instead))
+    return Wrong(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead))
 
 
 def main(words: list[str]) -> None:

@@ -131,4 +131,4 @@ def _wrong(task: Task, line: LocalLine) -> str:
         return ""
     fault = next((fault for fault in faults if not fault.is_note), None)
     shown = " ".join((line.key, *line.words))
-    return f"expected {fault.expected}, found {fault.found}" if fault else f"{shown!r} is no line of a key and words"
+    return str(fault.reason) if fault else f"{shown!r} is no line of a key and words"

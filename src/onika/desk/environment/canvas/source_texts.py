@@ -100,10 +100,7 @@ def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
 
 def _rmod_faults(path: Path, text: str) -> list[tuple[int, str]]:
     _, faults = rmod.read(text, path.stem, path.name)
-    return [
-        (fault.place.line, plain(f"expected {fault.expected}, found {fault.found}; {fault.instead}"))
-        for fault in faults
-    ]
+    return [(fault.place.line, plain(f"{fault.reason}; {fault.instead}")) for fault in faults]
 
 
 def _code_faults(path: Path, text: str) -> list[tuple[int, str]]:

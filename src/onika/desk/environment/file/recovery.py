@@ -58,7 +58,7 @@ class Recovery:
                 continue
             done = whole.write(path, rescues.write(rescue_of(change.document)), whole.ANYTHING)
             if isinstance(done, Refusal):
-                return done.reason
+                return str(done.reason)
         if changes:
             self._let_go()
         return ""
