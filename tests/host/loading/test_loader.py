@@ -1,8 +1,11 @@
+import select
+
 import pytest
 from tests.sentences import found_by
 
-from onika.host.loading import loader as room
+from onika.host.loading import loader as room, loader_client as client_room
 from onika.host.loading.loader import Loader
+from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 
@@ -26,11 +29,29 @@ def code(source):
     return Code("digest", "thing", "/lab/module/thing.py", source)
 
 
+class Patient:
+    """Asks a loader process through its client, and waits for each answer."""
+
+    def __init__(self, loader):
+        self._client = LoaderClient(loader)
+
+    def __getattr__(self, name):
+        def ask(*arguments):
+            while True:
+                try:
+                    return getattr(self._client, name)(*arguments)
+                except NotYet:
+                    select.select([self._client.post], [], [], 0.05)
+                    self._client.take()
+
+        return ask
+
+
 @pytest.fixture
 def loader():
-    one = Loader()
-    yield one
-    one.close()
+    process = Loader()
+    yield Patient(process)
+    process.close()
 
 
 def test_a_process_of_its_own_answers_as_direct_loading_does(loader):  # law 21
@@ -50,7 +71,8 @@ def test_code_that_ends_the_process_is_named_and_the_next_is_looked_at_all_the_s
 
 def test_code_that_never_returns_is_named_and_the_next_is_looked_at_all_the_same(loader, monkeypatch):  # law 21
     loader.sheet(code(GOOD))  # it is up
-    monkeypatch.setattr(room, "PATIENCE_S", 0.2)
+    for module in (room, client_room):
+        monkeypatch.setattr(module, "PATIENCE_S", 0.2)
     fault = loader.sheet(code("while True: pass\n"))
     assert found_by(fault) == "nothing within 0.2 s"
     monkeypatch.undo()
