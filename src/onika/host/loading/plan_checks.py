@@ -5,10 +5,9 @@ from typing import Any
 
 from onika.host.loading.module_questions import Loading
 from onika.model.rules.order import constant_order
-from onika.model.task import LocalLine, Task, TaskType
 from onika.runtime.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
-from onika.wire.plan import Code, Plan, PlannedTask
+from onika.wire.plan import Code, Plan
 from onika.words.fault import NOT_RUN, Fault, Place
 from onika.words.reason import Reason
 
@@ -173,19 +172,3 @@ def _too_slow(name: str, job: str | None, hz: float) -> Reason:
     if job is None:
         return Reason.of("host.hardware_too_slow_now", task=name, slowest=SLOWEST_HARDWARE_HZ, hz=hz)
     return Reason.of("host.hardware_too_slow_in", task=name, job=job, slowest=SLOWEST_HARDWARE_HZ, hz=hz)
-
-
-def task_of(planned: PlannedTask) -> Task:
-    """The task as its file describes it."""
-    return Task(
-        name=planned.name,
-        module=planned.module,
-        aliases=planned.aliases,
-        inconst=planned.inconst,
-        outconst=planned.outconst,
-        invar=planned.invar,
-        outvar=planned.outvar,
-        type=TaskType(planned.type),
-        frequency=planned.frequency,
-        local=tuple(LocalLine(key, words) for key, words in planned.local),
-    )
