@@ -1,4 +1,4 @@
-"""Writes what is drawn from the code: engine, lifecycles, laboratory, messages, and what the page knows of them.
+"""Writes what is drawn from the code: engine, lifecycles, laboratory, messages, the house, what the page knows of them.
 
 Usage: python tools/generate.py [--check] [--root ROOT]. Writes each file anew; with --check it writes nothing, names
 the files that differ from the code and ends with 1 if any does.
@@ -16,6 +16,7 @@ from typing import TypeVar
 
 import catalogues
 import engine_page
+import house_picture
 import message_page
 import typescript
 from onika.desk.plan.compile import UNKNOWN, planned_task
@@ -115,6 +116,7 @@ PAGES: Mapping[str, Callable[[], str]] = {
     "docs/lifecycles.md": lifecycles,
     "docs/laboratory.md": laboratory,
     "docs/messages.md": message_page.page,
+    "docs/pictures/house.svg": house_picture.picture,
     "browser/src/api.gen.ts": typescript.source,
     "browser/src/texts/catalogue.es.gen.ts": partial(catalogues.source, "es"),
 }

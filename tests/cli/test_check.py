@@ -4,9 +4,10 @@ import pytest
 
 from onika.cli import check as room, main
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
-FAULT = Fault(Place("a.rmod", 3), "one", "two", "left out")
-OTHER = Fault(Place("b.rmod"), "one", "two", "left out")
+FAULT = Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
+OTHER = Fault(Place("b.rmod"), Reason.plain("expected one, found two"), Reason.plain("left out"))
 
 
 @pytest.fixture

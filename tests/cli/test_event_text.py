@@ -6,6 +6,7 @@ from onika.wire import event
 from onika.wire.figures import TaskFigures
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
 
@@ -62,7 +63,7 @@ def test_an_event_is_told_in_one_line_or_not_at_all(happening, line):  # R-E11
 
 
 def test_a_refused_run_lists_every_fault_and_says_that_nothing_moved():  # R-E01
-    fault = Fault(Place("a.rmod", 3), "one", "two", "left out")
+    fault = Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
     lines = list(summary(Outcome("go", [fault, fault], ["by the way"]), ""))
     assert lines == [str(fault), str(fault), "note: by the way", "go: refused, nothing moved (2 faults)"]
     assert list(summary(Outcome("go", [fault]), ""))[-1] == "go: refused, nothing moved (1 fault)"
@@ -127,6 +128,10 @@ def test_why_a_flow_stands_still_takes_several_lines():  # R-X06
 
 
 def test_a_script_that_failed_after_the_end_is_told():  # R-E07
-    outcome = Outcome("go", result=result(), failed=(Fault(Place("s", 3), "one", "two", "no"),))
+    outcome = Outcome(
+        "go",
+        result=result(),
+        failed=(Fault(Place("s", 3), Reason.plain("expected one, found two"), Reason.plain("no")),),
+    )
     assert outcome.exit_code == 1
     assert "script: s:3: expected one, found two; instead: no" in list(summary(outcome, ""))

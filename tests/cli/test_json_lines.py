@@ -9,9 +9,12 @@ from onika.wire.figures import TaskFigures
 from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 FIGURES = TaskFigures("flow0", "pd", "rt0", 500.0, 1000, 3, 4.5, 20.0)
 RESULT = event.Result(True, "", 1, 1, 2.0, 0.12345, {"Q": [1.5], "NAME": "é"}, (FIGURES,), "abc", (3.5,))
+
+SAID = {"key": "plain", "text": "expected one, found two"}
 
 
 def lines(capsys):
@@ -68,10 +71,15 @@ def test_the_result_comes_last_with_everything(capsys):  # R-E14, R-X07, R-X08, 
 
 
 def test_a_refused_run_lists_its_faults(capsys):  # R-E01
-    JsonLines().ended(Outcome("go", [Fault(Place("a.rmod", 3), "one", "two", "left out")]), "")
+    JsonLines().ended(
+        Outcome("go", [Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))]),
+        "",
+    )
     (line,) = lines(capsys)
     assert (line["state"], line["exit"]) == ("refused", 2)
-    assert line["faults"] == [{"file": "a.rmod", "line": 3, "expected": "one", "found": "two", "instead": "left out"}]
+    assert line["faults"] == [
+        {"file": "a.rmod", "line": 3, "reason": SAID, "instead": {"key": "plain", "text": "left out"}}
+    ]
     assert "cause" not in line
     assert "picture" not in line
 
@@ -88,11 +96,11 @@ def test_nobody_is_there_to_answer():  # law 25
 
 def test_a_line_of_a_script_is_an_object_too(capsys):  # R-E07, R-X03
     out = JsonLines()
-    out.steered("pass", (Fault(Place("s", 2), "one", "two", "no"),), ())
+    out.steered("pass", (Fault(Place("s", 2), Reason.plain("expected one, found two"), Reason.plain("no")),), ())
     out.steered("who", (), (Position("flow0", "running", 0),))
     out.placed(())
     refused, who = lines(capsys)
-    fault = {"file": "s", "line": 2, "expected": "one", "found": "two", "instead": "no"}
+    fault = {"file": "s", "line": 2, "reason": SAID, "instead": {"key": "plain", "text": "no"}}
     assert refused == {"event": "steered", "line": "pass", "faults": [fault]}
     assert (who["faults"], who["flows"][0]["subsystem"], who["flows"][0]["state"]) == ([], "flow0", "running")
     assert (out.can_steer, out.wishes(), out.looks()) == (False, (), False)

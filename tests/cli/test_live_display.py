@@ -11,6 +11,7 @@ from onika.store.site import open_site
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEMS = (
@@ -115,8 +116,10 @@ def test_keys_become_lines_of_steering(screen, monkeypatch):  # R-E07
 def test_a_line_is_shown_with_what_came_of_it(screen):  # R-E07, R-X03
     with LiveDisplay() as live:
         live.begins(PREPARED, 4711)
-        live.steered("pass", (Fault(Place("line"), "one", "two", "no"),), ())
-        live.steered("skip 9", (Fault(Place("s", 2), "three", "four", "no"),), ())
+        live.steered("pass", (Fault(Place("line"), Reason.plain("expected one, found two"), Reason.plain("no")),), ())
+        live.steered(
+            "skip 9", (Fault(Place("s", 2), Reason.plain("expected three, found four"), Reason.plain("no")),), ()
+        )
         live.steered("who", (), (Position("flow0", "paused", 0),))
     text = screen.getvalue()
     assert "> pass" in text

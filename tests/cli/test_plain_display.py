@@ -8,6 +8,7 @@ from onika.store.site import open_site
 from onika.wire import event
 from onika.wire.steer import Position
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 PREPARED = prepare_run("two_arms", open_site([], {}, None))
 ITEM = event.Item("level", "double", 2, "m", "how high", None, None, None)
@@ -48,7 +49,7 @@ def test_a_line_of_a_script_is_told_with_what_came_of_it(capsys):  # R-E07, R-X0
     plain = PlainDisplay()
     plain.begins(PREPARED, None)
     plain.steered("pause", (), ())
-    plain.steered("pass", (Fault(Place("s", 2), "one", "two", "no"),), ())
+    plain.steered("pass", (Fault(Place("s", 2), Reason.plain("expected one, found two"), Reason.plain("no")),), ())
     plain.steered("who", (), (Position("flow0", "running", 0),))
     plain.placed(())
     assert capsys.readouterr().out.splitlines()[1:] == [

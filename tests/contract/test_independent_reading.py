@@ -16,6 +16,7 @@ from tests.files.models import FORMATS, TYPES, Format
 
 from onika.model.configuration import Configuration, Placed
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 NAIVE = naive_readers(TYPES)
 REFUSED = object()
@@ -142,7 +143,9 @@ def _lenient(form: Format) -> Format:
 
 def _strict(form: Format) -> Format:
     """A reader with a mistake: it finds a fault in everything."""
-    return replace(form, read=lambda _text: (None, (Fault(Place("f"), "", "", ""),)))
+    return replace(
+        form, read=lambda _text: (None, (Fault(Place("f"), Reason.plain("expected , found "), Reason.plain("")),))
+    )
 
 
 @pytest.mark.parametrize("mistake", [_mirrored, _lenient, _strict])

@@ -12,7 +12,8 @@ from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.runs.readiness import Judge, judged
 from onika.desk.environment.runs.runtime_loss import lost
 from onika.wire import act
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason
 
 TABLE = Path(__file__).parents[2] / "browser" / "src" / "texts" / "es.heard.ts"
 PATTERNS = [
@@ -33,27 +34,35 @@ def test_what_another_did_and_is_taken_back():  # R-X10
     assert is_known("“inserting a” in play was done on another page, and is done again here")
 
 
+FLOW = Reason.of("rules.flow", number=2)
+AT = Reason.of("rules.at", step=Reason.of("rules.icon", name="a"), position=3, flow=FLOW)
+ICONS = [Reason.of("rules.icon_of_kind", name=name, kind="Number job") for name in "ab"]
+MEETING = Reason.of("rules.waits_at", tag="A", place="play:7", action="putC", other="flow0")
+WAIT = Reason.of("rules.flow_waits", flow="flow1", wait=MEETING)
+
+
 @pytest.mark.parametrize(
-    ("expected", "found"),
+    "reason",
     [
-        ("an action in flow 2", "none"),
-        ("edges that fit", "`b` (Joint job) behind `a` (Number job), at step 1 of flow 0"),
-        ("a target within reach", "p: out of reach: the wrist would be 1.9 m from the shoulder, possible are 0..0.8 m"),
-        ("a posture of scara where puma would be", "home: the hand would lean 180 degrees"),
-        ("a device of world boxes (arm)", "DEVICE boxes:bulb"),
-        ("the device that puma means as b:x", "expected y, found z"),
-        ("device b:arm for one task", "task puma claims it too"),
-        ("a task that supplies the constant NDOF", "none"),
-        ("a task with the outputs of a, that works in its place", "`b` does not write X, as `a` does"),
-        ("values for jtraj", "home: expected 7 values, found 5"),
-        ("a Joint object behind it", "none behind `a`, step 3 of flow 0"),
-        ("the configuration aC", "none for `aC`, step 3 of flow 0"),
-        ("tags as often in each flow", "flow1 waits at A (play:7, putC) for flow0, which has ended by then"),
-        ("the loop tag l twice in flow 0", "1 times, last at `b`, step 2 of flow 0"),
+        Reason.of("rules.flow_empty", flow=FLOW),
+        Reason.of("rules.edges_unfit", left=ICONS[0], right=ICONS[1], position=1, flow=FLOW),
+        Reason.of("host.unreachable", target="p", why="joint 3 at 9.00 rad is beyond 3.93"),
+        Reason.of("host.posture_missing", task="scara", old="puma", target="home", why="the hand leans"),
+        Reason.of("host.no_such_device", world="boxes", devices=("arm",), device="boxes:bulb"),
+        Reason.of("host.device_unlike", task="puma", device="b:x", why="expected y, found z"),
+        Reason.of("host.device_claimed", device="b:arm", other="puma"),
+        Reason.of("runtime.constant_missing", svar="NDOF"),
+        Reason.of("desk.substitute_unfit", old="a", reason="`b` does not write X, as `a` does"),
+        Reason.of("host.values_unfit", task="jtraj", target="home", why="expected 7 values, found 5"),
+        Reason.of("rules.target_missing", kind="Joint object", at=AT),
+        Reason.of("rules.configuration_missing", name="aC", at=AT),
+        Reason.of("rules.tags_as_often", wait=WAIT),
+        Reason.of("rules.loop_tag_count", tag="l", flow=FLOW, count=1, at=AT),
     ],
+    ids=lambda reason: reason.key,
 )
-def test_what_is_wrong_with_an_application(expected, found):  # R-X01
-    assert is_known(said(Fault(Place("play.appl", 3), expected, found, "the application is not run")))
+def test_what_is_wrong_with_an_application(reason):  # R-X01
+    assert is_known(str(said(Fault(Place("play.appl", 3), reason, NOT_RUN))))
 
 
 def test_what_is_judged_and_what_can_be_done(tmp_path):  # R-X01, R-E01

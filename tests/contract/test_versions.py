@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 from tests.contract.test_formats import every_format
 from tests.files.models import FORMATS, TYPES, Format
+from tests.sentences import expected_by, found_by
 
 from onika.files import appl, conf, onk, rmod
 from onika.files.rmod import RmodText
@@ -59,7 +60,7 @@ def test_a_planned_extension_is_refused_with_one_fault_under_its_version_and_by_
     found, faults = read(newer, "x", "f")
     assert found is None
     known = "a file of version 1.3 or older, or 2.0"
-    assert [(fault.expected, fault.found) for fault in faults] == [(known, "version 1.4, which is newer")]
+    assert [(expected_by(fault), found_by(fault)) for fault in faults] == [(known, "version 1.4, which is newer")]
     found, faults = read(text, "x", "f")
     assert found is None
     assert all(fault.place.line > 1 for fault in faults)
@@ -69,7 +70,7 @@ def test_a_new_line_of_the_onika_block_is_refused_by_name() -> None:
     text = TASK.replace("OBJECT      Joint job\n", "OBJECT      Joint job\nMEMBERS     a b\n")  # R-B09
     record, (fault,) = rmod.read(text, "t", "f")
     assert record is None
-    assert (fault.expected, fault.found) == ("TARGET or LOCAL", "'MEMBERS a b'")
+    assert (expected_by(fault), found_by(fault)) == ("TARGET or LOCAL", "'MEMBERS a b'")
 
 
 @every_format
@@ -82,7 +83,7 @@ def test_a_newer_file_is_refused_whole_and_says_so_once(form: Format, data: st.D
     body = text.partition("\n")[2].replace("EOF", "NEW words\nEOF\nEOF")
     for version in ("1.4", "1.3.0.1", "1.9", "2.0.1", "2.1", "10.0", *(() if form.is_extended else ("2", "2.0"))):
         _, faults = form.read(f"VERSION {version}\n{body}")
-        assert [fault.found for fault in faults] == [f"version {version}, which is newer"]
+        assert [found_by(fault) for fault in faults] == [f"version {version}, which is newer"]
         assert not faults[0].is_note
 
 

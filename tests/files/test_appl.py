@@ -1,6 +1,7 @@
 from dataclasses import replace
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.appl import read, salvage, write
 from onika.model.application import AppFlow, Application, Branch, Hole, Icon
@@ -43,7 +44,7 @@ def flows(text: str) -> list[str]:
 
 def found(text: str) -> list[str]:
     _, faults = read(text, "work", "work.appl", SYNTAX)
-    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in faults]
+    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
 def icon(name: str, kind: str, marks: str = "") -> str:
@@ -87,8 +88,8 @@ def test_an_unknown_target_leaves_a_hole_and_an_unknown_job_stays() -> None:
     text = application(*parts).replace("UI          1.0", "UI 1.0")  # R-D16
     assert flows(text) == ["move _ press"]
     _, (first, second) = read(text, "work", "f", SYNTAX)
-    assert first.instead == "the icon is left out"
-    assert second.instead == "it acts as Complete job, its data is asked for while it runs"
+    assert str(first.instead) == "the icon is left out"
+    assert str(second.instead) == "it acts as Complete job, its data is asked for while it runs"
 
 
 def test_a_target_of_unknown_type_is_written_again_as_it_was() -> None:

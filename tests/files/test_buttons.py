@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.buttons import read, write
 from onika.model.button import Button
@@ -28,7 +29,7 @@ def test_both_spellings_of_the_terminal_are_read() -> None:
 def test_what_is_wrong_is_named(old: str, new: str, expected: str) -> None:
     buttons, faults = read(TEXT.replace(old, new), ".onika.buttons", "f")  # R-B07
     assert buttons is None
-    assert expected in [f"{fault.expected} / {fault.found}" for fault in faults]
+    assert expected in [f"{expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
 def test_a_file_without_buttons_is_legal() -> None:

@@ -1,6 +1,7 @@
 from dataclasses import replace
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.conf import read, write
 from onika.model.configuration import Configuration, Group, Locus, Placed
@@ -41,7 +42,7 @@ CONFIGURATION = Configuration(
 
 def found(text: str) -> list[str]:
     _, faults = read(text, "move", "move.conf")
-    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in faults]
+    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
 def test_a_configuration_is_read_and_written() -> None:

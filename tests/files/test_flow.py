@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.flow import DEEPEST, HEADS, depth, has_extensions, read_flows, write_flow
 from onika.files.line import TextReading, split
@@ -17,7 +18,7 @@ def read(text: str, version: str = "2.0") -> tuple[tuple[AppFlow, ...], list[str
     reading = TextReading("f", "it is left out")
     reading.open_versioned(f"VERSION {version}\n{text}EOF\n", extended=True)
     flows = read_flows(split(reading.lines, HEADS)[1:], SYNTAX, reading)
-    return flows, [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
+    return flows, [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
 
 
 def words(*lines: str) -> str:

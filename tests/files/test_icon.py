@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.icon import SLOTS, read_icon, write_icon
 from onika.files.line import TextReading
@@ -23,7 +24,7 @@ def given(lines: str) -> tuple[Onikon | None, list[str], bool]:
     reading = TextReading("f", "")
     reading.open(lines + "EOF")
     onikon = read_icon("x", reading.arrange(reading.lines, SLOTS), SYNTAX, reading)
-    faults = [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
+    faults = [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
     return onikon, faults, reading.broken
 
 

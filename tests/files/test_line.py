@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.line import (
     FileLine,
@@ -12,6 +13,7 @@ from onika.files.line import (
     show_number,
     split,
 )
+from onika.words.reason import NOTHING, Reason
 
 SLOTS = (
     KeywordSlot("A"),
@@ -19,6 +21,8 @@ SLOTS = (
     KeywordSlot("C", Need.OPTIONAL, many=True),
     KeywordSlot("D", Need.OPTIONAL),
 )
+
+REASON = Reason.plain("expected a, found b")
 
 
 def opened(text: str, versioned: bool = False) -> TextReading:
@@ -28,7 +32,7 @@ def opened(text: str, versioned: bool = False) -> TextReading:
 
 
 def found(reading: TextReading) -> list[str]:
-    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in reading.faults]
+    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in reading.faults]
 
 
 def arranged(text: str, is_old: bool = False) -> list[str]:
@@ -77,13 +81,13 @@ def test_a_fault_prints_as_the_requirement_says() -> None:
 
 
 def test_a_whole_text_or_a_part_of_it_is_left_out_or_nothing_at_all() -> None:
-    reading = TextReading("f", "all of it is left out")  # R-B07
-    reading.note(1, "a", "b", "it is read as c")
-    reading.part(2, "a", "b", "this is left out")
+    reading = TextReading("f", Reason.plain("all of it is left out"))  # R-B07
+    reading.note(1, REASON, Reason.plain("it is read as c"))
+    reading.part(2, REASON, Reason.plain("this is left out"))
     assert not reading.broken
-    reading.fault(3, "a", "b")
+    reading.fault(3, REASON)
     assert reading.broken
-    assert [(fault.is_note, fault.instead) for fault in reading.faults] == [
+    assert [(fault.is_note, str(fault.instead)) for fault in reading.faults] == [
         (True, "it is read as c"),
         (False, "this is left out"),
         (False, "all of it is left out"),
@@ -91,9 +95,9 @@ def test_a_whole_text_or_a_part_of_it_is_left_out_or_nothing_at_all() -> None:
 
 
 def test_faults_come_in_the_order_of_the_lines() -> None:
-    reading = TextReading("f", "")
-    reading.note(5, "a", "b", "c")
-    reading.fault(2, "d", "e")
+    reading = TextReading("f", NOTHING)
+    reading.note(5, REASON, NOTHING)
+    reading.fault(2, REASON)
     assert [fault.place.line for fault in reading.faults] == [2, 5]
 
 
@@ -149,7 +153,7 @@ def test_a_version_that_is_no_number_is_a_fault(version: str) -> None:
 
 
 def test_the_words_of_a_line_are_checked_and_a_default_stands_for_wrong_ones() -> None:
-    reading = TextReading("f", "")
+    reading = TextReading("f", NOTHING)
     assert reading.whole(FileLine(1, "N", "7"), 3) == 7
     assert reading.whole(None, 3) == 3
     assert reading.whole(FileLine(2, "N", "x"), 3) == 3

@@ -1,5 +1,7 @@
 from dataclasses import replace
 
+from tests.sentences import expected_by
+
 from onika.files.onk import read, write
 from onika.model.onikon import Onikon
 from onika.model.picture import blank
@@ -27,14 +29,14 @@ def test_comments_of_the_former_text_are_kept() -> None:
 def test_an_unknown_target_is_left_out_and_reported() -> None:
     onikon, (fault,) = read(TEXT.replace("Joint", "Force"), "home", "home.onk", SYNTAX)  # R-D16
     assert onikon is None
-    assert (fault.place.line, fault.instead) == (3, "the icon is left out")
+    assert (fault.place.line, str(fault.instead)) == (3, "the icon is left out")
 
 
 def test_a_start_icon_belongs_into_no_dictionary() -> None:
     text = TEXT.replace("Joint object", "Application start").replace("0.5 -1.0\nUI          2.0", "none")
     onikon, (fault,) = read(text, "home", "home.onk", SYNTAX)
     assert onikon is None
-    assert fault.expected == "an action or a target"
+    assert expected_by(fault) == "an action or a target"
 
 
 def test_an_older_file_may_lack_its_description() -> None:
@@ -63,7 +65,7 @@ def test_an_icon_with_further_targets_is_of_version_2_0() -> None:
 
 def test_what_is_wrong_with_further_targets_is_named() -> None:
     def expected(text: str) -> set[str]:
-        return {fault.expected for fault in read(text, "via", "f", MORE)[1] if not fault.is_note}
+        return {expected_by(fault) for fault in read(text, "via", "f", MORE)[1] if not fault.is_note}
 
     text = write(VIA)
     assert expected(text.replace("2.0", "1.3", 1)) == {"VERSION 2.0 for a line TARGET"}
@@ -91,7 +93,7 @@ def test_an_icon_says_what_it_is_in_several_languages_under_version_2_0() -> Non
 
 def test_what_is_wrong_with_a_description_in_another_language_is_named() -> None:
     def expected(text: str) -> set[str]:
-        return {fault.expected for fault in read(text, "hold", "f", MORE)[1]}
+        return {expected_by(fault) for fault in read(text, "hold", "f", MORE)[1]}
 
     text = write(SPOKEN)  # R-B07
     assert expected(text.replace("2.0", "1.3", 1)) == {"VERSION 2.0 for a line DESCIN"}

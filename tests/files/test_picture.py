@@ -1,3 +1,5 @@
+from tests.sentences import expected_by, found_by
+
 from onika.files.line import TextReading
 from onika.files.picture import read, read_rows, write
 from onika.model.picture import SIZE, blank
@@ -8,7 +10,9 @@ TEXT = write(blank())
 def found(text: str) -> list[str]:
     picture, faults = read(text, "start", "OnikaStart.dta")
     assert (picture is None) == any(not fault.is_note for fault in faults)
-    return [f"{fault.place.line}: {fault.expected} / {fault.found} / {fault.instead}" for fault in faults]
+    return [
+        f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)} / {str(fault.instead)!s}" for fault in faults
+    ]
 
 
 def test_a_picture_file_is_32_lines_of_32_digits() -> None:

@@ -1,6 +1,7 @@
 from dataclasses import replace
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.preferences import read, write
 from onika.model.preferences import Preferences, Window, WindowCorner
@@ -10,7 +11,7 @@ TEXT = write(Preferences())
 
 def found(text: str) -> list[str]:
     _, faults = read(text, ".onika", ".onika")
-    return [f"{fault.expected} / {fault.found}" for fault in faults]
+    return [f"{expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
 def test_preferences_are_read_and_written() -> None:
@@ -62,4 +63,4 @@ def test_unknown_status_columns_are_named() -> None:
 def test_a_newer_file_gives_the_defaults() -> None:
     preferences, (fault,) = read("VERSION 9\nLINELEN 3\nEOF", ".onika", "f")  # R-B06
     assert preferences == Preferences()
-    assert fault.instead == "the defaults stand for what is wrong in .onika"
+    assert str(fault.instead) == "the defaults stand for what is wrong in .onika"

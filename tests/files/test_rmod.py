@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings, strategies as st
+from tests.sentences import expected_by, found_by
 
 from onika.files.rmod import RmodText, read, write
 from onika.model.task import LocalLine, Task, TaskType
@@ -50,8 +51,8 @@ TASK = Task(
 def found(text: str) -> list[str]:
     record, faults = read(text, "jmove", "jmove.rmod")
     assert (record is None) == bool(faults)
-    assert all(fault.instead == "the task is left out" for fault in faults)
-    return [f"{fault.place.line}: {fault.expected} / {fault.found}" for fault in faults]
+    assert all(str(fault.instead) == "the task is left out" for fault in faults)
+    return [f"{fault.place.line}: {expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
 def changed(old: str, new: str) -> list[str]:
@@ -115,7 +116,7 @@ def test_every_fault_is_named_at_once() -> None:
         ("OUT=Q_REF", "NOWHERE=X", "7: an alias of a port of this task / 'SVARALIAS NOWHERE=X'"),
         ("OUT=Q_REF", "OUT=Q^_REF", "11: one output for each variable / OUT and Q^_REF as Q^_REF"),
         ("periodic", "aperiodic", "14: no FREQ and no PERIOD for an aperiodic task / 'FREQ 500'"),
-        ("periodic", "often", "12: periodic or synchronous or aperiodic after TASKTYPE / 'TASKTYPE often'"),
+        ("periodic", "often", "12: periodic, synchronous or aperiodic after TASKTYPE / 'TASKTYPE often'"),
         ("FREQ        500", "", "12: FREQ or PERIOD for a periodic task / neither"),
         ("FREQ        500", "FREQ 500\nPERIOD 0.002", "15: either FREQ or PERIOD / both"),
         ("FREQ        500", "FREQ 0", "14: a number above 0 (Hz) after FREQ / 'FREQ 0'"),
@@ -140,7 +141,7 @@ def test_a_parameter_given_twice_is_noted_and_both_lines_stay() -> None:
     record, (note,) = read(TEXT.replace("# a comment", "GAIN 3"), "jmove", "f")  # R-B01
     assert record
     assert note.is_note
-    assert (note.place.line, note.expected, note.instead) == (22, "GAIN once", "the last one counts")
+    assert (note.place.line, expected_by(note), str(note.instead)) == (22, "GAIN once", "the last one counts")
     assert write(record, replace(record.task, frequency=1.0)) == TEXT.replace("# a comment", "GAIN 3").replace(
         "FREQ        500", "FREQ        1"
     )
@@ -211,4 +212,4 @@ def test_further_targets_stand_behind_the_type_of_the_job() -> None:
         (text.replace("TARGET Joint object", "TARGET Joint job"), "a type of target such as Joint object after TARGET"),
         (text.replace("TARGET Joint object", "TARGET object"), "a type of target such as Joint object after TARGET"),
     ):
-        assert expected in [fault.expected for fault in read(wrong, "t", "f")[1]]
+        assert expected in [expected_by(fault) for fault in read(wrong, "t", "f")[1]]

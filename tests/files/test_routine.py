@@ -1,6 +1,7 @@
 from dataclasses import replace
 
 import pytest
+from tests.sentences import expected_by
 
 from onika.files.line import TextReading
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
@@ -70,14 +71,14 @@ def test_conditions_stand_behind_their_marks() -> None:
 def test_a_wrong_condition_is_a_fault(old: str, new: str, expected: str) -> None:
     reading = opened(write_routine(CONDITIONAL).replace(old, new))  # R-B07
     read_routine(reading.lines, SYNTAX, reading)
-    assert expected in [fault.expected for fault in reading.faults]
+    assert expected in [expected_by(fault) for fault in reading.faults]
     assert reading.broken
 
 
 def test_under_an_older_version_conditions_are_refused_line_by_line() -> None:
     reading = opened(write_routine(CONDITIONAL), "1.3")  # R-B06
     read_routine(reading.lines, SYNTAX, reading)
-    assert [(fault.place.line, fault.expected) for fault in reading.faults] == [
+    assert [(fault.place.line, expected_by(fault)) for fault in reading.faults] == [
         (4, "VERSION 2.0 for a line MARKERIF"),
         (7, "VERSION 2.0 for a line WHILEIF"),
     ]
@@ -124,4 +125,4 @@ def test_two_different_marks_of_one_kind_are_a_fault(
 ) -> None:
     reading = opened("")
     marked(replace(MOVE, **job), replace(HOME, line=8, **target), reading)  # type: ignore[arg-type]
-    assert [(fault.place.line, fault.expected) for fault in reading.faults] == [(8, expected)]
+    assert [(fault.place.line, expected_by(fault)) for fault in reading.faults] == [(8, expected)]

@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files.syntax import read, write
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
@@ -20,7 +21,7 @@ TEXT = write(SYNTAX)
 def found(text: str) -> list[str]:
     syntax, faults = read(text, "the syntax", "OnikaUpperSetUp.dta")
     assert (syntax is None) == bool(faults)
-    return [f"{fault.expected} / {fault.found}" for fault in faults]
+    return [f"{expected_by(fault)} / {found_by(fault)}" for fault in faults]
 
 
 def test_a_syntax_is_read_and_written() -> None:
@@ -69,6 +70,6 @@ def test_a_constant_may_say_how_many_values_there_are_and_a_1_3_file_stays_as_it
     assert faults == ()
     assert [known.find("Joint object").items[0].takes(count) for count in (6, 4, 1, 0)] == [True, True, True, False]
     refused, faults = read(text.replace("2.0", "1.3"), "s", "f")
-    assert (refused, [fault.expected for fault in faults]) == (None, ["VERSION 2.0 for a line DIMENSION"])
+    assert (refused, [expected_by(fault) for fault in faults]) == (None, ["VERSION 2.0 for a line DIMENSION"])
     plain = DataItem("endpoint", ValueType.DOUBLE, 6)
     assert [plain.takes(count) for count in (6, 4)] == [True, False]

@@ -2,6 +2,8 @@ import os
 import socket
 from pathlib import Path
 
+from tests.sentences import expected_by, found_by
+
 from onika.files.text import LARGEST, decode, load
 
 
@@ -21,7 +23,7 @@ def test_a_file_that_cannot_be_read_is_a_fault(tmp_path: Path) -> None:
     for path in (tmp_path, tmp_path / "missing"):
         text, (fault,) = load(path, "here")  # R-B07
         assert text is None
-        assert (fault.place.file, fault.expected) == ("here", "a file that can be read")
+        assert (fault.place.file, expected_by(fault)) == ("here", "a file that can be read")
 
 
 def test_what_is_no_plain_file_is_a_fault_and_nothing_waits_for_it(tmp_path: Path) -> None:
@@ -29,11 +31,11 @@ def test_what_is_no_plain_file_is_a_fault_and_nothing_waits_for_it(tmp_path: Pat
     os.mkfifo(pipe)
     link.symlink_to("/dev/zero")
     loop.symlink_to(loop)
-    found = [load(path, "here")[1][0].found for path in (pipe, tmp_path, link, loop)]
+    found = [found_by(load(path, "here")[1][0]) for path in (pipe, tmp_path, link, loop)]
     assert found == ["a pipe", "a directory", "a device", "Too many levels of symbolic links"]
     with socket.socket(socket.AF_UNIX) as listener:
         listener.bind(str(tmp_path / "s"))
-        assert load(tmp_path / "s", "here")[1][0].found == "a socket"
+        assert found_by(load(tmp_path / "s", "here")[1][0]) == "a socket"
 
 
 def test_a_file_that_is_far_too_large_is_not_read(tmp_path: Path) -> None:
@@ -42,7 +44,7 @@ def test_a_file_that_is_far_too_large_is_not_read(tmp_path: Path) -> None:
         file.truncate(LARGEST + 1)
     text, (fault,) = load(path, "here")
     assert text is None
-    assert fault.found == f"{LARGEST + 1} bytes, more than {LARGEST}"
+    assert found_by(fault) == f"{LARGEST + 1} bytes, more than {LARGEST}"
 
 
 def test_a_large_file_and_one_that_a_link_leads_to_are_read(tmp_path: Path) -> None:

@@ -124,7 +124,7 @@ class DirectClient:
         if isinstance(answer, request.Refused):
             return answer.reason
         if isinstance(answer, request.Prepared):
-            return "; ".join(f"{one.expected}, found {one.found}" for one in answer.faults)
+            return "; ".join(str(one.reason) for one in answer.faults)
         if not isinstance(answer, live.Accepted):
             raise TypeError(f"expected Accepted, found {answer}")
         self.program.advance(SECOND)

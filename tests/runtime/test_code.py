@@ -3,6 +3,7 @@
 import sys
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.runtime.code import compiled, line_in, load, traceback_text, where
 from onika.runtime.module import Module
@@ -43,13 +44,13 @@ def test_a_file_leaves_no_trace_among_the_imported_ones():  # law 14
 def test_a_syntax_error_is_a_fault_with_its_line():  # R-A18, R-B07
     error = fault("x = 1\nclass :\n")
     assert error.place == Place("lab/m.py", 2)
-    assert error.expected == "Python"
-    assert "class :" in error.found
-    assert error.instead == "module m is not loaded"
+    assert expected_by(error) == "Python"
+    assert "class :" in found_by(error)
+    assert str(error.instead) == "module m is not loaded"
 
 
 def test_text_that_python_cannot_read_at_all_is_a_fault():
-    assert fault("x = '\0'").expected == "Python"
+    assert expected_by(fault("x = '\0'")) == "Python"
 
 
 @pytest.mark.parametrize(
@@ -61,24 +62,24 @@ def test_text_that_python_cannot_read_at_all_is_a_fault():
     ],
 )
 def test_what_raises_while_it_is_imported_is_a_fault_with_its_line(source, line, sentence):  # R-A18
-    assert (fault(source).place, fault(source).found) == (Place("lab/m.py", line), sentence)
+    assert (fault(source).place, found_by(fault(source))) == (Place("lab/m.py", line), sentence)
 
 
 def test_a_file_without_a_module_is_a_fault():
-    assert fault("x = 1").found == "none"
-    assert fault("from onika.module import Module").found == "none"
+    assert found_by(fault("x = 1")) == "none"
+    assert found_by(fault("from onika.module import Module")) == "none"
 
 
 def test_a_file_with_two_modules_is_a_fault_that_names_both():
     source = "from onika.module import Module\nclass A(Module): pass\nclass B(Module): pass"
-    assert fault(source).expected == "exactly one subclass of Module"
-    assert fault(source).found == "A, B"
+    assert expected_by(fault(source)) == "exactly one subclass of Module"
+    assert found_by(fault(source)) == "A, B"
 
 
 def test_a_declaration_that_contradicts_itself_is_a_fault_with_its_line():
     error = fault("from onika.module import InVar, Module\nclass A(Module):\n    X = InVar('real')\n")
     assert error.place.line == 3
-    assert "double, int or double[NDOF,4], found 'real'" in error.found
+    assert "double, int or double[NDOF,4], found 'real'" in found_by(error)
 
 
 def test_a_module_may_use_dataclasses_with_annotations_as_text():

@@ -4,6 +4,7 @@ import dataclasses
 
 import msgspec
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.model.task import LocalLine, Task
 from onika.module import InBoth, InConst, Input, InVar, Local, Module, OutBoth, OutConst, OutVar
@@ -145,10 +146,8 @@ def test_a_task_file_that_fits_has_no_fault():
 )
 def test_a_difference_is_a_fault_that_names_it(changes, expected, declared):  # R-A01, law 17
     fault = faults(**changes)
-    assert [(difference.place, difference.expected, difference.found) for difference in fault] == [
-        (PLACE, expected, declared)
-    ]
-    assert fault[0].instead == "task m is left out"
+    assert [(one.place, expected_by(one), found_by(one)) for one in fault] == [(PLACE, expected, declared)]
+    assert str(fault[0].instead) == "task m is left out"
 
 
 def test_all_differences_are_found_at_once():  # R-E01

@@ -1,6 +1,7 @@
 """How tasks meet in their variables."""
 
 import msgspec
+from tests.sentences import expected_by, found_by
 
 from kit.build import task
 from onika.module import InBoth, InConst, InVar, Module, OutBoth, OutConst, OutVar
@@ -59,10 +60,10 @@ def test_another_type_shape_or_unit_is_a_fault_that_names_both_tasks():  # law 7
     others = [wired("b", X=InVar("float[NDOF]", "m")), wired("c", X=InVar("double[6]", "m"))]
     others.append(wired("d", X=InVar("double[NDOF]", "mm")))
     faults = disagreements([first, *others])
-    assert [(fault.place.file, fault.found) for fault in faults] == [
+    assert [(one.place.file, found_by(one)) for one in faults] == [
         ("b.rmod", "float[NDOF] in m"), ("c.rmod", "double[6] in m"), ("d.rmod", "double[NDOF] in mm"),
     ]  # fmt: skip
-    assert {fault.expected for fault in faults} == {"X double[NDOF] in m, as a declares"}
+    assert {expected_by(one) for one in faults} == {"X double[NDOF] in m, as a declares"}
 
 
 def test_tasks_that_do_not_meet_cannot_disagree():
@@ -71,7 +72,7 @@ def test_tasks_that_do_not_meet_cannot_disagree():
 
 def test_a_constant_that_nobody_supplies_is_a_fault():  # law 10, reading 6
     tasks = [wired("a", N=InConst("int"), M=InConst("int")), wired("b", M=OutConst("int")), wired("c", N=OutVar("int"))]
-    assert [(fault.place.file, fault.expected) for fault in missing_constants(tasks)] == [
+    assert [(one.place.file, expected_by(one)) for one in missing_constants(tasks)] == [
         ("a.rmod", "a task that supplies the constant N")
     ]
 

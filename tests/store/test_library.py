@@ -3,6 +3,7 @@ import runpy
 from pathlib import Path
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.files import rmod
 from onika.files.rmod import RmodText
@@ -25,7 +26,7 @@ def module(base: BaseDirectory, name: str) -> Path:
 
 
 def told(library: Library) -> list[str]:
-    return [f"{Path(one.place.file).name}: {one.expected} / {one.found}" for one in library.faults]
+    return [f"{Path(one.place.file).name}: {expected_by(one)} / {found_by(one)}" for one in library.faults]
 
 
 @pytest.mark.parametrize("count", [1_000, pytest.param(10_000, marks=pytest.mark.slow)])

@@ -1,9 +1,12 @@
 from pathlib import Path
 
+from tests.sentences import found_by
+
 from onika.store.opened_text import OpenedText, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
+from onika.words.reason import Reason
 
-FAULT = Fault(Place("f"), "a", "b", "c")
+FAULT = Fault(Place("f"), Reason.plain("expected a, found b"), Reason.plain("c"))
 
 
 def read(text: str, name: str, place: str) -> tuple[str | None, tuple[Fault, ...]]:
@@ -21,7 +24,7 @@ def test_what_is_opened_has_the_text_it_was_read_from(tmp_path: Path) -> None:
     path.write_text("bad")
     assert open_file(path, "a", read) == (None, (FAULT,))
     opened, (fault,) = open_file(tmp_path / "b", "b", read)
-    assert (opened, fault.found) == (None, "No such file or directory")
+    assert (opened, found_by(fault)) == (None, "No such file or directory")
 
 
 def test_what_is_saved_goes_over_what_was_opened_and_over_nothing_else(tmp_path: Path) -> None:

@@ -58,7 +58,7 @@ def test_later_duplicates_are_reported_with_their_directory(site: Site) -> None:
         base.save_task(task("pid", "pid"))
         base.save_onikon(Onikon("grip", "Complete job", "", (), blank()))
     two.save_task(task("other", "other"))
-    assert [(fault.place.file, fault.instead) for fault in site.duplicates()] == [
+    assert [(fault.place.file, str(fault.instead)) for fault in site.duplicates()] == [
         (str(two.path / "module" / "pid"), "the first one is used"),
         (str(two.path / "dict" / "grip"), "the first one is used"),
     ]

@@ -47,6 +47,7 @@ def test_missing_pages_are_written_once(tmp_path, capsys):
         PAGE,
         LABORATORY,
         "docs/messages.md",
+        "docs/pictures/house.svg",
         "browser/src/api.gen.ts",
         "browser/src/texts/catalogue.es.gen.ts",
     ]

@@ -4,6 +4,7 @@ import pytest
 from kit.plan_builder import action
 from kit.rail_world import rail_tasks
 from onika.wire import holding, live, request, steer
+from onika.words.reason import Reason
 
 PLAN = rail_tasks().plan([action("mass", "servo", arguments="1")])
 REQUESTS = [
@@ -17,7 +18,10 @@ REQUESTS = [
     request.Quit(),
 ]
 RESPONSES = [
-    request.Prepared((request.FaultText("a.rmod", 3, "one", "two", "left out"),), ("by the way",)),
+    request.Prepared(
+        (request.FaultText("a.rmod", 3, Reason.plain("expected one, found two"), Reason.plain("left out")),),
+        ("by the way",),
+    ),
     request.Done(),
     request.Refused("not now"),
     request.Worlds({"boxes": b"\x00\xff"}),

@@ -4,6 +4,7 @@ export type Scalar = string | number | boolean
 export type Value<T> = Scalar | T | readonly (Scalar | T)[]
 
 const CONNECTIVES: Record<string, Record<string, string>> = { en: { and: 'and', or: 'or' }, es: { and: 'y', or: 'o' } }
+const LISTS = ['', 'and', 'or', ';']
 const GAP = /\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}/g
 const NUMBER_FORMAT = /^(\+?)(?:\.(\d+))?([gf])$/
 
@@ -25,10 +26,10 @@ function filled<T>(value: Value<T>, rule: string, language: string, show: (value
     return (count === 1 ? singular : plural) ?? ''
   }
   if (isList(value)) {
-    const connective = CONNECTIVES[language]?.[kind] ?? ''
-    return listed(value.map((item) => filled(item, connective ? '' : rule, language, show)), connective)
+    const items = value.map((item) => filled(item, LISTS.includes(kind) ? '' : rule, language, show))
+    return kind === ';' ? items.join('; ') : listed(items, CONNECTIVES[language]?.[kind] ?? '')
   }
-  if (kind === '' || kind === 'and' || kind === 'or') return written(value, show)
+  if (LISTS.includes(kind)) return written(value, show)
   if (kind === 'quoted') return quoted(written(value, show))
   const format = NUMBER_FORMAT.exec(kind)
   if (!format || typeof value !== 'number') throw new RangeError(`expected a rule of a gap that suits its value, found ${rule}`)

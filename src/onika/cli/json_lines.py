@@ -105,8 +105,7 @@ def _plain(faults: Sequence[Fault]) -> list[dict[str, Any]]:
         {
             "file": fault.place.file,
             "line": fault.place.line,
-            "expected": fault.expected,
-            "found": fault.found,
+            "reason": fault.reason,
             "instead": fault.instead,
         }
         for fault in faults

@@ -11,7 +11,8 @@ from rich.text import Text
 
 from onika.cli.key_bindings import KEYS, KeyBindings
 from onika.desk.plan.flow_index import FlowIndex
-from onika.desk.run.flow_tracker import FlowStatus, FlowTracker
+from onika.desk.run.flow_status import FlowStatus
+from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.positions import waits
 from onika.wire import event
 from onika.wire.steer import Position

@@ -7,6 +7,7 @@ from onika.files.version import EXTENDED, VERSION
 from onika.model.application import Application
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 ENDING = ".appl"
 
@@ -36,7 +37,7 @@ def salvage(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Appl
 
 
 def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Application | None, TextReading]:
-    reading = TextReading(place_file, "the application is left out")
+    reading = TextReading(place_file, Reason.of("files.application_left_out"))
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading
@@ -46,7 +47,7 @@ def _read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Applic
     is_parallel = reading.choice(found["APPLTYPE"][0] if found["APPLTYPE"] else None, kinds, default=False)
     flows = read_flows(blocks, syntax, reading)
     if not flows:
-        reading.fault(reading.end, "at least one FLOW", "none")
+        reading.fault(reading.end, Reason.of("files.flow_missing"))
     return (Application(name, is_parallel, flows) if flows else None), reading
 
 

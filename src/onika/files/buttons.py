@@ -8,6 +8,7 @@ from onika.files.line import FileLine, KeywordSlot, Need, TextReading, one_line,
 from onika.files.version import VERSION
 from onika.model.button import Button
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 NAME = ".onika.buttons"
 
@@ -19,7 +20,7 @@ _BUTTON = (KeywordSlot("BUTTON"), KeywordSlot("FUNCTION"), KeywordSlot(_SPAWN, N
 
 def read(text: str, name: str, place_file: str) -> tuple[tuple[Button, ...] | None, tuple[Fault, ...]]:
     """The buttons of a text, all or none; `name` completes the form of all formats."""
-    reading = TextReading(place_file, f"no button of {name} is made")
+    reading = TextReading(place_file, Reason.of("files.no_button", name=name))
     reading.open_versioned(text)
     if reading.is_over:
         return None, reading.faults
@@ -48,7 +49,7 @@ def _button(block: Sequence[FileLine], reading: TextReading) -> Button:
     found = {keyword: lines[0] if lines else None for keyword, lines in reading.arrange(block, _BUTTON).items()}
     for line in found.values():
         if line and not line.rest:
-            reading.fault(line.number, f"text after {line.keyword}", str(line))
+            reading.fault(line.number, Reason.of("files.text_after", keyword=line.keyword, line=str(line)))
     name, command = found["BUTTON"], found["FUNCTION"]
     return Button(
         name.text if name else "",

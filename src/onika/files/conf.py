@@ -9,6 +9,7 @@ from onika.files.version import EXTENDED, VERSION
 from onika.model.configuration import UNKNOWN_RTPU, Configuration, Group, Locus, Placed
 from onika.words.fault import Fault
 from onika.words.name import SVAR_NAME, TASK_NAME
+from onika.words.reason import Reason
 
 ENDING = ".conf"
 
@@ -32,7 +33,7 @@ _GROUP = (KeywordSlot("GROUP", Need.OF_2_0),)
 
 def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, tuple[Fault, ...]]:
     """The configuration `name` (no ending) of a text; with any fault it is left out."""
-    reading = TextReading(place_file, "the configuration is left out")
+    reading = TextReading(place_file, Reason.of("files.configuration_left_out"))
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -44,12 +45,12 @@ def read(text: str, name: str, place_file: str) -> tuple[Configuration | None, t
             grouped += reading.arrange(block, _GROUP)["GROUP"]
             continue
         if grouped:
-            reading.fault(block[0].number, "every task and locus before the first GROUP", str(block[0]))
+            reading.fault(block[0].number, Reason.of("files.group_before_locus", block=str(block[0])))
         if block[0].keyword == "LOCUS":
             loci.append(_locus(reading.arrange(block, _LOCUS), reading))
             continue
         if loci:
-            reading.fault(block[0].number, "every task before the first LOCUS", str(block[0]))
+            reading.fault(block[0].number, Reason.of("files.task_after_locus", block=str(block[0])))
         placed.append(_placed(reading.arrange(block, _TASK), reading))
     _check_twice([block[0] for block in blocks if block[0].keyword != "GROUP"], reading)
     groups = _groups(grouped, {one.task for one in placed}, reading)
@@ -90,12 +91,12 @@ def _placed(found: Mapping[str, list[FileLine]], reading: TextReading) -> Placed
     line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
     return Placed(
-        task=reading.match(line["RMODFILE"], TASK_NAME, "the name of a task"),
+        task=reading.match(line["RMODFILE"], TASK_NAME, Reason.of("files.name_of_task")),
         x=x,
         y=y,
         in_left=reading.yes(line["INLEFT"], default=True),
         frequency=_frequency(line["FREQ"], reading),
-        rtpu=reading.word(line["RTPU"], "the name of a processing unit", UNKNOWN_RTPU),
+        rtpu=reading.word(line["RTPU"], Reason.of("files.name_of_unit"), UNKNOWN_RTPU),
     )
 
 
@@ -105,7 +106,7 @@ def _frequency(line: FileLine | None, reading: TextReading) -> float:
         return 0.0
     value = float(line.rest) if is_number(line.rest) else math.nan
     if not (math.isfinite(value) and value >= 0):
-        reading.fault(line.number, "a number of at least 0 (Hz) after FREQ", str(line))
+        reading.fault(line.number, Reason.of("files.frequency_given", line=str(line)))
         return 0.0
     return abs(value)
 
@@ -114,7 +115,7 @@ def _locus(found: Mapping[str, list[FileLine]], reading: TextReading) -> Locus:
     line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
     x, y = reading.wholes(line["COORDS"], (0, 0))
     return Locus(
-        reading.match(line["LOCUS"], SVAR_NAME, "the name of a state variable"),
+        reading.match(line["LOCUS"], SVAR_NAME, Reason.of("files.name_of_variable")),
         x,
         y,
         conns=reading.whole(line["CONNS"], 0, low=0),
@@ -133,7 +134,9 @@ def _check_twice(heads: Sequence[FileLine], reading: TextReading) -> None:
     for line in heads:
         first = seen.setdefault((line.keyword, line.rest), line.number)
         if first != line.number:
-            reading.fault(line.number, f"{line.keyword} {line.rest} once", f"it again after line {first}")
+            reading.fault(
+                line.number, Reason.of("files.repeated_after", keyword=line.keyword, rest=line.rest, first=first)
+            )
 
 
 def _groups(lines: Sequence[FileLine], placed: Set[str], reading: TextReading) -> tuple[Group, ...]:
@@ -143,17 +146,17 @@ def _groups(lines: Sequence[FileLine], placed: Set[str], reading: TextReading) -
     groups = []
     for line in lines:
         if len(line.words) < 2 or not all(map(TASK_NAME.match, line.words)):
-            reading.fault(line.number, "the name of a group and those of its tasks after GROUP", str(line))
+            reading.fault(line.number, Reason.of("files.group_line", line=str(line)))
             continue
         name, *tasks = line.words
         first = named.setdefault(name, line.number)
         if first != line.number:
-            reading.fault(line.number, f"GROUP {name} once", f"it again after line {first}")
+            reading.fault(line.number, Reason.of("files.group_once", name=name, first=first))
         for task in tasks:
             if task not in placed:
-                reading.fault(line.number, f"tasks of this configuration after GROUP {name}", task)
+                reading.fault(line.number, Reason.of("files.group_stranger", name=name, task=task))
             elif task in home:
-                reading.fault(line.number, "every task in one GROUP, and once", f"{task} again after line {home[task]}")
+                reading.fault(line.number, Reason.of("files.group_task_twice", task=task, home=home[task]))
             home.setdefault(task, line.number)
         groups.append(Group(name, tuple(tasks)))
     return tuple(groups)

@@ -11,6 +11,7 @@ from onika.files.line import FileLine, KeywordSlot, Need, TextReading, row
 from onika.files.routine import is_extended, marked, read_condition, read_routine, write_routine
 from onika.model.application import AppFlow, Branch, Hole, Icon, Step, actions, flows_within
 from onika.model.syntax import Syntax
+from onika.words.reason import Reason
 
 HEADS = frozenset({"FLOW", "ICONHOLE", "ENDFLOW", "BRANCH", "ENDBRANCH", "ROUTINE"})
 """The keywords that begin a block of lines."""
@@ -113,7 +114,7 @@ class _Nest:
         """The end of the application, in line `number`; nothing may be open."""
         if self._open:
             missing = "ENDFLOW" if isinstance(self._open[-1], _OpenFlow) else "ENDBRANCH"
-            self._reading.fault(number, missing, "the end of the application")
+            self._reading.fault(number, Reason.of("files.flow_unclosed", missing=missing))
         while self._open:
             self._close()
 
@@ -127,23 +128,23 @@ class _Nest:
         top = self._open[-1] if self._open else None
         if isinstance(top, _OpenFlow):
             return top
-        self._reading.fault(line.number, "FLOW", str(line))
+        self._reading.fault(line.number, Reason.of("files.flow_expected", line=str(line)))
         flow = _OpenFlow(FileLine(line.number, "FLOW", ""))
         self._open.append(flow)
         return flow
 
     def _begin_flow(self, line: FileLine) -> None:
         if self._open and isinstance(self._open[-1], _OpenFlow):
-            self._reading.fault(line.number, "ENDFLOW before the next FLOW", str(line))
+            self._reading.fault(line.number, Reason.of("files.endflow_before_next_flow", line=str(line)))
             self._close()
         self._open.append(_OpenFlow(line))
 
     def _end_flow(self, line: FileLine) -> None:
         if not self._open:
-            self._reading.fault(line.number, "FLOW", str(line))
+            self._reading.fault(line.number, Reason.of("files.flow_expected", line=str(line)))
             return
         if isinstance(self._open[-1], _OpenBranch):
-            self._reading.fault(line.number, "FLOW or ENDBRANCH", str(line))
+            self._reading.fault(line.number, Reason.of("files.flow_or_endbranch", line=str(line)))
             self._close()
         self._close()
 
@@ -151,18 +152,18 @@ class _Nest:
         self._flow(line)
         self._open.append(_OpenBranch(line))
         if sum(isinstance(one, _OpenBranch) for one in self._open) == DEEPEST + 1:
-            self._reading.fault(line.number, f"at most {DEEPEST} branches within each other", "one more")
+            self._reading.fault(line.number, Reason.of("files.branches_too_deep", deepest=DEEPEST))
 
     def _end_branch(self, line: FileLine) -> None:
         if not any(isinstance(one, _OpenBranch) for one in self._open):
-            self._reading.fault(line.number, "BRANCH before ENDBRANCH", str(line))
+            self._reading.fault(line.number, Reason.of("files.branch_before_endbranch", line=str(line)))
             return
         if isinstance(self._open[-1], _OpenFlow):
-            self._reading.fault(line.number, "ENDFLOW before ENDBRANCH", str(line))
+            self._reading.fault(line.number, Reason.of("files.endflow_before_endbranch", line=str(line)))
             self._close()
         branch = self._open[-1]
         if isinstance(branch, _OpenBranch) and not branch.flows:
-            self._reading.fault(line.number, "at least one FLOW before ENDBRANCH", "none")
+            self._reading.fault(line.number, Reason.of("files.branch_empty"))
         self._close()
 
     def _close(self) -> None:
@@ -186,8 +187,7 @@ class _Nest:
             return
         for at, head in enumerate(branch.heads):
             if bool(head.rest) != (at < len(branch.heads) - 1):
-                expected = "a condition after each FLOW of a branch but the last, or after none"
-                self._reading.fault(head.number, expected, str(head))
+                self._reading.fault(head.number, Reason.of("files.branch_conditions", head=str(head)))
             elif head.rest:
                 yield read_condition(head, self._reading)
 

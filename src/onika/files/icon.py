@@ -12,6 +12,7 @@ from onika.files.picture import read_rows
 from onika.model.onikon import Onikon
 from onika.model.syntax import DataItem, IconType, Syntax, has_word
 from onika.words import argument
+from onika.words.reason import Reason, reason_of
 from onika.words.value import Value, ValueType
 
 SLOTS = (
@@ -65,10 +66,15 @@ def _kind(line: FileLine, syntax: Syntax, reading: TextReading) -> IconType | No
     known = syntax.find(line.text)
     acting = known or syntax.acting(line.text)
     if acting is None:
-        reading.part(line.number, "a type of icon that the syntax defines", str(line), "the icon is left out")
+        reading.part(
+            line.number, Reason.of("files.icon_type_unknown", line=str(line)), Reason.of("files.icon_left_out")
+        )
     elif known is None:
-        instead = f"it acts as {acting.name}, its data is asked for while it runs"
-        reading.note(line.number, "a type of icon that the syntax defines", str(line), instead)
+        reading.note(
+            line.number,
+            Reason.of("files.icon_type_unknown", line=str(line)),
+            Reason.of("files.acts_as", name=acting.name),
+        )
     return acting
 
 
@@ -76,9 +82,9 @@ def _target(line: FileLine, kind: IconType, is_own: bool, syntax: Syntax, readin
     """The name of one more target's type, as the syntax writes it; an icon of unknown type keeps it as it is."""
     target = syntax.find(line.text)
     if is_own and not kind.needs_target:
-        reading.fault(line.number, f"no line TARGET for {kind.name}", str(line))
+        reading.fault(line.number, Reason.of("files.no_line_target", name=kind.name, line=str(line)))
     elif not (target.is_target if target else has_word(line.text, "object") and not is_own):
-        reading.fault(line.number, "a type of target that the syntax defines", str(line))
+        reading.fault(line.number, Reason.of("files.target_type_unknown", line=str(line)))
     return target.name if target else line.text
 
 
@@ -93,9 +99,9 @@ def _words_in(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[st
     for line in lines:
         language, _, text = line.text.partition(" ")
         if not _LANGUAGE.match(language) or not text:
-            reading.fault(line.number, "the code of a language and a description after DESCIN", str(line))
+            reading.fault(line.number, Reason.of("files.descin_line", line=str(line)))
         elif language in found:
-            reading.fault(line.number, f"DESCIN {language} once", f"{line} again")
+            reading.fault(line.number, Reason.of("files.descin_once", language=language, line=str(line)))
         else:
             found[language] = text
     return tuple(found.items())
@@ -108,11 +114,13 @@ def _values(lines: Sequence[FileLine], kind: IconType, reading: TextReading) -> 
     if not kind.items:
         for line in lines:
             if line.rest != "none" or line is not lines[0]:
-                reading.fault(line.number, f"one line UI none for {kind.name}", str(line))
+                reading.fault(line.number, Reason.of("files.ui_none", name=kind.name, line=str(line)))
         return ()
     if len(lines) != len(kind.items):
         names = ", ".join(item.name for item in kind.items)
-        reading.fault(lines[-1].number, f"{len(kind.items)} lines UI ({names})", f"{len(lines)}")
+        reading.fault(
+            lines[-1].number, Reason.of("files.ui_count", count=len(kind.items), names=names, count_2=len(lines))
+        )
     return tuple(_elements(line, item, reading) for line, item in zip(lines, kind.items, strict=False))
 
 
@@ -120,17 +128,26 @@ def _elements(line: FileLine, item: DataItem, reading: TextReading) -> tuple[Val
     try:
         words = _words(line, item)
     except ValueError as error:
-        reading.fault(line.number, *_halves(error))
+        reading.fault(line.number, reason_of(error))
         return ()
     if not item.takes(len(words)):
-        expected = f"{item.count} elements of type {item.type.value} for {item.name}"
-        reading.fault(line.number, expected, f"{len(words)} in {line}")
+        reading.fault(
+            line.number,
+            Reason.of(
+                "files.ui_elements",
+                count=item.count,
+                value=item.type.value,
+                name=item.name,
+                count_2=len(words),
+                line=str(line),
+            ),
+        )
     values: list[Value] = []
     for word in words:
         try:
             values.append(item.type.parse(word))
         except ValueError as error:
-            reading.fault(line.number, *_halves(error))
+            reading.fault(line.number, reason_of(error))
     return tuple(values) if len(values) == len(words) else ()  # fewer would be others
 
 
@@ -147,14 +164,8 @@ def _words(line: FileLine, item: DataItem) -> list[str]:
     return words if len(words) == 1 else [line.rest]
 
 
-def _halves(error: ValueError) -> tuple[str, str]:
-    """What was expected and what was found, of a sentence "expected …, found …"."""
-    expected, _, found = str(error).removeprefix("expected ").partition(", found ")
-    return expected, found or "something else"
-
-
 def _show_values(values: Sequence[Value]) -> str:
     text = argument.join(value if isinstance(value, str) else repr(value) for value in values)
     if any(ord(sign) < 32 or 127 <= ord(sign) < 160 for sign in text):
-        raise ValueError(f"expected text that fits on a line, found {show(text)}")
+        raise ValueError(Reason.of("files.text_of_one_line", text=show(text)))
     return text

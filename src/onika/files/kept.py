@@ -11,6 +11,7 @@ from onika.model.kept import Demand, KeptAction, KeptFlow, KeptMeeting, KeptRun
 from onika.model.redirect import Redirect
 from onika.words.condition import Condition
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 ENDING = ".test"
 
@@ -39,7 +40,7 @@ _PLUS_MINUS = ("+-", "±")
 
 def read(text: str, name: str, place_file: str) -> tuple[KeptRun | None, tuple[Fault, ...]]:
     """The kept run of a text; left out with any fault. `name` completes the form of all formats."""
-    reading = TextReading(place_file, f"the test {name} is left out")
+    reading = TextReading(place_file, Reason.of("files.test_left_out", name=name))
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -48,8 +49,8 @@ def read(text: str, name: str, place_file: str) -> tuple[KeptRun | None, tuple[F
     one = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
     flows, meetings = _body(blocks, reading)
     kept = KeptRun(
-        application=reading.word(one["APPLICATION"], "the name of an application"),
-        digest=reading.word(one["DIGEST"], "the digest of the application"),
+        application=reading.word(one["APPLICATION"], Reason.of("files.name_of_application")),
+        digest=reading.word(one["DIGEST"], Reason.of("files.digest_of_application")),
         flows=flows,
         meetings=meetings,
         seed=reading.whole(one["SEED"], 0),
@@ -59,7 +60,7 @@ def read(text: str, name: str, place_file: str) -> tuple[KeptRun | None, tuple[F
         expectations=tuple(text for line in found["EXPECT"] if (text := _expectation(line, reading))),
     )
     if not flows:
-        reading.fault(reading.end, "at least one FLOW", "none")
+        reading.fault(reading.end, Reason.of("files.flow_missing"))
     return (None if reading.broken else kept), reading.faults
 
 
@@ -106,11 +107,11 @@ def _body(
             meetings += _meeting(reading.arrange(block, _MEET)["MEET"], reading)
         elif keyword == "FLOW":
             if is_open:
-                reading.fault(number, "END of the flow before", str(block[0]))
+                reading.fault(number, Reason.of("files.end_of_flow_before", block=str(block[0])))
             flows.append(_flow(reading.arrange(block, _FLOW), reading))
             actions, is_open = [], True
         elif not is_open:
-            reading.fault(number, f"a line FLOW before {keyword}", str(block[0]))
+            reading.fault(number, Reason.of("files.flow_before", keyword=keyword, block=str(block[0])))
         elif keyword == "ACTION":
             actions.append(_action(reading.arrange(block, _ACTION), reading))
         else:
@@ -120,7 +121,7 @@ def _body(
             flows[-1] = KeptFlow(flow.subsystem, flow.robots, tuple(actions), _demands(found["AFTER"], reading))
             is_open = False
     if is_open:
-        reading.fault(reading.end, "END of the last flow", "none")
+        reading.fault(reading.end, Reason.of("files.end_of_last_flow"))
     return tuple(flows), tuple(meetings)
 
 
@@ -130,14 +131,14 @@ def _flow(found: Mapping[str, list[FileLine]], reading: TextReading) -> KeptFlow
         if len(line.words) == 2:
             robots.append((line.words[0], line.words[1]))
         else:
-            reading.fault(line.number, "a hardware task and its device after ROBOT", str(line))
-    return KeptFlow(reading.word(next(iter(found["FLOW"]), None), "the name of a subsystem"), tuple(robots))
+            reading.fault(line.number, Reason.of("files.kept_robot", line=str(line)))
+    return KeptFlow(reading.word(next(iter(found["FLOW"]), None), Reason.of("files.name_of_subsystem")), tuple(robots))
 
 
 def _action(found: Mapping[str, list[FileLine]], reading: TextReading) -> KeptAction:
     name, lasts, way = (next(iter(found[keyword]), None) for keyword in ("ACTION", "LASTS", "ONTHEWAY"))
     if name is not None and not name.rest:
-        reading.fault(name.number, "the name of an action after ACTION", str(name))
+        reading.fault(name.number, Reason.of("files.action_name", name=str(name)))
     lasts_s, within_s = _quantity(lasts, 0.0, reading)
     is_on_way = reading.yes(way, default=False)
     return KeptAction(name.text if name else "", lasts_s, within_s, _demands(found["AFTER"], reading), is_on_way)
@@ -156,9 +157,7 @@ def _demand(line: FileLine, reading: TextReading) -> Demand | None:
     is_sound = _ADDRESS.match(address) and count and len(unit) <= 1 and 0 <= tolerance < math.inf
     values = tuple(map(float, words[:count]))
     if not is_sound or not all(map(math.isfinite, values)):
-        reading.fault(
-            line.number, f"a variable, its values, their unit and +- a number after {line.keyword}", str(line)
-        )
+        reading.fault(line.number, Reason.of("files.kept_values", keyword=line.keyword, line=str(line)))
         return None
     return Demand(address, values, unit[0] if unit else "", tolerance)
 
@@ -170,7 +169,7 @@ def _quantity(line: FileLine | None, default: float, reading: TextReading) -> tu
     words, tolerance = _tolerance(line.words)
     is_sound = len(words) in (1, 2) and is_number(words[0]) and words[1:] in ((), ("s",)) and tolerance >= 0
     if not is_sound or not 0 <= float(words[0]) < math.inf or not math.isfinite(tolerance):
-        reading.fault(line.number, f"seconds and, where it matters, +- a number after {line.keyword}", str(line))
+        reading.fault(line.number, Reason.of("files.kept_seconds", keyword=line.keyword, line=str(line)))
         return default, 0.0
     return float(words[0]), tolerance
 
@@ -186,7 +185,7 @@ def _tolerance(words: Sequence[str]) -> tuple[tuple[str, ...], float]:
 
 def _answer(line: FileLine, reading: TextReading) -> tuple[str, str, str] | None:
     if len(line.words) < 3:
-        reading.fault(line.number, "a task, the name of an input and its values after ANSWER", str(line))
+        reading.fault(line.number, Reason.of("files.kept_answer", line=str(line)))
         return None
     task, name, *values = line.words
     return task, name, " ".join(values)
@@ -196,7 +195,7 @@ def _expectation(line: FileLine, reading: TextReading) -> str:
     try:
         return Condition.parse(line.text).text
     except ValueError:
-        reading.fault(line.number, "a condition such as LAMP == 1 after EXPECT", str(line))
+        reading.fault(line.number, Reason.of("files.kept_expect", line=str(line)))
         return ""
 
 
@@ -204,7 +203,7 @@ def _redirect(line: FileLine, reading: TextReading) -> str:
     try:
         return str(Redirect.parse(line.text))
     except ValueError:
-        reading.fault(line.number, "[FLOW:]TASK=TASK after REDIRECT", str(line))
+        reading.fault(line.number, Reason.of("files.kept_redirect", line=str(line)))
         return ""
 
 
@@ -212,7 +211,7 @@ def _meeting(lines: Sequence[FileLine], reading: TextReading) -> list[KeptMeetin
     found = []
     for line in lines:
         if len(line.words) < 2:
-            reading.fault(line.number, "a tag and the flows that met there after MEET", str(line))
+            reading.fault(line.number, Reason.of("files.kept_meet", line=str(line)))
         else:
             found.append(KeptMeeting(line.words[0], line.words[1:]))
     return found

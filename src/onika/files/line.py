@@ -12,6 +12,7 @@ from typing import NamedTuple, TypeVar
 
 from onika.files import version
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, Text
 
 _T = TypeVar("_T")
 _BLANK = re.compile(r"[ \t]+")
@@ -69,7 +70,7 @@ class TextReading:
     the number of the line with EOF, or else the last.
     """
 
-    def __init__(self, file: str, instead: str) -> None:
+    def __init__(self, file: str, instead: Reason) -> None:
         self.file = file
         self.instead = instead
         self.broken = False
@@ -85,18 +86,25 @@ class TextReading:
         """Everything found, in the order of the lines."""
         return tuple(sorted(self._faults, key=lambda fault: fault.place.line))
 
-    def fault(self, number: int, expected: str, found: str) -> None:
+    def fault(self, number: int, reason: Reason) -> None:
         """Report something for which the whole text is left out; `number` is its line."""
         self.broken = True
-        self.part(number, expected, found, self.instead)
+        self.part(number, reason, self.instead)
 
-    def part(self, number: int, expected: str, found: str, instead: str) -> None:
+    def part(self, number: int, reason: Reason, instead: Reason) -> None:
         """Report something for which a part is left out, as `instead` says."""
-        self._faults.append(Fault(Place(self.file, number), expected, found, instead))
+        self._faults.append(Fault(Place(self.file, number), reason, instead))
 
-    def note(self, number: int, expected: str, found: str, instead: str) -> None:
+    def note(self, number: int, reason: Reason, instead: Reason) -> None:
         """Report something that is only worth knowing: nothing is left out."""
-        self._faults.append(Fault(Place(self.file, number), expected, found, instead, is_note=True))
+        self._faults.append(
+            Fault(
+                Place(self.file, number),
+                reason,
+                instead,
+                is_note=True,
+            )
+        )
 
     # -- the whole text
 
@@ -104,18 +112,18 @@ class TextReading:
         """Take the lines of a text and see that it ends with EOF."""
         self.lines = _content(text, self)
         if not self.lines:
-            self.fault(0, "lines with keywords and EOF", "an empty file")
+            self.fault(0, Reason.of("files.empty"))
             self.is_over = True
             return
         self.end = self.lines[-1].number
         end = next((at for at, line in enumerate(self.lines) if line.keyword == "EOF"), None)
         if end is None:
-            self.fault(self.end, "EOF as the last line", f"the end of the file after {self.lines[-1]}")
+            self.fault(self.end, Reason.of("files.eof_missing", lines=str(self.lines[-1])))
             return
         self.end = self.lines[end].number
         self.bare(self.lines[end])
         for line in self.lines[end + 1 :]:
-            self.fault(line.number, "nothing after EOF", str(line))
+            self.fault(line.number, Reason.of("files.nothing_after_eof", line=str(line)))
         self.lines = self.lines[:end]
 
     def open_versioned(self, text: str, *, extended: bool = False) -> None:
@@ -129,14 +137,13 @@ class TextReading:
         if line is None:
             return
         if not version.is_version(line.rest):
-            self.fault(line.number, "a version number such as 1.3", str(line))
+            self.fault(line.number, Reason.of("files.version_number", line=str(line)))
             return
         self.is_old = version.is_older(line.rest)
         self.is_extended = version.is_extended(line.rest)
         if not version.is_known(line.rest, extended=extended):
             self._faults.clear()
-            expected = f"a file of version {version.VERSION} or older" + f", or {version.EXTENDED}" * extended
-            self.fault(line.number, expected, f"version {line.rest}, which is newer")
+            self.fault(line.number, _newer(line.rest, is_extended=extended))
             self.is_over = True
 
     def arrange(self, block: Sequence[FileLine], slots: Sequence[KeywordSlot]) -> Mapping[str, list[FileLine]]:
@@ -150,14 +157,31 @@ class TextReading:
             if place is None:
                 expected = self._expected(slots, reached)
                 told.update(expected)
-                self.fault(line.number, " or ".join(expected) or "no more lines here", str(line))
+                if expected:
+                    reason = Reason.of("files.keywords_expected", keywords=tuple(expected), line=str(line))
+                else:
+                    reason = Reason.of("files.no_more_lines", line=str(line))
+                self.fault(line.number, reason)
             elif found[line.keyword] and not slots[place].many:
-                self.fault(line.number, f"{line.keyword} once", f"{line} again")
+                self.fault(line.number, Reason.of("files.keyword_once", keyword=line.keyword, line=str(line)))
             else:
                 if slots[place].need is Need.OF_2_0 and not self.is_extended:
-                    self.fault(line.number, f"VERSION {version.EXTENDED} for a line {line.keyword}", str(line))
+                    self.fault(
+                        line.number,
+                        Reason.of(
+                            "files.version_for_line", extended=version.EXTENDED, keyword=line.keyword, line=str(line)
+                        ),
+                    )
                 if place < reached:
-                    self.fault(line.number, f"{line.keyword} before {slots[reached].keyword}", f"{line} after it")
+                    self.fault(
+                        line.number,
+                        Reason.of(
+                            "files.keyword_order",
+                            keyword=line.keyword,
+                            keyword_2=slots[reached].keyword,
+                            line=str(line),
+                        ),
+                    )
                 reached = max(reached, place)
                 found[line.keyword].append(line)
         self._check_missing(block, [slot for slot in slots if slot.keyword not in told], found)
@@ -186,23 +210,23 @@ class TextReading:
             if self._needs(slot) and not found[slot.keyword]:
                 after = [line.number for line in block if later.get(line.keyword, -1) > place]
                 number = after[0] if after else (block[-1].number if block else self.end)
-                self.fault(number, f"a line {slot.keyword}", "none")
+                self.fault(number, Reason.of("files.line_missing", keyword=slot.keyword))
 
     # -- the words of one line; each gives `default` where the line is missing or wrong
 
     def bare(self, line: FileLine) -> None:
         """A keyword that stands alone."""
         if line.rest:
-            self.fault(line.number, f"{line.keyword} alone on its line", str(line))
+            self.fault(line.number, Reason.of("files.keyword_alone", keyword=line.keyword, line=str(line)))
 
-    def match(self, line: FileLine | None, pattern: re.Pattern[str], meaning: str, default: str = "") -> str:
+    def match(self, line: FileLine | None, pattern: re.Pattern[str], meaning: Text, default: str = "") -> str:
         """One word of a form; `meaning` says which."""
         if line is None or pattern.match(line.rest):
             return line.rest if line else default
-        self.fault(line.number, f"{meaning} after {line.keyword}", str(line))
+        self.fault(line.number, Reason.of("files.meaning_after", meaning=meaning, keyword=line.keyword, line=str(line)))
         return default
 
-    def word(self, line: FileLine | None, meaning: str, default: str = "") -> str:
+    def word(self, line: FileLine | None, meaning: Text, default: str = "") -> str:
         """One word of any form."""
         return self.match(line, re.compile(r"[^ \t]+\Z"), meaning, default)
 
@@ -210,7 +234,8 @@ class TextReading:
         """One of several words."""
         if line is None or line.rest in choices:
             return choices[line.rest] if line else default
-        self.fault(line.number, f"{' or '.join(choices)} after {line.keyword}", str(line))
+        reason = Reason.of("files.choice_after", choices=tuple(choices), keyword=line.keyword, line=str(line))
+        self.fault(line.number, reason)
         return default
 
     def yes(self, line: FileLine | None, default: bool) -> bool:
@@ -226,9 +251,7 @@ class TextReading:
             numbers = tuple(map(int, words))
             if all(low <= number <= 10**9 for number in numbers):
                 return numbers
-        what = "a whole number" if len(default) == 1 else f"{len(default)} whole numbers"
-        above = f" of at least {low}" if low >= 0 else ""
-        self.fault(line.number, f"{what}{above} after {line.keyword}", str(line))
+        self.fault(line.number, _no_wholes(line, len(default), low))
         return default
 
     def whole(self, line: FileLine | None, default: int, low: int = -(10**9)) -> int:
@@ -271,6 +294,24 @@ def show(text: str) -> str:
     return repr(text if len(text) <= 60 else text[:57] + "…")
 
 
+def _newer(given: str, *, is_extended: bool) -> Reason:
+    if is_extended:
+        known, extended = version.VERSION, version.EXTENDED
+        return Reason.of("files.version_newer_extended", version=known, extended=extended, given=given)
+    return Reason.of("files.version_newer", version=version.VERSION, given=given)
+
+
+def _no_wholes(line: FileLine, count: int, low: int) -> Reason:
+    keyword, text = line.keyword, str(line)
+    if count == 1 and low >= 0:
+        return Reason.of("files.whole_above_after", low=low, keyword=keyword, line=text)
+    if count == 1:
+        return Reason.of("files.whole_after", keyword=keyword, line=text)
+    if low >= 0:
+        return Reason.of("files.wholes_above_after", count=count, low=low, keyword=keyword, line=text)
+    return Reason.of("files.wholes_after", count=count, keyword=keyword, line=text)
+
+
 def _content(text: str, reading: TextReading) -> list[FileLine]:
     """The lines that are no comments; signs that no text file holds are reported."""
     found = []
@@ -278,7 +319,7 @@ def _content(text: str, reading: TextReading) -> list[FileLine]:
     for number, raw in enumerate(text.removeprefix("\ufeff").split("\n"), start=1):
         line = raw.removesuffix("\r")
         if not is_clean and _CONTROL.search(line):
-            reading.fault(number, "printable text", show(line))
+            reading.fault(number, Reason.of("files.printable_text", line=show(line)))
             line = _CONTROL.sub("", line)
         line = line.strip(" \t")
         if line and not line.startswith("#"):

@@ -7,6 +7,7 @@ from onika.files.version import EXTENDED, VERSION
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 ENDING = ".onk"
 
@@ -18,7 +19,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
 
     A job of unknown type is kept and acts as a complete one, with a note (requirement D16).
     """
-    reading = TextReading(place_file, "the icon is left out")
+    reading = TextReading(place_file, Reason.of("files.icon_left_out"))
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -26,7 +27,7 @@ def read(text: str, name: str, place_file: str, syntax: Syntax) -> tuple[Onikon 
     onikon = read_icon(name, found, syntax, reading)
     kind = syntax.find(onikon.type) if onikon else None
     if kind and (kind.is_start or kind.is_end):
-        reading.fault(found["ONIKON"][0].number, "an action or a target", str(found["ONIKON"][0]))
+        reading.fault(found["ONIKON"][0].number, Reason.of("files.action_target", given=str(found["ONIKON"][0])))
     return (None if reading.broken else onikon), reading.faults
 
 

@@ -5,6 +5,7 @@ from onika.files.line import FileLine, KeywordSlot, Need, TextReading, row
 from onika.files.version import VERSION
 from onika.model.preferences import STATUS_COLUMNS, Preferences, Window, WindowCorner
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 NAME = ".onika"
 
@@ -22,7 +23,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Preferences, tuple[Faul
 
     `name` completes the form of all formats.
     """
-    reading = TextReading(place_file, f"the defaults stand for what is wrong in {name}")
+    reading = TextReading(place_file, Reason.of("files.defaults_stand", name=name))
     reading.open_versioned(text)
     if reading.is_over:
         return Preferences(), reading.faults
@@ -106,7 +107,7 @@ def _spot(line: FileLine | None, default: WindowCorner, reading: TextReading) ->
 def _window(line: FileLine | None, default: Window, reading: TextReading) -> Window:
     window = Window(*reading.wholes(line, (default.x, default.y, default.height, default.width)))
     if line and min(window.height, window.width) < 1:
-        reading.fault(line.number, f"a height and width above 0 after {line.keyword}", str(line))
+        reading.fault(line.number, Reason.of("files.height_and_width", keyword=line.keyword, line=str(line)))
         return default
     return window
 
@@ -116,5 +117,5 @@ def _columns(line: FileLine | None, default: tuple[str, ...], reading: TextReadi
         return default
     known = set(line.words) <= set(STATUS_COLUMNS) and len(set(line.words)) == len(line.words)
     if not known:
-        reading.fault(line.number, f"names out of {' '.join(STATUS_COLUMNS)}, each once", str(line))
+        reading.fault(line.number, Reason.of("files.columns", columns=" ".join(STATUS_COLUMNS), line=str(line)))
     return line.words if known else default

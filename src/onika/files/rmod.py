@@ -13,6 +13,7 @@ from onika.model.syntax import has_word
 from onika.model.task import LocalLine, Task, TaskType
 from onika.words.fault import Fault
 from onika.words.name import SVAR_NAME, TASK_NAME
+from onika.words.reason import Reason
 
 ENDING = ".rmod"
 
@@ -49,7 +50,7 @@ class RmodText:
 
 def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[Fault, ...]]:
     """The task `name` (no ending) of a text; with any fault the task is left out. `place_file` names the file."""
-    reading = TextReading(place_file, "the task is left out")
+    reading = TextReading(place_file, Reason.of("files.task_left_out"))
     reading.open(text)
     if reading.is_over:
         return None, reading.faults
@@ -62,7 +63,7 @@ def read(text: str, name: str, place_file: str) -> tuple[RmodText | None, tuple[
         reading.bare(alone)
     task = Task(
         name=name,
-        module=reading.match(_first(found["MODULE"]), TASK_NAME, "the name of a module"),
+        module=reading.match(_first(found["MODULE"]), TASK_NAME, Reason.of("files.name_of_module")),
         description=found["DESC"][0].text if found["DESC"] else "",
         aliases=aliases,
         inconst=ports["INCONST"],
@@ -125,9 +126,9 @@ def _aliases(lines: Sequence[FileLine], reading: TextReading) -> tuple[tuple[str
     for line in lines:
         found = _ALIAS.match(line.rest)
         if not found or not (SVAR_NAME.match(found[1]) and SVAR_NAME.match(found[2])):
-            reading.fault(line.number, "SVARALIAS CODED = SVAR with names of state variables", str(line))
+            reading.fault(line.number, Reason.of("files.alias_line", line=str(line)))
         elif found[1] in aliases:
-            reading.fault(line.number, f"one alias of {found[1]}", str(line))
+            reading.fault(line.number, Reason.of("files.one_alias", given=found[1], line=str(line)))
         else:
             aliases[found[1]] = found[2]
     return tuple(aliases.items())
@@ -140,7 +141,7 @@ def _ports(
     ports = {keyword: _coded(names, listed, aliases) for keyword, names in listed.items()}
     for keyword, names in ports.items():
         if len(set(names)) < len(names):
-            reading.fault(found[keyword][0].number, "every name once", str(found[keyword][0]))
+            reading.fault(found[keyword][0].number, Reason.of("files.every_name_once", given=str(found[keyword][0])))
     _check_aliases(found, ports, aliases, reading)
     return ports
 
@@ -150,7 +151,7 @@ def _names(line: FileLine | None, reading: TextReading) -> tuple[str, ...]:
     if line is None or line.words == ("none",):
         return ()
     if not line.words or not all(SVAR_NAME.match(word) for word in line.words) or "NONE" in line.words:
-        reading.fault(line.number, f"names of state variables or none after {line.keyword}", str(line))
+        reading.fault(line.number, Reason.of("files.names_of_variables", keyword=line.keyword, line=str(line)))
         return ()
     return line.words
 
@@ -180,14 +181,16 @@ def _check_aliases(
         return
     for line, (name, _) in zip(found["SVARALIAS"], aliases, strict=True):
         if name not in present:
-            reading.fault(line.number, "an alias of a port of this task", str(line))
+            reading.fault(line.number, Reason.of("files.alias_of_port", line=str(line)))
     svars = dict(aliases)
     writers: dict[str, str] = {}
     for name in dict.fromkeys(name for keyword in _OUTPUTS for name in ports[keyword]):
         other = writers.setdefault(svars.get(name, name), name)
         if other != name:
             line = next(found[keyword][0] for keyword in reversed(_OUTPUTS) if name in ports[keyword])
-            reading.fault(line.number, "one output for each variable", f"{other} and {name} as {svars.get(name, name)}")
+            reading.fault(
+                line.number, Reason.of("files.output_twice", other=other, name=name, get=svars.get(name, name))
+            )
 
 
 def _frequency(found: Mapping[str, list[FileLine]], kind: TaskType, reading: TextReading) -> float | None:
@@ -197,12 +200,12 @@ def _frequency(found: Mapping[str, list[FileLine]], kind: TaskType, reading: Tex
     is_known = tasktype is not None and tasktype.rest in {kind.value for kind in TaskType}
     if is_known and kind is TaskType.APERIODIC:
         for line in lines:
-            reading.fault(line.number, "no FREQ and no PERIOD for an aperiodic task", str(line))
+            reading.fault(line.number, Reason.of("files.rate_unwanted", line=str(line)))
         return None
     if is_known and tasktype and not lines:
-        reading.fault(tasktype.number, f"FREQ or PERIOD for a {kind.value} task", "neither")
+        reading.fault(tasktype.number, Reason.of("files.rate_missing", value=kind.value))
     if len(lines) > 1:
-        reading.fault(lines[-1].number, "either FREQ or PERIOD", "both")
+        reading.fault(lines[-1].number, Reason.of("files.rate_twice"))
     rates = [_rate(line, reading) for line in lines]
     return rates[0] if rates else None
 
@@ -211,14 +214,14 @@ def _rate(line: FileLine, reading: TextReading) -> float:
     value = float(line.rest) if is_number(line.rest) else math.nan
     if not (math.isfinite(value) and value > 0):
         unit = "Hz" if line.keyword == "FREQ" else "s"
-        reading.fault(line.number, f"a number above 0 ({unit}) after {line.keyword}", str(line))
+        reading.fault(line.number, Reason.of("files.rate_number", unit=unit, keyword=line.keyword, line=str(line)))
         return 1.0
     if line.keyword == "FREQ":
         return value
     try:
         return float(1 / Fraction(line.rest))
     except OverflowError:
-        reading.fault(line.number, "a period that is no fraction of nothing", str(line))
+        reading.fault(line.number, Reason.of("files.period_too_short", line=str(line)))
         return 1.0
 
 
@@ -230,26 +233,26 @@ def _show_period(frequency: float) -> str:
         text = str(context.divide(Decimal(exact.denominator), Decimal(exact.numerator)))
         if float(1 / Fraction(text)) == frequency:
             return text
-    raise ValueError(f"expected a frequency with a period, found {frequency!r}")
+    raise ValueError(Reason.of("files.frequency_with_period", frequency=frequency))
 
 
 def _object_type(found: Mapping[str, list[FileLine]], reading: TextReading) -> str | None:
     onika, line = _first(found["ONIKA"]), _first(found["OBJECT"])
     if onika and not line:
-        reading.fault(onika.number, "OBJECT after ONIKA", "none")
+        reading.fault(onika.number, Reason.of("files.object_missing"))
     if line and not onika:
-        reading.fault(line.number, "ONIKA before OBJECT", "none")
+        reading.fault(line.number, Reason.of("files.onika_missing"))
     if line and not (has_word(line.text, "job") and len(line.words) > 1):
-        reading.fault(line.number, "a type of job such as Joint job after OBJECT", str(line))
+        reading.fault(line.number, Reason.of("files.type_of_job", line=str(line)))
     return line.text if line else None
 
 
 def _more_targets(found: Mapping[str, list[FileLine]], reading: TextReading) -> tuple[str, ...]:
     for line in found["TARGET"]:
         if not found["OBJECT"]:
-            reading.fault(line.number, "OBJECT before TARGET", str(line))
+            reading.fault(line.number, Reason.of("files.object_before_target", line=str(line)))
         if not (has_word(line.text, "object") and len(line.words) > 1):
-            reading.fault(line.number, "a type of target such as Joint object after TARGET", str(line))
+            reading.fault(line.number, Reason.of("files.type_of_target", line=str(line)))
     return tuple(line.text for line in found["TARGET"])
 
 
@@ -258,10 +261,14 @@ def _local(lines: Sequence[FileLine], reading: TextReading) -> tuple[LocalLine, 
     seen = set()
     for line in lines:
         if line.keyword in _KEYWORDS:
-            reading.fault(line.number, f"{line.keyword} before LOCAL", str(line))
+            reading.fault(line.number, Reason.of("files.before_local", keyword=line.keyword, line=str(line)))
         elif not _LOCAL_KEY.match(line.keyword):
-            reading.fault(line.number, "the name of a parameter", str(line))
+            reading.fault(line.number, Reason.of("files.name_of_parameter", line=str(line)))
         elif line.keyword in seen:
-            reading.note(line.number, f"{line.keyword} once", f"{line} again", "the last one counts")
+            reading.note(
+                line.number,
+                Reason.of("files.keyword_once", keyword=line.keyword, line=str(line)),
+                Reason.of("files.last_one_counts"),
+            )
         seen.add(line.keyword)
     return tuple(LocalLine(line.keyword, line.words) for line in lines)

@@ -13,6 +13,7 @@ from onika.model.onikon import Onikon, fits
 from onika.model.syntax import Syntax
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 _ROUTINE = (
     KeywordSlot("ROUTINE"),
@@ -35,12 +36,12 @@ def read_routine(block: Sequence[FileLine], syntax: Syntax, reading: TextReading
     """
     found = reading.arrange(block, _ROUTINE)
     line = {keyword: lines[0] if lines else None for keyword, lines in found.items()}
-    name = reading.match(block[0], TASK_NAME, "the name of an icon")
+    name = reading.match(block[0], TASK_NAME, Reason.of("files.name_of_icon"))
     for one, behind in (("WHILETAG", "WHILETEST"), ("WHILETEST", "WHILETAG"), ("WHILEIF", "WHILETEST")):
         given = line[one]
         if given and not line[behind]:
             order = "after" if one == "WHILETAG" else "before"
-            reading.fault(given.number, f"{behind} {order} {one}", "none")
+            reading.fault(given.number, Reason.of("files.order_missing", behind=behind, order=order, name=one))
     icon = read_icon(name, found, syntax, reading)
     if icon is None or not name or not _is_whole(icon, syntax):
         return Hole(block[0].number, "".join(row(at.keyword, at.rest) for at in block))
@@ -87,7 +88,7 @@ def read_condition(line: FileLine | None, reading: TextReading) -> str:
     try:
         return Condition.parse(line.text).text
     except ValueError:
-        reading.fault(line.number, f"a condition such as LAMP == 1 after {line.keyword}", str(line))
+        reading.fault(line.number, Reason.of("files.condition_after", keyword=line.keyword, line=str(line)))
         return ""
 
 
@@ -119,9 +120,10 @@ def _is_whole(icon: Onikon, syntax: Syntax) -> bool:
 
 def _agree(one: str | None, other: str | None, meaning: str, target: Icon, reading: TextReading) -> None:
     if one is not None and other is not None and one != other:
-        found = f"{one or 'always'} and {other or 'always'}"
-        reading.fault(target.line, f"one {meaning} for a job and its target", found)
+        always = Reason.of("files.always")
+        reason = Reason.of("files.icons_disagree", meaning=meaning, first=one or always, second=other or always)
+        reading.fault(target.line, reason)
 
 
 def _tag(line: FileLine | None, reading: TextReading) -> str | None:
-    return reading.word(line, "a tag of one word") if line else None
+    return reading.word(line, Reason.of("files.a_tag")) if line else None

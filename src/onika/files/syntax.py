@@ -12,6 +12,7 @@ from onika.files.version import EXTENDED, VERSION
 from onika.model.syntax import SPECIAL_TYPES, DataItem, Edge, IconType, Syntax
 from onika.words.fault import Fault
 from onika.words.name import SVAR_NAME
+from onika.words.reason import Reason, Text
 from onika.words.value import ValueType
 
 NAME = "OnikaUpperSetUp.dta"
@@ -27,7 +28,7 @@ _Found = Mapping[str, FileLine | None]
 
 def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fault, ...]]:
     """The syntax of a text, whole or not at all; `name` completes the form of all formats."""
-    reading = TextReading(place_file, f"{name} is left out")
+    reading = TextReading(place_file, Reason.of("files.name_left_out", name=name))
     reading.open_versioned(text, extended=True)
     if reading.is_over:
         return None, reading.faults
@@ -41,7 +42,7 @@ def read(text: str, name: str, place_file: str) -> tuple[Syntax | None, tuple[Fa
             edges.append((first.number, _edge(_arranged(block, _EDGE, reading), reading)))
             continue
         if edges:
-            reading.fault(first.number, "every ONIKON before the first EDGENUM", str(first))
+            reading.fault(first.number, Reason.of("files.onikon_after_edges", first=str(first)))
         types.append((first.number, _type(block, reading)))
     _check_types(types, {edge.number for _, edge in edges}, reading)
     _check_edges(edges, reading)
@@ -91,40 +92,42 @@ def _type(block: Sequence[FileLine], reading: TextReading) -> IconType:
     head, *items = split(block, {"VARNAME"})
     found = _arranged(head, _TYPE, reading)
     kind = IconType(
-        _text(found["ONIKON"], "the name of a type", reading),
+        _text(found["ONIKON"], Reason.of("files.name_of_type"), reading),
         reading.whole(found["LEFTEDGE"], 0, low=0),
         reading.whole(found["RIGHTEDGE"], 0, low=0),
         tuple(_item(_arranged(item, _ITEM, reading), reading) for item in items),
     )
     if items and not kind.is_target:
-        reading.fault(items[0][0].number, "VARNAME only for a type of object", str(items[0][0]))
+        reading.fault(items[0][0].number, Reason.of("files.varname_misplaced", items=str(items[0][0])))
     return kind
 
 
 def _item(found: _Found, reading: TextReading) -> DataItem:
     return DataItem(
-        _text(found["VARNAME"], "the name of a data item", reading),
+        _text(found["VARNAME"], Reason.of("files.name_of_item"), reading),
         reading.choice(found["DATATYPE"], _TYPES, ValueType.STRING),
         reading.whole(found["NELEMS"], 1, low=1),
-        reading.match(found["DIMENSION"], SVAR_NAME, "the name of a constant"),
+        reading.match(found["DIMENSION"], SVAR_NAME, Reason.of("files.name_of_constant")),
     )
 
 
-def _text(line: FileLine | None, meaning: str, reading: TextReading) -> str:
+def _text(line: FileLine | None, meaning: Text, reading: TextReading) -> str:
     if line and not line.rest:
-        reading.fault(line.number, f"{meaning} after {line.keyword}", str(line))
+        reading.fault(
+            line.number, Reason.of("files.meaning_after", meaning=meaning, keyword=line.keyword, line=str(line))
+        )
     return line.text if line else ""
 
 
 def _edge(found: _Found, reading: TextReading) -> Edge:
     red, green, blue = reading.wholes(found["RGB"], (0, 0, 0), low=0)
     if found["RGB"] and max(red, green, blue) > 255:
-        reading.fault(found["RGB"].number, "three numbers from 0 to 255 after RGB", str(found["RGB"]))
+        reading.fault(found["RGB"].number, Reason.of("files.rgb_numbers", given=str(found["RGB"])))
     count = reading.whole(found["NUMVERTS"], 0, low=0)
     line = found["VERTICES"]
     moves: tuple[int, ...] = ()
     if line and len(line.words) != 2 * count:
-        reading.fault(line.number, f"{count} pairs of numbers after VERTICES", str(line))
+        reading.fault(line.number, Reason.of("files.vertices", count=count, line=str(line)))
     elif line and count:
         moves = reading.wholes(line, (0,) * (2 * count))
     pairs = tuple(zip(moves[::2], moves[1::2], strict=True))
@@ -136,18 +139,18 @@ def _check_types(types: Sequence[tuple[int, IconType]], edges: set[int], reading
     seen: set[str] = set()
     for number, kind in types:
         if kind.name.lower() in seen:
-            reading.fault(number, "every type once", f"{show(kind.name)} again")
+            reading.fault(number, Reason.of("files.every_type_once", name=show(kind.name)))
         seen.add(kind.name.lower())
         for edge in sorted({kind.left_edge, kind.right_edge} - edges):
-            reading.fault(number, "edges that are defined by EDGENUM", f"edge {edge} of {show(kind.name)}")
+            reading.fault(number, Reason.of("files.edge_undefined", edge=edge, name=show(kind.name)))
     for name in SPECIAL_TYPES:
         if name.lower() not in seen:
-            reading.fault(reading.end, f"the type {name}", "none")
+            reading.fault(reading.end, Reason.of("files.type_missing", name=name))
 
 
 def _check_edges(edges: Sequence[tuple[int, Edge]], reading: TextReading) -> None:
     seen: set[int] = set()
     for number, edge in edges:
         if edge.number in seen:
-            reading.fault(number, "every edge once", f"edge {edge.number} again")
+            reading.fault(number, Reason.of("files.every_edge_once", number=edge.number))
         seen.add(edge.number)

@@ -5,6 +5,7 @@ import stat
 from pathlib import Path
 
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
 
 LARGEST = 64 * 2**20
 """Bytes of the largest file that is read; an application of ten thousand icons has a quarter of it."""
@@ -21,9 +22,15 @@ def load(path: Path, file: str) -> tuple[str | None, tuple[Fault, ...]]:
         data = _data(path)
     except OSError as error:
         reason = error.strerror or type(error).__name__
-        return None, (Fault(Place(file), "a file that can be read", reason, "the file is left out"),)
+        return None, (
+            Fault(Place(file), Reason.of("files.unreadable", reason=reason), Reason.of("words.file_left_out")),
+        )
     except ValueError as wrong:
-        return None, (Fault(Place(file), "a file that can be read", str(wrong), "the file is left out"),)
+        return None, (
+            Fault(
+                Place(file), Reason.of("files.unreadable_why", why=reason_of(wrong)), Reason.of("words.file_left_out")
+            ),
+        )
     return decode(data, file)
 
 
@@ -33,8 +40,11 @@ def decode(data: bytes, file: str) -> tuple[str | None, tuple[Fault, ...]]:
         return data.decode("utf-8"), ()
     except UnicodeDecodeError as error:
         place = Place(file, data.count(b"\n", 0, error.start) + 1)
-        found = f"the byte 0x{data[error.start]:02x}"
-        return None, (Fault(place, "text in UTF-8", found, "the file is left out"),)
+        return None, (
+            Fault(
+                place, Reason.of("files.not_utf8", byte=f"0x{data[error.start]:02x}"), Reason.of("words.file_left_out")
+            ),
+        )
 
 
 def _data(path: Path) -> bytes:

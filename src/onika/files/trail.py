@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 _LINE = re.compile(rb"([0-9a-f]{64}) (\{.*\})\n?")
 _NO_FILES = 1000
@@ -92,7 +93,7 @@ def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
             _begin(record, Place(place, number), trail, is_first)
         own = found[1].decode()
         if _hash(before, found[2]) != own:
-            _fault(trail, place, number, "a line that goes on from the one before it", "another")
+            _fault(trail, place, number, Reason.of("files.trail_not_next"))
         _torn(torn, record, place, trail)
         torn, begins = [], False
         trail.records.append(record)
@@ -100,7 +101,7 @@ def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
         trail.head = own
     for number, raw in torn:
         if raw.endswith(b"\n") or not trail.records:  # a crash leaves one line, without its end, after others
-            _fault(trail, place, number, "HASH RECORD", "something else")
+            _fault(trail, place, number, Reason.of("files.trail_no_record"))
         else:
             trail.notes.append(f"{place}:{number}: the last line is not whole, {len(raw)} bytes of it are there")
 
@@ -108,12 +109,17 @@ def _read(data: bytes, place: str, trail: Trail, is_first: bool) -> None:
 def _begin(record: Record, place: Place, trail: Trail, is_first: bool) -> None:
     before = str(record.get("before", ""))
     if "before" not in record:
-        trail.faults.append(Fault(place, "the beginning of a file", "a line from its midst", "what was before is gone"))
+        trail.faults.append(
+            Fault(place, Reason.of("files.trail_begins_midst"), Reason.of("files.what_was_before_gone"))
+        )
     if is_first:
         trail.begins = before
     elif before != trail.head:
-        found = f"after {before[:12] or 'none'}"
-        trail.faults.append(Fault(place, f"a file that goes on after {trail.head[:12]}", found, "lines may be gone"))
+        if before:
+            reason = Reason.of("files.trail_file_order", head=trail.head[:12], before=before[:12])
+        else:
+            reason = Reason.of("files.trail_file_first", head=trail.head[:12])
+        trail.faults.append(Fault(place, reason, Reason.of("files.lines_may_be_gone")))
 
 
 def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: Trail) -> None:
@@ -123,11 +129,11 @@ def _torn(torn: Sequence[tuple[int, bytes]], record: Record, place: str, trail: 
         trail.notes.append(f"{place}:{torn[0][0]}: a line was cut off by a crash; the next one says so")
         return
     for number, _ in torn:
-        _fault(trail, place, number, "HASH RECORD", "something else")
+        _fault(trail, place, number, Reason.of("files.trail_no_record"))
 
 
-def _fault(trail: Trail, place: str, number: int, expected: str, found: str) -> None:
-    trail.faults.append(Fault(Place(place, number), expected, found, "the trail was changed, or damaged"))
+def _fault(trail: Trail, place: str, number: int, reason: Reason) -> None:
+    trail.faults.append(Fault(Place(place, number), reason, Reason.of("files.trail_damaged")))
 
 
 def _record(text: bytes) -> Record | None:

@@ -9,7 +9,7 @@ from functools import partial
 from time import monotonic_ns
 
 from onika.host.loading.loader import Loader
-from onika.host.loading.loader_client import Inquiry
+from onika.host.loading.loader_client import LoaderClient
 from onika.host.loading.memory_limit import bound
 from onika.host.program import Program
 from onika.host.sessions.audit_log import Witness
@@ -44,7 +44,7 @@ def main(words: list[str]) -> None:
     audit = _audit(given)
     rtpus = tuple(given.rtpu) or ("rt0",)
     loader = Loader()
-    inquiry = Inquiry(loader)
+    loader_client = LoaderClient(loader)
     gate = Gate(Sessions(secrets.token_hex(16)), monotonic_ns, porter, given.accept_code)
     if audit is not None:
         _watch(gate, audit)
@@ -59,7 +59,7 @@ def main(words: list[str]) -> None:
             virtual.options = () if given.shake is None else ("--shake", str(given.shake))
             bound()
             still_garbage()
-            _virtual(Program(gate, virtual, inquiry, rtpus), gate, virtual, ending)
+            _virtual(Program(gate, virtual, loader_client, rtpus), gate, virtual, ending)
         else:
             wall = WallDriver(rtpus, gate.tell, with_fifo=not given.no_fifo)
             fine_timers()
@@ -67,7 +67,7 @@ def main(words: list[str]) -> None:
                 first_in_first_out(RUNNER_PRIORITY)
             try:
                 lease_ns = None if given.lease is None else round(given.lease * 1e9)
-                _wall(Program(gate, wall, inquiry, rtpus, lease_ns), gate, wall, ending)
+                _wall(Program(gate, wall, loader_client, rtpus, lease_ns), gate, wall, ending)
             finally:
                 wall.close()
     finally:

@@ -6,7 +6,7 @@ from msgspec.structs import replace
 
 from onika.host.edit.editor import Editor, refused
 from onika.host.inspection import Look
-from onika.host.loading.loader_client import Inquiry, NotYet
+from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.host.loading.module_description import describe
 from onika.host.loading.module_questions import Loading
 from onika.host.loading.plan_preparation import Preparation, inspect, prepare
@@ -56,7 +56,7 @@ class Program:
 
     def readers(self) -> list[Post]:
         """What to wait for besides the gate and the driver: the loader, and who writes a recording."""
-        return [*([self._loading.post] if isinstance(self._loading, Inquiry) else []), *self._recorder.readers()]
+        return [*([self._loading.post] if isinstance(self._loading, LoaderClient) else []), *self._recorder.readers()]
 
     def wait_s(self, most_s: float) -> float:
         """How long to wait at most, where nothing else is to be done for so long."""
@@ -201,7 +201,7 @@ class Program:
     def _try_again(self) -> None:
         """The loader has answered: what waits for it is carried out, in order, as far as it goes."""
         has_come = self._recorder.has_come()
-        if (isinstance(self._loading, Inquiry) and self._loading.take()) or has_come:
+        if (isinstance(self._loading, LoaderClient) and self._loading.take()) or has_come:
             for call, answer in self._backlog.take():
                 self._try(call, answer)
 

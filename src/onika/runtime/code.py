@@ -6,17 +6,22 @@ import types
 
 from onika.runtime.module import Module
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
 
 
 def compiled(source: str, path: str, module: str) -> types.CodeType | Fault:
     """A module's source compiled, which is most of the time that loading takes, or the fault with its place."""
-    instead = f"module {module} is not loaded"
+    instead = Reason.of("runtime.module_not_loaded", module=module)
     try:
         return compile(source, path, "exec", dont_inherit=True)
     except SyntaxError as wrong:
-        return Fault(Place(path, wrong.lineno or 0), "Python", f"{wrong.msg}: {(wrong.text or '').strip()}", instead)
+        return Fault(
+            Place(path, wrong.lineno or 0),
+            Reason.of("runtime.not_python", msg=wrong.msg, strip=(wrong.text or "").strip()),
+            instead,
+        )
     except ValueError as wrong:
-        return Fault(Place(path), "Python", str(wrong), instead)
+        return Fault(Place(path), Reason.of("runtime.not_python_why", why=reason_of(wrong)), instead)
 
 
 def load(source: str, path: str, module: str, code: types.CodeType | Fault | None = None) -> type[Module] | Fault:
@@ -27,14 +32,16 @@ def load(source: str, path: str, module: str, code: types.CodeType | Fault | Non
     code = code or compiled(source, path, module)
     if isinstance(code, Fault):
         return code
-    instead = f"module {module} is not loaded"
+    instead = Reason.of("runtime.module_not_loaded", module=module)
     namespace = types.ModuleType(f"onika_task_{module}")
     namespace.__file__ = path
     sys.modules[namespace.__name__] = namespace  # dataclasses look their own file up while they are made
     try:
         exec(code, namespace.__dict__)  # noqa: S102 - running modules is what a runtime is for; trust is decided before
     except (Exception, SystemExit) as wrong:
-        return Fault(Place(path, line_in(path, wrong)), "a module that can be imported", traceback_text(wrong), instead)
+        return Fault(
+            Place(path, line_in(path, wrong)), Reason.of("runtime.unimportable", given=traceback_text(wrong)), instead
+        )
     finally:
         sys.modules.pop(namespace.__name__, None)
     classes = [
@@ -43,8 +50,10 @@ def load(source: str, path: str, module: str, code: types.CodeType | Fault | Non
         if isinstance(value, type) and issubclass(value, Module) and value.__module__ == namespace.__name__
     ]
     if len(classes) != 1:
-        names = ", ".join(cls.__name__ for cls in classes) or "none"
-        return Fault(Place(path), "exactly one subclass of Module", names, instead)
+        if not classes:
+            return Fault(Place(path), Reason.of("runtime.no_module_class"), instead)
+        names = tuple(cls.__name__ for cls in classes)
+        return Fault(Place(path), Reason.of("runtime.one_module_class", names=names), instead)
     return classes[0]
 
 

@@ -9,6 +9,7 @@ from onika.runtime import parameter
 from onika.runtime.module import Module
 from onika.wire.sheet import InputSheet, LocalSheet, ModuleSheet, PortSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, Text, reason_of
 from onika.words.shape import Shape
 
 
@@ -66,36 +67,56 @@ def sheet_of(cls: type[Module]) -> ModuleSheet:
 
 def differences(task: Task, sheet: ModuleSheet, place: Place) -> list[Fault]:
     """Everything in which a `.rmod` and its module's class differ: ports and their kinds, needed LOCAL lines."""
-    instead = f"task {task.name} is left out"
+    instead = Reason.of("runtime.task_left_out", task=task.name)
     declared = {port.name: port.kind for port in sheet.ports}
     written = {name: kind.value for name, kind in task.kinds().items()}
     faults = [
-        Fault(place, f"{kind} {name}, as module {task.module} declares", _declared_as(written.get(name)), instead)
+        Fault(
+            place,
+            Reason.of(
+                "runtime.port_unlike", kind=kind, name=name, module=task.module, given=_declared_as(written.get(name))
+            ),
+            instead,
+        )
         for name, kind in declared.items()
         if written.get(name) != kind
     ]
     faults += [
-        Fault(place, f"only ports that module {task.module} declares", f"{kind} {name}", instead)
+        Fault(place, Reason.of("runtime.port_undeclared", module=task.module, kind=kind, name=name), instead)
         for name, kind in written.items()
         if name not in declared
     ]
     given = {line.key for line in task.local}
     faults += [
-        Fault(place, f"a LOCAL line {local.name} {local.shape} ({local.meaning})", "none", instead)
+        Fault(
+            place,
+            Reason.of("runtime.local_missing", name=local.name, shape=local.shape, meaning=local.meaning),
+            instead,
+        )
         for local in sheet.locals
         if local.default is None and local.name not in given
     ]
     faults += _bad_parameters(task, sheet, place, instead)
     if sheet.hardware and "DEVICE" not in given:
-        faults.append(Fault(place, "a LOCAL line DEVICE world:device, as the module is hardware", "none", instead))
+        faults.append(Fault(place, Reason.of("runtime.device_missing"), instead))
     faults += [
-        Fault(place, "one device after LOCAL DEVICE, as world:device", " ".join(line.words) or "none", instead)
+        Fault(
+            place,
+            _device_words(line.words),
+            instead,
+        )
         for line in task.local
         if line.key == "DEVICE" and len(line.words) != 1
     ]
     if sheet.hardware and task.frequency is not None and task.frequency < SLOWEST_HARDWARE_HZ:
         faults.append(
-            Fault(place, f"a hardware task of at least {SLOWEST_HARDWARE_HZ:g} Hz", f"{task.frequency:g} Hz", instead)
+            Fault(
+                place,
+                Reason.of(
+                    "runtime.hardware_too_slow", slowest_hardware_hz=SLOWEST_HARDWARE_HZ, frequency=task.frequency
+                ),
+                instead,
+            )
         )
     return faults
 
@@ -106,7 +127,7 @@ def strangers(task: Task, sheet: ModuleSheet) -> list[str]:
     return [line.key for line in task.local if line.key not in names]
 
 
-def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: str) -> list[Fault]:
+def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: Reason) -> list[Fault]:
     by_name = {local.name: local for local in sheet.locals}
     faults = []
     for line in task.local:
@@ -114,7 +135,13 @@ def _bad_parameters(task: Task, sheet: ModuleSheet, place: Place, instead: str) 
             try:
                 _within(local, parameter.parse(line.key, Shape.parse(local.shape), line.words))
             except ValueError as wrong:
-                faults.append(Fault(place, f"LOCAL {line.key} {local.shape}", str(wrong), instead))
+                faults.append(
+                    Fault(
+                        place,
+                        Reason.of("runtime.local_unfit", key=line.key, shape=local.shape, why=reason_of(wrong)),
+                        instead,
+                    )
+                )
     return faults
 
 
@@ -148,8 +175,14 @@ def _check_steps(cls: type[Module], names: set[str]) -> None:
                 raise ValueError(f"step of {name}: expected numbers, ports and parameters, found {factor!r}")
 
 
-def _declared_as(kind: str | None) -> str:
-    return "no such port" if kind is None else kind
+def _declared_as(kind: str | None) -> Text:
+    return Reason.of("runtime.no_such_port") if kind is None else kind
+
+
+def _device_words(words: tuple[str, ...]) -> Reason:
+    return (
+        Reason.of("runtime.device_words", words=" ".join(words)) if words else Reason.of("runtime.device_word_missing")
+    )
 
 
 def _plain(value: Any) -> Any:

@@ -10,6 +10,7 @@ from onika.model.rules.reconfiguration import PlacedTask
 from onika.wire.plan import PlannedTask
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 from onika.words.shape import Shape
 
 
@@ -105,9 +106,21 @@ def disagreements(tasks: Sequence[WiredTask]) -> list[Fault]:
         for port in task.ports:
             other, wired = first.setdefault(port.svar, (task, port))
             if (wired.shape, wired.unit) != (port.shape, port.unit):
-                expected = f"{port.svar} {wired.shape} in {wired.unit}, as {other.name} declares"
-                declaration = f"{port.shape} in {port.unit}"
-                faults.append(Fault(Place(task.task.place), expected, declaration, "the application is not run"))
+                faults.append(
+                    Fault(
+                        Place(task.task.place),
+                        Reason.of(
+                            "runtime.declared_unlike",
+                            svar=port.svar,
+                            shape=str(wired.shape),
+                            unit=wired.unit,
+                            name=other.name,
+                            shape_2=str(port.shape),
+                            unit_2=port.unit,
+                        ),
+                        Reason.of("words.application_not_run"),
+                    )
+                )
     return faults
 
 
@@ -116,7 +129,11 @@ def missing_constants(tasks: Sequence[WiredTask]) -> list[Fault]:
     supplied = {svar for task in tasks for svar in task.outconst}
     written = supplied | {svar for task in tasks for svar in task.outvar}
     return [
-        Fault(Place(task.task.place), f"a task that supplies the constant {svar}", "none", "the application is not run")
+        Fault(
+            Place(task.task.place),
+            Reason.of("runtime.constant_missing", svar=svar),
+            Reason.of("words.application_not_run"),
+        )
         for task in tasks
         for svar in task.inconst
         if svar not in (written if svar in task.first_values else supplied)

@@ -16,6 +16,7 @@ from onika.model.task import Task
 from onika.store.opened_text import Faults, OpenedText, Read, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 _T = TypeVar("_T")
 
@@ -59,15 +60,21 @@ class BaseDirectory:
         """Files whose names are no names of tasks, icons or applications, and which are therefore left out."""
         places = (("module", rmod.ENDING), ("conf", conf.ENDING), ("dict", onk.ENDING), ("appl", appl.ENDING))
         wrong = [path for folder, ending in places for path in self._files(folder, ending) if not _is_name(path.stem)]
-        expected = "a name of letters, digits and _ . - that begins with a letter"
-        return tuple(Fault(Place(str(path)), expected, repr(path.stem), "the file is left out") for path in wrong)
+        return tuple(
+            Fault(
+                Place(str(path)), Reason.of("store.name_form", stem=repr(path.stem)), Reason.of("words.file_left_out")
+            )
+            for path in wrong
+        )
 
     @property
     def unreadable(self) -> Faults:
         """This directory where there is none, and its folders that cannot be looked into; absent ones are empty."""
         found = []
         if not self.path.is_dir():
-            found.append(Fault(Place(str(self.path)), "a base directory", "none", "it is left out"))
+            found.append(
+                Fault(Place(str(self.path)), Reason.of("store.no_base_directory"), Reason.of("words.left_out"))
+            )
         for folder in ("module", "conf", "dict", "appl"):
             try:
                 os.listdir(self.path / folder)  # noqa: PTH208 - iterdir waits until it is asked
@@ -75,7 +82,13 @@ class BaseDirectory:
                 continue
             except OSError as error:
                 place = Place(str(self.path / folder))
-                found.append(Fault(place, "a folder that can be read", error.strerror or "", "its files are left out"))
+                found.append(
+                    Fault(
+                        place,
+                        Reason.of("store.unreadable_folder", strerror=error.strerror or ""),
+                        Reason.of("store.files_left_out"),
+                    )
+                )
         return tuple(found)
 
     def task_file(self, name: str) -> Path:

@@ -9,6 +9,7 @@ from onika.files.rmod import RmodText
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 Found = tuple[RmodText | None, Faults]
 """What one file gave."""
@@ -86,9 +87,13 @@ def _read(base: BaseDirectory, name: str, known: Found | None, changed: Set[Path
 
 
 def _again(base: BaseDirectory, name: str, owner: BaseDirectory) -> Fault:
-    found = f"it again, first in {owner.path / 'module'}"
-    expected = f"the name {name} once on the search path"
-    return Fault(Place(str(base.task_file(name))), expected, found, "the first one is used", is_note=True)
+    path = str(owner.path / "module")
+    return Fault(
+        Place(str(base.task_file(name))),
+        Reason.of("store.name_twice", name=name, path=path),
+        Reason.of("words.first_used"),
+        is_note=True,
+    )
 
 
 def _alike(base: BaseDirectory, names: Iterable[str]) -> list[Fault]:
@@ -97,9 +102,8 @@ def _alike(base: BaseDirectory, names: Iterable[str]) -> list[Fault]:
     return [
         Fault(
             Place(str(base.task_file(name))),
-            "names that differ in more than small and large letters",
-            f"{name} beside {first[name.lower()]}",
-            "both are used",
+            Reason.of("store.names_alike", name=name, first=first[name.lower()]),
+            Reason.of("store.both_used"),
             is_note=True,
         )
         for name in names

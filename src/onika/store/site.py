@@ -20,6 +20,7 @@ from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText, open_file, put, save
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 _FOLDERS = ("module", "conf", "dict", "appl")
 OWN = "onika"
@@ -195,7 +196,10 @@ class Site:
         """Directories of the search path that are none, as notes (requirement C20); the user's own may be absent."""
         return tuple(
             Fault(
-                Place(str(base.path)), "a base directory of the search path", "none", "it is passed over", is_note=True
+                Place(str(base.path)),
+                Reason.of("store.path_without_base_directory"),
+                Reason.of("store.passed_over"),
+                is_note=True,
             )
             for base in self.directories
             if not base.path.is_dir() and base.path != self.own
@@ -208,9 +212,12 @@ class Site:
                 winner = first.setdefault(name, base)
                 if winner is not base:
                     place = Place(str(base.path / folder / name))
-                    found = f"it again, first in {winner.path / folder}"
-                    expected = f"the name {name} once on the search path"
-                    yield Fault(place, expected, found, "the first one is used", is_note=True)
+                    yield Fault(
+                        place,
+                        Reason.of("store.name_twice", name=name, path=str(winner.path / folder)),
+                        Reason.of("words.first_used"),
+                        is_note=True,
+                    )
 
     def _first(self, name: str, file: Callable[[BaseDirectory, str], Path]) -> BaseDirectory | None:
         if not TASK_NAME.match(name):

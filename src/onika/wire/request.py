@@ -7,19 +7,19 @@ from onika.wire.holding import Company, HoldingRequest
 from onika.wire.live import LiveRequest, LiveResponse
 from onika.wire.plan import Code, Plan, PlannedTask
 from onika.wire.steer import Positions, SteerRequest
+from onika.words.reason import NOTHING, Reason, Text
 
 
 class FaultText(Struct, frozen=True):
-    """A fault on its way: place, what was expected, what was found, what happens instead."""
+    """A fault on its way: place, what was expected and found, what happens instead."""
 
     file: str
     line: int
-    expected: str
-    found: str
-    instead: str
-    where: str = ""
+    reason: Reason
+    instead: Reason
+    where: Text = NOTHING
     """The flow and the action that it concerns, in words."""
-    remedies: tuple[str, ...] = ()
+    remedies: tuple[Text, ...] = ()
 
 
 class Prepare(Struct, frozen=True, tag=True):

@@ -7,6 +7,8 @@ Words are parted by blanks. A word that is empty or holds blanks or quotes stand
 import re
 from collections.abc import Iterable
 
+from onika.words.reason import Reason
+
 _WORD = re.compile(r'"((?:[^"\\]|\\.)*)"(?=\s|\Z)|([^\s"]+)(?=\s|\Z)')
 
 
@@ -17,7 +19,7 @@ def split(line: str) -> list[str]:
     while rest:
         found = _WORD.match(rest)
         if not found:
-            raise ValueError(f"expected words, those with blanks in double quotes, found {rest!r}")
+            raise ValueError(Reason.of("words.argument_line", rest=rest))
         words.append(found[2] if found[2] is not None else re.sub(r"\\(.)", r"\1", found[1]))
         rest = rest[found.end() :].lstrip()
     return words

@@ -7,6 +7,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
+from onika.words.reason import Reason
+
 _FORM = re.compile(
     r"""\s*(?P<address>(?:[A-Za-z][\w.-]*/){0,2}[A-Z][A-Z0-9_^]*)   # RUNTIME/SUBSYSTEM/NAME
         (?:\[(?P<index>\d+(?:\s*,\s*\d+)*)\])?
@@ -41,7 +43,7 @@ class Condition:
         """Read one; raises ValueError that says what was expected."""
         found = _FORM.match(text)
         if not found or not math.isfinite(float(found["number"])):
-            raise ValueError(f"expected an address, a comparison and a number, as in 'LAMP == 1', found {text!r}")
+            raise ValueError(Reason.of("words.condition", text=text))
         parts = found["address"].split("/")
         index = tuple(int(one) for one in found["index"].split(",")) if found["index"] else ()
         return cls(text.strip(), "/".join(parts[-2:]), index, found["relation"], float(found["number"]))

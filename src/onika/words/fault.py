@@ -1,7 +1,12 @@
 """What is wrong with something a user gave us, as values that are collected and shown (requirement B07)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+
+from onika.words.reason import NOTHING, Reason, Text
+
+NOT_RUN = Reason.of("words.application_not_run")
+"""What happens instead of running an application with faults."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -17,23 +22,31 @@ class Place:
 
 @dataclass(frozen=True, slots=True, order=True)
 class Fault:
-    """One thing that is wrong: where, what was expected, what was found and what happens instead."""
+    """One thing that is wrong: where, what was expected and found, and what happens instead."""
 
     place: Place
-    expected: str
-    found: str
-    instead: str
+    reason: Reason
+    """What was expected, and what was found."""
+    instead: Reason
     is_note: bool = False
     """Whether it is only worth knowing: what happens instead is what everybody would want, and nothing is refused."""
-    where: str = field(default="", compare=False)
+    where: Text = field(default=NOTHING, compare=False)
     """The flow and the action of a run that it concerns, in words, where its place does not say so."""
-    remedies: tuple[str, ...] = field(default=(), compare=False)
+    remedies: tuple[Text, ...] = field(default=(), compare=False)
     """What could be done or taken instead, likeliest first."""
 
+    @property
+    def sentence(self) -> Reason:
+        """All of it in one sentence."""
+        place, reason, instead = str(self.place), self.reason, self.instead
+        if self.where:
+            line = Reason.of("words.fault_in", place=place, reason=reason, where=self.where, instead=instead)
+        else:
+            line = Reason.of("words.fault", place=place, reason=reason, instead=instead)
+        return _with_remedies(line, self.remedies)
+
     def __str__(self) -> str:
-        at = f" ({self.where})" if self.where else ""
-        text = f"{self.place}: expected {self.expected}, found {self.found}{at}; instead: {self.instead}"
-        return f"{text} (you can: {'; '.join(self.remedies)})" if self.remedies else text
+        return str(self.sentence)
 
 
 def parted(faults: Iterable[Fault]) -> tuple[tuple[Fault, ...], tuple[Fault, ...]]:
@@ -44,10 +57,20 @@ def parted(faults: Iterable[Fault]) -> tuple[tuple[Fault, ...], tuple[Fault, ...
 
 @dataclass(frozen=True, slots=True)
 class Refusal:
-    """A "no" with its reason in words and what the user could do instead, likeliest first."""
+    """A "no" with its reason and what the user could do instead, likeliest first."""
 
-    reason: str
+    reason: Text
     remedies: tuple[str, ...] = ()
 
+    @property
+    def sentence(self) -> Text:
+        """All of it in one sentence."""
+        return _with_remedies(self.reason, self.remedies) if self.remedies else self.reason
+
     def __str__(self) -> str:
-        return self.reason if not self.remedies else f"{self.reason} (you can: {'; '.join(self.remedies)})"
+        return str(self.sentence)
+
+
+def _with_remedies(reason: Text, remedies: Sequence[Text]) -> Reason:
+    plain = reason if isinstance(reason, Reason) else Reason.plain(reason)
+    return Reason.of("words.with_remedies", reason=plain, remedies=tuple(remedies)) if remedies else plain

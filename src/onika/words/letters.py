@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable
 
+from onika.words.reason import Reason
 from onika.words.value import ValueType
 
 
@@ -15,7 +16,7 @@ def encode(value: str | Iterable[str], kind: ValueType, size: int) -> bytes:
     """A text or character, or several, as `size` bytes; raises ValueError where they do not fit."""
     values = [value] if isinstance(value, str) and kind.is_text else list(value)
     if len(values) * kind.size != size:
-        raise ValueError(f"expected {size // kind.size} of type {kind.value}, found {len(values)}")
+        raise ValueError(Reason.of("words.text_count", size=size // kind.size, value=kind.value, count=len(values)))
     return b"".join(_encode(one, kind) for one in values)
 
 
@@ -25,10 +26,10 @@ def _decode(data: bytes, kind: ValueType) -> str:
 
 def _encode(one: str, kind: ValueType) -> bytes:
     if not kind.fits(one):
-        raise ValueError(f"expected a value of type {kind.value}, found {one!r}")
+        raise ValueError(Reason.of("words.value_of_type", value=kind.value, name=one))
     if not kind.is_text:
         return bytes([ord(one)])
     data = one.encode()
     if len(data) >= kind.size:
-        raise ValueError(f"expected at most {kind.size - 1} bytes of text, found {len(data)}")
+        raise ValueError(Reason.of("words.text_too_long", size=kind.size - 1, count=len(data)))
     return data.ljust(kind.size, b"\0")

@@ -24,7 +24,7 @@ class Reason(Struct, frozen=True, omit_defaults=True):
     args: "dict[str, str | int | float | bool | Reason | tuple[str | int | float | bool | Reason, ...]]" = {}
 
     @classmethod
-    def of(cls, key: str, **args: "Argument") -> Self:
+    def of(cls, key: str, /, **args: "Argument") -> Self:
         """The reason of a key; raises KeyError where no sentence has it or an argument of the sentence is missing."""
         return cls(key, fill(sentence("en", key), args, "en"), args)
 
@@ -70,3 +70,9 @@ def in_language(reason: Text, language: str) -> str:
 
 def _shown(value: object, language: str) -> str:
     return in_language(value, language) if isinstance(value, Reason) else str(value)
+
+
+def reason_of(error: Exception) -> Reason:
+    """Why something was raised: the reason it was raised with, else its text."""
+    first = error.args[0] if error.args else None
+    return first if isinstance(first, Reason) else Reason.plain(str(error))

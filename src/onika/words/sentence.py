@@ -6,6 +6,7 @@ A gap is `{name}`, or `{name:rule}` with one of these rules; `{{` and `}}` are b
 - `.3g`, `+.2f` …: a number in Python's format of that name, of the kinds `g` and `f`
 - `quoted`: a text in quotes, as Python writes it
 - `and`, `or`: several values, the last two joined by that word of the language
+- `;`: several values with semicolons between them
 - `plural:action|actions`: the first word for one (a number, or a list of one), the second for any other number
 """
 
@@ -17,6 +18,7 @@ LANGUAGES = ("en", "es")
 """The languages of the catalogues; the first is the one in which every sentence exists."""
 
 _CONNECTIVES = {"en": {"and": "and", "or": "or"}, "es": {"and": "y", "or": "o"}}
+_LISTS = ("", "and", "or", ";")
 _GAP = re.compile(r"\{\{|\}\}|\{(\w+)(?::([^{}]*))?\}")
 _NUMBER_FORMAT = re.compile(r"\+?(\.\d+)?[gf]\Z")
 
@@ -64,11 +66,11 @@ def _filled(value: object, rule: str, language: str, show: Show) -> str:
         return singular if count == 1 else plural
 
     if isinstance(value, tuple | list):
-        connective = _CONNECTIVES[language].get(kind, "")
-        each = "" if connective else rule
-        return _listed([_filled(item, each, language, show) for item in value], connective)
+        each = "" if kind in _LISTS else rule
+        items = [_filled(item, each, language, show) for item in value]
+        return "; ".join(items) if kind == ";" else _listed(items, _CONNECTIVES[language].get(kind, ""))
 
-    if kind in ("", "and", "or"):
+    if kind in _LISTS:
         return _written(value, show)
     if kind == "quoted":
         return repr(value if isinstance(value, str) else _written(value, show))

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 from onika.words.name import SVAR_NAME
+from onika.words.reason import Reason
 from onika.words.value import ValueType
 
 _FORM = re.compile(r"([a-z]+)(?:\[([^\[\]]*)\])?\Z")
@@ -23,7 +24,7 @@ class Shape:
         """Read `double[NDOF,4]`; raises ValueError that says what was expected."""
         found = _FORM.match(text.replace(" ", ""))
         if not found or found[1] not in ValueType._value2member_map_:
-            raise ValueError(f"expected a type such as double, int or double[NDOF,4], found {text!r}")
+            raise ValueError(Reason.of("words.shape", text=text))
         if found[2] is None:
             return cls(ValueType(found[1]))
         return cls(ValueType(found[1]), tuple(_dimension(part, text) for part in found[2].split(",")))
@@ -37,7 +38,7 @@ class Shape:
         """The same shape with every name replaced by its number; raises KeyError for a missing constant."""
         dims = tuple(dim if isinstance(dim, int) else int(constants[dim]) for dim in self.dims)
         if any(dim < 1 for dim in dims):
-            raise ValueError(f"expected dimensions of at least 1, found {self} with {dict(constants)}")
+            raise ValueError(Reason.of("words.dimensions_positive", shape=str(self), constants=str(dict(constants))))
         return Shape(self.type, dims)
 
     @property
@@ -59,4 +60,4 @@ def _dimension(part: str, whole: str) -> int | str:
         return int(part)
     if SVAR_NAME.match(part):
         return part
-    raise ValueError(f"expected a dimension (a whole number above 0 or a constant's name), found {part!r} in {whole!r}")
+    raise ValueError(Reason.of("words.dimension", part=part, whole=whole))

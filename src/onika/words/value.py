@@ -5,6 +5,8 @@ import re
 import struct
 from enum import Enum
 
+from onika.words.reason import Reason
+
 Value = int | float | str
 """One element: whole numbers as int, real numbers as float, texts and characters as str."""
 
@@ -61,7 +63,7 @@ class ValueType(Enum):
             return text
         if self is ValueType.CHAR:
             if len(text) != 1 or ord(text) > 255:
-                raise ValueError(f"expected one character, found {text!r}")
+                raise ValueError(Reason.of("words.one_character", text=text))
             return text
         if self.is_real:
             return _real(text, self)
@@ -109,18 +111,18 @@ _DIGITS = re.compile(r"[+-]?\d+\Z", re.ASCII)
 
 def _real(text: str, kind: ValueType) -> float:
     if not _NUMBER.match(text):
-        raise ValueError(f"expected a number ({kind.value}), found {text!r}")
+        raise ValueError(Reason.of("words.number_expected", value=kind.value, text=text))
     value = float(text)
     if not math.isfinite(value):
-        raise ValueError(f"expected a finite number ({kind.value}), found {text!r}")
+        raise ValueError(Reason.of("words.finite_number", value=kind.value, text=text))
     return value
 
 
 def _whole(text: str, kind: ValueType) -> int:
     if not _DIGITS.match(text):
-        raise ValueError(f"expected a whole number ({kind.value}), found {text!r}")
+        raise ValueError(Reason.of("words.whole_number", value=kind.value, text=text))
     value = int(text)
     low, high = _WHOLE[kind]
     if not low <= value <= high:
-        raise ValueError(f"expected a {kind.value} from {low} to {high}, found {text}")
+        raise ValueError(Reason.of("words.number_bounds", value=kind.value, low=low, high=high, text=text))
     return value

@@ -1,8 +1,10 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.desk.console.display import Tone
 from onika.wire import live, request
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 
 def test_a_command_may_be_cut_to_what_tells_it_from_the_others(sit):  # R-A16
@@ -10,9 +12,9 @@ def test_a_command_may_be_cut_to_what_tells_it_from_the_others(sit):  # R-A16
     sitting.does("sp puma", "on puma")
     assert sitting.states() == {"puma": "ON"}
     fault = sitting.fails("s puma")
-    assert "spawn" in fault.expected
-    assert "status" in fault.expected
-    assert sitting.fails("dance").expected == "one command; `help` names them"
+    assert "spawn" in expected_by(fault)
+    assert "status" in expected_by(fault)
+    assert expected_by(sitting.fails("dance")) == "one command; `help` names them"
 
 
 @pytest.mark.parametrize("line", ["", "   ", "# nothing"])
@@ -25,8 +27,8 @@ def test_an_empty_line_is_nothing(sit, line):
 
 def test_a_line_that_is_not_as_it_should_be_is_answered_with_how(sit):
     fault = sit().fails("rate puma")
-    assert (fault.expected, fault.found) == ("`rate TASK HZ`", "`rate puma`")
-    assert "double quotes" in sit().fails('spawn "puma').found
+    assert (expected_by(fault), found_by(fault)) == ("`rate TASK HZ`", "`rate puma`")
+    assert "double quotes" in found_by(sit().fails('spawn "puma'))
 
 
 @pytest.mark.parametrize("line", ["import os", "!ls", "$(touch x)", "; touch x", "echo `touch x`; touch x"])
@@ -43,7 +45,7 @@ def test_help_names_every_command_and_says_how_each_is_written(sit):  # R-A16
     for command in sitting.console._commands:
         assert any(line.split()[:1] == [command.name] for line in listed)
         assert sitting.does(f"help {command.name}")[0] == command.usage
-    assert sitting.fails("help dance").found == "'dance'"
+    assert found_by(sitting.fails("help dance")) == "'dance'"
 
 
 def test_the_required_commands_are_there(sit):  # R-A16
@@ -64,9 +66,9 @@ def test_quit_ends_the_console_and_the_runtime_only_where_that_is_said(sit):
     other.does("quit runtime")
     assert (other.console.is_over, other.runtime.is_over) == (True, True)
     third = sit()
-    assert third.fails("quit now").found == "`quit now`"
+    assert found_by(third.fails("quit now")) == "`quit now`"
     third.runtime.refusals["Quit"] = "only its owner may"
-    assert third.fails("quit runtime").found == "only its owner may"
+    assert found_by(third.fails("quit runtime")) == "only its owner may"
     assert not third.console.is_over
 
 
@@ -95,7 +97,7 @@ def test_a_late_answer_of_the_runtime_is_told_and_the_console_goes_on(sit):
 
     sitting.runtime.ask = late
     fault = sitting.fails("status")
-    assert (fault.expected, fault.found) == ("an answer of the runtime", "no answer within 60 s")
+    assert (expected_by(fault), found_by(fault)) == ("an answer of the runtime", "no answer within 60 s")
 
 
 def test_a_script_is_carried_out_to_its_end(sit, tmp_path):  # R-A16
@@ -121,7 +123,11 @@ def test_faults_of_files_are_followed_by_the_line_that_met_them(sit, tmp_path):
     path = tmp_path / "start"
     path.write_text("spawn diff\nswap diff\n")
     sitting = sit()
-    sitting.runtime.faults = (request.FaultText("diff.py", 3, "a class", "none", "it is not exchanged"),)
+    sitting.runtime.faults = (
+        request.FaultText(
+            "diff.py", 3, Reason.plain("expected a class, found none"), Reason.plain("it is not exchanged")
+        ),
+    )
     faults = sitting.console.run_script(path)
     assert [fault.place for fault in faults] == [Place("diff.py", 3), Place(str(path), 2)]
 
@@ -131,7 +137,7 @@ def test_scripts_within_scripts_come_to_an_end(sit, tmp_path):
     path.write_text(f"source {path}\n")
     sitting = sit()
     faults = sitting.console.run_script(path)
-    assert any("16 deep at most" in fault.expected for fault in faults)
+    assert any("16 deep at most" in expected_by(fault) for fault in faults)
     assert sitting.console.run_script(tmp_path / "none")[0].place.file == str(tmp_path / "none")
 
 

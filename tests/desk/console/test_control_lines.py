@@ -1,3 +1,5 @@
+from tests.sentences import found_by
+
 from onika.wire import holding, live, request
 
 
@@ -5,7 +7,7 @@ def test_a_stop_is_for_all_and_lasts_until_it_is_reset(sit):  # law 27
     sitting = sit()
     sitting.does("spawn puma")
     assert any("STOPPED: smoke; every drive holds until `reset`" in line for line in sitting.does("stop smoke"))
-    assert sitting.fails("on puma").found == "everything is stopped"
+    assert found_by(sitting.fails("on puma")) == "everything is stopped"
     assert any("motion is allowed again" in line for line in sitting.does("reset"))
     sitting.does("on puma")
     assert sitting.requests_of(request.Stop) == [request.Stop("smoke")]
@@ -17,7 +19,7 @@ def test_a_subsystem_is_taken_and_released(sit):  # R-X12
     assert "main is held by you" in sitting.does("take")
     assert "main is held by nobody" in sitting.does("release main")
     sitting.runtime.refusals["Take"] = "held by ada"
-    assert sitting.fails("take").found == "held by ada"
+    assert found_by(sitting.fails("take")) == "held by ada"
     assert len(sitting.requests_of(live.Take)) == 2
 
 
@@ -25,13 +27,13 @@ def test_the_network_channel_is_named_where_it_was_opened_at_the_start(sit):  # 
     sitting = sit(addresses=("127.0.0.1:7994",))
     for line in ("open", "listen 127.0.0.1:7994", "network"):
         assert sitting.does(line) == ["others reach this runtime at 127.0.0.1:7994"]
-    assert sitting.fails("open 0.0.0.0:1").found == "one that listens at 127.0.0.1:7994"
+    assert found_by(sitting.fails("open 0.0.0.0:1")) == "one that listens at 127.0.0.1:7994"
 
 
 def test_where_it_was_not_opened_the_console_says_how(sit):  # R-A16
     fault = sit().fails("open 127.0.0.1:8000")
-    assert fault.found == "one for this console alone"
-    assert "`onika runtime --listen 127.0.0.1:8000`" in fault.instead
+    assert found_by(fault) == "one for this console alone"
+    assert "`onika runtime --listen 127.0.0.1:8000`" in str(fault.instead)
 
 
 def test_a_subsystem_is_offered_to_another_session_or_no_more(sit):  # R-X12
@@ -44,7 +46,7 @@ def test_a_subsystem_is_offered_to_another_session_or_no_more(sit):  # R-X12
     sitting.does("hand bob arms")
     assert sitting.requests_of(holding.Hand)[-1] == holding.Hand("arms", "bob")
     sitting.runtime.refusals["Hand"] = "bob only watches and can take nothing"
-    assert sitting.fails("hand bob").found == "bob only watches and can take nothing"
+    assert found_by(sitting.fails("hand bob")) == "bob only watches and can take nothing"
 
 
 def test_what_is_offered_is_declined(sit):  # R-X12
@@ -70,4 +72,4 @@ def test_a_console_that_only_watches_says_so(sit):  # R-X12
     sitting = sit()
     assert "this console only watches from now on; everybody can stop" in sitting.does("watch only")
     sitting.runtime.refusals["OnlyWatch"] = "this session holds main; release it first"
-    assert sitting.fails("watch only").found == "this session holds main; release it first"
+    assert found_by(sitting.fails("watch only")) == "this session holds main; release it first"

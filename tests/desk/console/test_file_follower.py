@@ -1,8 +1,10 @@
 import os
 
 import pytest
+from tests.sentences import found_by
 
 from onika.wire import live, request
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -46,7 +48,11 @@ def test_a_file_that_was_only_touched_changes_nothing(followed):
 
 def test_code_with_faults_leaves_the_old_code_and_is_followed_on(followed):  # R-X15
     sitting, path = followed
-    sitting.runtime.faults = (request.FaultText("diff.py", 1, "a class", "none", "it is not exchanged"),)
+    sitting.runtime.faults = (
+        request.FaultText(
+            "diff.py", 1, Reason.plain("expected a class, found none"), Reason.plain("it is not exchanged")
+        ),
+    )
     write(path, "# bad\n", 2)
     output = pass_a_second(sitting)
     assert any("diff.py:1: expected a class" in line for line in output)
@@ -109,5 +115,5 @@ def test_the_file_of_the_search_path_is_followed_unless_another_is_named(sit, tm
     sitting = sit()
     sitting.does("spawn diff")
     assert sitting.does("follow diff")[0].endswith("generic/module/diff.py")
-    assert sitting.fails(f"follow diff {tmp_path}/none.py").found == f"nothing at {tmp_path}/none.py"
-    assert sitting.fails("follow pd").found == "'pd'"
+    assert found_by(sitting.fails(f"follow diff {tmp_path}/none.py")) == f"nothing at {tmp_path}/none.py"
+    assert found_by(sitting.fails("follow pd")) == "'pd'"

@@ -1,3 +1,5 @@
+from tests.sentences import expected_by, found_by
+
 from onika.desk.console.display import Tone
 from onika.wire import live
 
@@ -17,7 +19,7 @@ def test_status_of_a_task_shows_every_figure(sit):  # R-A11
     output = sitting.does("status puma")
     assert output[0] == "main/puma"
     assert [line.split()[0] for line in output[1:-1]] == list(_COLUMNS)
-    assert sitting.fails("status diff").expected == "a living task of main (puma)"
+    assert expected_by(sitting.fails("status diff")) == "a living task of main (puma)"
 
 
 def test_an_overload_that_is_foretold_is_told(sit, monkeypatch):  # R-X13
@@ -62,7 +64,7 @@ def test_units_and_subsystems_are_listed(sit):  # R-A06
     sitting.does("spawn left/puma", "take left", "subsystem left")
     assert sitting.does("subsystems")[1].split()[:4] == ["*", "left", "1", "you"]
     assert sitting.does("subsystem") == ["left"]
-    assert sitting.fails("subsystem 7").found == "'7'"
+    assert found_by(sitting.fails("subsystem 7")) == "'7'"
 
 
 def with_variables(sitting):
@@ -98,9 +100,9 @@ def test_a_vector_is_read_in_a_line_and_a_matrix_in_rows(sit):  # R-A16
         "BASE[0] = 1.0000  0.0000",
     ]
     for line in ("read Q_MEZ[2]", "read NDOF[0]", "read BASE[0,0,0]"):
-        assert sitting.fails(line).expected == "an element, counted from 0"
-    assert sitting.fails("read NDOF Q_MES").found == "'Q_MES'"
-    assert "no subsystem other" in sitting.fails("read other/Q").found
+        assert expected_by(sitting.fails(line)) == "an element, counted from 0"
+    assert found_by(sitting.fails("read NDOF Q_MES")) == "'Q_MES'"
+    assert "no subsystem other" in found_by(sitting.fails("read other/Q"))
 
 
 def test_a_check_of_memory_names_what_it_finds(sit):  # R-A12
@@ -108,7 +110,7 @@ def test_a_check_of_memory_names_what_it_finds(sit):  # R-A12
     assert sitting.does("check") == ["main: the memory of variables is sound"]
     sitting.runtime.findings["main"] = ("Q_MEZ was overwritten; puma on rt0 writes beside it",)
     fault = sitting.fails("check main")
-    assert fault.found == "Q_MEZ was overwritten; puma on rt0 writes beside it"
+    assert found_by(fault) == "Q_MEZ was overwritten; puma on rt0 writes beside it"
 
 
 def test_what_the_runtime_will_not_say_is_a_fault(sit):
@@ -116,7 +118,7 @@ def test_what_the_runtime_will_not_say_is_a_fault(sit):
     sitting.runtime.refusals |= {"Status": "not now", "Check": "not now", "Read": "not now"}
     sitting.does("spawn puma")
     for line in ("status", "check", "vars", "read Q"):
-        assert sitting.fails(line).found == "not now"
+        assert found_by(sitting.fails(line)) == "not now"
 
 
 _COLUMNS = (

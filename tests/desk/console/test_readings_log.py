@@ -1,3 +1,5 @@
+from tests.sentences import found_by
+
 from onika.desk.console import readings_log
 from onika.wire.live import Values
 from onika.words.argument import split
@@ -24,9 +26,9 @@ def test_a_file_that_cannot_be_written_is_told_and_nothing_is_left(sit, tmp_path
     sitting = sit()
     sitting.does("spawn puma")
     fault = sitting.fails(f"log {tmp_path}/none/now.log")
-    assert fault.instead == "nothing is written"
+    assert str(fault.instead) == "nothing is written"
     sitting.runtime.refusals["Read"] = "not yours"
-    assert sitting.fails(f"log {tmp_path}/x.log").found == "not yours"
+    assert found_by(sitting.fails(f"log {tmp_path}/x.log")) == "not yours"
     assert list(tmp_path.iterdir()) == []
 
 

@@ -1,8 +1,10 @@
 import pytest
 from msgspec.structs import replace
+from tests.sentences import expected_by, found_by
 
 from onika.wire import event, request
 from onika.wire.figures import TaskFigures
+from onika.words.reason import Reason
 
 
 def test_an_application_is_begun_and_its_end_told(sit):  # R-A16
@@ -23,9 +25,9 @@ def test_an_application_is_redirected_by_further_words(sit):  # R-E09, R-A16
     (flow,) = sitting.requests_of(request.Prepare)[0].plan.flows
     assert [(name, old.name) for name, old in flow.replaced] == [("puma_kin", "puma")]
     sitting.does("wait run")
-    assert sitting.fails("run go_home puma").expected == "[FLOW:]TASK=TASK"
+    assert expected_by(sitting.fails("run go_home puma")) == "[FLOW:]TASK=TASK"
     output = sitting.console.carry_out("run go_home puma=gripper")
-    assert any("does not write" in fault.found for fault in output)
+    assert any("does not write" in found_by(fault) for fault in output)
 
 
 def test_home_is_the_application_go_home(sit):  # R-A16
@@ -38,7 +40,7 @@ def test_home_is_the_application_go_home(sit):  # R-A16
 def test_a_second_application_has_to_wait(sit):
     sitting = sit()
     sitting.console.carry_out("run go_home")
-    assert (sitting.fails("run assemble").expected, sitting.fails("home").found) == (
+    assert (expected_by(sitting.fails("run assemble")), found_by(sitting.fails("home"))) == (
         "no application that runs",
         "go_home",
     )
@@ -46,12 +48,16 @@ def test_a_second_application_has_to_wait(sit):
 
 def test_what_is_wrong_with_an_application_is_told_before_anything_moves(sit):
     sitting = sit()
-    assert sitting.fails("run go_hone").found == "neither"
-    sitting.runtime.faults = (request.FaultText("go_home.appl", 7, "a posture", "none", "nothing moves"),)
+    assert found_by(sitting.fails("run go_hone")) == "neither"
+    sitting.runtime.faults = (
+        request.FaultText(
+            "go_home.appl", 7, Reason.plain("expected a posture, found none"), Reason.plain("nothing moves")
+        ),
+    )
     assert sitting.fails("run go_home").place.line == 7
     sitting.runtime.faults = ()
     sitting.runtime.refusals["Begin"] = "another holds it"
-    assert sitting.fails("run go_home").found == "another holds it"
+    assert found_by(sitting.fails("run go_home")) == "another holds it"
     assert sitting.session.running == ""
 
 
@@ -61,8 +67,8 @@ def test_a_run_is_aborted(sit):
     sitting.does("abort it is late")
     assert sitting.requests_of(request.Abort) == [request.Abort("it is late")]
     assert any("run aborted, 0 of 1 actions: it is late" in line for line in sitting.lines)
-    assert sitting.fails("abort").expected == "an application that runs"
-    assert "aborted: it is late" in sitting.fails("wait run").found
+    assert expected_by(sitting.fails("abort")) == "an application that runs"
+    assert "aborted: it is late" in found_by(sitting.fails("wait run"))
 
 
 def test_a_question_of_an_application_goes_to_the_next_line_of_a_script(sit, monkeypatch):  # R-A10
@@ -71,9 +77,9 @@ def test_a_question_of_an_application_goes_to_the_next_line_of_a_script(sit, mon
     monkeypatch.setattr(sitting.runtime, "_command", asking_once(sitting.runtime))
     sitting.does("run go_home")
     assert sitting.session.running == "go_home"
-    assert sitting.fails("wait run").found == "flow0/jtraj"
+    assert found_by(sitting.fails("wait run")) == "flow0/jtraj"
     (fault,) = sitting.console.finish()
-    assert fault.found == "flow0/jtraj"
+    assert found_by(fault) == "flow0/jtraj"
     sitting.does("answer flow0/jtraj 1", "wait run")
     assert sitting.session.running == ""
 
@@ -111,8 +117,8 @@ def test_the_end_of_what_another_runs_is_not_the_end_of_ours(sit):
 def test_calibration_is_an_application_of_the_laboratory(sit, tmp_path, line, name):  # R-A16
     sitting = sit()
     fault = sitting.fails(line)
-    assert f"an application {name} on the search path" in fault.expected
-    assert "measure absolute angles" in fault.instead
+    assert f"an application {name} on the search path" in expected_by(fault)
+    assert "measure absolute angles" in str(fault.instead)
     (tmp_path / "appl").mkdir()
     shipped = sitting.session.site.application_file("go_home")
     (tmp_path / "appl" / f"{name}.appl").write_text(shipped.read_text())

@@ -1,9 +1,11 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from kit.live_runtime import LiveRuntime
 from onika.desk.console.session import ConsoleSession
 from onika.wire import event, live, request
 from onika.wire.plan import Plan
+from onika.words.reason import Reason
 
 
 def test_a_console_listens_to_all_and_chooses_the_only_subsystem(sit):  # R-A06
@@ -19,7 +21,7 @@ def test_a_runtime_that_cannot_be_operated_by_hand_says_so(sit):
     sitting = sit()
     sitting.runtime.refusals["Attend"] = "an older runtime"
     (fault,) = sitting.session.begin()
-    assert fault.found == "an older runtime"
+    assert found_by(fault) == "an older runtime"
     sitting.runtime.refusals["Survey"] = "an older runtime"
     with pytest.raises(ValueError, match="an older runtime"):
         sitting.session.look_again()
@@ -42,7 +44,7 @@ def test_an_outcome_that_does_not_come_is_not_waited_for_for_ever(sit, monkeypat
     sitting = sit()
     monkeypatch.setattr(sitting.runtime, "_edit", lambda message: live.Accepted(99))
     fault = sitting.fails("spawn puma")
-    assert (fault.expected, fault.found) == ("the change to be done", "not so within 30 s")
+    assert (expected_by(fault), found_by(fault)) == ("the change to be done", "not so within 30 s")
 
 
 def test_outcomes_of_others_are_not_kept_for_ever(sit):
@@ -72,7 +74,7 @@ def test_a_question_is_over_when_its_task_goes_another_way(asking):
 def test_notes_are_said_and_faults_of_files_keep_their_places(sit):
     sitting = sit()
     runtime = sitting.runtime
-    fault = request.FaultText("a.rmod", 3, "x", "y", "z")
+    fault = request.FaultText("a.rmod", 3, Reason.plain("expected x, found y"), Reason.plain("z"))
     runtime_ask = runtime.ask
     runtime.ask = lambda message: (
         request.Prepared((fault,), ("worth knowing",)) if isinstance(message, request.Prepare) else runtime_ask(message)

@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by
 
 from kit.build import task
 from onika.desk.console.site_library import SiteLibrary, altered
@@ -25,14 +26,14 @@ def test_a_task_without_code_names_its_file(library, tmp_path):
     (tmp_path / "module" / "lost.rmod").write_text(text)
     planned, code, (fault,) = library.planned("lost")
     assert (planned, code) == (None, None)
-    assert fault.expected == "lost.py on the search path, as MODULE says"
+    assert expected_by(fault) == "lost.py on the search path, as MODULE says"
 
 
 def test_what_is_not_there_is_told_with_what_is_near_it(library):
     _, (fault,) = library.configuration("jmovC")
-    assert "near it: jmoveC" in fault.expected
+    assert "near it: jmoveC" in expected_by(fault)
     _, (fault,) = library.task("qqq")
-    assert f"there are {len(library.tasks)}" in fault.expected
+    assert f"there are {len(library.tasks)}" in expected_by(fault)
 
 
 def test_names_are_offered_in_order_and_once(library):

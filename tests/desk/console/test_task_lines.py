@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from kit.laboratory import Laboratory
 from onika.wire import live
@@ -49,8 +50,8 @@ def test_one_module_serves_two_tasks_with_one_code(sit):  # R-A01
 def test_what_cannot_be_spawned_is_told_and_nothing_is_asked(sit, line, expected, actual):
     sitting = sit()
     fault = sitting.fails(line)
-    assert expected in fault.expected
-    assert actual in fault.found
+    assert expected in expected_by(fault)
+    assert actual in found_by(fault)
     assert sitting.requests_of(live.Change) == []
 
 
@@ -75,13 +76,13 @@ def test_a_target_of_the_dictionary_gives_the_arguments(sit):
     sitting.does("spawn jtraj", "on jtraj @home")
     assert sitting.requests_of(live.Change)[1].on == (live.Turn("jtraj", "0.0 -1.570796 1.570796 0.0 0.0 0.0 3.0"),)
     fault = sitting.fails("on jtraj @hme")
-    assert "a target on the search path (near it: home" in fault.expected
+    assert "a target on the search path (near it: home" in expected_by(fault)
 
 
 def test_a_target_without_values_gives_no_arguments(sit):
     sitting = sit()
     sitting.does("spawn jtraj")
-    assert sitting.fails("on jtraj @noop").expected == "a target with values, as in @noop"
+    assert expected_by(sitting.fails("on jtraj @noop")) == "a target with values, as in @noop"
 
 
 def test_all_that_is_off_goes_on_and_all_that_is_on_goes_off(sit):
@@ -120,7 +121,7 @@ def test_a_task_that_does_not_live_is_named_with_those_that_do(sit, line):
     sitting = sit()
     sitting.does("spawn puma")
     fault = sitting.fails(line)
-    assert (fault.expected, fault.found) == ("a living task of main (puma)", "'diff'")
+    assert (expected_by(fault), found_by(fault)) == ("a living task of main (puma)", "'diff'")
     assert sitting.states() == {"puma": "OFF"}
 
 
@@ -128,8 +129,8 @@ def test_the_outcome_of_a_change_is_waited_for_and_its_cause_told(sit):
     sitting = sit()
     sitting.does("spawn puma", "on puma")
     fault = sitting.fails("on puma")
-    assert fault.expected == "the change to be done"
-    assert "while ON, found on" in fault.found
+    assert expected_by(fault) == "the change to be done"
+    assert "while ON, found on" in found_by(fault)
 
 
 def test_a_task_in_error_is_cleared_by_name_or_with_all_others(sit):  # R-A05
@@ -161,6 +162,6 @@ def test_a_configuration_with_a_missing_task_changes_nothing(sit, tmp_path):
     Laboratory(tmp_path).configuration("lost", "gone 9")
     sitting = sit()
     faults = sitting.console.carry_out("config lost")
-    assert [fault.found for fault in faults] == ["'gone'"]
+    assert [found_by(fault) for fault in faults] == ["'gone'"]
     assert sitting.requests_of(live.Change) == []
-    assert sitting.fails("config nothing").found == "'nothing'"
+    assert found_by(sitting.fails("config nothing")) == "'nothing'"

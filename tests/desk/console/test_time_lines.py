@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.wire import live, request
 
@@ -15,12 +16,12 @@ def test_wall_time_passes_by_itself(sit):
     sitting.does("wait 0.5")
     assert sitting.runtime.now_s > 0.3
     assert sitting.requests_of(live.Advance) == []
-    assert "one in wall time" in sitting.fails("advance 1").found
+    assert "one in wall time" in found_by(sitting.fails("advance 1"))
 
 
 @pytest.mark.parametrize("line", ["advance 0", "advance soon", "advance nan", "advance -1"])
 def test_only_seconds_pass(sit, line):
-    assert sit().fails(line).expected == "seconds above 0"
+    assert expected_by(sit().fails(line)) == "seconds above 0"
 
 
 @pytest.mark.parametrize("is_virtual", [True, False])
@@ -39,7 +40,7 @@ def test_a_state_is_waited_for(sit, is_virtual):  # R-A16
 def test_the_end_of_a_task_is_a_state_to_wait_for(sit):
     sitting = sit()
     sitting.does("spawn puma", "wait diff killed")
-    assert sitting.fails("wait puma killed within 0.1").found == "OFF"
+    assert found_by(sitting.fails("wait puma killed within 0.1")) == "OFF"
 
 
 @pytest.mark.parametrize("is_virtual", [True, False])
@@ -59,7 +60,7 @@ def test_what_does_not_come_is_given_up_with_what_there_is_instead(sit):
     sitting.does("spawn puma")
     sitting.runtime.variables["main"]["LAMP"] = 0
     fault = sitting.fails("wait LAMP == 1 within 0.5")
-    assert (fault.expected, fault.found) == ("LAMP == 1 within 0.5 s", "0")
+    assert (expected_by(fault), found_by(fault)) == ("LAMP == 1 within 0.5 s", "0")
     assert sitting.runtime.now_s == pytest.approx(0.5)
 
 
@@ -78,20 +79,20 @@ def test_what_does_not_come_is_given_up_with_what_there_is_instead(sit):
 def test_a_condition_that_can_never_be_is_refused_at_once(sit, line, expected):
     sitting = sit()
     sitting.does("spawn puma")
-    assert expected in sitting.fails(line).expected
+    assert expected in expected_by(sitting.fails(line))
     assert sitting.requests_of(live.Advance) == []
 
 
 def test_no_time_passes_while_a_task_asks(asking):  # law 15
     asking.does("spawn jtraj", "on jtraj")
-    assert asking.fails("advance 1").found == "main/jtraj"
+    assert found_by(asking.fails("advance 1")) == "main/jtraj"
     assert asking.runtime.now_s == 0.0
 
 
 def test_a_clock_that_will_not_go_on_is_told(sit):
     sitting = sit()
     sitting.runtime.refusals["Advance"] = "an application runs"
-    assert sitting.fails("wait 1").found == "an application runs"
+    assert found_by(sitting.fails("wait 1")) == "an application runs"
 
 
 @pytest.mark.parametrize(
@@ -102,7 +103,7 @@ def test_ctrl_c_while_something_is_waited_for_stops_everything(sit, is_virtual, 
     sitting.does("spawn puma")
     sitting.runtime.variables["main"]["X"] = 0.0
     sitting.interrupts = 3
-    assert sitting.fails(line).found == "one"
+    assert found_by(sitting.fails(line)) == "one"
     assert sitting.runtime.is_stopped
     assert len(sitting.requests_of(request.Stop)) == 1
 
@@ -111,4 +112,4 @@ def test_the_end_of_a_run_is_waited_for_no_longer_than_said(sit, monkeypatch):
     sitting = sit()
     sitting.console.carry_out("run go_home")
     monkeypatch.setattr(sitting.runtime, "events", lambda timeout_s: iter(()))
-    assert sitting.fails("wait run within 0.2").found == "not so within 0.2 s"
+    assert found_by(sitting.fails("wait run within 0.2")) == "not so within 0.2 s"

@@ -1,6 +1,8 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.wire import live, request
+from onika.words.reason import Reason
 
 
 def test_a_rate_is_changed_while_the_task_runs(sit):  # R-A04
@@ -8,7 +10,7 @@ def test_a_rate_is_changed_while_the_task_runs(sit):  # R-A04
     sitting.does("spawn puma", "on puma", "rate puma 250")
     assert sitting.session.tasks()["puma"].frequency == 250.0
     assert sitting.states() == {"puma": "ON"}
-    assert sitting.fails("rate puma often").found == "'often'"
+    assert found_by(sitting.fails("rate puma often")) == "'often'"
 
 
 def test_a_task_is_initialised_anew_with_another_local_line(sit):  # R-A13
@@ -18,7 +20,7 @@ def test_a_task_is_initialised_anew_with_another_local_line(sit):  # R-A13
     assert plain.local is None
     assert speed.local == (("SPEED", ("0.25",)), ("SETTLE", ("0.5",)))
     assert dict(label.local)["LABEL"] == ("two", "words")
-    assert sitting.fails("reinit jtraj SPEED").expected == "the words of the LOCAL line SPEED"
+    assert expected_by(sitting.fails("reinit jtraj SPEED")) == "the words of the LOCAL line SPEED"
 
 
 def test_code_is_exchanged_for_that_of_its_file_or_of_another(sit, tmp_path):  # R-A14
@@ -38,9 +40,13 @@ def test_code_that_cannot_be_read_or_that_the_runtime_finds_faults_in_is_not_exc
     sitting.does("spawn diff")
     assert sitting.fails(f"swap diff {tmp_path}/none.py").place.file == f"{tmp_path}/none.py"
     assert sitting.requests_of(live.Swap) == []
-    sitting.runtime.faults = (request.FaultText("diff.py", 3, "a class", "none", "it is not exchanged"),)
+    sitting.runtime.faults = (
+        request.FaultText(
+            "diff.py", 3, Reason.plain("expected a class, found none"), Reason.plain("it is not exchanged")
+        ),
+    )
     fault = sitting.fails("swap diff")
-    assert (fault.place.file, fault.place.line, fault.expected) == ("diff.py", 3, "a class")
+    assert (fault.place.file, fault.place.line, expected_by(fault)) == ("diff.py", 3, "a class")
 
 
 def test_the_code_of_a_task_under_another_name_is_found_by_its_module(sit):
@@ -54,7 +60,7 @@ def test_a_module_is_asked_and_told_by_name(sit):  # R-A01, R-A05
     sitting.does("spawn jtraj", "set jtraj label two words")
     assert sitting.does("get jtraj label") == ["label = two words"]
     assert sitting.requests_of(live.Set) == [live.Set("main", "jtraj", "label", "two words")]
-    assert "nothing called 'gain'" in sitting.fails("get jtraj gain").found
+    assert "nothing called 'gain'" in found_by(sitting.fails("get jtraj gain"))
 
 
 def test_a_question_is_answered_with_words_or_with_a_target(asking):  # R-A10
@@ -80,14 +86,14 @@ def test_an_answer_that_will_not_do_is_asked_for_again(asking):  # R-A10
 def test_an_answer_that_is_refused_leaves_the_question_open(asking):
     asking.does("spawn jtraj", "on jtraj")
     asking.runtime.refusals["Reply"] = "not yours"
-    assert asking.fails("answer jtraj 1 1 1").found == "not yours"
+    assert found_by(asking.fails("answer jtraj 1 1 1")) == "not yours"
     assert ("main", "jtraj") in asking.session.questions
 
 
 def test_only_a_task_that_asks_is_answered(asking):
     asking.does("spawn jtraj diff", "on jtraj")
     fault = asking.fails("answer diff 1")
-    assert (fault.expected, fault.found) == ("a task that asks (main/jtraj)", "'diff'")
+    assert (expected_by(fault), found_by(fault)) == ("a task that asks (main/jtraj)", "'diff'")
 
 
 def test_defaults_are_the_answer_where_every_input_has_one(sit):
@@ -101,4 +107,4 @@ def test_defaults_are_the_answer_where_every_input_has_one(sit):
 
 @pytest.mark.parametrize("line", ["rate diff 5", "reinit diff", "swap diff", "get diff x", "set diff x 1"])
 def test_what_does_not_live_cannot_be_altered(sit, line):
-    assert sit().fails(line).expected == "a living task of main (there is none)"
+    assert expected_by(sit().fails(line)) == "a living task of main (there is none)"

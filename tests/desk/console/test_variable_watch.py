@@ -1,3 +1,6 @@
+from tests.sentences import expected_by, found_by
+
+
 def watching(sit, line="watch X 4"):
     sitting = sit()
     sitting.does("spawn puma")
@@ -43,7 +46,7 @@ def test_watching_ends_when_it_is_told_or_the_variable_is_gone(sit):
 
 def test_what_is_not_there_cannot_be_watched(sit):
     sitting = watching(sit)
-    assert sitting.fails("watch X Z").found == "'Z'"
-    assert sitting.fails("watch X 1000").expected == "variables, and a rate of at most 20 Hz"
-    assert sitting.fails("watch 5").found == "5"
+    assert found_by(sitting.fails("watch X Z")) == "'Z'"
+    assert expected_by(sitting.fails("watch X 1000")) == "variables, and a rate of at most 20 Hz"
+    assert found_by(sitting.fails("watch 5")) == "5"
     assert sitting.does("watch") == ["watched: main/X"]

@@ -1,3 +1,5 @@
+from tests.sentences import expected_by, found_by
+
 from onika.wire import live
 
 
@@ -13,13 +15,13 @@ def test_a_part_of_a_world_is_touched(sit):  # R-K06
 def test_what_the_runtime_refuses_is_said(sit):
     sitting = sit()
     sitting.runtime.refusals["Touch"] = "no such part"
-    assert sitting.fails("touch boxes bell 1").found == "no such part"
+    assert found_by(sitting.fails("touch boxes bell 1")) == "no such part"
 
 
 def test_values_are_numbers_and_a_value_belongs_to_a_part(sit):
     sitting = sit()
-    assert sitting.fails("touch boxes panic_left hard").found == "'hard'"
-    assert "touch boxes panic_left" in sitting.fails("touch boxes panic_left").found
+    assert found_by(sitting.fails("touch boxes panic_left hard")) == "'hard'"
+    assert "touch boxes panic_left" in found_by(sitting.fails("touch boxes panic_left"))
     assert sitting.requests_of(live.Touch) == []
 
 
@@ -31,4 +33,4 @@ def test_the_parts_of_a_world_are_listed(sit):
     )
     sitting.runtime.scenes["moon"] = {}
     assert sitting.does("touch moon") == ["it has no parts to touch"]
-    assert "sea" in sitting.fails("touch sea").expected
+    assert "sea" in expected_by(sitting.fails("touch sea"))

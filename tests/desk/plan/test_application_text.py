@@ -1,6 +1,7 @@
 from pathlib import Path
 
 import pytest
+from tests.sentences import found_by
 
 from onika.desk.plan.application_text import convert, is_text, keep, unfit
 from onika.files import appl, onk
@@ -53,7 +54,7 @@ def test_an_icon_that_is_nowhere_is_told(lab: Path, site: Site) -> None:
     conversion = convert(lab / "work.al", None, site)
     assert conversion.application is None
     assert conversion.content == ""
-    assert [fault.found for fault in conversion.faults] == ["none"]
+    assert [found_by(fault) for fault in conversion.faults] == ["none"]
 
 
 def test_an_icon_at_fault_in_the_dictionary_is_defined_in_the_text_and_told(lab: Path, site: Site) -> None:

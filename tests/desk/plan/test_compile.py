@@ -1,6 +1,7 @@
 from hashlib import sha256
 
 import pytest
+from tests.sentences import expected_by
 
 from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.compile import Compiler, rtpus_of
@@ -103,7 +104,7 @@ def test_a_module_without_code_is_a_fault_and_the_rest_is_compiled(laboratory): 
     (laboratory.path / "module" / "wink.py").unlink()
     compiler, plan = compiled(laboratory.application("twice", [job("winkC")]))
     (fault,) = compiler.faults
-    assert (str(fault.place), fault.expected) == (
+    assert (str(fault.place), expected_by(fault)) == (
         "/lab/wink.rmod",
         "wink.py beside it or on the search path, as MODULE says",
     )

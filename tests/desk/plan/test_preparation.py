@@ -1,10 +1,12 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from kit.laboratory import HOLE, Laboratory, job, joints
 from onika.desk.plan.preparation import fault_of, prepare, prepare_run
 from onika.store.site import open_site
 from onika.wire.request import FaultText
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -41,15 +43,15 @@ def test_a_name_that_is_none_tells_those_there_are(site):  # R-E01
     prepared = prepare_run("nothing_like_it", site)
     (fault,) = prepared.faults
     assert prepared.plan is None
-    assert "assemble" in fault.expected
-    assert fault.instead == "nothing is run"
+    assert "assemble" in expected_by(fault)
+    assert str(fault.instead) == "nothing is run"
 
 
 def test_everything_wrong_is_there_at_once_and_the_rest_is_compiled(laboratory, site):  # R-E01
     laboratory.configuration("lonelyC", "nobody 100")
     flow = [job("lonelyC"), job("nowhereC"), HOLE, job("jmoveC", "Joint job"), joints("home", *[0.0] * 6)]
     prepared = prepare_run(str(laboratory.application("wrong", flow)), site)
-    sentences = [f"{fault.expected} | {fault.found}" for fault in prepared.faults]
+    sentences = [f"{expected_by(fault)} | {found_by(fault)}" for fault in prepared.faults]
     for words in ("the task nobody", "the configuration nowhereC", "without holes"):
         assert any(words in sentence for sentence in sentences)
     assert [action.job for action in prepared.plan.flows[0].actions] == ["lonelyC", "nowhereC", "jmoveC"]
@@ -87,7 +89,7 @@ def test_what_files_are_read_with_and_what_nobody_writes_are_notes(laboratory, s
     icon = job("bothC").replace("PICT        8888", "PICT        9888", 1)
     prepared = prepare_run(str(laboratory.application("mine", [icon])), site)
     assert prepared.faults == ()
-    assert [(note.expected, note.is_note) for note in prepared.notes] == [
+    assert [(expected_by(note), note.is_note) for note in prepared.notes] == [
         ("colours from 0 to 8", True),
         ("variables that `both` reads or writes", True),  # reading 9, Equation (5)
     ]
@@ -124,5 +126,7 @@ def test_what_is_there_already_is_prepared_without_its_file(laboratory):  # R-E0
 
 
 def test_a_fault_that_a_runtime_tells_is_one_like_any_other():
-    text = FaultText("play.appl", 7, "a target within reach", "none", "nothing is run")
+    text = FaultText(
+        "play.appl", 7, Reason.plain("expected a target within reach, found none"), Reason.plain("nothing is run")
+    )
     assert str(fault_of(text)) == "play.appl:7: expected a target within reach, found none; instead: nothing is run"

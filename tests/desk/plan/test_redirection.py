@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.desk.plan.preparation import prepare_run
 from onika.desk.plan.redirection import seats
@@ -14,7 +15,7 @@ def prepared(name, *redirects):
 
 
 def faults_of(name, *redirects):
-    return [f"{fault.place}: {fault.expected} | {fault.found}" for fault in prepared(name, *redirects).faults]
+    return [f"{fault.place}: {expected_by(fault)} | {found_by(fault)}" for fault in prepared(name, *redirects).faults]
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,7 @@
 from onika.desk.run.audit_text import lines, sentence, verdict
 from onika.files.trail import Trail
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 STOP = {
     "at": "2026-11-21T21:35:41.755+00:00", "what": "Stop", "who": "ann#2", "role": "viewer", "address": "192.0.2.7",
@@ -25,4 +26,7 @@ def test_nothing_in_a_record_steers_the_terminal():
 def test_the_verdict_names_the_head_or_the_faults():  # R-X12
     assert verdict(Trail(records=[STOP], head="abc")) == "1 records, whole; head abc"
     assert "going on from" in verdict(Trail(begins="abc"))
-    assert verdict(Trail(faults=[Fault(Place("f", 1), "a", "b", "c")])) == "0 records, NOT WHOLE: 1 fault"
+    assert (
+        verdict(Trail(faults=[Fault(Place("f", 1), Reason.plain("expected a, found b"), Reason.plain("c"))]))
+        == "0 records, NOT WHOLE: 1 fault"
+    )

@@ -2,6 +2,7 @@ import signal
 from typing import ClassVar, NamedTuple
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.desk.run import run as room
 from onika.desk.run.run import run, start
@@ -11,6 +12,7 @@ from onika.store.site import open_site
 from onika.wire import event, request, steer
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 SITE = open_site([], {}, None)
 GOOD = event.Result(True, "", 1, 1, 2.0, 0.1, {"LAMP": 1}, (), "abc")
@@ -108,7 +110,7 @@ class Watcher:
         self.seen.append(positions)
 
     def steered(self, line, faults, positions):
-        self.seen.append((line, [fault.found for fault in faults], positions))
+        self.seen.append((line, [found_by(fault) for fault in faults], positions))
 
 
 @pytest.fixture
@@ -150,14 +152,18 @@ def test_what_is_expected_is_watched_once_and_judged_at_the_end(runtime):  # R-X
 
 def test_an_expectation_of_a_variable_that_nobody_knows_refuses_the_run(runtime):  # R-E01
     outcome, watcher = go(expectations=(Condition.parse("NOBODY == 1"), Condition.parse("flow7/LAMP == 1")))
-    assert [fault.found for fault in outcome.faults] == ["NOBODY", "flow7/LAMP"]
+    assert [found_by(fault) for fault in outcome.faults] == ["NOBODY", "flow7/LAMP"]
     assert (outcome.exit_code, watcher.seen) == (2, [])
 
 
 def test_faults_of_the_runtime_refuse_the_run_and_nothing_begins(runtime):  # R-E01
-    runtime.faults = (request.FaultText("a.rmod", 3, "one", "two", "left out"),)
+    runtime.faults = (
+        request.FaultText("a.rmod", 3, Reason.plain("expected one, found two"), Reason.plain("left out")),
+    )
     outcome, watcher = go()
-    assert outcome.faults == [Fault(Place("a.rmod", 3), "one", "two", "left out")]
+    assert outcome.faults == [
+        Fault(Place("a.rmod", 3), Reason.plain("expected one, found two"), Reason.plain("left out"))
+    ]
     assert (outcome.state, outcome.exit_code, watcher.seen) == ("refused", 2, [])
     assert len(runtime.made.requests) == 2
 
@@ -217,7 +223,7 @@ def test_a_script_that_fails_aborts_the_run(runtime, tmp_path):  # R-E07
     runtime.refusals = {"Pass": "expected flow 0 to be waiting, found it running"}
     runtime.script = (event.Began(0, 0, 1, "jmoveC home", 0.1), event.Result(False, "x", 0, 1, 1.0, 1.0, {}, (), ""))
     outcome, watcher = go(script=path)
-    assert [fault.found for fault in outcome.failed] == ["it running"]
+    assert [found_by(fault) for fault in outcome.failed] == ["it running"]
     assert request.Abort(f"the script fails at {path}:1") in runtime.made.requests
     assert not any(isinstance(message, steer.Skip) for message in runtime.made.requests)
     assert ("pass", ["it running"], ()) in watcher.seen
@@ -228,7 +234,7 @@ def test_lines_that_are_left_at_a_good_end_are_a_failure(runtime, tmp_path):  # 
     path.write_text("wait began 1 within 5\npause\n")
     runtime.script = (GOOD,)
     outcome, _ = go(script=path)
-    assert outcome.failed[0].found == "the end of the run before"
+    assert found_by(outcome.failed[0]) == "the end of the run before"
     assert (outcome.state, outcome.exit_code) == ("completed", 1)
 
 
@@ -277,7 +283,9 @@ def test_a_run_that_its_program_leaves_is_aborted(runtime):  # R-E10
 
 
 def test_a_program_is_told_every_fault_of_an_application_that_it_cannot_begin(runtime):  # R-E01
-    runtime.faults = (request.FaultText("a.rmod", 3, "one", "two", "left out"),)
+    runtime.faults = (
+        request.FaultText("a.rmod", 3, Reason.plain("expected one, found two"), Reason.plain("left out")),
+    )
     with pytest.raises(ValueError, match=r"a\.rmod:3: expected one, found two"), start(RunSettings("go_home"), SITE):
         pass
 
@@ -365,7 +373,7 @@ def test_scaled_time_and_other_subsystems_are_the_runtimes_business(runtime):  #
 def test_too_many_names_of_subsystems_are_refused_before_anything_runs(runtime):
     outcome, _ = go(subsystems=("left", "right"))
     assert outcome.exit_code == 2
-    assert "1 different names" in outcome.faults[0].expected
+    assert "1 different names" in expected_by(outcome.faults[0])
 
 
 def test_the_seed_of_shaken_worlds_is_the_runtimes_business(runtime):  # R-X07
@@ -378,4 +386,4 @@ def test_a_runtime_that_will_not_take_the_plan_refuses_the_run(runtime):  # law 
     runtime.refuses = "code from another machine is not accepted"
     outcome, _ = go()
     assert outcome.exit_code == 2
-    assert outcome.faults[0].found == "code from another machine is not accepted"
+    assert found_by(outcome.faults[0]) == "code from another machine is not accepted"

@@ -4,6 +4,7 @@ import sys
 from itertools import islice
 
 import pytest
+from tests.sentences import found_by
 
 from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import rail_tasks
@@ -109,8 +110,8 @@ def test_faults_of_a_plan_come_back_over_the_link():  # R-E01
     plan = rail_tasks().plan([action("mass", "servo", arguments="99")])
     with Runtime(("rt0",), is_virtual=True) as runtime:
         faults = runtime.ask(request.Prepare(plan, ())).faults
-    assert any("expected -9..9 m, found 99" in fault.found for fault in faults)
-    assert any(fault.found == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
+    assert any("expected -9..9 m, found 99" in found_by(fault) for fault in faults)
+    assert any(found_by(fault) == "DEVICE yard:m0" for fault in faults)  # a world that this runtime has not
 
 
 def test_what_is_sent_is_not_waited_for_and_answered_under_its_number():

@@ -2,6 +2,7 @@ from onika.desk.plan.flow_index import FlowIndex, IndexedFlow
 from onika.desk.run.steering_script import load, read
 from onika.wire import steer
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 CAST = FlowIndex((IndexedFlow("flow0", ("lift", "turn"), frozenset()),))
 
@@ -20,7 +21,9 @@ def test_all_faults_are_told_with_their_lines():  # R-E07
     script_lines, faults = read("dance\npause\nskip 7\n", "s", CAST)
     assert [script_line.text for script_line in script_lines] == ["pause"]
     assert [fault.place for fault in faults] == [Place("s", 1), Place("s", 3)]
-    assert faults[1] == Fault(Place("s", 3), "an action of flow0 from 1 to 2", "7", "nothing is run")
+    assert faults[1] == Fault(
+        Place("s", 3), Reason.plain("expected an action of flow0 from 1 to 2, found 7"), Reason.of("words.nothing_run")
+    )
 
 
 def test_a_file_is_read_or_its_fault_is_told(tmp_path):  # R-E07

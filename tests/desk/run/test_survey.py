@@ -1,12 +1,14 @@
 from pathlib import Path
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from kit.laboratory import Laboratory, job, joints
 from onika.desk.run import survey as room
 from onika.desk.run.survey import survey
 from onika.store.site import open_site
 from onika.wire import request
+from onika.words.reason import Reason
 
 MODULE = "from onika.module import InVar, Module\nclass Wink(Module):\n    Y = InVar('double')\n"
 
@@ -27,7 +29,9 @@ class FakeRuntime:
 
     def ask(self, message):
         self.messages.append(message)
-        return request.Prepared((request.FaultText("from.runtime", 1, "one", "two", "three"),))
+        return request.Prepared(
+            (request.FaultText("from.runtime", 1, Reason.plain("expected one, found two"), Reason.plain("three")),)
+        )
 
 
 @pytest.fixture
@@ -100,7 +104,7 @@ def test_a_task_without_code_is_a_fault(laboratory, site, runtime):  # R-B01
     laboratory.plain_task("ghost")
     _, faults = survey(laboratory.path, site)
     assert places(faults) == ["ghost.rmod"]
-    assert "ghost.py" in faults[0].expected
+    assert "ghost.py" in expected_by(faults[0])
     assert runtime.messages == []
 
 
@@ -131,7 +135,7 @@ def test_one_file_is_surveyed_alone(laboratory, site, runtime):  # R-B07
 
 def test_nothing_there_is_a_fault(tmp_path, site, runtime):  # R-B07
     files, (fault,) = survey(tmp_path / "nowhere", site)
-    assert (files, fault.found) == ([], "nothing there")
+    assert (files, found_by(fault)) == ([], "nothing there")
 
 
 def test_an_application_is_prepared_with_what_its_own_directory_holds(laboratory, site, runtime):  # reading 35
@@ -158,16 +162,16 @@ def test_notes_are_told_apart(laboratory, site, runtime, tmp_path, monkeypatch):
 def test_a_task_that_is_nowhere_is_a_fault_of_its_configuration(laboratory, site, runtime):  # R-B07, reading 11
     laboratory.configuration("winkC", "wink 100")
     _, faults = survey(laboratory.path, site)
-    assert [fault.found for fault in faults] == ["no wink"]
+    assert [found_by(fault) for fault in faults] == ["no wink"]
 
 
 def test_a_file_of_none_of_our_formats_is_a_fault(tmp_path, site, runtime):  # R-B07
     (tmp_path / "README.md").write_text("hello\n")
     _, (fault,) = survey(tmp_path / "README.md", site)
-    assert fault.expected == "a file of one of Onika's formats"
+    assert expected_by(fault) == "a file of one of Onika's formats"
 
 
 def test_a_folder_named_like_a_file_is_a_fault(tmp_path, site, runtime):  # R-B07
     (tmp_path / "module" / "x.rmod").mkdir(parents=True)
     _, (fault,) = survey(tmp_path, site)
-    assert (fault.place.file, fault.found) == (str(tmp_path / "module" / "x.rmod"), "a directory")
+    assert (fault.place.file, found_by(fault)) == (str(tmp_path / "module" / "x.rmod"), "a directory")

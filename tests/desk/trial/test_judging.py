@@ -5,6 +5,7 @@ import pytest
 from onika.desk.trial.judging import judge
 from onika.model.kept import Demand, KeptMeeting
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 WAY = ("open", "move above", "move down", "close", "move above", "move aside", "move stack", "open", "move aside")
 
@@ -134,7 +135,7 @@ def test_flows_that_meet_elsewhere_are_caught(workshop):  # R-X07
 
 def test_a_run_that_is_refused_or_aborted_says_why_and_how_far_it_came(workshop):  # R-X07
     kept = workshop.kept().kept
-    fault = Fault(Place("a.appl", 3), "one", "two", "it is not run")
+    fault = Fault(Place("a.appl", 3), Reason.plain("expected one, found two"), Reason.plain("it is not run"))
     assert judge(kept, workshop.run(refusals=(fault,) * 9)).failures == (
         *[f"it is refused: {fault}"] * 5,
         "and for 4 more reasons: see onika check",

@@ -11,6 +11,7 @@ from onika.model.kept import Demand, KeptMeeting
 from onika.store.site import open_site
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 SITE = open_site([], {}, None)
 SETTINGS = RunSettings("assemble", is_virtual=True)
@@ -81,7 +82,7 @@ def test_runs_that_went_another_way_say_nothing_and_that_is_told(workshop):  # R
 def test_only_a_good_run_can_be_kept(workshop):  # R-X07
     assert workshop.kept(cause="stopped").refusal == "only a run that comes to its end can be kept; this one: stopped"
     assert "LAMP == 1 does not hold" in workshop.kept(expectations=[("LAMP == 1", 0, False)]).refusal
-    fault = Fault(Place("a.appl", 3), "one", "two", "it is not run")
+    fault = Fault(Place("a.appl", 3), Reason.plain("expected one, found two"), Reason.plain("it is not run"))
     assert workshop.kept(refusals=(fault,), cause="x").refusal == str(fault)
 
 

@@ -1,6 +1,7 @@
 from pathlib import Path
 
 import pytest
+from tests.sentences import found_by
 
 from onika.desk.run.settings import RunSettings
 from onika.desk.trial import trial
@@ -43,7 +44,7 @@ def test_tests_are_found_in_folders_and_by_a_word_of_their_names(folder):  # R-X
     assert [path.stem for path in find([folder, folder / "arm.test"], "A")[0]] == ["arm", "hand", "lamp"]
     assert [path.stem for path in find([folder], "am")[0]] == ["lamp"]
     paths, (fault,) = find([folder / "nowhere"])
-    assert (paths, fault.found) == ([], "none")
+    assert (paths, found_by(fault)) == ([], "none")
 
 
 def test_all_are_tried_and_told_in_order_each_also_shaken(folder):  # R-X07

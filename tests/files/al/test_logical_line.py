@@ -1,4 +1,5 @@
 from hypothesis import given, settings, strategies as st
+from tests.sentences import expected_by
 
 from onika.files.al.logical_line import joined, sentences
 from onika.files.line import TextReading
@@ -8,7 +9,7 @@ def said(text: str) -> tuple[list[str], list[str]]:
     """The sentences and the faults of a text."""
     reading = TextReading("f", "nothing")
     found, _ = sentences(text, reading)
-    return [joined(one.tokens) for one in found], [f"{one.place.line}: {one.expected}" for one in reading.faults]
+    return [joined(one.tokens) for one in found], [f"{one.place.line}: {expected_by(one)}" for one in reading.faults]
 
 
 def test_every_line_is_a_sentence_and_comments_and_blank_lines_are_none() -> None:

@@ -1,5 +1,6 @@
 import pytest
 from tests.files.models import TYPES
+from tests.sentences import expected_by, found_by
 
 from onika.files.al.logical_line import sentences
 from onika.files.al.program import TextProgram
@@ -20,7 +21,7 @@ def run(text: str) -> tuple[TextProgram, tuple[AppFlow, ...] | None, list[str]]:
     for one in found:
         program.take(one)
     flows = program.end()
-    return program, flows, [f"{one.place.line}: {one.expected} / {one.found}" for one in reading.faults]
+    return program, flows, [f"{one.place.line}: {expected_by(one)} / {found_by(one)}" for one in reading.faults]
 
 
 def shown(step: Step) -> str:

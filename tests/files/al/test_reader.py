@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 from hypothesis import given, settings, strategies as st
 from tests.files.models import TYPES, applications, onikons
+from tests.sentences import expected_by, found_by
 
 from onika.files import appl
 from onika.files.al.reader import read
@@ -130,4 +131,4 @@ def test_marks_that_contradict_each_other_are_told() -> None:
     text = "BEGIN\nSYNCH one\nDRIVE go\nSYNCH two\nTO home\nEND\n"
     found, (fault,) = read(text, "a", "f", TYPES, {"go": job, "home": target}.get)
     assert found is None
-    assert (fault.expected, fault.found) == ("one synch tag for a job and its target", "one and two")
+    assert (expected_by(fault), found_by(fault)) == ("one synch tag for a job and its target", "one and two")

@@ -4,7 +4,7 @@ import pytest
 
 from onika.files.al.logical_line import sentences
 from onika.files.al.token import KEYWORDS
-from onika.files.al.token_stream import TokenStream, halves
+from onika.files.al.token_stream import TokenStream
 from onika.files.line import TextReading
 
 
@@ -61,8 +61,3 @@ def test_what_does_not_fit_is_told_as_expected_and_found(
 ) -> None:
     with pytest.raises(ValueError, match=told.replace("(", r"\(")):
         read(phrase(text))
-
-
-def test_a_sentence_of_an_error_has_two_halves() -> None:
-    assert halves(ValueError("expected a, found b, found c")) == ("a, found b", "c")
-    assert halves(ValueError("odd")) == ("odd", "something else")

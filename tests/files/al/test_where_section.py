@@ -2,6 +2,7 @@ from dataclasses import replace
 
 import pytest
 from tests.files.models import TYPES
+from tests.sentences import expected_by, found_by
 
 from onika.files.al.where_section import WhereSection, read
 from onika.files.line import TextReading
@@ -18,7 +19,7 @@ def again(text: str, known: dict[str, Onikon] | None = None) -> tuple[WhereSecti
     """The glossary of a section alone, and its faults."""
     reading = TextReading("f", "nothing")
     found = read("WHERE\n" + text, len("WHERE\n"), TYPES, (known or {}).get, reading)
-    return found, [f"{one.place.line}: {one.expected} / {one.found}" for one in reading.faults]
+    return found, [f"{one.place.line}: {expected_by(one)} / {found_by(one)}" for one in reading.faults]
 
 
 def test_an_icon_the_dictionary_holds_alike_is_named_only() -> None:

@@ -1,7 +1,11 @@
-import pytest
+import select
 
-from onika.host.loading import loader as room
+import pytest
+from tests.sentences import found_by
+
+from onika.host.loading import loader as room, loader_client as client_room
 from onika.host.loading.loader import Loader
+from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 
@@ -25,11 +29,29 @@ def code(source):
     return Code("digest", "thing", "/lab/module/thing.py", source)
 
 
+class Patient:
+    """Asks a loader process through its client, and waits for each answer."""
+
+    def __init__(self, loader):
+        self._client = LoaderClient(loader)
+
+    def __getattr__(self, name):
+        def ask(*arguments):
+            while True:
+                try:
+                    return getattr(self._client, name)(*arguments)
+                except NotYet:
+                    select.select([self._client.post], [], [], 0.05)
+                    self._client.take()
+
+        return ask
+
+
 @pytest.fixture
 def loader():
-    one = Loader()
-    yield one
-    one.close()
+    process = Loader()
+    yield Patient(process)
+    process.close()
 
 
 def test_a_process_of_its_own_answers_as_direct_loading_does(loader):  # law 21
@@ -37,27 +59,28 @@ def test_a_process_of_its_own_answers_as_direct_loading_does(loader):  # law 21
     assert loader.constants(code(GOOD), ()) == {"N": 3}
     assert loader.resolve(code(GOOD), {}, [("joint object", [1.0])]) == ["too far"]
     assert loader.sheet(code("class (")).place.line == 1
-    assert "ZeroDivisionError" in loader.constants(code(GOOD.replace('{"N": 3}', "1 / 0")), ()).found
-    assert "ZeroDivisionError" in loader.resolve(code(GOOD.replace('["too far"]', "1 / 0 and [0]")), {}, []).found
+    assert "ZeroDivisionError" in found_by(loader.constants(code(GOOD.replace('{"N": 3}', "1 / 0")), ()))
+    assert "ZeroDivisionError" in found_by(loader.resolve(code(GOOD.replace('["too far"]', "1 / 0 and [0]")), {}, []))
 
 
 def test_code_that_ends_the_process_is_named_and_the_next_is_looked_at_all_the_same(loader):  # law 21
     fault = loader.sheet(code("import os\nos._exit(1)\n"))
-    assert (fault.place.file, fault.found) == ("/lab/module/thing.py", "the loader died of it")
+    assert (fault.place.file, found_by(fault)) == ("/lab/module/thing.py", "the loader died of it")
     assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)
 
 
 def test_code_that_never_returns_is_named_and_the_next_is_looked_at_all_the_same(loader, monkeypatch):  # law 21
     loader.sheet(code(GOOD))  # it is up
-    monkeypatch.setattr(room, "PATIENCE_S", 0.2)
+    for module in (room, client_room):
+        monkeypatch.setattr(module, "PATIENCE_S", 0.2)
     fault = loader.sheet(code("while True: pass\n"))
-    assert fault.found == "nothing within 0.2 s"
+    assert found_by(fault) == "nothing within 0.2 s"
     monkeypatch.undo()
     assert isinstance(loader.sheet(code(GOOD)), ModuleSheet)
 
 
 def test_code_that_closes_everything_is_named(loader):  # law 21
-    assert loader.sheet(code("import os\nos.closerange(3, 65536)\n")).found == "the loader died of it"
+    assert found_by(loader.sheet(code("import os\nos.closerange(3, 65536)\n"))) == "the loader died of it"
 
 
 def test_code_that_prints_megabytes_is_looked_at(loader, capfd):  # law 30

@@ -1,14 +1,16 @@
 import pytest
+from tests.sentences import found_by
 
 from onika.host.loading import loader_client as room
 from onika.host.loading.loader import AskDevices, AskSheet, Devices, Sheet, Wrong
-from onika.host.loading.loader_client import Inquiry, NotYet
+from onika.host.loading.loader_client import LoaderClient, NotYet
 from onika.runtime.code import load
 from onika.runtime.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 class FakeLoader:
@@ -29,7 +31,11 @@ class FakeLoader:
     def give_up(self, code):
         self.given_up.append(code.module)
         self.is_lost = False
-        return Wrong(FaultText(code.path, 0, "a module", "the loader died of it", "not used"))
+        return Wrong(
+            FaultText(
+                code.path, 0, Reason.plain("expected a module, found the loader died of it"), Reason.plain("not used")
+            )
+        )
 
 
 def code(name):
@@ -42,8 +48,8 @@ def loader():
 
 
 @pytest.fixture
-def inquiry(loader):
-    return Inquiry(loader)
+def client(loader):
+    return LoaderClient(loader)
 
 
 @pytest.fixture
@@ -51,64 +57,64 @@ def sheet():
     return sheet_of(load("from onika.module import Module\nclass One(Module):\n    pass\n", "one.py", "one"))
 
 
-def test_what_is_not_known_is_asked_once_and_told_when_the_answer_is_there(inquiry, loader, sheet):  # law 21
+def test_what_is_not_known_is_asked_once_and_told_when_the_answer_is_there(client, loader, sheet):  # law 21
     for _ in range(3):
         with pytest.raises(NotYet):
-            inquiry.sheet(code("a"))
+            client.sheet(code("a"))
     assert loader.asked == [AskSheet(code("a"))]
-    assert inquiry.take() is False
+    assert client.take() is False
     loader.answers.append(Sheet(sheet, 700))
-    assert inquiry.take() is True
-    assert isinstance(inquiry.sheet(code("a")), ModuleSheet)
-    assert inquiry.cost_ns(code("a")) == 700
-    assert inquiry.cost_ns(code("b")) == 0
+    assert client.take() is True
+    assert isinstance(client.sheet(code("a")), ModuleSheet)
+    assert client.cost_ns(code("a")) == 700
+    assert client.cost_ns(code("b")) == 0
 
 
-def test_questions_are_asked_one_after_the_other(inquiry, loader, sheet):
-    inquiry.expect((code("a"), code("b")))
+def test_questions_are_asked_one_after_the_other(client, loader, sheet):
+    client.expect((code("a"), code("b")))
     assert loader.asked == [AskSheet(code("a"))]
     loader.answers.append(Sheet(sheet))
-    inquiry.take()
+    client.take()
     assert loader.asked == [AskSheet(code("a")), AskSheet(code("b"))]
 
 
-def test_code_of_which_the_loader_dies_is_a_fault_and_the_next_question_goes_on(inquiry, loader):  # law 21
-    inquiry.expect((code("a"), code("b")))
+def test_code_of_which_the_loader_dies_is_a_fault_and_the_next_question_goes_on(client, loader):  # law 21
+    client.expect((code("a"), code("b")))
     loader.is_lost = True
-    assert inquiry.take() is True
-    found = inquiry.sheet(code("a"))
+    assert client.take() is True
+    found = client.sheet(code("a"))
     assert isinstance(found, Fault)
-    assert found.found == "the loader died of it"
+    assert found_by(found) == "the loader died of it"
     assert loader.asked[-1] == AskSheet(code("b"))
 
 
-def test_code_that_never_answers_is_given_up(inquiry, loader, monkeypatch):  # law 21
+def test_code_that_never_answers_is_given_up(client, loader, monkeypatch):  # law 21
     now = [0]
     monkeypatch.setattr(room, "monotonic_ns", lambda: now[0])
-    inquiry.expect((code("a"),))
+    client.expect((code("a"),))
     now[0] = 9_000_000_000
-    assert inquiry.take() is False
+    assert client.take() is False
     now[0] = 11_000_000_000
-    assert inquiry.take() is True
+    assert client.take() is True
     assert loader.given_up == ["a"]
 
 
-def test_a_changed_source_is_another_question(inquiry, loader, sheet):
-    inquiry.expect((code("a"),))
+def test_a_changed_source_is_another_question(client, loader, sheet):
+    client.expect((code("a"),))
     loader.answers.append(Sheet(sheet))
-    inquiry.take()
+    client.take()
     with pytest.raises(NotYet):
-        inquiry.sheet(Code("other", "a", "a.py", "# changed"))
+        client.sheet(Code("other", "a", "a.py", "# changed"))
 
 
-def test_only_the_newest_answers_are_kept(inquiry, loader, monkeypatch):
+def test_only_the_newest_answers_are_kept(client, loader, monkeypatch):
     monkeypatch.setattr(room, "_KEPT", 2)
     for world in ("x", "y", "z"):
         with pytest.raises(NotYet):
-            inquiry.devices(world)
+            client.devices(world)
         loader.answers.append(Devices((world,)))
-        inquiry.take()
-    assert inquiry.devices("z") == ("z",)
+        client.take()
+    assert client.devices("z") == ("z",)
     with pytest.raises(NotYet):
-        inquiry.devices("x")
+        client.devices("x")
     assert loader.asked[-1] == AskDevices("x")

@@ -4,6 +4,7 @@ from onika.host.loading import loader_messages as room
 from onika.host.loading.loader import decode_answer, decode_question, encode
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
+from onika.words.reason import Reason
 
 CODE = Code("digest", "arm", "arm.py", "# arm")
 
@@ -35,7 +36,9 @@ def test_every_question_arrives_as_it_was_asked(asked):  # law 21
         room.Postures([[0.1], "too far"]),
         room.Objections(("another robot",)),
         room.Devices(("d",)),
-        room.Wrong(FaultText("a.py", 3, "one", "two", "three", "flow0", ("mend it",))),
+        room.Wrong(
+            FaultText("a.py", 3, Reason.plain("expected one, found two"), Reason.plain("three"), "flow0", ("mend it",))
+        ),
     ],
 )
 def test_every_answer_arrives_as_it_was_given(said):  # law 21

@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import found_by
 
 from onika.host.loading.module_facts import DirectLoading
 from onika.store.site import shipped
@@ -89,7 +90,7 @@ def test_code_that_cannot_be_used_is_a_fault_with_its_line(loading, source, line
     ):
         assert isinstance(fault, Fault)
         assert (fault.place.file, fault.place.line) == ("/lab/module/robot.py", line)
-        assert found in fault.found
+        assert found in found_by(fault)
 
 
 @pytest.mark.parametrize("entry", ["constants", "resolve"])
@@ -98,8 +99,8 @@ def test_what_raises_while_it_is_asked_is_a_fault_with_its_line(loading, entry):
     source = head + f"    def {entry}(cls, *_):\n        1 / 0\n"
     fault = loading.constants(code(source), ()) if entry == "constants" else loading.resolve(code(source), {}, [])
     assert fault.place.line == 5
-    assert "ZeroDivisionError" in fault.found
+    assert "ZeroDivisionError" in found_by(fault)
 
 
 def test_a_missing_local_line_is_a_fault(loading):  # R-B07
-    assert "REACH" in loading.constants(code(ROBOT), ()).found
+    assert "REACH" in found_by(loading.constants(code(ROBOT), ()))

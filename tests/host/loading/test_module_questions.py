@@ -3,7 +3,7 @@ import inspect
 import pytest
 
 from kit.rail_world import YardLoading
-from onika.host.loading.loader_client import Inquiry
+from onika.host.loading.loader_client import LoaderClient
 from onika.host.loading.module_facts import DirectLoading
 from onika.host.loading.module_questions import Loading
 
@@ -11,7 +11,7 @@ QUESTIONS = sorted(name for name, one in vars(Loading).items() if inspect.isfunc
 
 
 @pytest.mark.parametrize("name", QUESTIONS)
-@pytest.mark.parametrize("answerer", [DirectLoading, Inquiry, YardLoading])
+@pytest.mark.parametrize("answerer", [DirectLoading, LoaderClient, YardLoading])
 def test_whoever_answers_is_asked_alike(answerer, name):  # law 21
     wanted, given = (inspect.signature(getattr(one, name)).parameters for one in (Loading, answerer))
     assert list(given) == list(wanted)

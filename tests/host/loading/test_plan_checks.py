@@ -1,4 +1,5 @@
 import pytest
+from tests.sentences import found_by
 
 from kit.live_edits import SOURCE
 from kit.plan_builder import PlanBuilder
@@ -9,7 +10,6 @@ from onika.host.loading.plan_checks import (
     cycles,
     shapeless,
     shared_devices,
-    task_of,
     wrong_rates,
 )
 from onika.module import InConst, InVar, Module, OutConst, OutVar
@@ -24,7 +24,7 @@ def wired(name, module="", hardware=False, device=None, **ports):
 
 
 def found(faults):
-    return [one.found for one in faults]
+    return [found_by(one) for one in faults]
 
 
 def test_one_module_lives_once():  # law 9
@@ -75,11 +75,4 @@ def test_a_rate_has_a_period(hz, is_wrong):  # R-A04
 def test_hardware_is_not_slower_than_its_drive_allows():  # law 17
     given = [(Place("x.conf", 3), " in JOB", "a", 39.0), (Place("x.conf", 4), " in JOB", "b", 39.0)]
     (fault,) = wrong_rates(given, {"a"}, "no")
-    assert (fault.place.line, fault.found) == (3, "39 Hz")
-
-
-def test_a_planned_task_is_what_its_file_says():
-    planned = PlanBuilder().task("source", SOURCE, local={"SIZE": "2"}, frequency=25.0)
-    one = task_of(planned)
-    assert (one.name, one.frequency, one.outconst) == ("source", 25.0, ("N",))
-    assert [(line.key, line.words) for line in one.local] == [("SIZE", ("2",))]
+    assert (fault.place.line, found_by(fault)) == (3, "39 Hz")

@@ -1,5 +1,6 @@
 import pytest
 from msgspec import structs
+from tests.sentences import expected_by, found_by
 
 from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import DirectLoading
@@ -52,7 +53,11 @@ def test_what_names_one_number_is_sound(condition):  # R-D13
 )
 def test_what_could_never_hold_is_told_with_its_action(condition, expected):  # R-D13, R-E01
     (fault,) = rest(condition)
-    assert (fault.expected, fault.found, fault.instead) == (expected, condition, "the application is not run")
+    assert (expected_by(fault), found_by(fault), str(fault.instead)) == (
+        expected,
+        condition,
+        "the application is not run",
+    )
     assert fault.place.file == "test.appl"
 
 

@@ -1,10 +1,12 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from kit.plan_builder import PlanBuilder, action
 from kit.rail_world import YardLoading
 from onika.host.loading.plan_preparation import inspect, prepare
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 ROBOT = """
 from onika.module import InVar, Local, Module, OutConst, OutVar
@@ -40,6 +42,7 @@ class Move(Module):
 """
 BELL = """
 from onika.module import Module, finish
+from onika.words.reason import Reason
 
 class Bell(Module):
     trigger = True
@@ -65,7 +68,7 @@ def found(shop, *flows, targets=()):
 
 
 def texts(prepared):
-    return [f"{fault.place}: {fault.expected} | {fault.found}" for fault in prepared.faults]
+    return [f"{fault.place}: {expected_by(fault)} | {found_by(fault)}" for fault in prepared.faults]
 
 
 def test_a_plan_that_can_run_has_no_fault_and_knows_its_triggers_and_constants(shop):  # R-E01, law 26
@@ -163,7 +166,7 @@ def test_of_several_triggers_the_first_counts_and_the_others_are_noted(shop):  #
 def test_values_that_the_trigger_does_not_take_are_told_before_the_run(shop, line, said):  # R-E03, R-X02
     prepared = found(shop, [action("robot", "move", arguments=line)])
     assert len(prepared.faults) == 1
-    assert said in prepared.faults[0].found
+    assert said in found_by(prepared.faults[0])
     assert str(prepared.faults[0].place) == "test.appl:1"
 
 
@@ -212,6 +215,8 @@ def test_what_a_robot_cannot_say_of_itself_is_told(shop):  # R-B07
 def test_faults_stand_in_order_and_once(shop):
     prepared = found(shop, [action("robot"), action("robot"), action("move")])
     assert prepared.faults == sorted(set(prepared.faults))
-    assert Fault(Place("test.appl", 1), "a trigger that ends job job0", "none", "the application is not run") in (
-        prepared.faults
-    )
+    assert Fault(
+        Place("test.appl", 1),
+        Reason.of("host.trigger_missing", job="job0"),
+        Reason.of("words.application_not_run"),
+    ) in (prepared.faults)

@@ -1,5 +1,6 @@
 import pytest
 from msgspec.structs import replace
+from tests.sentences import expected_by, found_by
 
 from kit.plan_builder import PlanBuilder, action
 from onika.host.loading.module_facts import DirectLoading
@@ -104,8 +105,8 @@ def test_what_both_robots_take_in_the_same_way_stays_as_it_is():  # law 26
 def test_a_target_that_the_other_robot_cannot_take_is_told_with_its_place_and_no_other():  # law 26, R-X02
     found = Shop(SCALE="2").prepared(1.0, 6.0, 2.0)
     (fault,) = found.faults
-    assert (str(fault.place), fault.found) == ("test.appl:2", "t1: 12 is beyond")
-    assert fault.where == "flow0, action 2: action 1"
+    assert (str(fault.place), found_by(fault)) == ("test.appl:2", "t1: 12 is beyond")
+    assert str(fault.where) == "flow0, action 2: action 1"
     assert [one.target for one in found.resolved] == ["t0", "t2"]
 
 
@@ -125,7 +126,7 @@ def test_a_plan_that_is_not_redirected_is_left_alone():  # law 26
 )
 def test_where_nobody_knows_the_pose_every_joint_target_is_refused(shop, knows_old, expected):  # law 26, R-X02
     found = shop.prepared(1.0, 2.0, knows_old=knows_old)
-    assert [(fault.expected, fault.found.partition(":")[0]) for fault in found.faults] == [
+    assert [(expected_by(fault), found_by(fault).partition(":")[0]) for fault in found.faults] == [
         (expected, "t0"),
         (expected, "t1"),
     ]

@@ -88,7 +88,7 @@ def test_a_hole_for_an_action_is_refused() -> None:
 
 def test_an_application_that_is_not_whole_is_refused_with_every_reason() -> None:
     found = application_type(application(flow(MOVE, POSE), flow()), SYNTAX)
-    assert [reason.split(",")[0] for reason in reasons(found)] == [
+    assert [str(reason).split(",")[0] for reason in reasons(found)] == [
         "expected edges that fit",
         "expected an action in flow 1",
     ]

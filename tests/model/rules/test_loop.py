@@ -1,6 +1,7 @@
 from dataclasses import replace
 
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.model.application import AppFlow, Icon, actions
 from onika.model.onikon import Onikon
@@ -8,12 +9,15 @@ from onika.model.picture import blank
 from onika.model.rules.loop import Loop, faults, loops
 from onika.model.syntax import IconType, Syntax
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 SYNTAX = Syntax(tuple(IconType(name, 0, 0) for name in ("Complete job", "Joint job", "Joint object")), ())
 
 
 X = "`x`, step"
 ONE = "exactly one test icon of the loop a in flow 0"
+
+FLOW = Reason.of("rules.flow", number=0)
 
 
 def icon(mark: str, kind: str = "Complete job") -> Icon:
@@ -24,7 +28,7 @@ def icon(mark: str, kind: str = "Complete job") -> Icon:
 
 def found(marks: str) -> list[str]:
     flow = AppFlow(tuple(map(icon, marks.split())))
-    return [f"{fault.expected}: {fault.found}" for fault in faults(flow, SYNTAX, "flow 0", Place("a.appl"))]
+    return [f"{expected_by(fault)}: {found_by(fault)}" for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))]
 
 
 @pytest.mark.parametrize("marks", ["", "- -", "a a?", "a? a", "a - b b? - a?", "a a? b b?", "a b c? c b? a?"])
@@ -58,29 +62,29 @@ def test_every_malformed_loop_is_named(marks: str, expected: list[str]) -> None:
 
 
 def test_both_tags_on_one_action_are_no_loop() -> None:
-    flow = AppFlow((icon("a", "Joint job"), icon("a?", "Joint object")))  # reading 24
-    assert [fault.found for fault in faults(flow, SYNTAX, "flow 0", Place("a.appl"))] == [
+    flow = AppFlow((icon("a", "Joint job"), icon("a?", "Joint object")))  # decision 24
+    assert [found_by(fault) for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))] == [
         "it twice at one, `x`, step 0"
     ]
 
 
 def test_a_tag_on_a_target_counts_for_its_job() -> None:
-    flow = AppFlow((icon("-", "Joint job"), icon("a", "Joint object"), icon("a?")))  # reading 24
-    assert faults(flow, SYNTAX, "flow 0", Place("a.appl")) == ()
+    flow = AppFlow((icon("-", "Joint job"), icon("a", "Joint object"), icon("a?")))  # decision 24
+    assert faults(flow, SYNTAX, FLOW, Place("a.appl")) == ()
 
 
 def test_the_condition_of_a_loop_stands_at_its_test() -> None:
     wrong, right = (replace(icon(mark), while_if="LAMP == 1") for mark in ("a", "a?"))  # R-D13
-    told = faults(AppFlow((wrong, right)), SYNTAX, "flow 0", Place("a.appl"))
-    assert [(fault.expected, fault.found) for fault in told] == [
+    told = faults(AppFlow((wrong, right)), SYNTAX, FLOW, Place("a.appl"))
+    assert [(expected_by(fault), found_by(fault)) for fault in told] == [
         ("the condition of the loop a at its test in flow 0", "it at `x`, step 0")
     ]
-    assert faults(AppFlow((icon("a"), right)), SYNTAX, "flow 0", Place("a.appl")) == ()
+    assert faults(AppFlow((icon("a"), right)), SYNTAX, FLOW, Place("a.appl")) == ()
 
 
 def test_a_fault_stands_at_the_line_of_its_icon() -> None:
     flow = AppFlow((replace(icon("-"), line=3), replace(icon("a?"), line=7)))  # R-E01
-    assert [fault.place for fault in faults(flow, SYNTAX, "flow 0", Place("a.appl"))] == [Place("a.appl", 7)]
+    assert [fault.place for fault in faults(flow, SYNTAX, FLOW, Place("a.appl"))] == [Place("a.appl", 7)]
 
 
 @pytest.mark.parametrize(

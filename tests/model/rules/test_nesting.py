@@ -2,6 +2,7 @@ from collections.abc import Mapping
 
 from hypothesis import given, settings, strategies as st
 from tests.model.rules.upper import SYNTAX, application, branch, flow, job, outline, part, texts
+from tests.sentences import expected_by
 
 from onika.model.application import Application
 from onika.model.rules.nesting import DEEPEST, Nest, missing, nest
@@ -68,7 +69,7 @@ def test_nesting_ends_somewhere() -> None:
 
     assert not chain(DEEPEST - 2).is_too_much
     (fault,) = chain(5000).faults
-    assert fault.expected == "at most 100 applications and branches within each other"
+    assert expected_by(fault) == "at most 100 applications and branches within each other"
 
 
 NAMES = "abcd"

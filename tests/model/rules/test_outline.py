@@ -2,6 +2,7 @@ from tests.model.rules.upper import SYNTAX, application, branch, flow, job, nop,
 
 from onika.model.rules.outline import Outline, shown
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 
 def test_flows_of_branches_stand_behind_the_flow_they_are_in_with_their_paths() -> None:
@@ -22,13 +23,13 @@ def test_a_step_is_named_with_its_position_its_flow_and_the_nested_application()
     steps = flow(job("open", line=7))  # R-E01
     for is_nested, name in ((False, "flow 0"), (True, "flow 0 of `part`")):
         found = outline(steps, name="part", is_nested=is_nested)
-        assert found.at(found.passages[0], 0) == f"`open`, step 0 of {name}"
+        assert str(found.at(found.passages[0], 0)) == f"`open`, step 0 of {name}"
         assert found.place(steps.steps[0]) == Place("part.appl", 7)
-        assert found.fault(None, "this", "that").place == Place("part.appl")
+        assert found.fault(None, Reason.of("rules.no_flow")).place == Place("part.appl")
 
 
 def test_a_branch_is_named_by_its_flows() -> None:
-    assert shown(branch(flow(), flow())) == "a branch of 2"
+    assert str(shown(branch(flow(), flow()))) == "a branch of 2"
 
 
 def test_an_application_without_flows_has_no_passages() -> None:

@@ -1,5 +1,7 @@
 from collections.abc import Mapping
 
+from tests.sentences import expected_by, found_by
+
 from onika.model.application import AppFlow, Application, Hole, Icon
 from onika.model.configuration import Configuration, Placed
 from onika.model.onikon import Onikon
@@ -54,17 +56,17 @@ def found(
     given = faults(application, SYNTAX, configurations, tasks, PLACE, applications=applications)
     wrong, notes = parted(given)
     assert notes == ()
-    assert all(fault.instead == "the application is not run" for fault in wrong)
+    assert all(str(fault.instead) == "the application is not run" for fault in wrong)
     files = {fault.place.file for fault in wrong}
     assert files <= {PLACE.file, *(f"{name}.appl" for name in applications or {})}
-    return [f"{fault.expected}: {fault.found}" for fault in given]
+    return [f"{expected_by(fault)}: {found_by(fault)}" for fault in given]
 
 
 def test_what_is_there_and_at_fault_itself_is_not_missed():  # R-B07
     application = Application("work", False, (AppFlow((CLOSE, icon("move", "Complete job"))),))
     there = {"close": CONFIGURATIONS["close"]}
     missed = faults(application, SYNTAX, there, {}, PLACE)
-    assert [fault.expected for fault in missed] == ["the configuration move", "the task grip"]
+    assert [expected_by(fault) for fault in missed] == ["the configuration move", "the task grip"]
     assert faults(application, SYNTAX, there, {}, PLACE, unread=frozenset({"move", "grip"})) == ()
 
 

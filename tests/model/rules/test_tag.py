@@ -25,4 +25,4 @@ def test_where_nothing_is_parallel_a_tag_is_noted_and_ignored() -> None:
     assert texts([note]) == [
         "*work.appl: a parallel application for the tag meet / it at `open`, step 0 of flow 0 of `work`"
     ]
-    assert note.instead == "it is ignored"
+    assert str(note.instead) == "it is ignored"

@@ -1,9 +1,13 @@
 import pytest
+from tests.sentences import expected_by, found_by
 
 from onika.model.configuration import Configuration, Placed
 from onika.model.rules.union import TaskOrigin, conflicts, tasks_of, variables
 from onika.model.task import LocalLine, Task
 from onika.words.fault import Place
+from onika.words.reason import Reason
+
+FLOW = Reason.of("rules.flow", number=0)
 
 
 def conf(name: str, *tasks: str) -> Configuration:
@@ -38,35 +42,32 @@ def device(name: str) -> tuple[LocalLine, ...]:
     ],
 )
 def test_what_may_not_live_side_by_side_is_named(one: Task, other: Task, found: str) -> None:
-    assert [fault.found for fault in conflicts([one, other], "flow 0", Place("a.appl"))] == [found]  # law 9
+    assert [found_by(fault) for fault in conflicts([one, other], FLOW, Place("a.appl"))] == [found]  # law 9
 
 
 def test_a_constant_only_given_while_running_is_a_fault() -> None:
     writer, reader = Task("w", "w", outvar=("X",)), Task("r", "r", inconst=("X",))  # law 9
-    assert [fault.expected for fault in conflicts([writer, reader], "flow 0", Place("a.appl"))] == [
+    assert [expected_by(fault) for fault in conflicts([writer, reader], FLOW, Place("a.appl"))] == [
         "constants that are given at initialisation",
         "a task that gives the constant X",
     ]
 
 
 def test_joint_and_cartesian_moves_may_write_the_same_reference() -> None:
-    moves = [Task("jmove", "j", outvar=("Q_REF",)), Task("cmove", "c", outvar=("Q_REF",))]  # reading 1
-    assert conflicts(moves, "flow 0", Place("a.appl")) == ()
+    moves = [Task("jmove", "j", outvar=("Q_REF",)), Task("cmove", "c", outvar=("Q_REF",))]  # decision 1
+    assert conflicts(moves, FLOW, Place("a.appl")) == ()
 
 
 def test_an_inboth_needs_no_supplier_of_the_constant() -> None:
-    both = Task("r", "r", inconst=("X",), invar=("X",))  # reading 6
-    assert conflicts([both, Task("w", "w", outvar=("X",))], "flow 0", Place("a.appl")) == ()
+    both = Task("r", "r", inconst=("X",), invar=("X",))  # decision 6
+    assert conflicts([both, Task("w", "w", outvar=("X",))], FLOW, Place("a.appl")) == ()
 
 
 def test_a_task_is_beside_the_first_only_and_its_icon_is_named() -> None:
     tasks = [Task(name, "m") for name in "abc"]  # law 9, R-E01
-    sources = {
-        "a": TaskOrigin(Place("a.appl", 3), "in `open`, step 0"),
-        "c": TaskOrigin(Place("a.appl", 9), "in `x`, step 2"),
-    }
-    told = conflicts(tasks, "flow 0", Place("a.appl"), sources)
-    assert [(fault.place.line, fault.found) for fault in told] == [
+    sources = {"a": TaskOrigin(Place("a.appl", 3), "open", 0, None), "c": TaskOrigin(Place("a.appl", 9), "x", 2, None)}
+    told = conflicts(tasks, FLOW, Place("a.appl"), sources)
+    assert [(fault.place.line, found_by(fault)) for fault in told] == [
         (0, "m in `a` (in `open`, step 0) and `b` of flow 0"),
         (9, "m in `a` (in `open`, step 0) and `c` (in `x`, step 2) of flow 0"),
     ]

@@ -10,6 +10,7 @@ from onika.desk.run.steering_fault import objection
 from onika.model.redirect import Redirect
 from onika.wire import request
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 Words = tuple[str, ...]
 HOME = "go_home"
@@ -32,7 +33,7 @@ def begin(session: ConsoleSession, words: Words) -> Faults:
     try:
         redirects = tuple(map(Redirect.parse, words[1:]))
     except ValueError as wrong:
-        return (objection(Place("line"), str(wrong), "nothing is run"),)
+        return (objection(Place("line"), str(wrong), Reason.of("words.nothing_run")),)
     prepared = prepare_run(words[0], session.site, redirects)
     for note in prepared.notes:
         session.say(f"note: {note}", Tone.NOTE)

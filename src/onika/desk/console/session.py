@@ -11,6 +11,7 @@ from onika.store.site import Site
 from onika.wire import event, live, request
 from onika.wire.figures import VariableSteps
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 Faults = tuple[Fault, ...]
 """Why a line was not carried out; empty where it was."""
@@ -108,7 +109,7 @@ class ConsoleSession:
 
     def no(self, expected: str, reality: str, instead: str = NOTHING) -> Faults:
         """One fault at the place of the present line."""
-        return (Fault(self.place, expected, reality, instead),)
+        return (Fault(self.place, Reason.plain(f"expected {expected}, found {reality}"), Reason.plain(instead)),)
 
     # -- asking
 

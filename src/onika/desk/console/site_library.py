@@ -13,9 +13,10 @@ from onika.model.task import Task
 from onika.store.site import Site
 from onika.wire.plan import Code, PlannedTask
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
 
 Faults = tuple[Fault, ...]
-_INSTEAD = "nothing is changed"
+_INSTEAD = Reason.of("words.nothing_changed")
 
 
 class SiteLibrary:
@@ -44,14 +45,14 @@ class SiteLibrary:
         """A task by its name."""
         record, faults = self._site.task(name)
         if record is None:
-            return None, faults or self._none("a task", name, self.tasks)
+            return None, faults or self._none(Reason.of("desk.a_task"), name, self.tasks)
         return record.task, faults
 
     def configuration(self, name: str) -> tuple[Configuration | None, Faults]:
         """A configuration by its name."""
         configuration, faults = self._site.configuration(name)
         if configuration is None:
-            return None, faults or self._none("a configuration", name, self.configurations)
+            return None, faults or self._none(Reason.of("desk.a_configuration"), name, self.configurations)
         return configuration, faults
 
     def planned(self, name: str, rtpu: str = UNKNOWN) -> tuple[PlannedTask | None, Code | None, Faults]:
@@ -63,8 +64,7 @@ class SiteLibrary:
         file = str(home.task_file(name))
         path = self._site.code_file(task)
         if path is None:
-            expected = f"{task.module}.py on the search path, as MODULE says"
-            return None, None, (Fault(Place(file), expected, "none", _INSTEAD),)
+            return None, None, (Fault(Place(file), Reason.of("desk.code_not_on_path", module=task.module), _INSTEAD),)
         code, faults = self.code(task.module, path)
         if code is None:
             return None, None, faults
@@ -75,7 +75,11 @@ class SiteLibrary:
         try:
             source = path.read_text(encoding="utf-8")
         except (OSError, UnicodeDecodeError) as wrong:
-            return None, (Fault(Place(str(path)), f"the source of module {module}", str(wrong), _INSTEAD),)
+            return None, (
+                Fault(
+                    Place(str(path)), Reason.of("desk.source_unreadable", module=module, why=reason_of(wrong)), _INSTEAD
+                ),
+            )
         return Code(sha256(source.encode()).hexdigest(), module, str(path), source), ()
 
     def arguments(self, text: str) -> tuple[str, Faults]:
@@ -88,15 +92,18 @@ class SiteLibrary:
         onikon, faults = self._site.onikon(text[1:], types)
         if onikon is None:
             names = _names(base.onikons for base in self._site.directories)
-            return "", faults or self._none("a target", text[1:], names)
+            return "", faults or self._none(Reason.of("desk.a_target"), text[1:], names)
         if not onikon.values:
-            return "", (Fault(self._place, f"a target with values, as in {text}", "none in it", _INSTEAD),)
+            return "", (Fault(self._place, Reason.of("desk.target_without_values", text=text), _INSTEAD),)
         return onikon.argument_line(types), faults
 
-    def _none(self, what: str, name: str, names: tuple[str, ...]) -> Faults:
+    def _none(self, what: Reason, name: str, names: tuple[str, ...]) -> Faults:
         near = get_close_matches(name, names, 3)
-        hint = f" (near it: {', '.join(near)})" if near else f" (there are {len(names)})"
-        return (Fault(self._place, f"{what} on the search path{hint}", repr(name), _INSTEAD),)
+        if near:
+            wanted = Reason.of("desk.near", what=what, names=tuple(near))
+        else:
+            wanted = Reason.of("desk.there_are", what=what, count=len(names))
+        return (Fault(self._place, Reason.of("desk.not_on_search_path", what=wanted, name=name), _INSTEAD),)
 
 
 def altered(task: PlannedTask, name: str, frequency: float | None) -> PlannedTask:

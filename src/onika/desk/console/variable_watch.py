@@ -58,7 +58,7 @@ class VariableWatch:
             current, faults = value(session, *address)
             if faults:
                 self._names = ()
-                session.say(f"{name} is not watched any more: {faults[0].found}", Tone.NOTE)
+                session.say(f"{name} is not watched any more: {faults[0].reason}", Tone.NOTE)
                 return
             if address not in self._shown or self._shown[address] != current:
                 self._shown[address] = current

@@ -55,7 +55,7 @@ def prefer(model: Model, command: act.Prefer, outside: Surroundings) -> Done | N
 def leave(model: Model, outside: Surroundings) -> str:
     """At the end of a session: write the preferences where there is no file of them yet; why not, if so (B12)."""
     refused = outside.site.keep_preferences(model.preferences)
-    return refused.reason if refused else ""
+    return str(refused.reason) if refused else ""
 
 
 def _kept(of_file: Mapping[str, Any], of_habits: Mapping[str, bool], outside: Surroundings) -> Iterator[page.Say]:

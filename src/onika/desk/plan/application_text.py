@@ -12,6 +12,7 @@ from onika.store.opened_text import OpenedText, put, save
 from onika.store.site import Site
 from onika.words.fault import Fault, Place, Refusal, parted
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,10 +56,13 @@ def unfit(path: Path, out: Path) -> Fault | None:
     """Why the other form of `path` may not be called `out`, if so."""
     wanted = appl.ENDING if is_text(path) else reader.ENDING
     if not out.name.endswith(wanted):
-        return Fault(Place(str(out)), f"a file name that ends with {wanted}", out.name, "nothing is written")
+        return Fault(
+            Place(str(out)),
+            Reason.of("desk.file_ending", wanted=wanted, name=out.name),
+            Reason.of("desk.nothing_written"),
+        )
     if wanted == appl.ENDING and not TASK_NAME.match(out.name.removesuffix(wanted)):
-        expected = "a name of letters, digits and _ . - that begins with a letter"
-        return Fault(Place(str(out)), expected, out.name, "nothing is written")
+        return Fault(Place(str(out)), Reason.of("desk.name_form", name=out.name), Reason.of("desk.nothing_written"))
     return None
 
 

@@ -15,6 +15,7 @@ from onika.store.program import ApplicationProgram
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.request import TargetValues
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
 from onika.words.value import Value
 
 UNKNOWN = "unknown"
@@ -147,9 +148,14 @@ class Compiler:
         try:
             return target.onikon.argument_line(self._syntax)
         except ValueError as wrong:  # the definition of its type has changed since it was made
-            expected, _, actual = str(wrong).removeprefix("expected ").partition(", found ")
             place = Place(self._place.file, target.line)
-            self.faults.append(Fault(place, expected, actual, "the application is not run"))
+            self.faults.append(
+                Fault(
+                    place,
+                    reason_of(wrong),
+                    Reason.of("words.application_not_run"),
+                )
+            )
             return ""
 
     def _keeps_time(self, name: str) -> bool:
@@ -161,8 +167,7 @@ class Compiler:
 
 def no_code(module: str, place: str) -> Fault:
     """The fault of a task, whose file is `place`, that has no code."""
-    expected = f"{module}.py beside it or on the search path, as MODULE says"
-    return Fault(Place(place), expected, "none", "the task is left out")
+    return Fault(Place(place), Reason.of("desk.code_missing", module=module), Reason.of("desk.task_left_out"))
 
 
 def planned_task(task: Task, rtpu: str, digest: str, place: str) -> PlannedTask:

@@ -16,6 +16,7 @@ from onika.store.opened_text import OpenedText
 from onika.store.site import Site
 from onika.words.fault import Fault, Place, Refusal
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 Reasons = tuple[Fault | Refusal, ...]
 
@@ -83,12 +84,12 @@ def _source(path: Path, site: Site) -> _Source | Reasons:
     folder = path.absolute().parent
     place = Place(str(path))
     if path.suffix not in _FOLDERS or not path.is_file():
-        return (_not_made(place, "a file NAME.conf or NAME.appl", "none"),)
+        return (_not_made(place, Reason.of("desk.icon_source")),)
     if folder.name != _FOLDERS[path.suffix]:
-        wanted = f"a file in the folder {_FOLDERS[path.suffix]}/ of a base directory, beside whose dict/ stands"
-        return (_not_made(place, wanted, f"one in {folder.name}/"),)
+        reason = Reason.of("desk.icon_folder", folder=_FOLDERS[path.suffix], given=folder.name)
+        return (_not_made(place, reason),)
     if not TASK_NAME.match(path.stem):
-        return (_not_made(place, "a name of letters, digits and _ . - that begins with a letter", repr(path.stem)),)
+        return (_not_made(place, Reason.of("desk.icon_name", name=path.stem)),)
     syntax, faults = site.syntax()
     return faults if syntax is None else _Source(path, BaseDirectory(folder.parent), site.at(folder.parent), syntax)
 
@@ -137,10 +138,10 @@ def _lent(path: Path | None, syntax: Syntax) -> Picture | Reasons | None:
         return None
     content, faults = text.load(path, str(path))
     if content is None:
-        return tuple(replace(fault, instead="no icon is made") for fault in faults)
+        return tuple(replace(fault, instead=Reason.of("desk.no_icon_made")) for fault in faults)
     onikon, faults = onk.read(content, path.stem, str(path), syntax)
     return onikon.picture if onikon else faults
 
 
-def _not_made(place: Place, expected: str, actual: str) -> Fault:
-    return Fault(place, expected, actual, "no icon is made")
+def _not_made(place: Place, reason: Reason) -> Fault:
+    return Fault(place, reason, Reason.of("desk.no_icon_made"))

@@ -17,6 +17,7 @@ from onika.store.site import Site
 from onika.wire.plan import Plan
 from onika.wire.request import FaultText, TargetValues
 from onika.words.fault import Fault, Place, parted
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -43,8 +44,12 @@ def prepare_run(name_or_path: str, site: Site, redirects: Sequence[Redirect] = (
     path = site.application_file(name_or_path)
     if path is None:
         names = sorted({name for base in site.directories for name in base.applications})
-        expected = f"an application file or the name of one ({', '.join(names) or 'none on the search path'})"
-        fault = Fault(Place(name_or_path), expected, "neither", "nothing is run")
+        known = tuple(names) or Reason.of("desk.none_on_path")
+        fault = Fault(
+            Place(name_or_path),
+            Reason.of("desk.application_unknown", names=known),
+            Reason.of("words.nothing_run"),
+        )
         return _nothing(name_or_path, (fault, *site.absent()))
     syntax, faults = site.syntax()
     if syntax is None:
@@ -78,7 +83,13 @@ def prepare(
 def fault_of(text: FaultText) -> Fault:
     """A fault that a runtime has found."""
     place = Place(text.file, text.line)
-    return Fault(place, text.expected, text.found, text.instead, where=text.where, remedies=text.remedies)
+    return Fault(
+        place,
+        text.reason,
+        text.instead,
+        where=text.where,
+        remedies=text.remedies,
+    )
 
 
 def _judged(

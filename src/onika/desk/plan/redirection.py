@@ -12,9 +12,8 @@ from onika.model.rules.redirection import Candidate, candidates, is_alike, short
 from onika.model.task import Task
 from onika.store.program import ApplicationProgram
 from onika.wire.plan import Plan
-from onika.words.fault import Fault, Place
-
-NOT_RUN = "the application is not run"
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,22 +45,30 @@ def faults(redirects: Sequence[Redirect], plan: Plan, program: ApplicationProgra
         place = Place(f"redirect {redirect}")
         subsystems = [flow.subsystem for flow in plan.flows if redirect.holds_in(flow.subsystem)]
         if not subsystems:
-            every = ", ".join(flow.subsystem for flow in plan.flows)
-            yield Fault(place, f"a flow by its number or its subsystem ({every})", redirect.flow, NOT_RUN)
+            known = ", ".join(flow.subsystem for flow in plan.flows)
+            yield Fault(place, Reason.of("desk.flow_unknown", names=known, flow=redirect.flow), NOT_RUN)
             continue
         used = _used(plan, program, subsystems)
         if redirect.new not in program.tasks:
-            yield Fault(place, "a task on the search path", f"no {redirect.new}", NOT_RUN)
+            yield Fault(place, Reason.of("desk.task_unknown", new=redirect.new), NOT_RUN)
         if redirect.old not in used:
             where = f"flow {redirect.flow}" if redirect.flow else plan.application
-            yield Fault(place, f"a task of {where} ({', '.join(sorted(used))})", redirect.old, NOT_RUN)
+            yield Fault(
+                place,
+                Reason.of("desk.task_not_of_flow", where=where, used=tuple(sorted(used)), old=redirect.old),
+                NOT_RUN,
+            )
         elif redirect.new in program.tasks and redirect.new != redirect.old:
             crews = {
                 key: crew for name in subsystems for key, crew in _crews(plan, program, redirects, name, redirect.old)
             }
             for reason in shortcomings(used[redirect.old], program.tasks[redirect.new], crews):
-                expected = f"a task with the outputs of {redirect.old}, that works in its place"
-                yield Fault(place, expected, reason.reason, NOT_RUN, remedies=reason.remedies)
+                yield Fault(
+                    place,
+                    Reason.of("desk.substitute_unfit", old=redirect.old, reason=reason.reason),
+                    NOT_RUN,
+                    remedies=reason.remedies,
+                )
 
 
 def seats(
@@ -102,7 +109,11 @@ def _twice(redirects: Sequence[Redirect]) -> Iterator[Fault]:
     for redirect in redirects:
         other = first.setdefault((redirect.home, redirect.old), redirect)
         if other.new != redirect.new:
-            yield Fault(Place(f"redirect {redirect}"), f"one task in place of {redirect.old}", f"{other} too", NOT_RUN)
+            yield Fault(
+                Place(f"redirect {redirect}"),
+                Reason.of("desk.redirected_twice", old=redirect.old, other=str(other)),
+                NOT_RUN,
+            )
 
 
 def _jobs(plan: Plan, subsystem: str) -> Iterator[str]:

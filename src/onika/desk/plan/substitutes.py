@@ -9,6 +9,7 @@ from onika.model.redirect import Redirect
 from onika.store.library import open_libraries
 from onika.store.site import Site
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 _MOST = 4
 
@@ -39,4 +40,6 @@ def _helped(fault: Fault, seat: Seat | None) -> Fault:
         for candidate in seat.candidates
         if not candidate.refusals and candidate.task.name != seat.taken_by
     ]
-    return replace(fault, remedies=tuple(f"redirect {seat.task.name} to {name}" for name in names[:_MOST]))
+    return replace(
+        fault, remedies=tuple(Reason.of("desk.redirect_to", old=seat.task.name, new=name) for name in names[:_MOST])
+    )

@@ -1,9 +1,9 @@
 """The flow tracker: follows events to know the state of each flow, and which wait conditions came (requirement E11)."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 
 from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.wait_condition import WaitCondition
 from onika.wire import event, steer
 
@@ -14,19 +14,6 @@ STILL = ("paused", "stopped", "waiting", "joining")
 """States that a flow leaves only because of another flow, or of somebody who steers."""
 
 
-@dataclass(slots=True)
-class FlowStatus:
-    """Where one flow is; `action` is -1 before the first."""
-
-    state: str = "ready"
-    action: int = -1
-    name: str = ""
-    tag: str = ""
-    waits_for: tuple[str, ...] = ()
-    past: list[tuple[str, int | None]] = field(default_factory=list)
-    """What happened, oldest first, since a wait was over for it: a kind of condition, and the action."""
-
-
 class FlowTracker:
     """Hears events and answers whether a condition has come.
 
@@ -35,6 +22,8 @@ class FlowTracker:
 
     def __init__(self, flow_index: FlowIndex) -> None:
         self.statuses = {name: FlowStatus() for name in flow_index.subsystems}
+        self._past: dict[str, list[tuple[str, int | None]]] = {name: [] for name in flow_index.subsystems}
+        """What happened, oldest first, since a wait was over for a flow: a kind of condition, and the action."""
         self._names = flow_index.subsystems
         self.is_asking = False
         self.done = 0
@@ -43,48 +32,44 @@ class FlowTracker:
         """Take in what has happened."""
         match message:
             case event.Began():
-                self._began(self.statuses[self._names[message.flow]], message)
+                name = self._names[message.flow]
+                self.statuses[name] = self.statuses[name].began(message)
+                self._past[name].append(("began", message.index))
             case event.Done():
+                name = self._names[message.flow]
                 self.done += 1
-                self.statuses[self._names[message.flow]].past.append(("done", message.index))
-            case event.Moved():
+                self.statuses[name] = self.statuses[name].done()
+                self._past[name].append(("done", message.index))
+            case event.Moved() if message.subsystem in self.statuses:
                 self._moved(message)
             case event.Asked():
                 self.is_asking = True
             case event.TaskState() if message.state != "ASKING":
                 self.is_asking = False
 
-    def _began(self, spot: FlowStatus, began: event.Began) -> None:
-        spot.action, spot.name = began.index, began.action
-        spot.past.append(("began", began.index))
-
     def _moved(self, moved: event.Moved) -> None:
-        spot = self.statuses.get(moved.subsystem)
-        if spot is None:
-            return
-        is_new = (moved.state, moved.action, moved.tag) != (spot.state, spot.action, spot.tag) or not moved.text
-        spot.state, spot.action, spot.tag, spot.waits_for = moved.state, moved.action, moved.tag, moved.waits_for
+        former = self.statuses[moved.subsystem]
+        is_new = (moved.state, moved.action, moved.tag) != (former.state, former.action, former.tag) or not moved.text
+        self.statuses[moved.subsystem] = former.moved(moved)
         if is_new:  # else only something about it is told
-            spot.past.append((moved.state, None))
+            self._past[moved.subsystem].append((moved.state, None))
 
     def place(self, positions: Iterable[steer.Position]) -> None:
         """What the runtime says of itself now counts more than what was heard."""
         for position in positions:
-            spot = self.statuses.get(position.subsystem)
-            if spot is not None:
-                spot.state, spot.tag, spot.waits_for = position.state, position.tag, position.waits_for
-                spot.action = position.action
+            if position.subsystem in self.statuses:
+                self.statuses[position.subsystem] = self.statuses[position.subsystem].placed(position)
 
     def steered(self, subsystem: str, *, is_skip: bool = False) -> None:
         """A flow, or all, is being steered: what it was in is past; after a skip so is what it did."""
-        for name, spot in self.statuses.items():
+        for name, past in self._past.items():
             if subsystem in ("", name):
-                spot.past = [] if is_skip else [step for step in spot.past if step[1] is not None]
+                self._past[name] = [] if is_skip else [step for step in past if step[1] is not None]
 
     def has_come(self, condition: WaitCondition) -> bool:
         """Whether a condition other than a time has come; if so it is past now."""
         names = [condition.subsystem] if condition.subsystem else list(self.statuses)
-        came = [name for name in names if (condition.kind, condition.action) in self.statuses[name].past]
+        came = [name for name in names if (condition.kind, condition.action) in self._past[name]]
         if condition.kind in ("paused", "done") and condition.action is None:
             over = [name for name in names if name not in came and self.statuses[name].state in OVER]
             is_so = len(came) + len(over) == len(names) and (bool(came) or condition.kind == "done")
@@ -92,7 +77,7 @@ class FlowTracker:
             is_so = bool(came)
         if is_so:
             for name in came:
-                past = self.statuses[name].past
+                past = self._past[name]
                 del past[: past.index((condition.kind, condition.action)) + 1]
         return is_so
 

@@ -5,6 +5,7 @@ from typing import Protocol
 from onika.desk.run.flow_tracker import FlowTracker
 from onika.desk.run.steering import SteeringWait
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 _EPSILON_S = 1e-9
 
@@ -60,4 +61,14 @@ class PendingWait:
 
     def faults(self, place: Place) -> tuple[Fault, ...]:
         """Why it was in vain; empty where the condition has come."""
-        return (Fault(place, str(self._act.condition), self._why, "it is waited for no longer"),) if self._why else ()
+        return (
+            (
+                Fault(
+                    place,
+                    Reason.of("desk.moment_missed", moment=str(self._act.condition), why=self._why),
+                    Reason.of("desk.waited_no_longer"),
+                ),
+            )
+            if self._why
+            else ()
+        )

@@ -12,8 +12,9 @@ from onika.record.run import END, RunRecord
 from onika.wire import event, request
 from onika.wire.request import Recorded, encode
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
-_NOT_RUN = "nothing is run"
+_NOT_RUN = Reason.of("words.nothing_run")
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,19 +83,19 @@ def recorded_run(source: RecordingSource) -> RecordedRun | tuple[Fault, ...]:
         run = RunRecord.read(reader)
     except UNREADABLE as wrong:
         words = complaint(source.path, wrong).removeprefix(f"{source.path}: ")
-        actual = words.partition(", found ")[2] or words
-        return (Fault(place, "a recording of a run", actual, _NOT_RUN),)
+        found = words.partition(", found ")[2] or words
+        return (Fault(place, Reason.of("desk.no_recording", given=found), _NOT_RUN),)
     end = reader.notes.get(END, {})
     last_s = reader.span[1] * 1e-9
     faults = []
     if not run.is_fresh:
-        actual = "one in which other things had happened on its runtime before, which nobody recorded"
-        faults.append(Fault(place, "a run that was the first on its runtime", actual, _NOT_RUN))
+        found = "one in which other things had happened on its runtime before, which nobody recorded"
+        faults.append(Fault(place, Reason.of("desk.not_first_run", given=found), _NOT_RUN))
     if end.get("outside"):
-        actual = f"tasks that had to do with the outside: {end['outside']}"
-        faults.append(Fault(place, "a run that repeats (law 15)", actual, _NOT_RUN))
+        found = f"tasks that had to do with the outside: {end['outside']}"
+        faults.append(Fault(place, Reason.of("desk.not_repeatable", given=found), _NOT_RUN))
     if source.at_s is not None and not 0 <= source.at_s <= last_s:
-        faults.append(Fault(place, f"an instant from 0 to {last_s:.9g} s", f"{source.at_s:g}", _NOT_RUN))
+        faults.append(Fault(place, Reason.of("desk.instant_outside", last_s=last_s, at_s=source.at_s), _NOT_RUN))
     if faults:
         return tuple(faults)
     whole_ns = -1 if reader.is_whole else reader.span[1]

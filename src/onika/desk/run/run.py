@@ -27,6 +27,7 @@ from onika.wire.plan import Plan
 from onika.wire.steer import Position
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 _RECORD = Place("--record")
 _LOOK_S = 0.05
@@ -201,8 +202,13 @@ def _within(plan: Plan, names: tuple[str, ...], outcome: Outcome) -> Plan:
         return plan
     chief = chiefs(plan)
     if len(set(names)) != len(chief):
-        expected = f"{len(chief)} different names, one for each flow"
-        outcome.faults.append(Fault(Place("--subsystem"), expected, " ".join(names), "nothing is run"))
+        outcome.faults.append(
+            Fault(
+                Place("--subsystem"),
+                Reason.of("desk.flows_by_name", count=len(chief), names=" ".join(names)),
+                Reason.of("words.nothing_run"),
+            )
+        )
         return plan
     return rehoused(plan, dict(zip(chief, names, strict=False)))
 
@@ -217,8 +223,9 @@ def _unrecorded(settings: RunSettings) -> tuple[Fault, ...]:
     """Why no recording can be made there."""
     if settings.record is None or settings.elsewhere is None:
         return ()
-    actual = f"one that runs already, at {settings.elsewhere.url}: values at write rate do not go over the link"
-    return (Fault(_RECORD, "a runtime that is launched here", actual, "nothing is run"),)
+    return (
+        Fault(_RECORD, Reason.of("desk.runtime_elsewhere", url=settings.elsewhere.url), Reason.of("words.nothing_run")),
+    )
 
 
 def _runtime(settings: RunSettings, plan: Plan, recorded: RecordedRun | None) -> Runtime | Reached:
@@ -242,7 +249,13 @@ def _prepare(prepared: PreparedRun, plan: Plan, runtime: Conversation, outcome: 
         outcome.faults += [fault for fault in map(fault_of, answer.faults) if fault not in outcome.faults]
         outcome.notes += answer.notes
     elif isinstance(answer, request.Refused):
-        outcome.faults.append(Fault(Place("the runtime"), "a plan that it takes", answer.reason, "nothing is run"))
+        outcome.faults.append(
+            Fault(
+                Place("the runtime"),
+                Reason.of("desk.plan_refused", reason=answer.reason),
+                Reason.of("words.nothing_run"),
+            )
+        )
 
 
 def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
@@ -252,6 +265,11 @@ def _unheard_of(expectations: tuple[Condition, ...], plan: Plan) -> list[Fault]:
         try:
             flow_index.home(expectation.address)
         except ValueError:
-            expected = "a variable that some task reads or writes"
-            faults.append(Fault(Place("--expect"), expected, expectation.address, "nothing is run"))
+            faults.append(
+                Fault(
+                    Place("--expect"),
+                    Reason.of("desk.variable_unknown", address=expectation.address),
+                    Reason.of("words.nothing_run"),
+                )
+            )
     return faults

@@ -14,6 +14,7 @@ from typing import Any
 
 import msgspec
 
+from onika.desk.run.flow_status import FlowStatus
 from onika.desk.run.recorded_run import events_of
 from onika.record import downsampled, foxglove, topics as said
 from onika.record.reader import Reader
@@ -39,8 +40,12 @@ class ReviewedFlow:
     subsystem: str
     actions: tuple[str, ...]
     intervals: list[Interval] = field(default_factory=list)
-    states: list[tuple[float, str, int]] = field(default_factory=list)
-    """Since when it was in a state, and its action then."""
+    statuses: list[tuple[float, FlowStatus]] = field(default_factory=lambda: [(float("-inf"), FlowStatus(""))])
+    """Since when it was where."""
+
+    def now(self, at_s: float, status: FlowStatus) -> None:
+        """It is there from now on."""
+        self.statuses.append((at_s, status))
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,8 +197,10 @@ class Review:
     def _learn(self, at: int, subsystem: str, message: event.Event) -> None:
         match message:
             case event.Began():
-                _leave(self._flow(subsystem), message.at_s)
-                self._flow(subsystem).intervals.append(Interval(message.index, message.action, message.at_s, None))
+                flow = self._flow(subsystem)
+                _leave(flow, message.at_s)
+                flow.intervals.append(Interval(message.index, message.action, message.at_s, None))
+                flow.now(message.at_s, flow.statuses[-1][1].began(message))
             case event.Done():
                 _leave(self._flow(subsystem), message.at_s, message.index)
             case event.Result():
@@ -201,7 +208,7 @@ class Review:
                     _leave(flow, message.runtime_s)
             case event.Moved():
                 flow = self._flow(message.subsystem)
-                flow.states.append((message.at_s, message.state, message.action))
+                flow.now(message.at_s, flow.statuses[-1][1].moved(message))
             case event.TaskState():
                 self._tasks.add(f"{message.subsystem}/{message.task}", at, message.state)
             case event.Drive():
@@ -248,7 +255,5 @@ def drawn(series: Series, parts: downsampled.Parts) -> list[DownsampledSeries]:
 
 
 def _state(flow: ReviewedFlow, at_s: float) -> tuple[str, int]:
-    places = bisect_right(flow.states, at_s, key=lambda place: place[0])
-    begun = bisect_right(flow.intervals, at_s, key=lambda interval: interval.begin_s)
-    action = flow.intervals[begun - 1].action if begun else -1
-    return (flow.states[places - 1][1] if places else "", action)
+    status = flow.statuses[bisect_right(flow.statuses, at_s, key=lambda place: place[0]) - 1][1]
+    return status.state, status.action

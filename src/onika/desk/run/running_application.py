@@ -30,6 +30,7 @@ from onika.wire import event, live, request, steer
 from onika.wire.plan import Plan
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 Faults = tuple[Fault, ...]
 """Why something was not done; empty where it was."""
@@ -265,7 +266,7 @@ class Running:
 
     def _order(self, order: SteeringOrder, place: Place) -> Faults:
         if self.is_over:
-            return (Fault(place, "a run that goes on", "its end", "nothing is done"),)
+            return (Fault(place, Reason.of("desk.run_over"), Reason.of("desk.nothing_done")),)
         self.flow_tracker.steered(order.subsystem, is_skip=order.is_skip)
         answer = self._runtime.ask(order.message)
         if self.is_held and self.stands:
@@ -280,13 +281,23 @@ class Running:
         values = {condition.address: self.read(f"{act.subsystem}/{act.name}")}
         if condition.holds(values):
             return ()
-        return (Fault(place, condition.text, str(condition.found(values)), "it is not so"),)
+        return (
+            Fault(
+                place,
+                Reason.of("desk.condition_fails", text=condition.text, given=str(condition.found(values))),
+                Reason.of("desk.not_so"),
+            ),
+        )
 
     def _wait(self, act: SteeringWait, place: Place) -> Faults:
         pending_wait = self.pending_wait(act)
         while not pending_wait.is_over:
             if self.flow_tracker.is_asking:
-                return (Fault(place, str(act.condition), "a task that asks", "answer it, then wait again"),)
+                return (
+                    Fault(
+                        place, Reason.of("desk.task_asks", moment=str(act.condition)), Reason.of("desk.answer_first")
+                    ),
+                )
             self.go_on(pending_wait.until_s)
             self._listen(_LOOK_S)
         self._settle()  # its moment is told before its time is

@@ -1,13 +1,15 @@
 """Turns what is wrong with a steering line into a fault at its place."""
 
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, Text
 
-GOES_ON = "the run goes on as it was"
+GOES_ON = Reason.of("desk.run_goes_on")
 
 
-def objection(place: Place, text: str, instead: str) -> Fault:
-    """The fault of a text `expected …, found …`; of any other, that it was not done for this reason."""
-    if not text.startswith("expected "):
-        return Fault(place, "a line that can be carried out", text, instead)
-    expected, _, actual = text.removeprefix("expected ").partition(", found ")
-    return Fault(place, expected, actual or "it is not so", instead)
+def objection(place: Place, reason: Text, instead: Reason) -> Fault:
+    """The fault of a line for a reason; of a bare text, that it was not done because of it."""
+    if isinstance(reason, Reason):
+        return Fault(place, reason, instead)
+    if reason.startswith("expected "):  # what was expected and found, from where reasons are texts still
+        return Fault(place, Reason.plain(reason), instead)
+    return Fault(place, Reason.of("desk.line_refused", text=reason), instead)

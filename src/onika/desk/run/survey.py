@@ -16,6 +16,7 @@ from onika.store.site import Site
 from onika.wire import request
 from onika.wire.plan import Code, PlannedTask
 from onika.words.fault import Fault, Place, parted
+from onika.words.reason import Reason
 
 _FOLDERS = ("module", "conf", "dict", "appl", "prefs")
 
@@ -26,14 +27,20 @@ def survey(path: Path, site: Site, note: Callable[[str], None] = lambda _text: N
     `note` is told what is worth knowing and wrong with nothing. Files are named as `path` is: relative or absolute.
     """
     if not path.exists():
-        return [], [Fault(Place(str(path)), "a base directory or a file", "nothing there", "nothing is checked")]
+        return [], [Fault(Place(str(path)), Reason.of("desk.nothing_there"), Reason.of("desk.nothing_checked"))]
     whole = path.absolute()
     types, syntax_faults = site.syntax()
     faults = list(syntax_faults)
     try:
         files = _files(whole) if whole.is_dir() else [whole]
     except OSError as error:
-        return [], [Fault(Place(str(path)), "a directory that can be read", error.strerror or "", "it is left out")]
+        return [], [
+            Fault(
+                Place(str(path)),
+                Reason.of("desk.directory_unreadable", strerror=error.strerror or ""),
+                Reason.of("words.left_out"),
+            )
+        ]
     if types is not None:
         for file in files:
             faults += _read(file, types)
@@ -94,7 +101,7 @@ def _read(file: Path, types: Syntax) -> list[Fault]:
         return list(buttons.read(content, name, place)[1])
     if file.suffix == picture.ENDING:
         return list(picture.read(content, name, place)[1])
-    return [Fault(Place(place), "a file of one of Onika's formats", "another name", "it is not read")]
+    return [Fault(Place(place), Reason.of("desk.format_unknown"), Reason.of("desk.not_read"))]
 
 
 def _read_task(content: str, name: str, place: str) -> list[Fault]:
@@ -135,7 +142,10 @@ def _missing(file: Path, site: Site) -> list[Fault]:
         if configuration
         else []
     )
-    return [Fault(Place(str(file)), "its tasks on the search path", f"no {name}", "it is left out") for name in lost]
+    return [
+        Fault(Place(str(file)), Reason.of("desk.tasks_not_on_path", name=name), Reason.of("words.left_out"))
+        for name in lost
+    ]
 
 
 def _is_part(file: Path, site: Site) -> bool:
@@ -154,8 +164,12 @@ def _asked(runtime: Runtime, question: request.Request, note: Callable[[str], No
         note(sentence)
     texts = answer.faults
     return [
-        Fault(Place(fault_text.file, fault_text.line), fault_text.expected, fault_text.found, fault_text.instead)
-        for fault_text in texts
+        Fault(
+            Place(text.file, text.line),
+            text.reason,
+            text.instead,
+        )
+        for text in texts
     ]
 
 

@@ -16,6 +16,7 @@ from onika.model.redirect import Redirect
 from onika.store.site import Site
 from onika.words.condition import Condition
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -41,7 +42,7 @@ def find(paths: Sequence[Path], word: str = "") -> tuple[list[Path], list[Fault]
         below = sorted(path.rglob(f"*{kept.ENDING}")) if path.is_dir() else [path] if path.is_file() else []
         if not below:
             faults.append(
-                Fault(Place(str(path)), f"a test file or a folder with some (*{kept.ENDING})", "none", "it is left out")
+                Fault(Place(str(path)), Reason.of("desk.no_test_file", ending=kept.ENDING), Reason.of("words.left_out"))
             )
         matches += [path for path in below if path not in matches and word.lower() in path.stem.lower()]
     return matches, faults

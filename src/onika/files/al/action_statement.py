@@ -11,6 +11,7 @@ from onika.files.line import show
 from onika.model.application import Hole, Icon
 from onika.model.onikon import Onikon
 from onika.model.syntax import DataItem, IconType, Syntax
+from onika.words.reason import Reason, Text
 from onika.words.value import Value
 
 HEADS = (*verb.VERBS, *verb.PREPOSITIONS, "HOLE")
@@ -33,7 +34,7 @@ def read(sentence: Statement, glossary: WhereSection, syntax: Syntax) -> list[Ic
                 _hole(phrase, glossary, number) if is_hole else Icon(_target(phrase, glossary, syntax), line=number)
             )
     if not steps:
-        raise ValueError(f"expected {' or '.join(HEADS)}, found {phrase.rest()}")
+        raise ValueError(Reason.of("files.heads_expected", heads=tuple(HEADS), rest=phrase.rest()))
     phrase.end()
     return steps
 
@@ -45,9 +46,11 @@ def _action(called: str, phrase: TokenStream, glossary: WhereSection, syntax: Sy
     fitting = verb.verb(onikon, syntax)
     kind = syntax.find(onikon.type)
     if kind and kind.is_target:
-        raise ValueError(f"expected an action after {called}, found `{onikon.name}`, a {onikon.type}")
+        raise ValueError(Reason.of("files.action_after", called=called, name=onikon.name, type=onikon.type))
     if called not in (fitting, verb.ANY):
-        raise ValueError(f"expected {fitting} before `{onikon.name}`, a {onikon.type}, found {called}")
+        raise ValueError(
+            Reason.of("files.target_too_many", fitting=fitting, name=onikon.name, type=onikon.type, called=called)
+        )
     return onikon
 
 
@@ -55,7 +58,7 @@ def _target(phrase: TokenStream, glossary: WhereSection, syntax: Syntax) -> Onik
     onikon = _found(phrase, "the name of a target", glossary)
     kind = syntax.find(onikon.type)
     if kind is None or not kind.is_target:
-        raise ValueError(f"expected a target, found `{onikon.name}`, a {onikon.type}")
+        raise ValueError(Reason.of("files.target_expected", name=onikon.name, type=onikon.type))
     if not phrase.takes("("):
         return onikon
     return replace(onikon, values=tuple(_values(phrase, kind)))
@@ -65,18 +68,18 @@ def _hole(phrase: TokenStream, glossary: WhereSection, number: int) -> Hole:
     at = phrase.rest()
     variant = phrase.variant(default=0)
     if variant and variant not in glossary.holes:
-        raise ValueError(f"expected HOLE #{variant} under WHERE, found none for {at}")
+        raise ValueError(Reason.of("files.hole_under_where", variant=variant, at=at))
     return Hole(number, glossary.holes[variant] if variant else "")
 
 
-def _found(phrase: TokenStream, meaning: str, glossary: WhereSection) -> Onikon:
+def _found(phrase: TokenStream, meaning: Text, glossary: WhereSection) -> Onikon:
     name = phrase.name(meaning, word.KEYWORDS)
     variant = phrase.variant()
     onikon = glossary.find(name, variant)
     if onikon is None:
         shown = name if variant == 1 else f"{name} #{variant}"
         where = "in the dictionary or under WHERE" if variant == 1 else "under WHERE"
-        raise ValueError(f"expected an icon `{shown}` {where}, found none")
+        raise ValueError(Reason.of("files.icon_unknown", shown=shown, where=where))
     return onikon
 
 
@@ -84,25 +87,25 @@ def _values(phrase: TokenStream, kind: IconType) -> Iterator[tuple[Value, ...]]:
     """The values of a target between its parentheses, data item by data item."""
     for at, item in enumerate(kind.items):
         if at and not phrase.takes(";"):
-            raise ValueError(f"expected ; and {_what(item)}, found {phrase.rest()}")
+            raise ValueError(Reason.of("files.more_values", what=_what(item), rest=phrase.rest()))
         yield _item(phrase, item)
     if not phrase.takes(")"):
-        raise ValueError(f"expected ) behind the values of {kind.name}, found {phrase.rest()}")
+        raise ValueError(Reason.of("files.behind_values", name=kind.name, rest=phrase.rest()))
 
 
 def _item(phrase: TokenStream, item: DataItem) -> tuple[Value, ...]:
     left = phrase.left
     if len(left) > 1 and left[1].says("="):
-        label = phrase.token("the name of a data item", "word", "text").value
+        label = phrase.token(Reason.of("files.name_of_item"), "word", "text").value
         if label != item.name:
-            raise ValueError(f"expected {item.name}= or no name, found {show(label + '=')}")
+            raise ValueError(Reason.of("files.no_name", name=item.name, label=show(label + "=")))
         phrase.takes("=")
     tokens: list[Token] = []
     while phrase.left and not phrase.left[0].says(";", ")"):
         tokens.append(phrase.token(_what(item), "word", "text"))
     if not item.takes(len(tokens)):
         found = f"{len(tokens)} in {show(joined(tokens))}" if tokens else f"none before {phrase.rest()}"
-        raise ValueError(f"expected {_what(item)}, found {found}")
+        raise ValueError(Reason.of("files.values_expected", what=_what(item), given=found))
     return tuple(item.type.parse(token.value) for token in tokens)
 
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from onika.files.al import token as word
 from onika.files.line import TextReading, show
+from onika.words.reason import Reason
 
 _SIGN = re.compile(
     r"""(?P<blank>[ \t\r]+) | (?P<end>\n) | (?P<comment>\{[^}]*\})
@@ -70,7 +71,7 @@ def sentences(text: str, reading: TextReading) -> tuple[list[Statement], int]:
     said = text[: where.start()] if where else text
     for number, line in enumerate(said.split("\n"), start=1):
         if _CONTROL.search(line.removesuffix("\r")):
-            reading.fault(number, "printable text", show(line))
+            reading.fault(number, Reason.of("files.printable_text", line=show(line)))
     reading.end = said.rstrip().count("\n") + 1
     return list(_grouped(said, reading)), where.end() if where else -1
 
@@ -92,7 +93,7 @@ def _grouped(text: str, reading: TextReading) -> Iterator[Statement]:
 def _whole(tokens: Sequence[Token], depth: int, reading: TextReading) -> Statement:
     sentence = Statement(tuple(tokens))
     if depth > 0:
-        reading.fault(sentence.number, "a ) for every (", str(sentence))
+        reading.fault(sentence.number, Reason.of("files.bracket_open", sentence=str(sentence)))
     return sentence
 
 
@@ -113,7 +114,14 @@ def _pass_over(text: str, at: int, number: int, reading: TextReading | None) -> 
     """Report a sign that begins nothing; gives where to go on: the end of the line where a brace or quote is open."""
     end = text.find("\n", at)
     end = len(text) if end < 0 else end
-    wanted = {"{": "a } that ends the comment", '"': 'a " that ends the text on its line'}.get(text[at])
     if reading:
-        reading.fault(number, wanted or "words, numbers, texts in quotes or comments in braces", show(text[at:end]))
-    return end if wanted else at + 1
+        reading.fault(number, _strange(text[at], show(text[at:end])))
+    return end if text[at] in '{"' else at + 1
+
+
+def _strange(sign: str, given: str) -> Reason:
+    if sign == "{":
+        return Reason.of("files.comment_open", given=given)
+    if sign == '"':
+        return Reason.of("files.quote_open", given=given)
+    return Reason.of("files.any_token", given=given)

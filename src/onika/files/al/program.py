@@ -6,12 +6,13 @@ from collections.abc import Callable
 from onika.files.al import action_statement
 from onika.files.al.block import ENDS, Block, LoopMark, marked
 from onika.files.al.logical_line import Statement, Token
-from onika.files.al.token_stream import TokenStream, halves
+from onika.files.al.token_stream import TokenStream
 from onika.files.al.where_section import WhereSection
 from onika.files.flow import DEEPEST
 from onika.files.line import TextReading
 from onika.model.application import AppFlow, Icon, Step
 from onika.model.syntax import Syntax
+from onika.words.reason import Reason, reason_of
 
 _TWO = ("END IF", "END WHILE", "END CASE", "CASE OF")
 _CLOSES = {end: kind for kind, end in ENDS.items()}
@@ -37,12 +38,12 @@ class TextProgram:
         try:
             self._take(sentence)
         except ValueError as error:
-            self._reading.fault(sentence.number, *halves(error))
+            self._reading.fault(sentence.number, reason_of(error))
 
     def end(self) -> tuple[AppFlow, ...] | None:
         """The flows of the program, where it was whole; what is lacking at its end is reported."""
         if not self._open and self._flows is None and not self._reading.broken:
-            self._reading.fault(self._reading.end, "BEGIN, COBEGIN or CASE OF", "an empty text")
+            self._reading.fault(self._reading.end, Reason.of("files.text_empty"))
         while self._open:
             self._unclosed(self._pop(), self._reading.end, "the end of the program")
         return self._flows
@@ -57,7 +58,7 @@ class TextProgram:
             return
         if self._flows is not None:
             if not self._has_more:
-                self._reading.fault(sentence.number, "nothing behind the program but WHERE", str(sentence))
+                self._reading.fault(sentence.number, Reason.of("files.behind_program", sentence=str(sentence)))
             self._has_more = True
             return
         if form in ENDS:
@@ -70,7 +71,7 @@ class TextProgram:
             _MARKS[form](block, sentence)
         else:
             known = (*action_statement.HEADS, *_MARKS, *ENDS, *_CLOSES)
-            raise ValueError(f"expected a word of the language ({' '.join(known)}), found {sentence}")
+            raise ValueError(Reason.of("files.word_of_language", words=" ".join(known), sentence=str(sentence)))
 
     def _statement(self, block: Block, sentence: Statement) -> None:
         try:
@@ -85,7 +86,12 @@ class TextProgram:
     def _inner(self, sentence: Statement) -> Block:
         """The block in which statements may stand; where its BEGIN is lacking, that is reported once."""
         if not self._open or self._open[-1].holds_flows:
-            self._reading.fault(sentence.number, "BEGIN" if self._open else "BEGIN, COBEGIN or CASE OF", str(sentence))
+            self._reading.fault(
+                sentence.number,
+                Reason.of("files.begin_expected", sentence=str(sentence))
+                if self._open
+                else Reason.of("files.program_expected", sentence=str(sentence)),
+            )
             self._push(Block("BEGIN", sentence, is_implied=True))
         return self._open[-1]
 
@@ -94,15 +100,15 @@ class TextProgram:
     def _begin(self, form: str, sentence: Statement) -> None:
         phrase = TokenStream(sentence, len(form.split()))
         if form == "BEGIN" and self._open and not self._open[-1].holds_flows:
-            raise ValueError(f"expected BEGIN only at the begin or within COBEGIN or CASE OF, found {sentence}")
+            raise ValueError(Reason.of("files.begin_misplaced", sentence=str(sentence)))
         if form == "COBEGIN" and self._open:
-            raise ValueError(f"expected COBEGIN only at the begin, found {sentence}")
+            raise ValueError(Reason.of("files.cobegin_misplaced", sentence=str(sentence)))
         if form not in ("BEGIN", "COBEGIN") and (form != "CASE OF" or self._open):
             self._check_waiting(self._inner(sentence))
         is_branch = form == "IF" or (form == "CASE OF" and bool(self._open))
         block = Block(form, sentence, depth=(self._open[-1].depth if self._open else 0) + is_branch)
         if is_branch and block.depth == DEEPEST + 1:
-            self._reading.fault(sentence.number, f"at most {DEEPEST} branches within each other", "one more")
+            self._reading.fault(sentence.number, Reason.of("files.branches_too_deep", deepest=DEEPEST))
         self._push(block)  # before its words are read, so that its end finds it whatever they are
         if form == "IF":
             block.conditions.append(phrase.condition("THEN"))
@@ -113,7 +119,7 @@ class TextProgram:
     def _reach(self, kind: str, form: str, sentence: Statement) -> None:
         """Close what is open within the block that a sentence ends or divides."""
         if not self._kinds[kind]:
-            raise ValueError(f"expected {kind} before {form}, found none open")
+            raise ValueError(Reason.of("files.none_open", kind=kind, form=form))
         while self._open[-1].kind != kind:
             self._unclosed(self._pop(), sentence.number, str(sentence))
 
@@ -131,14 +137,23 @@ class TextProgram:
         if block.kind == "BEGIN" and self._open:
             self._open[-1].flows.append(block.flow())
         if not block.is_implied:
-            self._reading.fault(number, f"{ENDS[block.kind]} for {block.opened} of line {block.opened.number}", found)
+            self._reading.fault(
+                number,
+                Reason.of(
+                    "files.block_end",
+                    ends=ENDS[block.kind],
+                    opened=str(block.opened),
+                    number=block.opened.number,
+                    given=found,
+                ),
+            )
 
     def _divide(self, form: str, sentence: Statement) -> None:
         block = self._open[-1]
         self._check_waiting(block)
         phrase = TokenStream(sentence, 1)
         if block.is_last:
-            raise ValueError(f"expected {ENDS[block.kind]}, found {sentence}")
+            raise ValueError(Reason.of("files.end_expected", ends=ENDS[block.kind], sentence=str(sentence)))
         block.is_last = form != "ELSEIF"
         block.takes_break = False
         if form == "DO":
@@ -186,19 +201,19 @@ class TextProgram:
         if block.kind == "REPEAT":
             condition = phrase.condition() if phrase.takes("NOT") else ""
             if not condition and not phrase.takes("DONE"):
-                raise ValueError(f"expected DONE or NOT and a condition behind UNTIL, found {phrase.rest()}")
+                raise ValueError(Reason.of("files.until_condition", rest=phrase.rest()))
             if len(block.items) < 2:
-                expected = f"two actions in the loop {block.tag}, of which NOP may be one"
-                self._reading.fault(block.opened.number, expected, f"{len(block.items)} statements")
+                reason = Reason.of("files.repeat_statements", tag=block.tag, count=len(block.items))
+                self._reading.fault(block.opened.number, reason)
                 return block.items
             self._mark(block.items, 0, block, "first")
             self._mark(block.items, -1, block, "last", is_test=True, condition=condition)
             return block.items
         if not block.is_last:
-            raise ValueError(f"expected DO before END WHILE, found {sentence}")
+            raise ValueError(Reason.of("files.do_before_end_while", sentence=str(sentence)))
         if len(block.tests) != 1:
-            expected = f"one action between WHILE and DO of the loop {block.tag}"
-            self._reading.fault(block.opened.number, expected, f"{len(block.tests)} statements")
+            reason = Reason.of("files.while_statements", tag=block.tag, count=len(block.tests))
+            self._reading.fault(block.opened.number, reason)
         else:
             self._mark(block.tests, 0, block, "first", is_test=True, condition=block.condition)
         self._mark(block.items, -1, block, "last behind the DO")
@@ -209,22 +224,23 @@ class TextProgram:
     ) -> None:
         found = marked(items, at, block.tag, is_test=is_test, condition=condition)
         if found:
-            expected = f"an action without a tag as the {where} in the loop {block.tag}"
-            self._reading.fault(block.opened.number, expected, found)
+            self._reading.fault(
+                block.opened.number, Reason.of("files.loop_tagged", where=where, tag=block.tag, given=found)
+            )
 
     def _finish(self, flows: tuple[AppFlow, ...], *, is_parallel: bool) -> None:
         self._flows, self.is_parallel = flows, is_parallel
 
     def _check_flows(self, block: Block, sentence: Statement) -> None:
         if not block.flows:
-            self._reading.fault(sentence.number, f"BEGIN and END within {block.kind}", "none")
+            self._reading.fault(sentence.number, Reason.of("files.begin_end_within", kind=block.kind))
 
     def _check_waiting(self, block: Block) -> None:
         """Report marks that no action follows."""
         waiting = [block.synch[0]] if block.synch else []
         waiting += [block.loop_mark.sentence] if block.loop_mark else []
         for sentence in waiting:
-            self._reading.fault(sentence.number, "an action on the next line", f"none behind {sentence}")
+            self._reading.fault(sentence.number, Reason.of("files.action_next_line", sentence=str(sentence)))
         block.synch = block.loop_mark = None
 
 
@@ -244,7 +260,7 @@ def _synch(block: Block, sentence: Statement) -> None:
     tag = phrase.tag()
     phrase.end()
     if block.synch:
-        raise ValueError(f"expected one SYNCH before an action, found {sentence}")
+        raise ValueError(Reason.of("files.one_synch", sentence=str(sentence)))
     block.synch, block.takes_break = (sentence, tag), False
 
 
@@ -255,7 +271,7 @@ def _tag(block: Block, sentence: Statement) -> None:
     condition = phrase.condition() if phrase.takes("IF") else ""
     phrase.end()
     if block.loop_mark:
-        raise ValueError(f"expected one TAG before an action, found {sentence}")
+        raise ValueError(Reason.of("files.one_tag", sentence=str(sentence)))
     block.loop_mark, block.takes_break = LoopMark(sentence, tag, is_test, condition), False
 
 
@@ -265,9 +281,9 @@ def _break(block: Block, sentence: Statement) -> None:
     condition = phrase.condition() if phrase.takes("IF") else ""
     phrase.end()
     if is_off and not condition:
-        raise ValueError(f"expected IF and a condition behind BREAK OFF, found {sentence}")
+        raise ValueError(Reason.of("files.break_off_if", sentence=str(sentence)))
     if not block.takes_break:
-        raise ValueError(f"expected an action before BREAK, found {sentence}")
+        raise ValueError(Reason.of("files.action_before_break", sentence=str(sentence)))
     block.rest(condition, is_off=is_off)
 
 

@@ -9,6 +9,7 @@ from onika.files.line import TextReading
 from onika.model.application import Application
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 ENDING = ".al"
 
@@ -21,7 +22,7 @@ def read(
     Its icons are those of the text's own section WHERE, else those of `dictionary`, with the values the text gives.
     Comments mean nothing. What is read is what its `.appl` says: marks of targets are those of their jobs.
     """
-    reading = TextReading(place_file, "the application is left out")
+    reading = TextReading(place_file, Reason.of("files.application_left_out"))
     text = text.removeprefix("\ufeff")
     found, start = sentences(text, reading)
     known = where_section.read(text, start, syntax, dictionary, reading)
@@ -35,5 +36,5 @@ def read(
     settled, faults = appl.read(appl.write(application), name, place_file, syntax)
     if settled is None:
         for fault in faults:
-            reading.fault(0, fault.expected, fault.found)
+            reading.fault(0, fault.reason)
     return settled, reading.faults

@@ -9,6 +9,7 @@ from onika.files.al.logical_line import Statement, Token, joined
 from onika.files.line import show
 from onika.words.condition import Condition
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason, Text
 
 
 class TokenStream:
@@ -35,38 +36,38 @@ class TokenStream:
         self._at += 1
         return self._tokens[self._at - 1].value
 
-    def token(self, meaning: str, *kinds: str) -> Token:
+    def token(self, meaning: Text, *kinds: str) -> Token:
         """The next token, of one of these kinds."""
         if self.is_over or self._tokens[self._at].kind not in kinds:
-            raise ValueError(f"expected {meaning}, found {self.rest()}")
+            raise ValueError(Reason.of("files.meaning_expected", meaning=meaning, rest=self.rest()))
         self._at += 1
         return self._tokens[self._at - 1]
 
-    def name(self, meaning: str, keywords: frozenset[str]) -> str:
+    def name(self, meaning: Text, keywords: frozenset[str]) -> str:
         """The name of an icon; one of the `keywords` must stand in quotes."""
         token = self.token(meaning, "word", "text")
         if (token.kind == "word" and token.value in keywords) or not TASK_NAME.match(token.value):
-            raise ValueError(f"expected {meaning}, found {show(str(token))}")
+            raise ValueError(Reason.of("files.meaning_expected_token", meaning=meaning, token=show(str(token))))
         return token.value
 
     def tag(self) -> str:
         """A tag: one word, or a quoted text without blanks."""
-        found = self.token("a tag of one word", "word", "text").value
+        found = self.token(Reason.of("files.a_tag"), "word", "text").value
         if not found or " " in found or "\t" in found:
-            raise ValueError(f"expected a tag of one word, found {show(found)}")
+            raise ValueError(Reason.of("files.tag_of_one_word", given=show(found)))
         return found
 
     def variant(self, default: int = 1) -> int:
         """The number of `#2`; `default` where there is none."""
         is_there = not self.is_over and self._tokens[self._at].kind == "variant"
-        return int(self.token("a variant", "variant").value[1:]) if is_there else default
+        return int(self.token(Reason.of("files.a_variant"), "variant").value[1:]) if is_there else default
 
     def condition(self, end: str = "") -> str:
         """The condition that the rest of the sentence is, but for the word `end` after it, if one is given."""
         rest = self.left
         if end:
             if not rest or not rest[-1].says(end):
-                raise ValueError(f"expected {end} behind the condition, found {self.rest()}")
+                raise ValueError(Reason.of("files.behind_condition", end=end, rest=self.rest()))
             rest = rest[:-1]
         self._at = len(self._tokens)
         text = rest[0].value if len(rest) == 1 and rest[0].kind == "text" else joined(rest)
@@ -76,14 +77,8 @@ class TokenStream:
     def end(self) -> None:
         """See that nothing is left."""
         if not self.is_over:
-            raise ValueError(f"expected the end of the line, found {self.rest()}")
+            raise ValueError(Reason.of("files.end_of_line", rest=self.rest()))
 
     def rest(self) -> str:
         """What is left, for a message."""
         return show(joined(self.left)) if self.left else "the end of the line"
-
-
-def halves(error: ValueError) -> tuple[str, str]:
-    """What was expected and what was found, of a sentence "expected …, found …"."""
-    expected, _, found = str(error).removeprefix("expected ").rpartition(", found ")
-    return (expected, found) if expected else (found, "something else")

@@ -14,6 +14,7 @@ from onika.files.line import FileLine, KeywordSlot, TextReading, row, split
 from onika.model.onikon import Onikon
 from onika.model.syntax import Syntax
 from onika.words.name import TASK_NAME
+from onika.words.reason import Reason
 
 HEAD = "WHERE"
 END = "END WHERE"
@@ -90,7 +91,7 @@ def read(text: str, start: int, syntax: Syntax, dictionary: Dictionary, reading:
     lines = _lines(text, start, reading)
     head, *blocks = split(lines, {"ICON", "HOLE"})
     for line in head:
-        reading.fault(line.number, "ICON or HOLE", str(line))
+        reading.fault(line.number, Reason.of("files.icon_hole", line=str(line)))
     for block in blocks:
         (_icon if block[0].keyword == "ICON" else _hole)(block, glossary, syntax, reading)
     return glossary
@@ -105,12 +106,12 @@ def _lines(text: str, start: int, reading: TextReading) -> Sequence[FileLine]:
     lines = inner.lines
     end = next((at for at, line in enumerate(lines) if f"{line.keyword} {line.rest}" == END), None)
     for fault in inner.faults:
-        reading.fault(fault.place.line, fault.expected, fault.found)
+        reading.fault(fault.place.line, fault.reason)
     if end is None:
-        reading.fault(text.rstrip().count("\n") + 1, END, "the end of the text")
+        reading.fault(text.rstrip().count("\n") + 1, Reason.of("files.text_unclosed", end=END))
         return lines
     for line in lines[end + 1 :]:
-        reading.fault(line.number, f"nothing after {END}", str(line))
+        reading.fault(line.number, Reason.of("files.after_end", end=END, line=str(line)))
     return lines[:end]
 
 
@@ -120,9 +121,9 @@ def _icon(block: Sequence[FileLine], glossary: WhereSection, syntax: Syntax, rea
     onikon = read_icon(name, found, syntax, reading)
     kind = syntax.find(onikon.type) if onikon else None
     if kind and (kind.is_start or kind.is_end):
-        reading.fault(found["ONIKON"][0].number, "an action or a target", str(found["ONIKON"][0]))
+        reading.fault(found["ONIKON"][0].number, Reason.of("files.action_target", given=str(found["ONIKON"][0])))
     if (name, variant) in glossary.icons:
-        reading.fault(block[0].number, "every icon once", f"{block[0]} again")
+        reading.fault(block[0].number, Reason.of("files.every_icon_once", block=str(block[0])))
     if onikon is not None:
         glossary.icons[name, variant] = onikon
 
@@ -131,17 +132,21 @@ def _name(line: FileLine, reading: TextReading) -> tuple[str, int]:
     """The name of an icon and its variant."""
     name, *others = line.words or ("",)
     if not TASK_NAME.match(name) or len(others) > 1:
-        reading.fault(line.number, "the name of an icon after ICON", str(line))
+        reading.fault(line.number, Reason.of("files.icon_name", line=str(line)))
     return name, _number(others[0], line, reading) if others else 1
 
 
 def _hole(block: Sequence[FileLine], glossary: WhereSection, _: Syntax, reading: TextReading) -> None:
     number = _number(block[0].rest, block[0], reading)
     if number in glossary.holes:
-        reading.fault(block[0].number, "every hole once", f"{block[0]} again")
+        reading.fault(block[0].number, Reason.of("files.every_hole_once", block=str(block[0])))
     heads = [line.keyword for line in block[1:] if line.keyword in HEADS]
     if heads != ["ROUTINE"] or block[1].keyword != "ROUTINE":
-        reading.fault(block[0].number, "ROUTINE and the lines of a target behind it", " ".join(heads) or "none")
+        if heads:
+            reason = Reason.of("files.hole_lines", heads=" ".join(heads))
+        else:
+            reason = Reason.of("files.hole_lines_missing")
+        reading.fault(block[0].number, reason)
     glossary.holes[number] = "".join(row(line.keyword, line.rest) for line in block[1:])
 
 
@@ -149,5 +154,5 @@ def _number(shown: str, line: FileLine, reading: TextReading) -> int:
     digits = shown[1:]
     if shown.startswith("#") and digits.isascii() and digits.isdigit() and len(digits) < 10 and int(digits) > 0:
         return int(digits)
-    reading.fault(line.number, f"a number such as #1 after {line.keyword}", str(line))
+    reading.fault(line.number, Reason.of("files.number_sign", keyword=line.keyword, line=str(line)))
     return 0

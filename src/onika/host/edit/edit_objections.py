@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from onika.host.loading.plan_checks import wrong_rates
+from onika.host.loading.plan_checks import GivenRate, wrong_rates
 from onika.host.loading.plan_preparation import unknown_parameters
 from onika.model.planned import task_of
 from onika.runtime.sheet import differences
@@ -11,13 +11,14 @@ from onika.wire.live import Change
 from onika.wire.plan import PlannedTask
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
-INSTEAD = "nothing is changed"
+INSTEAD = Reason.of("words.nothing_changed")
 
 
 def of_change(fault: Fault) -> Fault:
     """A fault of an application's rules, said of a change."""
-    return Fault(fault.place, fault.expected, fault.found, INSTEAD)
+    return Fault(fault.place, fault.reason, INSTEAD)
 
 
 def wired(
@@ -46,22 +47,26 @@ def names(order: Change, living: Sequence[WiredTask]) -> list[Fault]:
     missing = [(name, there) for name in order.kill] + [(name, there) for name in order.off]
     missing += [(turn.task, after) for turn in order.on] + [(name, after) for name, _ in order.rates]
     faults = [
-        Fault(place, f"one of {', '.join(sorted(known)) or 'no task'}", name, INSTEAD)
+        Fault(
+            place,
+            Reason.of("host.task_unknown", names=tuple(sorted(known)) or Reason.of("host.no_task"), name=name),
+            INSTEAD,
+        )
         for name, known in missing
         if name not in known
     ]
     twice = [name for name in dict.fromkeys(born) if born.count(name) > 1 or name in there - set(order.kill)]
-    return faults + [Fault(place, "each task once in a subsystem", f"{name} twice", INSTEAD) for name in twice]
+    return faults + [Fault(place, Reason.of("host.task_twice", name=name), INSTEAD) for name in twice]
 
 
 def rates(order: Change, tasks: Sequence[WiredTask]) -> list[Fault]:
     """Rates that no task can have."""
     place = Place(f"subsystem {order.subsystem}")
-    given = [(place, " now", name, hz) for name, hz in order.rates]
+    given: list[GivenRate] = [(place, None, name, hz) for name, hz in order.rates]
     given += [(Place(one.place), "", one.name, one.frequency) for one in order.spawn if one.frequency is not None]
     timeless = {one.name for one in tasks if one.task.frequency is None}
     faults = [
-        Fault(place, f"a rate for a task that has one, {name} is aperiodic", f"{hz:g} Hz", INSTEAD)
+        Fault(place, Reason.of("host.rate_of_aperiodic", name=name, hz=hz), INSTEAD)
         for name, hz in order.rates
         if name in timeless
     ]
@@ -72,8 +77,13 @@ def moved(before: WiredTask, after: WiredTask) -> list[Fault]:
     """A living task keeps its device."""
     if before.device == after.device:
         return []
-    found = f"DEVICE {after.device}"
-    return [Fault(Place(before.task.place), f"DEVICE {before.device} as before; exchange the task", found, INSTEAD)]
+    return [
+        Fault(
+            Place(before.task.place),
+            Reason.of("host.device_changed", device=str(before.device), device_2=str(after.device)),
+            INSTEAD,
+        )
+    ]
 
 
 def grown(before: WiredTask, after: WiredTask) -> list[Fault]:
@@ -81,11 +91,23 @@ def grown(before: WiredTask, after: WiredTask) -> list[Fault]:
     place = Place(before.task.place)
     known = {one.port: one for one in before.ports}
     faults = [
-        Fault(place, f"{old.svar} {old.shape} in {old.unit}, as it is bound", f"{one.shape} in {one.unit}", INSTEAD)
+        Fault(
+            place,
+            Reason.of(
+                "host.bound_unlike",
+                svar=old.svar,
+                shape=str(old.shape),
+                unit=old.unit,
+                shape_2=str(one.shape),
+                unit_2=one.unit,
+            ),
+            INSTEAD,
+        )
         for one in after.ports
         if (old := known[one.port]) != one
     ]
     if before.sheet.hardware is not after.sheet.hardware:
-        kind = {True: "a hardware module", False: "a module that is no hardware"}
-        faults.append(Fault(place, kind[before.sheet.hardware], kind[after.sheet.hardware], INSTEAD))
+        was_hardware = before.sheet.hardware
+        reason = Reason.of("host.no_longer_hardware") if was_hardware else Reason.of("host.now_hardware")
+        faults.append(Fault(place, reason, INSTEAD))
     return faults

@@ -22,6 +22,7 @@ from onika.wire import live as asked, request
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 Answer = Callable[[request.Response], None]
 
@@ -64,7 +65,7 @@ class Editor:
         """A change when its turn has come; one that had to wait is checked then."""
         faults = [] if is_checked else self._faults(order, new, False)
         if faults:
-            return "; ".join(f"expected {one.expected}, found {one.found}" for one in faults)
+            return "; ".join(str(fault.reason) for fault in faults)
         kept = [one for one in live.wired if one.name not in order.kill]
         for task, text in self._overloads(order, [*kept, *new])[1]:
             live.warn(task, text)
@@ -190,7 +191,7 @@ class Editor:
         living = self._living(order.subsystem)
         faults = edit_objections.names(order, living)
         faults += [
-            Fault(Place(one.task.place), f"a unit for {one.name} that lives", gone, edit_objections.INSTEAD)
+            Fault(Place(one.task.place), Reason.of("host.unit_gone", name=one.name, gone=gone), edit_objections.INSTEAD)
             for one in new
             if (gone := self._stage.gone(one.task.rtpu))
         ]
@@ -221,7 +222,7 @@ class Editor:
         found = self._stage.forecast.warnings(off, coming)
         place = Place(f"subsystem {order.subsystem}")
         faults = [
-            Fault(place, f"time for {one.task} on {one.rtpu}", text, edit_objections.INSTEAD)
+            Fault(place, Reason.of("host.no_time", task=one.task, rtpu=one.rtpu, text=text), edit_objections.INSTEAD)
             for one, use, text in found
             if use > 1.0
         ]
@@ -245,7 +246,7 @@ class Editor:
 def refused(faults: Sequence[Fault], notes: Sequence[str]) -> request.Prepared:
     """All that is wrong, as it travels."""
     texts = (
-        request.FaultText(one.place.file, one.place.line, one.expected, one.found, one.instead, one.where, one.remedies)
+        request.FaultText(one.place.file, one.place.line, one.reason, one.instead, one.where, one.remedies)
         for one in sorted(set(faults))
     )
     return request.Prepared(tuple(texts), tuple(notes))

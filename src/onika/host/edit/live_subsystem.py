@@ -9,8 +9,8 @@ from collections.abc import Callable, Collection, Generator, Mapping
 
 from onika.host.edit.desired_state import DesiredState
 from onika.host.edit.outcomes import Outcomes
-from onika.host.edit.reshape import Reshaping
 from onika.host.execution import task_events
+from onika.host.execution.reshape import Reshaping
 from onika.host.execution.spawner import Spawner
 from onika.host.execution.subsystem_executor import SubsystemExecutor, state_after
 from onika.host.units.unit_registry import Units

@@ -2,7 +2,7 @@
 
 from collections.abc import Collection, Mapping
 
-from onika.host.edit.reshape import Reshaping
+from onika.host.execution.reshape import Reshaping
 from onika.host.units.unit_registry import Units
 from onika.runtime import command
 from onika.runtime.subsystem import Member, RunningSubsystem

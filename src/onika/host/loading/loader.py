@@ -6,7 +6,7 @@ import signal
 import socket
 import subprocess
 import sys
-from time import monotonic_ns
+from collections.abc import Callable
 from typing import Any
 
 from msgspec import msgpack
@@ -23,7 +23,6 @@ from onika.host.loading.loader_messages import (
     AskSheet,
     Constants,
     Devices,
-    Lines,
     Objections,
     Poses,
     Postures,
@@ -40,8 +39,8 @@ from onika.host.units.rtpu import preload
 from onika.link.launcher import die_with_parent
 from onika.wire.plan import Code
 from onika.wire.request import FaultText
-from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 PATIENCE_S = 10.0
 """How long a module may take to be imported and looked at."""
@@ -52,59 +51,10 @@ decode_answer = msgpack.Decoder(Answer).decode
 
 
 class Loader:
-    """The runtime's end: asks its loader process, which is started at once and again whenever it had to be ended."""
+    """The runtime's end of the loader process, which is started at once and again whenever it had to be ended."""
 
     def __init__(self) -> None:
         self._post, self._process = self._start()
-        self._devices: dict[str, tuple[str, ...] | Fault] = {}
-
-    def sheet(self, code: Code) -> ModuleSheet | Fault:
-        """The sheet of a module's class."""
-        answer = self._ask(AskSheet(code), code)
-        return answer.sheet if isinstance(answer, Sheet) else fault_of(answer)
-
-    def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
-        """A robot module's constants from its LOCAL lines."""
-        answer = self._ask(AskConstants(code, local), code)
-        return answer.values if isinstance(answer, Constants) else fault_of(answer)
-
-    def devices(self, world: str) -> tuple[str, ...] | Fault:
-        """The devices of a world."""
-        if world not in self._devices:
-            answer = self._ask(AskDevices(world), Code("", world, world, ""))
-            self._devices[world] = answer.names if isinstance(answer, Devices) else fault_of(answer)
-        return self._devices[world]
-
-    def resolve(
-        self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
-    ) -> list[str | None] | Fault:
-        """Why each target is out of reach, or None."""
-        answer = self._ask(AskReach(code, constants, targets), code)
-        return answer.reasons if isinstance(answer, Reach) else fault_of(answer)
-
-    def poses(
-        self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
-    ) -> list[list[float]] | Fault | None:
-        """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
-        answer = self._ask(AskPoses(code, constants, targets), code)
-        return answer.nines if isinstance(answer, Poses) else fault_of(answer)
-
-    def postures(
-        self, code: Code, constants: dict[str, Any], nines: list[list[float]]
-    ) -> list[list[float] | str] | Fault | None:
-        """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
-        answer = self._ask(AskPostures(code, constants, nines), code)
-        return answer.found if isinstance(answer, Postures) else fault_of(answer)
-
-    def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
-        """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
-        answer = self._ask(AskFit(code, constants, device), code)
-        return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
-
-    def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
-        """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
-        answer = self._ask(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
-        return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
 
     def close(self) -> None:
         """End the process."""
@@ -138,21 +88,12 @@ class Loader:
 
     def give_up(self, code: Code) -> Wrong:
         """The process died of a question or does not answer it: start another, and say what happened."""
-        found = "the loader died of it" if self.is_lost else f"nothing within {PATIENCE_S:g} s"
+        silent = Reason.of("host.loader_silent", seconds=PATIENCE_S)
+        reason = Reason.of("host.loader_died") if self.is_lost else silent
         self.close()
         self._post, self._process = self._start()
-        instead = f"module {code.module} is not used"
-        return Wrong(FaultText(code.path, 0, "a module that can be imported and looked at", found, instead))
-
-    def _ask(self, question: Question, code: Code) -> Answer:
-        self.send(question)
-        until = monotonic_ns() + round(PATIENCE_S * 1e9)
-        while (left := until - monotonic_ns()) > 0 and not self.is_lost:
-            select.select([self._post], [self._post] if self._post.is_waiting else [], [], left * 1e-9)
-            answer = self.take()
-            if answer is not None:
-                return answer
-        return self.give_up(code)
+        instead = Reason.of("host.module_not_used", module=code.module)
+        return Wrong(FaultText(code.path, 0, reason, instead))
 
 
 def fault_of(answer: Answer) -> Fault:
@@ -160,40 +101,42 @@ def fault_of(answer: Answer) -> Fault:
     if not isinstance(answer, Wrong):
         raise TypeError(f"expected the answer to the question, found {answer!r}")
     text = answer.fault
-    return Fault(Place(text.file, text.line), text.expected, text.found, text.instead)
+    return Fault(
+        Place(text.file, text.line),
+        text.reason,
+        text.instead,
+    )
 
 
-def _answer(question: Question, loading: DirectLoading) -> Answer:
-    found: Any
+def _answer(question: Question, facts: DirectLoading) -> Answer:
+    fact, message = _fact(question, facts)
+    return _wrong(fact) if isinstance(fact, Fault) else message(fact)
+
+
+def _fact(question: Question, facts: DirectLoading) -> tuple[Any, Callable[[Any], Answer]]:
+    """What is asked, or a fault; and the message that it becomes where it is none."""
     match question:
         case AskSheet():
-            found = loading.sheet(question.code)
-            return _wrong(found) if isinstance(found, Fault) else Sheet(found, loading.cost_ns(question.code))
+            return facts.sheet(question.code), lambda sheet: Sheet(sheet, facts.cost_ns(question.code))
         case AskConstants():
-            found = loading.constants(question.code, question.local)
-            return _wrong(found) if isinstance(found, Fault) else Constants(found)
+            return facts.constants(question.code, question.local), Constants
         case AskDevices():
-            found = loading.devices(question.world)
-            return _wrong(found) if isinstance(found, Fault) else Devices(found)
+            return facts.devices(question.world), Devices
         case AskReach():
-            found = loading.resolve(question.code, question.constants, question.targets)
-            return _wrong(found) if isinstance(found, Fault) else Reach(found)
+            return facts.resolve(question.code, question.constants, question.targets), Reach
         case AskPoses():
-            found = loading.poses(question.code, question.constants, question.targets)
-            return _wrong(found) if isinstance(found, Fault) else Poses(found)
+            return facts.poses(question.code, question.constants, question.targets), Poses
         case AskPostures():
-            found = loading.postures(question.code, question.constants, question.nines)
-            return _wrong(found) if isinstance(found, Fault) else Postures(found)
+            return facts.postures(question.code, question.constants, question.nines), Postures
         case AskFit():
-            found = loading.fits(question.code, question.constants, question.device)
-            return _wrong(found) if isinstance(found, Fault) else Objections((found,) if found else ())
+            objection = facts.fits(question.code, question.constants, question.device)
+            return objection, lambda text: Objections((text,) if text else ())
         case AskCompany():
-            found = loading.company(question.world, question.devices, is_of_flow=question.is_of_flow)
-            return _wrong(found) if isinstance(found, Fault) else Objections(found)
+            return facts.company(question.world, question.devices, is_of_flow=question.is_of_flow), Objections
 
 
 def _wrong(fault: Fault) -> Wrong:
-    return Wrong(FaultText(fault.place.file, fault.place.line, fault.expected, fault.found, fault.instead))
+    return Wrong(FaultText(fault.place.file, fault.place.line, fault.reason, fault.instead))
 
 
 def main(words: list[str]) -> None:

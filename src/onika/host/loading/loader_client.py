@@ -1,4 +1,4 @@
-"""Inquiries to the loader that nobody waits for: what is not known yet is asked, and whoever wanted it tries again.
+"""The loader client asks the loader process and never waits: whoever wanted what is not known yet tries again.
 
 A change is checked by plain functions that ask `Loading`. Here an unknown answer raises NotYet; the program keeps the
 request and carries it out anew when the answer is there, so that a slow module never stands between two jobs.
@@ -42,12 +42,12 @@ class NotYet(Exception):
     """The answer is being looked for; try again when `take` has said True."""
 
 
-class Inquiry:
+class LoaderClient:
     """Answers from memory, or NotYet. One question is under way at a time; they are asked in turn."""
 
     def __init__(self, loader: Loader) -> None:
         self._loader = loader
-        self._known: OrderedDict[bytes, Answer] = OrderedDict()
+        self._answers: OrderedDict[bytes, Answer] = OrderedDict()
         self._open: deque[tuple[bytes, Question, Code]] = deque()
         self._since_ns = 0
 
@@ -58,59 +58,59 @@ class Inquiry:
 
     def sheet(self, code: Code) -> ModuleSheet | Fault:
         """The sheet of a module's class."""
-        answer = self._answer(AskSheet(code), code)
+        answer = self._ask(AskSheet(code), code)
         return answer.sheet if isinstance(answer, Sheet) else fault_of(answer)
 
     def cost_ns(self, code: Code) -> int:
         """What loading this module takes in a unit that has its libraries; 0 where nothing is known of it."""
-        answer = self._known.get(encode(AskSheet(code)))
+        answer = self._answers.get(encode(AskSheet(code)))
         return answer.cost_ns if isinstance(answer, Sheet) else 0
 
     def constants(self, code: Code, local: Lines) -> dict[str, Any] | Fault:
         """A robot module's constants from its LOCAL lines."""
-        answer = self._answer(AskConstants(code, local), code)
+        answer = self._ask(AskConstants(code, local), code)
         return answer.values if isinstance(answer, Constants) else fault_of(answer)
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:
         """The devices of a world."""
-        answer = self._answer(AskDevices(world), Code("", world, world, ""))
+        answer = self._ask(AskDevices(world), Code("", world, world, ""))
         return answer.names if isinstance(answer, Devices) else fault_of(answer)
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
     ) -> list[str | None] | Fault:
         """Why each target is out of reach, or None."""
-        answer = self._answer(AskReach(code, constants, targets), code)
+        answer = self._ask(AskReach(code, constants, targets), code)
         return answer.reasons if isinstance(answer, Reach) else fault_of(answer)
 
     def poses(
         self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
     ) -> list[list[float]] | Fault | None:
         """The Cartesian targets that joint targets are for a robot module; None: it knows of no poses."""
-        answer = self._answer(AskPoses(code, constants, targets), code)
+        answer = self._ask(AskPoses(code, constants, targets), code)
         return answer.nines if isinstance(answer, Poses) else fault_of(answer)
 
     def postures(
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
     ) -> list[list[float] | str] | Fault | None:
         """Joint values for Cartesian targets, each nearest to those before it, or why there are none."""
-        answer = self._answer(AskPostures(code, constants, nines), code)
+        answer = self._ask(AskPostures(code, constants, nines), code)
         return answer.found if isinstance(answer, Postures) else fault_of(answer)
 
     def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
         """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
-        answer = self._answer(AskFit(code, constants, device), code)
+        answer = self._ask(AskFit(code, constants, device), code)
         return "; ".join(answer.reasons) if isinstance(answer, Objections) else fault_of(answer)
 
     def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
         """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
-        answer = self._answer(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
+        answer = self._ask(AskCompany(world, devices, is_of_flow), Code("", world, world, ""))
         return answer.reasons if isinstance(answer, Objections) else fault_of(answer)
 
     def expect(self, codes: tuple[Code, ...]) -> None:
         """These modules will be asked about: begin with all of them."""
         for code in codes:
-            self._ask(AskSheet(code), code)
+            self._request(AskSheet(code), code)
 
     def take(self) -> bool:
         """Whether an answer has come since the last call, or the loader was given up for one; never waits."""
@@ -122,23 +122,23 @@ class Inquiry:
             answer = self._loader.give_up(code)
         if answer is None:
             return False
-        self._known[key] = answer
-        while len(self._known) > _KEPT:
-            self._known.popitem(last=False)
+        self._answers[key] = answer
+        while len(self._answers) > _KEPT:
+            self._answers.popitem(last=False)
         self._open.popleft()
         self._begin()
         return True
 
-    def _answer(self, question: Question, code: Code) -> Answer:
-        key = self._ask(question, code)
-        if key not in self._known:
+    def _ask(self, question: Question, code: Code) -> Answer:
+        key = self._request(question, code)
+        if key not in self._answers:
             raise NotYet
-        self._known.move_to_end(key)
-        return self._known[key]
+        self._answers.move_to_end(key)
+        return self._answers[key]
 
-    def _ask(self, question: Question, code: Code) -> bytes:
+    def _request(self, question: Question, code: Code) -> bytes:
         key = encode(question)
-        if key not in self._known and all(key != one for one, _, _ in self._open):
+        if key not in self._answers and key not in (waiting for waiting, _, _ in self._open):
             self._open.append((key, question, code))
             if len(self._open) == 1:
                 self._begin()

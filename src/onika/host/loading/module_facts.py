@@ -14,6 +14,7 @@ from onika.runtime.sheet import sheet_of
 from onika.wire.plan import Code
 from onika.wire.sheet import ModuleSheet
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
 
 Lines = tuple[tuple[str, tuple[str, ...]], ...]
 
@@ -32,7 +33,7 @@ class DirectLoading:
         try:
             return sheet_of(cls)
         except ValueError as wrong:
-            return self._fault(code, "declarations that agree", wrong)
+            return self._fault(code, Reason.of("host.declarations_disagree", why=traceback_text(wrong)), wrong)
 
     def cost_ns(self, code: Code) -> int:
         """How long the module takes to load once more, when its libraries are there; the quickest of three times."""
@@ -55,14 +56,18 @@ class DirectLoading:
             found = cls.constants(locals_of(cls, dict(local)))
             return {name: _plain(value) for name, value in found.items()}
         except Exception as wrong:
-            return self._fault(code, "constants from the LOCAL lines", wrong)
+            return self._fault(code, Reason.of("host.constants_failed", why=traceback_text(wrong)), wrong)
 
     def devices(self, world: str) -> tuple[str, ...] | Fault:
         """The devices of a world."""
         try:
             return tuple(sheet.name for sheet in self._world(world).devices())
         except Exception as wrong:
-            return Fault(Place(world), str(wrong), world, "no device of it is used")
+            return Fault(
+                Place(world),
+                reason_of(wrong),
+                Reason.of("host.no_device_used"),
+            )
 
     def resolve(
         self, code: Code, constants: dict[str, Any], targets: list[tuple[str, list[Any]]]
@@ -74,7 +79,7 @@ class DirectLoading:
         try:
             return list(cls.resolve(constants, list(targets)))
         except Exception as wrong:
-            return self._fault(code, "an answer about the reach of targets", wrong)
+            return self._fault(code, Reason.of("host.reach_failed", why=traceback_text(wrong)), wrong)
 
     def poses(
         self, code: Code, constants: dict[str, Any], targets: list[list[Any]]
@@ -87,7 +92,7 @@ class DirectLoading:
             found = cls.poses(constants, list(targets))
             return None if found is None else [[float(one) for one in nine] for nine in found]
         except Exception as wrong:
-            return self._fault(code, "poses of joint targets", wrong)
+            return self._fault(code, Reason.of("host.poses_failed", why=traceback_text(wrong)), wrong)
 
     def postures(
         self, code: Code, constants: dict[str, Any], nines: list[list[float]]
@@ -102,7 +107,7 @@ class DirectLoading:
                 return None
             return [one if isinstance(one, str) else [float(value) for value in one] for one in found]
         except Exception as wrong:
-            return self._fault(code, "postures for poses", wrong)
+            return self._fault(code, Reason.of("host.postures_failed", why=traceback_text(wrong)), wrong)
 
     def fits(self, code: Code, constants: dict[str, Any], device: str) -> str | Fault:
         """Why a device is not the one that a hardware module means; empty: nothing is wrong."""
@@ -113,7 +118,7 @@ class DirectLoading:
             said = self._identity(device)
             return "" if said is None else cls.fits(constants, dict(said)) or ""
         except Exception as wrong:
-            return self._fault(code, "an answer about the device", wrong)
+            return self._fault(code, Reason.of("host.fit_failed", why=traceback_text(wrong)), wrong)
 
     def company(self, world: str, devices: tuple[str, ...], *, is_of_flow: bool = False) -> tuple[str, ...] | Fault:
         """Why these devices of a world cannot be used together, or are odd in one flow; none: nothing is said."""
@@ -138,9 +143,13 @@ class DirectLoading:
             self._worlds[name] = open_world(name)
         return self._worlds[name]
 
-    def _fault(self, code: Code, expected: str, wrong: Exception) -> Fault:
+    def _fault(self, code: Code, reason: Reason, wrong: Exception) -> Fault:
         place = Place(code.path, line_in(code.path, wrong))
-        return Fault(place, expected, traceback_text(wrong), f"module {code.module} is not used")
+        return Fault(
+            place,
+            reason,
+            Reason.of("host.module_not_used", module=code.module),
+        )
 
 
 def _plain(value: Any) -> Any:

@@ -5,28 +5,30 @@ from typing import Any
 
 from onika.host.loading.module_questions import Loading
 from onika.model.rules.order import constant_order
-from onika.model.task import LocalLine, Task, TaskType
 from onika.runtime.sheet import SLOWEST_HARDWARE_HZ
 from onika.runtime.wiring import WiredTask
-from onika.wire.plan import Code, Plan, PlannedTask
-from onika.words.fault import Fault, Place
-
-NOT_RUN = "the application is not run"
+from onika.wire.plan import Code, Plan
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason
 
 _SLOWEST_HZ = 1e-3
 _FASTEST_HZ = 1e6
 """No task cycles more often; and no period rounds to nothing."""
 
-GivenRate = tuple[Place, str, str, float]
-"""Where a rate stands, the job it is given in (` in JOB`, empty: the task's own file), the task, the rate in hertz."""
+GivenRate = tuple[Place, str | None, str, float]
+"""Where a rate stands, the job it is given in (empty: the task's own file, None: by hand), the task, the hertz."""
 
 
-def at_action(plan: Plan, flow: int, action: int, expected: str, found: str, instead: str = NOT_RUN) -> Fault:
+def at_action(plan: Plan, flow: int, action: int, reason: Reason) -> Fault:
     """A fault of one action of a plan: it stands at its icon, and says in which flow and which action of it."""
     one = plan.flows[flow].actions[action]
-    inside = f" of {' / '.join(one.within)}" if one.within else ""
-    where = f"{plan.flows[flow].subsystem}, action {action + 1}{inside}: {one.name}"
-    return Fault(Place(one.place, one.line), expected, found, instead, where=where)
+    subsystem, number = plan.flows[flow].subsystem, action + 1
+    if one.within:
+        application = " / ".join(one.within)
+        where = Reason.of("host.where_within", flow=subsystem, action=number, application=application, name=one.name)
+    else:
+        where = Reason.of("host.where", flow=subsystem, action=number, name=one.name)
+    return Fault(Place(one.place, one.line), reason, NOT_RUN, where=where)
 
 
 def conflicts(wired: Sequence[WiredTask]) -> list[Fault]:
@@ -37,31 +39,28 @@ def conflicts(wired: Sequence[WiredTask]) -> list[Fault]:
     for one in wired:
         other = modules.setdefault(one.task.module, one.name)
         if other != one.name:
-            faults.append(_union(one, f"module {one.task.module} once in a flow", f"also in task {other}"))
+            faults.append(_union(one, Reason.of("host.module_twice", module=one.task.module, other=other)))
         for svar in one.outconst:
             other = suppliers.setdefault(svar, one.name)
             if other != one.name:
-                faults.append(_union(one, f"one supplier of the constant {svar}", f"also task {other}"))
+                faults.append(_union(one, Reason.of("host.constant_twice", constant=svar, other=other)))
         for reader in wired:
             mixed = (set(one.outvar) - set(one.outconst)) & (set(reader.inconst) - set(reader.invar))
             faults += [
-                _union(reader, f"a constant {svar}", f"task {one.name} writes it at every cycle")
+                _union(reader, Reason.of("host.constant_varies", constant=svar, task=one.name))
                 for svar in sorted(mixed)
             ]
     return faults
 
 
-def _union(one: WiredTask, expected: str, found: str) -> Fault:
-    return Fault(Place(one.task.place), expected, found, NOT_RUN)
+def _union(one: WiredTask, reason: Reason) -> Fault:
+    return Fault(Place(one.task.place), reason, NOT_RUN)
 
 
 def cycles(wired: Sequence[WiredTask]) -> list[Fault]:
     """Constants that wait for each other."""
     _, cycles = constant_order([one.meeting for one in wired])
-    return [
-        Fault(Place(wired[0].task.place), "constants that do not wait for each other", " → ".join(cycle), NOT_RUN)
-        for cycle in cycles
-    ]
+    return [_union(wired[0], Reason.of("host.constants_wait", cycle=" → ".join(cycle))) for cycle in cycles]
 
 
 def shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
@@ -71,7 +70,7 @@ def shared_devices(tasks: Sequence[WiredTask]) -> list[Fault]:
     for one in (one for one in tasks if one.sheet.hardware and one.device):
         other = claimed.setdefault(one.device or "", one)
         if other is not one:
-            faults.append(_union(one, f"device {one.device} for one task", f"task {other.name} claims it too"))
+            faults.append(_union(one, Reason.of("host.device_claimed", device=one.device or "", other=other.name)))
     return faults
 
 
@@ -82,11 +81,10 @@ def absent_devices(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
         world, _, name = (one.device or "").partition(":")
         known = loading.devices(world)
         if isinstance(known, Fault):
-            expected = known.expected.removeprefix("expected ").partition(", found ")[0]
-            faults.append(Fault(Place(one.task.place), expected, f"DEVICE {one.device}", NOT_RUN))
+            faults.append(_union(one, known.reason))
         elif name not in known:
-            expected = f"a device of world {world} ({', '.join(known)})"
-            faults.append(Fault(Place(one.task.place), expected, f"DEVICE {one.device}", NOT_RUN))
+            reason = Reason.of("host.no_such_device", world=world, devices=known, device=one.device or "")
+            faults.append(_union(one, reason))
     return faults
 
 
@@ -97,7 +95,9 @@ def unfit(one: WiredTask, code: Code, constants: Mapping[str, Any], loading: Loa
     reason = loading.fits(code, dict(constants), one.device)
     if isinstance(reason, Fault):
         return [reason]
-    return [_union(one, f"the device that {one.name} means as {one.device}", reason)] if reason else []
+    if not reason:
+        return []
+    return [_union(one, Reason.of("host.device_unlike", task=one.name, device=one.device, why=reason))]
 
 
 def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
@@ -112,7 +112,7 @@ def unfit_together(tasks: Sequence[WiredTask], loading: Loading) -> list[Fault]:
         if isinstance(reasons, Fault):
             return [reasons]
         last = max(claimed.values(), key=lambda one: one.name)
-        faults += [_union(last, f"devices of {world} that can be used together", reason) for reason in reasons]
+        faults += [_union(last, Reason.of("host.devices_unfit", world=world, why=why)) for why in reasons]
     return faults
 
 
@@ -136,8 +136,9 @@ def shapeless(wired: Sequence[WiredTask], constants: Mapping[str, Any]) -> list[
     return [
         Fault(
             Place(one.task.place),
-            f"{name} from `constants` of module {one.task.module}, as {port.svar} {port.shape} needs it",
-            "none",
+            Reason.of(
+                "host.constant_not_given", name=name, module=one.task.module, svar=port.svar, shape=str(port.shape)
+            ),
             NOT_RUN,
         )
         for one in wired
@@ -147,30 +148,27 @@ def shapeless(wired: Sequence[WiredTask], constants: Mapping[str, Any]) -> list[
     ]
 
 
-def wrong_rates(given: Sequence[GivenRate], hardware: Collection[str], instead: str) -> list[Fault]:
+def wrong_rates(given: Sequence[GivenRate], hardware: Collection[str], instead: Reason) -> list[Fault]:
     """Rates without a period of whole nanoseconds, or with one too long for hardware (law 17)."""
     faults = []
-    for place, where, name, hz in given:
+    for place, job, name, hz in given:
         if not _SLOWEST_HZ <= hz <= _FASTEST_HZ:
-            expected = f"{_SLOWEST_HZ:g} Hz to {_FASTEST_HZ:g} Hz for {name}{where}"
-            faults.append(Fault(place, expected, f"{hz:g} Hz", instead))
-        elif hz < SLOWEST_HARDWARE_HZ and name in hardware and where:  # without: told as a difference to its module
-            expected = f"hardware task {name}{where} at {SLOWEST_HARDWARE_HZ:g} Hz or more"
-            faults.append(Fault(place, expected, f"{hz:g} Hz", instead))
+            faults.append(Fault(place, _outside(name, job, hz), instead))
+        elif hz < SLOWEST_HARDWARE_HZ and name in hardware and job != "":  # else told as a difference to its module
+            faults.append(Fault(place, _too_slow(name, job, hz), instead))
     return faults
 
 
-def task_of(planned: PlannedTask) -> Task:
-    """The task as its file describes it."""
-    return Task(
-        name=planned.name,
-        module=planned.module,
-        aliases=planned.aliases,
-        inconst=planned.inconst,
-        outconst=planned.outconst,
-        invar=planned.invar,
-        outvar=planned.outvar,
-        type=TaskType(planned.type),
-        frequency=planned.frequency,
-        local=tuple(LocalLine(key, words) for key, words in planned.local),
-    )
+def _outside(name: str, job: str | None, hz: float) -> Reason:
+    slowest, fastest = _SLOWEST_HZ, _FASTEST_HZ
+    if job is None:
+        return Reason.of("host.rate_outside_now", slowest=slowest, fastest=fastest, task=name, hz=hz)
+    if job:
+        return Reason.of("host.rate_outside_in", slowest=slowest, fastest=fastest, task=name, job=job, hz=hz)
+    return Reason.of("host.rate_outside", slowest=slowest, fastest=fastest, task=name, hz=hz)
+
+
+def _too_slow(name: str, job: str | None, hz: float) -> Reason:
+    if job is None:
+        return Reason.of("host.hardware_too_slow_now", task=name, slowest=SLOWEST_HARDWARE_HZ, hz=hz)
+    return Reason.of("host.hardware_too_slow_in", task=name, job=job, slowest=SLOWEST_HARDWARE_HZ, hz=hz)

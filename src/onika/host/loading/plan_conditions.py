@@ -3,11 +3,11 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-from onika.host.loading.plan_checks import NOT_RUN
 from onika.runtime.wiring import WiredTask
 from onika.wire.plan import Again, Choose, Do, PlannedFlow, Rest, Unless
 from onika.words.condition import Condition
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import NOTHING, Reason
 from onika.words.shape import Shape
 
 Constants = Mapping[int, Mapping[str, Any]]
@@ -25,10 +25,10 @@ def wrong_conditions(
         for number, (planned, tasks) in enumerate(zip(flows, wired, strict=True))
     }
     return [
-        Fault(place, expected, text, NOT_RUN)
+        Fault(place, reason, NOT_RUN)
         for flow in flows
         for place, text in _conditions(flow)
-        if (expected := _expected(text, flow.subsystem, shapes))
+        if (reason := _reason(text, flow.subsystem, shapes))
     ]
 
 
@@ -45,23 +45,23 @@ def _conditions(flow: PlannedFlow) -> Iterator[tuple[Place, str]]:
                 yield from ((place, text) for text in (one.condition,) if text)
 
 
-def _expected(text: str, home: str, shapes: Mapping[str, Mapping[str, Shape]]) -> str:
-    """What a condition should have been; empty: it is sound."""
+def _reason(text: str, home: str, shapes: Mapping[str, Mapping[str, Shape]]) -> Reason:
+    """Why a condition could never hold; empty: it is sound."""
     try:
         condition = Condition.parse(text)
-    except ValueError as wrong:
-        return str(wrong).partition(", found")[0].removeprefix("expected ")
+    except ValueError:
+        return Reason.of("host.condition_form", text=text)
     subsystem, _, name = condition.address.rpartition("/")
     known = shapes.get(subsystem or home, {})
     if name not in known:
-        return f"a variable that a task of {subsystem or home} reads or writes"
+        return Reason.of("host.condition_variable", subsystem=subsystem or home, text=text)
     shape = known[name]
     if shape.type.is_text:
-        return f"a condition on numbers; {name} is {shape}"
+        return Reason.of("host.condition_on_text", name=name, shape=str(shape), text=text)
     fits = len(condition.index) == len(shape.dims) and all(
         not isinstance(dim, int) or at < dim for at, dim in zip(condition.index, shape.dims, strict=False)
     )
-    return "" if fits else f"one number of {name}, which is {shape} and counted from 0"
+    return NOTHING if fits else Reason.of("host.condition_element", name=name, shape=str(shape), text=text)
 
 
 def _resolved(shape: Shape, constants: Mapping[str, Any]) -> Shape:

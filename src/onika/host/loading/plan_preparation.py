@@ -6,7 +6,6 @@ from typing import Any
 
 from onika.host.loading.module_questions import Loading
 from onika.host.loading.plan_checks import (
-    NOT_RUN,
     absent_devices,
     at_action,
     conflicts,
@@ -27,7 +26,8 @@ from onika.runtime.wiring import WiredTask, disagreements, missing_constants, wi
 from onika.wire.plan import Code, Plan, PlannedFlow, PlannedTask
 from onika.wire.request import Resolved, TargetValues
 from onika.wire.sheet import ModuleSheet
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason, reason_of
 
 
 @dataclass(slots=True)
@@ -134,7 +134,7 @@ def _actions(number: int, flow: PlannedFlow, wired: Sequence[WiredTask], found: 
         triggers = [one.name for one in present if one.sheet.trigger]
         found.triggers[number, index] = triggers[0] if triggers else None
         if not triggers and len(present) == len(action.tasks) and not action.lacks_tasks:
-            found.faults.append(at_action(found.plan, number, index, f"a trigger that ends job {action.job}", "none"))
+            found.faults.append(at_action(found.plan, number, index, Reason.of("host.trigger_missing", job=action.job)))
         if len(triggers) > 1:
             others = ", ".join(triggers[1:])
             found.notes.append(
@@ -146,9 +146,7 @@ def _rates(flow: PlannedFlow, sheets: Mapping[str, ModuleSheet], found: Preparat
     """Rates that configurations or tasks give: a period of whole nanoseconds, for hardware short enough (law 17)."""
     hardware = {task.name for task in flow.tasks if task.digest in sheets and sheets[task.digest].hardware}
     given = [
-        (Place(action.place, action.line), f" in {action.job}", name, hz)
-        for action in flow.actions
-        for name, hz in action.rates
+        (Place(action.place, action.line), action.job, name, hz) for action in flow.actions for name, hz in action.rates
     ]
     given += [(Place(task.place), "", task.name, task.frequency) for task in flow.tasks if task.frequency is not None]
     found.faults += wrong_rates(given, hardware, NOT_RUN)
@@ -225,8 +223,9 @@ def _arguments(
         except KeyError:
             counted.add(index)  # a bound that only a running task supplies: seen at the run
         except ValueError as error:
-            said = f"{action.target or action.job}: {error}"
-            wrong[index] = at_action(plan, number, index, f"values for {trigger.name}", said)
+            target, why = action.target or action.job, reason_of(error)
+            reason = Reason.of("host.values_unfit", task=trigger.name, target=target, why=why)
+            wrong[index] = at_action(plan, number, index, reason)
     return wrong, counted
 
 
@@ -248,6 +247,6 @@ def _reach(
     for target, reason in zip(users, reasons, strict=True):
         if reason is not None:
             wrong.pop(target.action, None)
-            name = found.plan.flows[number].actions[target.action].target
-            expected = "a target within reach"
-            found.faults.append(at_action(found.plan, number, target.action, expected, f"{name}: {reason}"))
+            name = found.plan.flows[number].actions[target.action].target or ""
+            unreachable = Reason.of("host.unreachable", target=name, why=reason)
+            found.faults.append(at_action(found.plan, number, target.action, unreachable))

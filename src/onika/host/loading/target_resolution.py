@@ -4,20 +4,22 @@ The pose is what the replaced robot would bring its tool to. A target with whose
 stays as it is, as from a robot to its kinematic mode; any other becomes the posture nearest to the one before it.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from msgspec.structs import replace
 
 from onika.host.loading.module_questions import Loading
-from onika.host.loading.plan_checks import NOT_RUN, at_action
+from onika.host.loading.plan_checks import at_action
 from onika.runtime.user_input import UserInput
 from onika.wire.plan import Code, Plan, PlannedAction, PlannedFlow, PlannedTask
 from onika.wire.request import Resolved, TargetValues
 from onika.wire.sheet import ModuleSheet
 from onika.words import argument
 from onika.words.fault import Fault, Place
+from onika.words.reason import NOTHING, Reason, reason_of
 
 JOINT = "joint object"
 """The type of target whose first NDOF values are those of joints (§A.7)."""
@@ -87,8 +89,8 @@ class _Pair:
             return  # no robot that states anything, or told when its constants are looked at
         theirs = self._constants(self._old)
         if theirs is None:
-            code = f"the robot that they were made for, {self._old.name}, to know their poses"
-            self._refuse(aims, code, "none that states its constants")
+            old = self._old.name
+            self._refuse(aims, lambda target: Reason.of("host.robot_unknown", old=old, target=target))
         elif theirs != ours:  # else it is the same robot, in another mode
             self._transfer(aims, theirs, ours)
 
@@ -103,7 +105,8 @@ class _Pair:
         values = [list(one.values) for _, one in aims]
         nines = self._poses(self._old, theirs, values)
         if nines is None:
-            self._refuse(aims, f"poses of joint targets from module {self._old.module}", "none")
+            module = self._old.module
+            self._refuse(aims, lambda target: Reason.of("host.poses_unknown", module=module, target=target))
             return
         kept = self._kept(values, nines, ours) if theirs.get("NDOF") == ours.get("NDOF") else set()
         changed = [k for k in range(len(aims)) if k not in kept]
@@ -111,7 +114,8 @@ class _Pair:
         if isinstance(postures, Fault):
             self._found.faults.append(postures)
         elif postures is None:
-            self._refuse([aims[k] for k in changed], f"postures for poses from module {self._new.module}", "none")
+            lacking, module = [aims[k] for k in changed], self._new.module
+            self._refuse(lacking, lambda target: Reason.of("host.postures_unknown", module=module, target=target))
         else:
             for k, posture in zip(changed, postures, strict=True):
                 self._take(*aims[k], posture, theirs.get("NDOF", 0))
@@ -123,26 +127,29 @@ class _Pair:
         for at, aim in aims:
             wrong = self._miscounted(self._flow.actions[aim.action], theirs)
             if wrong:
-                self._refuse([(at, aim)], f"values for {self._old.name}", wrong)
+                self._refuse([(at, aim)], partial(self._miscounted_at, wrong))
             elif len(aim.values) >= theirs.get("NDOF", 0):
                 yield at, aim
 
-    def _miscounted(self, action: PlannedAction, theirs: dict[str, Any]) -> str:
+    def _miscounted_at(self, why: Reason, target: str) -> Reason:
+        return Reason.of("host.values_unfit", task=self._old.name, target=target, why=why)
+
+    def _miscounted(self, action: PlannedAction, theirs: dict[str, Any]) -> Reason:
         """Why the argument line of an action has not as many values as its trigger takes for the replaced robot."""
         digests = {task.name: task.digest for task in self._flow.tasks}
         sheets = [self._sheets.get(digests.get(name, "")) for name in action.tasks]
         trigger = next((one for one in sheets if one is not None and one.trigger), None)
         if trigger is None or not action.arguments:
-            return ""
+            return NOTHING
         try:
             known = UserInput(trigger.inputs, theirs)
             if not known.takes(action.arguments):
                 known.parse(action.arguments)
         except KeyError:
-            return ""  # a bound that only a running task supplies
+            return NOTHING  # a bound that only a running task supplies
         except ValueError as wrong:
-            return str(wrong)
-        return ""
+            return reason_of(wrong)
+        return NOTHING
 
     def _poses(self, task: PlannedTask, constants: dict[str, Any], values: list[list[Any]]) -> list[list[float]] | None:
         found = self._loading.poses(self._code[task.digest], constants, values)
@@ -166,18 +173,23 @@ class _Pair:
 
     def _take(self, at: int, aim: TargetValues, posture: list[float] | str, joints: int) -> None:
         if isinstance(posture, str):
-            self._refuse([(at, aim)], f"a posture of {self._new.name} where {self._old.name} would be", posture)
+            new, old = self._new.name, self._old.name
+            self._refuse(
+                [(at, aim)],
+                lambda target: Reason.of("host.posture_missing", task=new, old=old, target=target, why=posture),
+            )
             return
         values = (*posture, *aim.values[joints:])
         self._found.targets[at] = replace(aim, values=values)
         told = Resolved(aim.flow, aim.action, aim.name, self._new.name, self._old.name, aim.values, values)
         self._found.resolved.append(told)
 
-    def _refuse(self, aims: list[tuple[int, TargetValues]], expected: str, found: str) -> None:
+    def _refuse(self, aims: list[tuple[int, TargetValues]], reason: Callable[[str], Reason]) -> None:
+        """Refuse some targets, each for a reason that names it."""
         for _, aim in aims:
             self._found.refused.add((aim.flow, aim.action))
-            said = f"{aim.name}: {found}" if aim.name else found
-            self._found.faults.append(at_action(self._found.plan, aim.flow, aim.action, expected, said, NOT_RUN))
+            target = aim.name or self._found.plan.flows[aim.flow].actions[aim.action].job
+            self._found.faults.append(at_action(self._found.plan, aim.flow, aim.action, reason(target)))
 
 
 def told(plan: Plan, resolved: Sequence[Resolved]) -> Iterator[str]:

@@ -13,8 +13,9 @@ from onika.link.address import PORT, Address, bracketed, is_near, split_host
 from onika.link.caller import Role
 from onika.link.token import digest, own_token, token_path
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason, reason_of
 
-_CLOSED = "the runtime does not start"
+_CLOSED = Reason.of("host.not_started")
 
 
 class Wanted(Struct, frozen=True):
@@ -47,7 +48,7 @@ def judge(wanted: Wanted, environment: Mapping[str, str] = os.environ) -> tuple[
     try:
         host, port = split_host(wanted.listen)
     except ValueError:
-        return None, [Fault(Place("--listen"), "HOST:PORT", wanted.listen, _CLOSED)], ""
+        return None, [Fault(Place("--listen"), Reason.of("host.listen_form", listen=wanted.listen), _CLOSED)], ""
     near = is_near(host)
     users, faults = _users(wanted, near)
     faults += _secrets(wanted, near)
@@ -58,7 +59,7 @@ def judge(wanted: Wanted, environment: Mapping[str, str] = os.environ) -> tuple[
             users = (*users, User("owner", Role.OWNER, digest(own_token(path))))
             token_at = str(path)
         except (OSError, ValueError) as wrong:
-            faults.append(Fault(Place(str(path)), "a token of this machine", str(wrong), _CLOSED))
+            faults.append(Fault(Place(str(path)), Reason.of("host.token_unreadable", why=reason_of(wrong)), _CLOSED))
     if faults:
         return None, faults, ""
     names = ("localhost",) if near else (host, socket.gethostname(), *wanted.names)
@@ -76,15 +77,19 @@ def context(certificate: str, key: str) -> ssl.SSLContext:
 
 def _users(wanted: Wanted, near: bool) -> tuple[tuple[User, ...], list[Fault]]:
     if not wanted.users:
-        missing = Fault(Place("--users"), _why(wanted.listen, "a file of users"), "none", _CLOSED)
+        missing = Fault(
+            Place("--users"),
+            Reason.of("host.users_missing", listen=_shown(wanted.listen)),
+            _CLOSED,
+        )
         return (), [] if near else [missing]
     try:
         text = Path(wanted.users).read_text(encoding="utf-8")
     except (OSError, UnicodeDecodeError) as wrong:
-        return (), [Fault(Place(wanted.users), "a file of users", str(wrong), _CLOSED)]
+        return (), [Fault(Place(wanted.users), Reason.of("host.users_unreadable", why=reason_of(wrong)), _CLOSED)]
     users, faults = read(text, wanted.users)
     if not users and not faults and not near:
-        faults = [Fault(Place(wanted.users), "at least one user", "none", _CLOSED)]
+        faults = [Fault(Place(wanted.users), Reason.of("host.no_user"), _CLOSED)]
     return users, faults
 
 
@@ -93,7 +98,11 @@ def _secrets(wanted: Wanted, near: bool) -> list[Fault]:
     if near and not any(given.values()):
         return []
     faults = [
-        Fault(Place(option), _why(wanted.listen, "a certificate and its key"), "none", _CLOSED)
+        Fault(
+            Place(option),
+            Reason.of("host.certificate_missing", listen=_shown(wanted.listen)),
+            _CLOSED,
+        )
         for option, value in given.items()
         if not value
     ]
@@ -102,9 +111,9 @@ def _secrets(wanted: Wanted, near: bool) -> list[Fault]:
     try:
         context(wanted.certificate, wanted.key)
     except (OSError, ssl.SSLError) as wrong:
-        return [Fault(Place(wanted.certificate), "a certificate and its key as PEM", str(wrong), _CLOSED)]
+        return [Fault(Place(wanted.certificate), Reason.of("host.certificate_unfit", why=reason_of(wrong)), _CLOSED)]
     return []
 
 
-def _why(listen: str, what: str) -> str:
-    return f"{what}, because other machines can reach {bracketed(listen) if listen.count(':') > 1 else listen}"
+def _shown(listen: str) -> str:
+    return bracketed(listen) if listen.count(":") > 1 else listen

@@ -9,6 +9,7 @@ from pathlib import Path
 from onika.link.caller import Role
 from onika.link.token import digest, new_token
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 _ROLES = {role.word: role for role in Role}
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9._-]{0,31}")
@@ -51,11 +52,23 @@ def read(text: str, place: str) -> tuple[tuple[User, ...], list[Fault]]:
         user = _user(words)
         if user is None:
             # the line is not shown: somebody may have written a token there
-            expected = f"NAME ROLE SHA256-OF-TOKEN with a role of {', '.join(_ROLES)}"
-            faults.append(Fault(Place(place, number), expected, f"{len(words)} other words", "nobody is let in"))
+            reason = Reason.of("host.user_line", roles=tuple(_ROLES), count=len(words))
+            faults.append(
+                Fault(
+                    Place(place, number),
+                    reason,
+                    Reason.of("host.nobody_let_in"),
+                )
+            )
         elif any(user.name == other.name and user.role is not other.role for other in users):
-            expected = f"one role for {user.name}"
-            faults.append(Fault(Place(place, number), expected, f"a second, {user.role.word}", "nobody is let in"))
+            reason = Reason.of("host.user_twice", name=user.name, role=user.role.word)
+            faults.append(
+                Fault(
+                    Place(place, number),
+                    reason,
+                    Reason.of("host.nobody_let_in"),
+                )
+            )
         else:
             users.append(user)
     return tuple(users), faults

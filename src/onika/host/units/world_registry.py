@@ -5,6 +5,7 @@ from importlib.metadata import entry_points
 from typing import cast
 
 from onika.runtime.bus import World
+from onika.words.reason import Reason
 
 GROUP = "onika.worlds"
 
@@ -16,7 +17,8 @@ def open_world(name: str, shake: int | None = None) -> World:
     """
     offered = entry_points(group=GROUP)
     if name not in offered.names:
-        raise ValueError(f"expected a world ({', '.join(sorted(offered.names)) or 'none installed'}), found {name!r}")
+        worlds = tuple(sorted(offered.names)) or Reason.of("host.none_installed")
+        raise ValueError(Reason.of("host.no_such_world", worlds=worlds, world=name))
     kind = offered[name].load()
     shaken = getattr(kind, "shaken", None) if shake is not None else None
     return cast(World, kind() if shaken is None else shaken(shake))

@@ -11,6 +11,7 @@ from onika.model.rules.nesting import Nest
 from onika.model.rules.outline import Outline, Passage
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 def faults(nest: Nest, syntax: Syntax) -> Iterator[Fault]:
@@ -69,5 +70,5 @@ def _is_noop(action: Action, syntax: Syntax) -> bool:
 
 def _fault(outline: Outline, passage: Passage, loop: Loop) -> Fault:
     steps = passage.flow.steps
-    found = f"none on some way from {outline.at(passage, loop.start)}, to {outline.at(passage, loop.end)}"
-    return outline.fault(steps[loop.start], f"a job on every way round the loop {loop.tag}", found)
+    start, end = outline.at(passage, loop.start), outline.at(passage, loop.end)
+    return outline.fault(steps[loop.start], Reason.of("rules.loop_without_job", tag=loop.tag, start=start, end=end))

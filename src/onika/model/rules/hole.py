@@ -7,6 +7,7 @@ from onika.model.application import Action, Hole, wanted_targets
 from onika.model.rules.outline import Outline, Passage
 from onika.model.syntax import Syntax, same_type
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,9 +46,9 @@ def faults(outline: Outline, syntax: Syntax) -> Iterator[Fault]:
     for hole in holes(outline, syntax):
         step = hole.passage.flow.steps[hole.position]
         if not outline.is_nested:
-            yield outline.fault(step, "an application without holes", outline.at(hole.passage, hole.position))
+            yield outline.fault(step, Reason.of("rules.hole_open", at=outline.at(hole.passage, hole.position)))
         elif not hole.types:
-            yield outline.fault(step, "an action in place of a hole", outline.at(hole.passage, hole.position))
+            yield outline.fault(step, Reason.of("rules.hole_for_action", at=outline.at(hole.passage, hole.position)))
 
 
 def fillings(outline: Outline, inner: Outline, use: tuple[Passage, Action], syntax: Syntax) -> Iterator[Fault]:
@@ -61,11 +62,11 @@ def fillings(outline: Outline, inner: Outline, use: tuple[Passage, Action], synt
     at, name = outline.at(passage, action.position), inner.application.name
     for kind in missing:
         if not any(same_type(kind, one) for one in wanted):
-            yield outline.fault(action.icon, f"a {kind} for the holes of `{name}`", f"none behind {at}")
+            yield outline.fault(action.icon, Reason.of("rules.filling_missing", kind=kind, application=name, at=at))
     for number, kind in enumerate(wanted):
         if not any(same_type(kind, one) for one in missing):
-            expected = f"only targets for the holes of `{name}`"
-            yield outline.note(action.icon, expected, f"a {kind} behind {at}", "it is not used")
+            unused = Reason.of("rules.filling_unused", application=name, kind=kind, at=at)
+            yield outline.note(action.icon, unused, Reason.of("rules.not_used"))
         elif any(same_type(kind, one) for one in wanted[:number]):
-            expected = f"one {kind} for the holes of `{name}`"
-            yield outline.note(action.icon, expected, f"another behind {at}", "the first one fills them")
+            twice = Reason.of("rules.filling_twice", application=name, kind=kind, at=at)
+            yield outline.note(action.icon, twice, Reason.of("rules.first_fills"))

@@ -53,7 +53,7 @@ def application_type(application: Application, syntax: Syntax) -> ActionType | t
     Refused where a hole wants an action, where the syntax has no type for it, and where it is not whole otherwise.
     """
     outline = Outline.of(application, syntax, application.name)
-    found = [Refusal(f"expected {one.expected}, found {one.found}") for one in shape.faults(outline, syntax)]
+    found = [Refusal(one.reason) for one in shape.faults(outline, syntax)]
     for one in hole.holes(outline, syntax):
         if not one.types:
             at = outline.at(one.passage, one.position)

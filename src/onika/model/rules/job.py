@@ -11,6 +11,7 @@ from onika.model.rules.union import tasks_of
 from onika.model.syntax import Syntax, same_type
 from onika.model.task import Task
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 def faults(
@@ -30,7 +31,7 @@ def faults(
             yield from _type(outline, passage, action, configuration, syntax, tasks)
         elif name not in unread:
             at = outline.at(passage, action.position)
-            yield outline.fault(action.icon, f"the configuration {name}", f"none for {at}")
+            yield outline.fault(action.icon, Reason.of("rules.configuration_missing", name=name, at=at))
 
 
 def whole(
@@ -42,15 +43,16 @@ def whole(
     """
     outline, passage, position = use
     icon, name = passage.flow.steps[position], configuration.name
-    at = f"`{name}`, step {position} of {outline.where(passage)}"
+    shown = Reason.of("rules.icon", name=name)
+    at = Reason.of("rules.at", step=shown, position=position, flow=outline.where(passage))
     if not configuration.placed:
-        yield outline.fault(icon, "tasks", f"none in {at}")
+        yield outline.fault(icon, Reason.of("rules.configuration_empty", at=at))
     for placed in configuration.placed:
         if placed.task not in tasks and placed.task not in unread:
-            yield outline.fault(icon, f"the task {placed.task}", f"none for {at}")
+            yield outline.fault(icon, Reason.of("rules.task_missing", name=placed.task, at=at))
     for one, other in combinations(tasks_of([configuration], tasks), 2):
         for refusal in placement.refusals(other, [one]):
-            yield outline.fault(icon, "tasks that may stand together", f"`{other.name}` in {at}: {refusal.reason}")
+            yield outline.fault(icon, Reason.of("rules.tasks_clash", name=other.name, at=at, why=refusal.reason))
 
 
 def _type(
@@ -70,9 +72,8 @@ def _type(
     at = outline.at(passage, action.position)
     if trigger is None:
         if known.needs_target and len(placed) == len(configuration.placed):
-            yield outline.fault(
-                action.icon, f"a task with OBJECT {known.name} in `{configuration.name}`", f"none at {at}"
-            )
+            missing = Reason.of("rules.trigger_missing", kind=known.name, configuration=configuration.name, at=at)
+            yield outline.fault(action.icon, missing)
         return
     wanted = syntax.find(trigger.object_type or "")
     if wanted is None:
@@ -83,8 +84,9 @@ def _type(
     )
     is_alike = len(has) == len(needs) and all(map(same_type, has, needs))
     if wanted.name != known.name or not is_alike:
-        expected = f"a {_shown(wanted.name, needs)}, as its trigger `{trigger.name}` says"
-        yield outline.fault(action.icon, expected, f"{_shown(known.name, has)} for {at}")
+        here, there = _shown(known.name, has), _shown(wanted.name, needs)
+        reason = Reason.of("rules.kind_of_trigger", wanted=there, trigger=trigger.name, kind=here, at=at)
+        yield outline.fault(action.icon, reason)
 
 
 def _written(name: str, syntax: Syntax) -> str:
@@ -93,5 +95,5 @@ def _written(name: str, syntax: Syntax) -> str:
     return kind.name if kind else name
 
 
-def _shown(name: str, more: tuple[str, ...]) -> str:
-    return " with ".join([name, *more]) if len(more) < 2 else f"{name} with {', '.join(more[:-1])} and {more[-1]}"
+def _shown(name: str, more: tuple[str, ...]) -> Reason:
+    return Reason.of("rules.kind_with", kind=name, targets=more) if more else Reason.plain(name)

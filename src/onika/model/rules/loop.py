@@ -5,7 +5,8 @@ from dataclasses import dataclass
 
 from onika.model.application import Action, AppFlow, Icon, actions
 from onika.model.syntax import Syntax
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,7 +36,7 @@ _Marks = dict[str, list[_Mark]]
 
 
 def faults(
-    flow: AppFlow, syntax: Syntax, where: str, place: Place, every: Sequence[Action] | None = None
+    flow: AppFlow, syntax: Syntax, where: Reason, place: Place, every: Sequence[Action] | None = None
 ) -> tuple[Fault, ...]:
     """What is wrong with the loop tags of a flow; `where` names it in the text.
 
@@ -46,22 +47,19 @@ def faults(
     """
     marked = _marked(flow, actions(flow, syntax) if every is None else every)
     told = (*_counts(marked, where), *_shared(marked, where), *_crossings(marked, where))
-    return tuple(
-        Fault(Place(place.file, mark.icon.line), expected, found, "the application is not run")
-        for mark, expected, found in told
-    )
+    return tuple(Fault(Place(place.file, mark.icon.line), reason, NOT_RUN) for mark, reason in told)
 
 
 def loops(flow: AppFlow, every: Sequence[Action]) -> tuple[Loop, ...]:
     """The well-formed loops of a flow whose actions are `every`."""
     marked = _marked(flow, every)
-    broken = {mark.icon.while_tag for mark, _, _ in (*_counts(marked, ""), *_shared(marked, ""))}
+    broken = {mark.icon.while_tag for mark, _ in (*_counts(marked, NOTHING), *_shared(marked, NOTHING))}
     found = {tag: loop for tag, loop in _whole(marked).items() if tag not in broken}
     crossing = {loop for pair in _crossing(found) for loop in pair}
     return tuple(loop for loop in found.values() if loop not in crossing)
 
 
-_Told = Iterator[tuple[_Mark, str, str]]
+_Reasons = Iterator[tuple[_Mark, Reason]]
 
 
 def _marked(flow: AppFlow, every: Sequence[Action]) -> _Marks:
@@ -74,27 +72,28 @@ def _marked(flow: AppFlow, every: Sequence[Action]) -> _Marks:
     return marked
 
 
-def _at(mark: _Mark) -> str:
-    return f"`{mark.icon.onikon.name}`, step {mark.position}"
+def _at(mark: _Mark) -> Reason:
+    return Reason.of("rules.step", name=mark.icon.onikon.name, position=mark.position)
 
 
-def _counts(marked: _Marks, where: str) -> _Told:
+def _counts(marked: _Marks, where: Reason) -> _Reasons:
     for tag, marks in marked.items():
         places = {mark.position for mark in marks}
         tests = {mark.position for mark in marks if mark.icon.while_test}
         if len(places) == 1 and len(marks) == 2:
-            yield marks[0], f"the loop tag {tag} at two actions of {where}", f"it twice at one, {_at(marks[0])}"
+            yield marks[0], Reason.of("rules.loop_at_one_action", tag=tag, flow=where, at=_at(marks[0]))
         elif len(places) != 2:
-            yield marks[-1], f"the loop tag {tag} twice in {where}", f"{len(places)} times, last at {_at(marks[-1])}"
+            last = _at(marks[-1])
+            yield marks[-1], Reason.of("rules.loop_tag_count", tag=tag, flow=where, count=len(places), at=last)
         if len(tests) != 1:
-            expected = f"exactly one test icon of the loop {tag} in {where}"
-            yield marks[-1], expected, f"{len(tests)}, the last icon being {_at(marks[-1])}"
+            last = _at(marks[-1])
+            yield marks[-1], Reason.of("rules.loop_test_count", tag=tag, flow=where, count=len(tests), at=last)
         for mark in marks:
             if mark.icon.while_if and mark.position not in tests:
-                yield mark, f"the condition of the loop {tag} at its test in {where}", f"it at {_at(mark)}"
+                yield mark, Reason.of("rules.loop_condition_misplaced", tag=tag, flow=where, at=_at(mark))
 
 
-def _shared(marked: _Marks, where: str) -> _Told:
+def _shared(marked: _Marks, where: Reason) -> _Reasons:
     """Actions whose job bears one tag and whose target another: an action keeps one mark only."""
     tags: dict[int, dict[str, _Mark]] = {}
     for tag, marks in marked.items():
@@ -103,7 +102,7 @@ def _shared(marked: _Marks, where: str) -> _Told:
     for _, several in sorted(tags.items()):
         if len(several) > 1:
             last = list(several.values())[-1]
-            yield last, f"one loop tag at an action of {where}", f"{' and '.join(several)} at {_at(last)}"
+            yield last, Reason.of("rules.loops_share_action", flow=where, tags=tuple(several), at=_at(last))
 
 
 def _whole(marked: _Marks) -> dict[str, Loop]:
@@ -117,10 +116,10 @@ def _whole(marked: _Marks) -> dict[str, Loop]:
     return found
 
 
-def _crossings(marked: _Marks, where: str) -> _Told:
+def _crossings(marked: _Marks, where: Reason) -> _Reasons:
     for pair in _crossing(_whole(marked)):
-        spanned = (f"{one.tag} (steps {one.start} to {one.end})" for one in pair)
-        yield marked[pair[1].tag][0], f"loops that do not cross in {where}", " and ".join(spanned)
+        spans = tuple(Reason.of("rules.loop_span", tag=loop.tag, start=loop.start, end=loop.end) for loop in pair)
+        yield marked[pair[1].tag][0], Reason.of("rules.loops_cross", flow=where, loops=spans)
 
 
 def _crossing(spans: dict[str, Loop]) -> Iterator[tuple[Loop, Loop]]:

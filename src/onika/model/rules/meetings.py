@@ -8,7 +8,8 @@ from collections.abc import Iterator
 
 from onika.model.rules.waits import Explored, FlowWait, Knot, Waits
 from onika.wire.plan import Do, Meet, Plan, PlannedAction
-from onika.words.fault import Fault, Place, parted
+from onika.words.fault import NOT_RUN, Fault, Place, parted
+from onika.words.reason import Reason, Text
 
 LIMIT = 100_000
 """States that are looked at; more are beyond what a person can have meant."""
@@ -51,50 +52,56 @@ class _Finder:
         for wait in explored.idling[:EXAMPLES]:
             yield Fault(
                 self._place(wait),
-                "tags that every flow comes to",
-                f"{self._waiting(wait)}, which goes round in a loop that ends only when the user lets it leave",
-                "the application is run",
+                Reason.of("rules.tag_in_endless_loop", wait=self._waiting(wait)),
+                Reason.of("rules.is_run"),
                 is_note=True,
             )
         if not explored.is_whole:
             yield Fault(
                 Place(self._file(family)),
-                f"tags that can be looked at in {explored.states} states of the flows",
-                f"more in {', '.join(map(self._flow, family))}",
-                "the application is run; not every deadlock is foretold",
+                Reason.of("rules.tags_too_many", states=explored.states, flows=tuple(map(self._flow, family))),
+                Reason.of("rules.deadlocks_unforeseen"),
                 is_note=True,
             )
 
     def _certain(self, knot: Knot) -> Fault:
-        return Fault(self._place(knot.waits[0]), _expected(knot), self._knot(knot), "the application is not run")
+        wait = self._knot(knot)
+        reason = (
+            Reason.of("rules.tags_in_order", wait=wait)
+            if knot.is_circle
+            else Reason.of("rules.tags_as_often", wait=wait)
+        )
+        return Fault(self._place(knot.waits[0]), reason, NOT_RUN)
 
     def _possible(self, knot: Knot) -> Fault:
         choices = [f"{self._flow(flow)} {choice}" for flow, choice in knot.choices]
         told = choices if len(choices) <= EXAMPLES else ["…", *choices[-EXAMPLES:]]
-        when = f"when {', '.join(told)}" if told else "in some runs"
-        return Fault(
-            self._place(knot.waits[0]),
-            f"{_expected(knot)}, whatever is chosen",
-            f"{self._knot(knot)}, {when}",
-            "the application is run; a flow that stands there can be let pass",
-            is_note=True,
-        )
+        when = Reason.of("rules.when_chosen", choices=tuple(told)) if told else Reason.of("rules.in_some_runs")
+        wait = self._knot(knot)
+        if knot.is_circle:
+            reason = Reason.of("rules.tags_in_order_always", wait=wait, when=when)
+        else:
+            reason = Reason.of("rules.tags_as_often_always", wait=wait, when=when)
+        return Fault(self._place(knot.waits[0]), reason, Reason.of("rules.flow_may_pass"), is_note=True)
 
-    def _knot(self, knot: Knot) -> str:
-        ending = "" if knot.is_circle else ", which has ended by then"
-        return ", which ".join([self._waiting(knot.waits[0]), *map(self._waits_on, knot.waits[1:])]) + ending
+    def _knot(self, knot: Knot) -> Reason:
+        wait = self._waiting(knot.waits[0])
+        for further in knot.waits[1:]:
+            wait = Reason.of("rules.wait_which", wait=wait, further=self._waits_on(further))
+        return wait
 
-    def _waiting(self, wait: FlowWait) -> str:
-        return f"{self._flow(wait.flow)} {self._waits_on(wait)}"
+    def _waiting(self, wait: FlowWait) -> Reason:
+        return Reason.of("rules.flow_waits", flow=self._flow(wait.flow), wait=self._waits_on(wait))
 
-    def _waits_on(self, wait: FlowWait) -> str:
+    def _waits_on(self, wait: FlowWait) -> Reason:
         other = self._flow(wait.other)
         if wait.at < 0:
-            return f"is begun by {other} only"
+            return Reason.of("rules.begun_by", other=other)
         here = self._waits.programs[wait.flow][wait.at]
         if not isinstance(here, Meet):
-            return f"waits for the end of {other}"
-        return f"waits at {_name(here.tag)} ({self._place(wait)}, {self._action_name(wait)}) for {other}"
+            return Reason.of("rules.waits_for_end", other=other)
+        tag, place, action = _name(here.tag), str(self._place(wait)), self._action_name(wait)
+        return Reason.of("rules.waits_at", tag=tag, place=place, action=action, other=other)
 
     def _action(self, wait: FlowWait) -> PlannedAction | None:
         """The action that a flow would go on with, or where there is none the one before."""
@@ -103,9 +110,9 @@ class _Finder:
         index = next((one.action for one in near if isinstance(one, Do)), None)
         return None if index is None else self._plan.flows[wait.flow].actions[index]
 
-    def _action_name(self, wait: FlowWait) -> str:
+    def _action_name(self, wait: FlowWait) -> Text:
         action = self._action(wait)
-        return action.name if action else "its end"
+        return action.name if action else Reason.of("rules.its_end")
 
     def _place(self, wait: FlowWait) -> Place:
         action = self._action(wait)
@@ -119,11 +126,7 @@ class _Finder:
         return self._plan.flows[number].subsystem
 
 
-def _expected(knot: Knot) -> str:
-    return "tags in an order in which the flows can meet" if knot.is_circle else "tags as often in each flow"
-
-
-def _name(tag: str) -> str:
+def _name(tag: str) -> Text:
     """A tag as its file has it, and the nested application it belongs to."""
     *within, name = tag.rsplit(" ", 1)
-    return f"{name} of {within[0]}" if within else name
+    return Reason.of("rules.tag_of", tag=name, application=within[0]) if within else name

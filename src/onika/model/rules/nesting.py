@@ -7,6 +7,7 @@ from onika.model.application import Action, Application
 from onika.model.rules.outline import Outline, Passage
 from onika.model.syntax import Syntax
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 MOST = 100_000
 """Actions that an application may have together with all that are nested in it, each time they are."""
@@ -78,7 +79,7 @@ def missing(outline: Outline, syntax: Syntax, known: frozenset[str]) -> Iterator
         name = action.icon.onikon.name
         if name not in known:
             at = outline.at(passage, action.position)
-            yield outline.fault(action.icon, f"the application {name}", f"none for {at}")
+            yield outline.fault(action.icon, Reason.of("rules.application_missing", name=name, at=at))
 
 
 def _uses(outline: Outline, syntax: Syntax) -> Iterator[Use]:
@@ -92,9 +93,12 @@ def _is_application(action: Action, syntax: Syntax) -> bool:
 
 def _circle(outer: Outline, use: Use, names: list[str]) -> Fault:
     passage, action = use
-    circle = " in ".join((names[0], *reversed(names)))
+    circle = Reason.plain(names[0])
+    for name in names[1:]:
+        circle = Reason.of("rules.inside", inner=name, outer=circle)
+    circle = Reason.of("rules.inside", inner=names[0], outer=circle)
     at = outer.at(passage, action.position)
-    return outer.fault(action.icon, "no application within itself", f"{circle}, at {at}")
+    return outer.fault(action.icon, Reason.of("rules.application_circle", circle=circle, at=at))
 
 
 def _too_much(found: Nest, syntax: Syntax) -> Iterator[Fault]:
@@ -111,6 +115,6 @@ def _too_much(found: Nest, syntax: Syntax) -> Iterator[Fault]:
         sizes[name], depths[name] = min(size, MOST + 1), depth
     name = found.top.application.name
     if sizes[name] > MOST:
-        yield found.top.fault(None, f"at most {MOST} actions, nested ones counted each time", "more")
+        yield found.top.fault(None, Reason.of("rules.actions_too_many", most=MOST))
     if depths[name] > DEEPEST:
-        yield found.top.fault(None, f"at most {DEEPEST} applications and branches within each other", f"{depths[name]}")
+        yield found.top.fault(None, Reason.of("rules.nested_too_deep", most=DEEPEST, depth=depths[name]))

@@ -3,9 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from onika.model.application import Action, AppFlow, Application, Branch, Hole, Icon, Step, actions, flows_within
+from onika.model.application import Action, AppFlow, Application, Branch, Icon, Step, actions, flows_within
 from onika.model.syntax import Syntax
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,6 +19,11 @@ class Passage:
     actions: tuple[Action, ...]
     is_inner: bool = False
     """Whether it is a flow of a branch."""
+
+    @property
+    def named(self) -> Reason:
+        """Its name in texts."""
+        return Reason.plain(self.path) if self.is_inner else Reason.of("rules.flow", number=self.number)
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,30 +55,31 @@ class Outline:
         """The passages of one flow: itself, then those of its branches."""
         return (passage for passage in self.passages if passage.number == number)
 
-    def where(self, passage: Passage) -> str:
+    def where(self, passage: Passage) -> Reason:
         """The name of a passage in texts: `flow 1, step 3, branch 0`, of which application if that is nested."""
-        return f"{passage.path} of `{self.application.name}`" if self.is_nested else passage.path
+        flow = passage.named
+        return Reason.of("rules.flow_within", flow=flow, application=self.application.name) if self.is_nested else flow
 
-    def at(self, passage: Passage, position: int) -> str:
+    def at(self, passage: Passage, position: int) -> Reason:
         """The name of a step in texts: `` `there`, step 3 of flow 0``."""
-        step = passage.flow.steps[position]
-        return f"{shown(step)}, step {position} of {self.where(passage)}"
+        step = shown(passage.flow.steps[position])
+        return Reason.of("rules.at", step=step, position=position, flow=self.where(passage))
 
     def place(self, step: Step | None = None) -> Place:
         """The line at which a step stands, where it was read from a file; without one the whole file."""
         return Place(self.file, step.line if step else 0)
 
-    def fault(self, step: Step | None, expected: str, found: str) -> Fault:
+    def fault(self, step: Step | None, reason: Reason) -> Fault:
         """What keeps the application from being run."""
-        return Fault(self.place(step), expected, found, "the application is not run")
+        return Fault(self.place(step), reason, NOT_RUN)
 
-    def note(self, step: Step | None, expected: str, found: str, instead: str) -> Fault:
+    def note(self, step: Step | None, reason: Reason, instead: Reason) -> Fault:
         """What is worth knowing."""
-        return Fault(self.place(step), expected, found, instead, is_note=True)
+        return Fault(self.place(step), reason, instead, is_note=True)
 
 
-def shown(step: Step) -> str:
+def shown(step: Step) -> Reason:
     """A step in a text."""
     if isinstance(step, Icon):
-        return f"`{step.onikon.name}`"
-    return "a hole" if isinstance(step, Hole) else f"a branch of {len(step.flows)}" if isinstance(step, Branch) else ""
+        return Reason.of("rules.icon", name=step.onikon.name)
+    return Reason.of("rules.branch_of", count=len(step.flows)) if isinstance(step, Branch) else Reason.of("rules.hole")

@@ -1,22 +1,23 @@
 """The shape of an application: its types, pairs of action and target, and edges (requirement E01, §5.5.3)."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
-from onika.model.application import AppFlow, Branch, Icon, is_target, wanted_targets
+from onika.model.application import Branch, Icon, Step, is_target, wanted_targets
 from onika.model.rules import jigsaw
 from onika.model.rules.outline import Outline, Passage
-from onika.model.syntax import END, START, Syntax
+from onika.model.syntax import Syntax
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 
 def faults(outline: Outline, syntax: Syntax) -> Iterator[Fault]:
     """What is wrong with the steps of every flow, beside its holes."""
     if not outline.application.flows:
-        yield outline.fault(None, "at least one flow", "none")
+        yield outline.fault(None, Reason.of("rules.no_flow"))
     for passage in outline.passages:
         if not passage.flow.steps:
             if not passage.is_inner:  # a branch may do nothing
-                yield outline.fault(None, f"an action in {outline.where(passage)}", "none")
+                yield outline.fault(None, Reason.of("rules.flow_empty", flow=outline.where(passage)))
             continue
         yield from _types(outline, passage, syntax)
         yield from _pairs(outline, passage, syntax)
@@ -26,11 +27,11 @@ def faults(outline: Outline, syntax: Syntax) -> Iterator[Fault]:
 def _types(outline: Outline, passage: Passage, syntax: Syntax) -> Iterator[Fault]:
     for position, step in enumerate(passage.flow.steps):
         if isinstance(step, Icon) and syntax.acting(step.onikon.type) is None:
-            found = f"{step.onikon.type} of {outline.at(passage, position)}"
-            yield outline.fault(step, "a type the syntax defines", found)
+            at = outline.at(passage, position)
+            yield outline.fault(step, Reason.of("rules.kind_unknown", kind=step.onikon.type, at=at))
         if isinstance(step, Branch) and step.conditions and len(step.conditions) != len(step.flows) - 1:
-            found = f"{len(step.conditions)} at {outline.at(passage, position)}"
-            yield outline.fault(step, f"{len(step.flows) - 1} conditions of a branch, or none", found)
+            at, count, given = outline.at(passage, position), len(step.flows) - 1, len(step.conditions)
+            yield outline.fault(step, Reason.of("rules.condition_count", count=count, given=given, at=at))
 
 
 def _pairs(outline: Outline, passage: Passage, syntax: Syntax) -> Iterator[Fault]:
@@ -39,26 +40,31 @@ def _pairs(outline: Outline, passage: Passage, syntax: Syntax) -> Iterator[Fault
     for action in passage.actions:
         used.update(action.positions)
         for missing in wanted_targets(action.icon.onikon, syntax)[len(action.targets) :]:
-            found = f"none behind {outline.at(passage, action.position)}"
-            yield outline.fault(action.icon, f"a {missing} behind it", found)
+            at = outline.at(passage, action.position)
+            yield outline.fault(action.icon, Reason.of("rules.target_missing", kind=missing, at=at))
     for position, step in enumerate(passage.flow.steps):
         if isinstance(step, Icon) and position not in used and is_target(step, syntax):
-            found = f"none before {outline.at(passage, position)}"
-            yield outline.fault(step, "an action that takes this target", found)
+            yield outline.fault(step, Reason.of("rules.action_missing", at=outline.at(passage, position)))
 
 
 def _edges(outline: Outline, passage: Passage, syntax: Syntax) -> Iterator[Fault]:
     steps = passage.flow.steps
     for position in jigsaw.misfits(passage.flow, syntax):
-        left, right = _name(passage.flow, position - 1), _name(passage.flow, position)
-        found = f"{right} behind {left}, at step {position} of {outline.where(passage)}"
-        yield outline.fault(steps[min(position, len(steps) - 1)], "edges that fit", found)
+        reason = _misfit(steps, position, outline.where(passage))
+        yield outline.fault(steps[min(position, len(steps) - 1)], reason)
 
 
-def _name(flow: AppFlow, position: int) -> str:
-    if position < 0:
-        return START
-    if position == len(flow.steps):
-        return END
-    step = flow.steps[position]
-    return f"`{step.onikon.name}` ({step.onikon.type})" if isinstance(step, Icon) else "a branch"
+def _misfit(steps: Sequence[Step], position: int, flow: Reason) -> Reason:
+    """Why the step at a position, or the end of the flow, does not fit behind what is before it."""
+    if position == 0:
+        return Reason.of("rules.start_unfit", right=_named(steps[0]), position=position, flow=flow)
+    left = _named(steps[position - 1])
+    if position == len(steps):
+        return Reason.of("rules.end_unfit", left=left, position=position, flow=flow)
+    return Reason.of("rules.edges_unfit", left=left, right=_named(steps[position]), position=position, flow=flow)
+
+
+def _named(step: Step) -> Reason:
+    if isinstance(step, Icon):
+        return Reason.of("rules.icon_of_kind", name=step.onikon.name, kind=step.onikon.type)
+    return Reason.of("rules.branch")

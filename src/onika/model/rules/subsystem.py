@@ -8,12 +8,13 @@ from onika.model.configuration import Configuration
 from onika.model.redirect import Redirect, choice
 from onika.model.rules import union
 from onika.model.rules.nesting import Nest
-from onika.model.rules.outline import Outline, Passage, shown
+from onika.model.rules.outline import Outline, Passage
 from onika.model.rules.redirection import redirected
 from onika.model.syntax import Syntax
 from onika.model.task import Task
 from onika.words.condition import Condition
 from onika.words.fault import Fault
+from onika.words.reason import NOTHING, Reason
 
 
 @dataclass(slots=True)
@@ -67,7 +68,7 @@ def faults(
         subsystem.is_known = len(used) == len(subsystem.uses) and placed <= tasks.keys()
         outline, passage = subsystem.passages[0]
         sources = _sources(subsystem, configurations)
-        yield from union.conflicts(own, passage.path, outline.place(), sources)
+        yield from union.conflicts(own, passage.named, outline.place(), sources)
     for subsystem in found.values():
         yield from _conditions(subsystem, found)
 
@@ -104,9 +105,9 @@ def _sources(subsystem: SharedSubsystem, configurations: Mapping[str, Configurat
     found: dict[str, union.TaskOrigin] = {}
     for name, (outline, passage, position) in subsystem.uses.items():
         place = outline.place(passage.flow.steps[position])
-        inside = f" of {outline.where(passage)}" if outline.is_nested or passage.is_inner else ""
+        flow = outline.where(passage) if outline.is_nested or passage.is_inner else None
         for placed in configurations[name].placed if name in configurations else ():
-            found.setdefault(placed.task, union.TaskOrigin(place, f"in `{name}`, step {position}{inside}"))
+            found.setdefault(placed.task, union.TaskOrigin(place, name, position, flow))
     return found
 
 
@@ -119,21 +120,20 @@ def _conditions(subsystem: SharedSubsystem, every: Mapping[str, SharedSubsystem]
             elif isinstance(step, Branch):
                 given = step.conditions
             for text in given:
-                if wrong := _condition(text, subsystem, every):
-                    at = f"{shown(step)}, step {position} of {outline.where(passage)}"
-                    yield outline.fault(step, wrong, f"`{text}` at {at}")
+                if reason := _condition(text, outline.at(passage, position), subsystem, every):
+                    yield outline.fault(step, reason)
 
 
-def _condition(text: str, subsystem: SharedSubsystem, every: Mapping[str, SharedSubsystem]) -> str:
-    """What a condition should be, where it is not."""
+def _condition(text: str, at: Reason, subsystem: SharedSubsystem, every: Mapping[str, SharedSubsystem]) -> Reason:
+    """What is wrong with a condition."""
     try:
         condition = Condition.parse(text)
-    except ValueError as error:
-        return str(error).removeprefix("expected ").partition(", found ")[0]
+    except ValueError:
+        return Reason.of("rules.condition_form", text=text, at=at)
     *named, variable = condition.address.split("/")
     meant = every.get(named[0]) if named else subsystem
     if meant is None:
-        return f"a condition on a variable of {', '.join(every)}"
+        return Reason.of("rules.condition_flow", subsystems=tuple(every), text=text, at=at)
     if meant.is_known and variable not in meant.variables:
-        return f"a condition on a variable that a task of {meant.name} has"
-    return ""
+        return Reason.of("rules.condition_variable", subsystem=meant.name, text=text, at=at)
+    return NOTHING

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 
 from onika.model.rules.outline import Outline, Passage
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 _Marks = dict[str, dict[int, tuple[Passage, int]]]
 """For every tag, the flows it stands in, each with its first place there."""
@@ -23,7 +24,9 @@ def faults(outline: Outline) -> Iterator[Fault]:
         passage, position = next(iter(flows.values()))
         icon, at = passage.flow.steps[position], outline.at(passage, position)
         if not outline.application.is_parallel:
-            yield outline.note(icon, f"a parallel application for the tag {tag}", f"it at {at}", "it is ignored")
+            idle = Reason.of("rules.tag_not_parallel", tag=tag, at=at)
+            yield outline.note(icon, idle, Reason.of("rules.ignored"))
         elif len(flows) == 1:
-            expected = f"the synchronisation tag {tag} in two flows of `{outline.application.name}` or more"
-            yield outline.fault(icon, expected, f"it only at {at}")
+            yield outline.fault(
+                icon, Reason.of("rules.tag_alone", tag=tag, application=outline.application.name, at=at)
+            )

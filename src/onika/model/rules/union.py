@@ -6,7 +6,8 @@ from typing import NamedTuple
 from onika.model.configuration import Configuration
 from onika.model.rules import placement
 from onika.model.task import Task
-from onika.words.fault import Fault, Place
+from onika.words.fault import NOT_RUN, Fault, Place
+from onika.words.reason import Reason
 
 DEVICE = "DEVICE"
 """The LOCAL parameter whose first word is the device a hardware task claims."""
@@ -16,10 +17,13 @@ _Both = tuple[str, Task, Task]
 
 
 class TaskOrigin(NamedTuple):
-    """The icon that brings a task into a flow: its line and its name in texts."""
+    """The icon that brings a task into a flow: its line, its configuration, its position, and of which flow."""
 
     place: Place
-    shown: str
+    configuration: str
+    position: int
+    flow: Reason | None
+    """Its name, where that is not clear from what the texts say else."""
 
 
 def tasks_of(configurations: Iterable[Configuration], tasks: Mapping[str, Task]) -> tuple[Task, ...]:
@@ -29,7 +33,7 @@ def tasks_of(configurations: Iterable[Configuration], tasks: Mapping[str, Task])
 
 
 def conflicts(
-    tasks: Sequence[Task], where: str, place: Place, sources: Mapping[str, TaskOrigin] | None = None
+    tasks: Sequence[Task], where: Reason, place: Place, sources: Mapping[str, TaskOrigin] | None = None
 ) -> tuple[Fault, ...]:
     """What may not live side by side in one subsystem, though never ON together; `where` names the flow.
 
@@ -39,27 +43,26 @@ def conflicts(
     """
     known = sources or {}
 
-    def fault(expected: str, found: str, *both: Task) -> Fault:
-        source = known.get(both[-1].name)
-        named = " and ".join(_shown(task, known) for task in both)
-        return Fault(
-            source.place if source else place,
-            expected,
-            f"{found} {named} of {where}",
-            "the application is not run",
-        )
+    def named(*both: Task) -> tuple[Reason, ...]:
+        return tuple(_shown(task, known.get(task.name)) for task in both)
 
-    found = [
-        *(fault("every module once in a flow", f"{one} in", *both) for one, *both in _twice(tasks, _module)),
-        *(fault("every device claimed once in a flow", f"{one} by", *both) for one, *both in _twice(tasks, devices)),
-        *(
-            fault("one supplier of each constant in a flow", f"{one} from", *both)
-            for one, *both in _twice(tasks, _given)
-        ),
-        *(fault("constants that are given at initialisation", f"{one} between", *both) for one, *both in _late(tasks)),
-        *(fault(f"a task that gives the constant {one}", "none for", task) for one, task in _unsupplied(tasks)),
-    ]
-    return tuple(found)
+    def fault(last: Task, reason: Reason) -> Fault:
+        source = known.get(last.name)
+        return Fault(source.place if source else place, reason, NOT_RUN)
+
+    faults = []
+    for module, *both in _twice(tasks, _module):
+        faults.append(fault(both[-1], Reason.of("rules.module_twice", module=module, tasks=named(*both), flow=where)))
+    for device, *both in _twice(tasks, devices):
+        faults.append(fault(both[-1], Reason.of("rules.device_twice", device=device, tasks=named(*both), flow=where)))
+    for svar, *both in _twice(tasks, _given):
+        reason = Reason.of("rules.constant_twice", constants=(svar,), tasks=named(*both), flow=where)
+        faults.append(fault(both[-1], reason))
+    for svar, *both in _late(tasks):
+        faults.append(fault(both[-1], Reason.of("rules.constant_late", constant=svar, tasks=named(*both), flow=where)))
+    for svar, task in _unsupplied(tasks):
+        faults.append(fault(task, Reason.of("rules.constant_missing", constant=svar, tasks=named(task), flow=where)))
+    return tuple(faults)
 
 
 def variables(tasks: Iterable[Task]) -> frozenset[str]:
@@ -67,9 +70,15 @@ def variables(tasks: Iterable[Task]) -> frozenset[str]:
     return frozenset[str]().union(*(task.inputs | task.outputs for task in tasks))
 
 
-def _shown(task: Task, sources: Mapping[str, TaskOrigin]) -> str:
-    source = sources.get(task.name)
-    return f"`{task.name}` ({source.shown})" if source else f"`{task.name}`"
+def _shown(task: Task, source: TaskOrigin | None) -> Reason:
+    if source is None:
+        return Reason.of("rules.icon", name=task.name)
+    configuration, position = source.configuration, source.position
+    if source.flow is None:
+        return Reason.of("rules.task_in", name=task.name, configuration=configuration, position=position)
+    return Reason.of(
+        "rules.task_in_flow", name=task.name, configuration=configuration, position=position, flow=source.flow
+    )
 
 
 def _twice(tasks: Sequence[Task], keys: Callable[[Task], Iterable[str]]) -> Iterator[_Both]:

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from onika.model.task import Task
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 
 def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
@@ -11,9 +12,8 @@ def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
     return tuple(
         Fault(
             place,
-            f"variables that `{task.name}` reads or writes",
-            f"{svar}, which it does both",
-            "it is used as it is",
+            Reason.of("rules.self_fed", task=task.name, svar=svar),
+            Reason.of("rules.used_as_it_is"),
             is_note=True,
         )
         for svar in sorted(task.inputs & task.outputs)
@@ -23,16 +23,15 @@ def self_fed(task: Task, place: Place) -> tuple[Fault, ...]:
 def hanging(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
     """Equation (6): each variable that some task of a configuration reads and none writes."""
     written = frozenset[str]().union(*(task.outputs for task in tasks))
-    readers: dict[str, list[str]] = {}
+    readers: dict[str, list[Reason]] = {}
     for task in tasks:
         for svar in sorted(task.inputs - written):
-            readers.setdefault(svar, []).append(f"`{task.name}`")
+            readers.setdefault(svar, []).append(Reason.of("rules.icon", name=task.name))
     return tuple(
         Fault(
             place,
-            f"a task that writes {svar}",
-            f"only {' and '.join(names)}, reading it",
-            "it keeps its last value",
+            Reason.of("rules.hanging", svar=svar, tasks=tuple(names)),
+            Reason.of("rules.keeps_last_value"),
             is_note=True,
         )
         for svar, names in sorted(readers.items())
@@ -45,9 +44,8 @@ def further_triggers(tasks: Sequence[Task], place: Place) -> tuple[Fault, ...]:
     return tuple(
         Fault(
             place,
-            "one task that takes the target",
-            f"`{task.name}` ({task.object_type}) beside `{triggers[0].name}`",
-            f"the job is a {triggers[0].object_type}, by `{triggers[0].name}`",
+            Reason.of("rules.further_trigger", task=task.name, kind=task.object_type or "", first=triggers[0].name),
+            Reason.of("rules.kind_by", kind=triggers[0].object_type or "", first=triggers[0].name),
             is_note=True,
         )
         for task in triggers[1:]

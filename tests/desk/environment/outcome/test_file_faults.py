@@ -1,9 +1,14 @@
 from onika.desk.environment.outcome.file_faults import told
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
+
+LEFT_OUT = Reason.of("words.left_out")
 
 
-def fault(file, number=0, instead="it is left out", *, is_note=False):
-    return Fault(Place(f"/lab/boxes/{file}", number), "a `name`", "none", instead, is_note=is_note)
+def fault(file, number=0, instead=LEFT_OUT, *, is_note=False):
+    return Fault(
+        Place(f"/lab/boxes/{file}", number), Reason.plain("expected a `name`, found none"), instead, is_note=is_note
+    )
 
 
 def several(folder, count, **more):
@@ -17,7 +22,7 @@ def test_few_files_are_told_one_by_one():  # R-D15
 
 
 def test_many_files_that_a_dictionary_or_library_lists_are_one_line():  # R-D15, R-C01
-    second = {"instead": "the first one is used", "is_note": True}
+    second = {"instead": Reason.of("words.first_used"), "is_note": True}
     lines = told([*several("dict", 12, **second), *several("module", 4)])
     assert [(one.level, one.text) for one in lines] == [
         ("info", "12 files of boxes/dict are left out; the dictionary lists them"),

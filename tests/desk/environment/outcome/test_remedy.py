@@ -4,6 +4,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import ShowPin, ShowTask
 from onika.words.fault import Fault, Place, Refusal
+from onika.words.reason import Reason
 
 CUBIC = Task("cubic", "cubic", outvar=("Q_REF",))
 TRAPEZ = Task("trapez", "trapez", outvar=("Y",), aliases=(("Y", "Q_REF"),))
@@ -38,7 +39,10 @@ def test_to_overwrite_is_offered_only_where_that_would_help():  # R-X01
 
 
 def test_a_file_with_a_thousand_faults_is_refused_in_a_few_sentences():  # R-X01
-    faults = [Fault(Place("many.appl", line), "a keyword", "none", "it is left out") for line in range(1, 1001)]
+    faults = [
+        Fault(Place("many.appl", line), Reason.plain("expected a keyword, found none"), Reason.plain("it is left out"))
+        for line in range(1, 1001)
+    ]
     said = unreadable("many.appl", faults)
     assert "many.appl:4: expected a keyword" in said
     assert said.endswith("; and 996 more, see onika check")

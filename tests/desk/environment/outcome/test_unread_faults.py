@@ -6,15 +6,21 @@ from onika.model.application import AppFlow, Application, Icon
 from onika.wire import act
 from onika.wire.view import ShowStep
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 
 def test_a_fault_is_told_at_the_step_in_whose_lines_it_stands():
     first, second = (replace(Icon(ONIKONS[0]), line=line, number=number) for line, number in ((5, 1), (40, 2)))
     application = Application("a", False, (AppFlow((first, second)),))
     faults = (
-        Fault(Place("a.appl", 3), "conditional", "odd", "left out"),
-        Fault(Place("a.appl", 39), "`x`", "y", "left out"),
-        Fault(Place("a.appl", 41), "a type", "Warp job", "it acts as Complete job", is_note=True),
+        Fault(Place("a.appl", 3), Reason.plain("expected conditional, found odd"), Reason.plain("left out")),
+        Fault(Place("a.appl", 39), Reason.plain("expected `x`, found y"), Reason.plain("left out")),
+        Fault(
+            Place("a.appl", 41),
+            Reason.plain("expected a type, found Warp job"),
+            Reason.plain("it acts as Complete job"),
+            is_note=True,
+        ),
     )
     head, one, two = told(application, faults, is_partial=True)
     assert (head.step, one.step, two.step) == (0, 1, 2)

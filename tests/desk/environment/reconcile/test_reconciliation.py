@@ -7,9 +7,12 @@ from onika.desk.environment.reconcile.reconciliation import accepted, edited
 from onika.model.lifecycle import State
 from onika.model.task import Task
 from onika.wire import act, event, live, request
+from onika.words.reason import Reason
 
 TASKS = tuple(Task(name, name, outvar=(name.upper(),), frequency=10.0) for name in ("a", "b", "c"))
-FAULT = request.FaultText("/base/module/b.py", 7, "a port X", "none", "nothing is changed")
+FAULT = request.FaultText(
+    "/base/module/b.py", 7, Reason.plain("expected a port X, found none"), Reason.plain("nothing is changed")
+)
 
 
 @pytest.fixture

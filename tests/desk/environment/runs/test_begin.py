@@ -4,6 +4,7 @@ from kit.laboratory import HOLE, job
 from kit.run_fixture import RunFixture
 from onika.wire import act, event, live, request
 from onika.wire.view import ShowFits, ShowValues
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -111,7 +112,14 @@ def test_an_end_that_is_told_before_it_is_accepted_counts(play):
 def test_the_runtimes_own_faults_lead_to_their_step(play, tmp_path):  # R-E01
     doc = play.open([job("aC"), job("bC")])
     file = str(tmp_path / "appl" / "play.appl")
-    play.runtime.faults = (request.FaultText(file, 2, "values for b", "bC: expected 1 double, found none", ""),)
+    play.runtime.faults = (
+        request.FaultText(
+            file,
+            2,
+            Reason.of("host.values_unfit", task="b", target="bC", why="expected 1 double, found none"),
+            Reason.plain(""),
+        ),
+    )
     no = play.answer(act.Run(doc)).no
     assert "bC does not suit b" in no.reason and no.remedies[0].show == ShowValues(2)
     assert play.environment.tree.run is None

@@ -4,8 +4,10 @@ from msgspec.structs import replace
 from kit.laboratory import HOLE, job
 from kit.run_fixture import RunFixture
 from onika.wire import act, request
+from onika.words.fault import NOT_RUN
+from onika.words.reason import Reason
 
-FAR = ("a target within reach", "home: joint 3 at 9.00 rad is beyond 3.93", "the application is not run")
+FAR = (Reason.of("host.unreachable", target="home", why="joint 3 at 9.00 rad is beyond 3.93"), NOT_RUN)
 
 
 @pytest.fixture
@@ -86,7 +88,14 @@ def test_a_task_that_cannot_live_as_it_is_is_told_with_who_could_stand_for_it(pl
     play.files.plain_task("twin", writes="A")
     doc = play.open([job("bC"), job("aC")])
     rmod = str(play.files.path / "module" / "a.rmod")
-    play.runtime.faults = (request.FaultText(rmod, 0, "a device of world w (arm_left)", "DEVICE arm", "not run"),)
+    play.runtime.faults = (
+        request.FaultText(
+            rmod,
+            0,
+            Reason.of("host.no_such_device", world="w", devices=("arm_left",), device="arm"),
+            Reason.plain("not run"),
+        ),
+    )
     play.do(act.Preflight(doc))
     (fault,) = shown(play, doc).faults.values()
     assert (fault.step, fault.text) == (2, "there is no device arm; w has arm_left")

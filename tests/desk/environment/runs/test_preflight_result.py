@@ -7,6 +7,7 @@ from onika.desk.environment.runs.readiness import Case, Judge, judged
 from onika.desk.environment.state.open_application import Looked
 from onika.wire import act, request
 from onika.wire.view import ShowValues
+from onika.words.reason import Reason
 
 
 @pytest.fixture
@@ -30,7 +31,14 @@ def test_what_was_found_is_of_the_content_the_redirections_and_the_runtime_of_th
 
 def test_what_was_found_in_files_that_have_changed_is_forgotten(play, tmp_path):  # R-X02
     doc = play.open([job("aC")])
-    play.runtime.faults = (request.FaultText(str(tmp_path / "module" / "a.rmod"), 0, "a device", "DEVICE arm", "x"),)
+    play.runtime.faults = (
+        request.FaultText(
+            str(tmp_path / "module" / "a.rmod"),
+            0,
+            Reason.plain("expected a device, found DEVICE arm"),
+            Reason.plain("x"),
+        ),
+    )
     play.do(act.Preflight(doc))
     model, judge = play.environment.model, Judge(play.site)
     before = Case(model.applications[doc], model.syntax, ())
@@ -45,7 +53,12 @@ def test_what_was_found_in_files_that_have_changed_is_forgotten(play, tmp_path):
 def test_a_target_is_named_by_its_icon_and_marked_there(play, tmp_path):  # R-X02
     doc = play.open([job("aC", "Joint job"), target("home", "Joint object", "0 0", "1.0"), job("bC")])
     file = str(tmp_path / "appl" / "play.appl")
-    far = request.FaultText(file, 1, "a target within reach", "home: joint 3 at 9.00 rad is beyond 3.93", "x")
+    far = request.FaultText(
+        file,
+        1,
+        Reason.of("host.unreachable", target="home", why="joint 3 at 9.00 rad is beyond 3.93"),
+        Reason.plain("x"),
+    )
     play.runtime.faults = (far,)
     play.do(act.Preflight(doc))
     fault = next(one for one in play.environment.tree.applications[doc].faults.values() if one.is_of_runtime)

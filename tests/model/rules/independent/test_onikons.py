@@ -4,16 +4,20 @@ from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings, strategies as st
+from tests.sentences import found_by
 
 from onika.model.application import AppFlow, Hole, Icon
 from onika.model.rules import jigsaw, loop
 from onika.model.syntax import IconType, Syntax
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 from . import onikons as naive
 from .drawn import PLACEABLE, TYPES, edges_of, flow, icon, line, lines, marked, syntaxes
 
 places = st.integers(-1, 5)
+
+FLOW = Reason.of("rules.flow", number=0)
 
 
 def insertions_agree(syntax: Syntax, kinds: naive.Line, after: int, kind: str) -> None:
@@ -46,7 +50,7 @@ def loops_agree(kinds: naive.Line, syntax: Syntax, data: st.DataObject) -> None:
     )
     tags = {at: step.while_tag for at, step in enumerate(steps) if isinstance(step, Icon) and step.while_tag}
     tests = {at: step.while_test for at, step in enumerate(steps) if isinstance(step, Icon)}
-    found = loop.faults(replace(drawn, steps=steps), syntax, "flow 0", Place("x"))
+    found = loop.faults(replace(drawn, steps=steps), syntax, FLOW, Place("x"))
     assert (not found) == naive.loops_are_well_formed(groups, tags, tests)
 
 
@@ -115,7 +119,7 @@ def test_an_action_is_in_one_loop_whichever_of_its_icons_bears_the_mark() -> Non
     def told(tags: list[str | None], tests: list[bool]) -> list[str]:
         marks = zip(kinds, tags, tests, strict=True)
         steps = tuple(replace(icon(kind or ""), while_tag=tag, while_test=test) for kind, tag, test in marks)
-        return [fault.found for fault in loop.faults(AppFlow(steps), syntax, "flow 0", Place("x"))]
+        return [found_by(fault) for fault in loop.faults(AppFlow(steps), syntax, FLOW, Place("x"))]
 
     assert told(["a", "a", "a", None], [True, True, False, False]) == []
     assert told(["a", "a", "a", None], [False, True, False, False]) == []

@@ -4,10 +4,12 @@ from itertools import product
 
 import pytest
 from hypothesis import given, settings, strategies as st
+from tests.sentences import expected_by, found_by
 
 from onika.model.rules import placement, union, warning
 from onika.model.task import Task
 from onika.words.fault import Place
+from onika.words.reason import Reason
 
 from . import tasks as naive
 from .drawn import KINDS, libraries, made
@@ -16,13 +18,15 @@ PLACE = Place("x")
 ENDS = [way + kind for way in ("IN", "OUT") for kind in KINDS]
 PAIRS = list(product(ENDS, ENDS))
 
+FLOW = Reason.of("rules.flow", number=0)
+
 
 def agree(library: tuple[Task, ...], placed: tuple[Task, ...]) -> None:
     assert set(placement.greyed(library, placed)) == naive.greyed(library, placed)
     for task in library:
-        assert {fault.found.split(",")[0] for fault in warning.self_fed(task, PLACE)} == naive.self_fed(task)
-    assert {fault.expected.split()[-1] for fault in warning.hanging(library, PLACE)} == naive.hanging(library)
-    told = [fault.expected for fault in union.conflicts(library, "flow 0", PLACE)]
+        assert {found_by(fault).split(",")[0] for fault in warning.self_fed(task, PLACE)} == naive.self_fed(task)
+    assert {expected_by(fault).split()[-1] for fault in warning.hanging(library, PLACE)} == naive.hanging(library)
+    told = [expected_by(fault) for fault in union.conflicts(library, FLOW, PLACE)]
     conflicts = [each for each in told if not each.startswith("a task that gives")]
     assert (not conflicts) == naive.union_is_free(library)
 

@@ -21,30 +21,30 @@ from onika.words.fault import Refusal
 
 
 @on_document
-def copy(model: Model, document: Document, asked: act.Copy, _outside: Surroundings) -> Done | No:
+def copy(model: Model, document: Document, command: act.Copy, _outside: Surroundings) -> Done | No:
     """Take tasks into the buffer; the value is their text."""
-    refused = _nothing(asked.tasks) or absent(document, asked.tasks)
+    refused = _nothing(command.tasks) or absent(document, command.tasks)
     if refused:
         return refused
-    boxes = model.shelf.boxes(asked.tasks).values()
+    boxes = model.shelf.boxes(command.tasks).values()
     svars = (pin.svar for box in boxes for pin in box.pins)
-    taken = copied(document.content.configuration, asked.tasks, svars)
+    taken = copied(document.content.configuration, command.tasks, svars)
     return Done(replace(model, buffer=taken), value=write(taken))
 
 
-def cut(model: Model, asked: act.Cut, outside: Surroundings) -> Done | No:
+def cut(model: Model, command: act.Cut, outside: Surroundings) -> Done | No:
     """Take tasks into the buffer and remove them, as one step."""
-    taken = copy(model, act.Copy(asked.doc, asked.tasks), outside)
+    taken = copy(model, act.Copy(command.doc, command.tasks), outside)
     if isinstance(taken, No):
         return taken
-    done = remove(taken.model, act.Remove(asked.doc, asked.tasks), outside)
-    return done if isinstance(done, No) else replace(done, label=f"cutting {several(asked.tasks)}", value=taken.value)
+    done = remove(taken.model, act.Remove(command.doc, command.tasks), outside)
+    return done if isinstance(done, No) else replace(done, label=f"cutting {several(command.tasks)}", value=taken.value)
 
 
 @on_document
-def paste(model: Model, document: Document, asked: act.Paste, _outside: Surroundings) -> Done | No:
+def paste(model: Model, document: Document, command: act.Paste, _outside: Surroundings) -> Done | No:
     """Place what is in the buffer or in a text, as one step; the value is the names of the tasks."""
-    taken = read(asked.text) if asked.text else model.buffer
+    taken = read(command.text) if command.text else model.buffer
     if isinstance(taken, str):
         return No(taken)
     if not taken.placed:
@@ -52,29 +52,29 @@ def paste(model: Model, document: Document, asked: act.Paste, _outside: Surround
     against = objections(model.shelf, document, taken)
     if against:
         return refusal("nothing is pasted", against)
-    names = tuple(one.task for one in taken.placed)
-    return placed(model, document, taken.at(*inside(asked.x, asked.y)), f"pasting {several(names)}")
+    names = tuple(placed.task for placed in taken.placed)
+    return placed(model, document, taken.at(*inside(command.x, command.y)), f"pasting {several(names)}")
 
 
 def placed(model: Model, document: Document, taken: Copied, label: str) -> Done:
     """The tasks on the canvas, and with them their supermodules and the loci that were not there before."""
-    names = tuple(one.task for one in taken.placed)
+    names = tuple(placed.task for placed in taken.placed)
     configuration = document.content.configuration
-    known = {one.svar for one in configuration.loci}
-    new = tuple(_inside(one) for one in taken.placed)
+    svars = {locus.svar for locus in configuration.loci}
+    new = tuple(_inside(placed) for placed in taken.placed)
     groups = (*configuration.groups, *_renamed(taken.groups, configuration.groups))
     both = replace(configuration, placed=(*configuration.placed, *new), groups=groups)
     done = changed(model, document, both, label)
     after = done.model.documents[document.id]
-    spots = {one.svar: one for one in taken.loci if one.svar not in known}
+    spots = {locus.svar: locus for locus in taken.loci if locus.svar not in svars}
     boxes = model.shelf.boxes(after.content.names)
     kept = replace(after.content, configuration=loci.wished(after.content.configuration, spots, boxes))
     return replace(done, model=done.model.with_document(after.having(kept)), value=names)
 
 
-def _inside(one: Placed) -> Placed:
-    x, y = inside(one.x, one.y)
-    return replace(one, x=x, y=y)
+def _inside(placed: Placed) -> Placed:
+    x, y = inside(placed.x, placed.y)
+    return replace(placed, x=x, y=y)
 
 
 def _nothing(names: Iterable[str]) -> No | None:
@@ -83,33 +83,35 @@ def _nothing(names: Iterable[str]) -> No | None:
 
 def _renamed(groups: Iterable[Group], standing: Iterable[Group]) -> Iterator[Group]:
     """Supermodules under names that nobody has yet."""
-    names = {one.name for one in standing}
-    for one in groups:
-        free = (one.name, *(f"{one.name}-{number}" for number in range(2, len(names) + 3)))
+    names = {group.name for group in standing}
+    for group in groups:
+        free = (group.name, *(f"{group.name}-{number}" for number in range(2, len(names) + 3)))
         name = next(name for name in free if name not in names)
         names.add(name)
-        yield replace(one, name=name)
+        yield replace(group, name=name)
 
 
 def objections(shelf: Shelf, document: Document, taken: Copied) -> list[Reason]:
     """Every reason why what was copied may not be placed, task by task."""
-    known = shelf.tasks
-    standing = [known[name] for name in document.content.names if name in known]
-    against = _against(standing, [known[one.task] for one in taken.placed if one.task in known])
-    missing = set(document.content.names) - set(known)
-    said: list[Reason] = []
-    for one in taken.placed:
-        task = known.get(one.task)
-        if one.task in missing:
-            said.append(Reason(f"{one.task} is placed already", (Remedy(f"Show {one.task}", show=ShowTask(one.task)),)))
+    tasks = shelf.tasks
+    standing = [tasks[name] for name in document.content.names if name in tasks]
+    against = _against(standing, [tasks[placed.task] for placed in taken.placed if placed.task in tasks])
+    missing = set(document.content.names) - set(tasks)
+    objections: list[Reason] = []
+    for placed in taken.placed:
+        task = tasks.get(placed.task)
+        if placed.task in missing:
+            objections.append(
+                Reason(f"{placed.task} is placed already", (Remedy(f"Show {placed.task}", show=ShowTask(placed.task)),))
+            )
         elif task is None:
             open_one = Remedy("Open a library…", show=ShowLibraries())
-            said.append(Reason(f"{one.task}: no open library has it", (open_one,)))
+            objections.append(Reason(f"{placed.task}: no open library has it", (open_one,)))
         else:
             for reason in reasons(against.get(task.name, ()), document.id, task):
                 remedies = tuple(remedy for remedy in reason.remedies if _helps(remedy, taken))
-                said.append(Reason(_sentence(task.name, reason.text), remedies))
-    return said
+                objections.append(Reason(_sentence(task.name, reason.text), remedies))
+    return objections
 
 
 def refusal(what: str, against: Sequence[Reason]) -> No:
@@ -120,10 +122,10 @@ def refusal(what: str, against: Sequence[Reason]) -> No:
 
 def _against(standing: Sequence[Task], pasted: Sequence[Task]) -> dict[str, tuple[Refusal, ...]]:
     """What speaks against the tasks that are pasted, by their names; they may contradict each other, too."""
-    found: dict[str, tuple[Refusal, ...]] = {}
+    refusals: dict[str, tuple[Refusal, ...]] = {}
     for later, _, refused in conflict.conflicts((*standing, *pasted), len(standing)):
-        found[later.name] = (*found.get(later.name, ()), *refused)
-    return found
+        refusals[later.name] = (*refusals.get(later.name, ()), *refused)
+    return refusals
 
 
 def _sentence(name: str, text: str) -> str:

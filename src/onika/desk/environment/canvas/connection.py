@@ -31,33 +31,35 @@ _MAIN = "main"
 
 
 @on_document
-def connect(model: Model, document: Document, asked: act.Connect, outside: Surroundings) -> Procedure:
+def connect(model: Model, document: Document, command: act.Connect, outside: Surroundings) -> Procedure:
     """Merge a document with what runs in a subsystem, which comes into being with its first task."""
-    if asked.subsystem and not TASK_NAME.match(asked.subsystem):
+    if command.subsystem and not TASK_NAME.match(command.subsystem):
         text = "expected a name of letters, digits and _ . - that begins with a letter"
-        return No(f"{asked.subsystem!r} is no name for a subsystem", fields={"subsystem": text})
-    known = document.live
-    if known is not None and known.state != "lost":
+        return No(f"{command.subsystem!r} is no name for a subsystem", fields={"subsystem": text})
+    subsystem_facts = document.live
+    if subsystem_facts is not None and subsystem_facts.state != "lost":
         again = Remedy("Disconnect it", act.Disconnect(document.id))
-        return No(f"{document.name} is connected already, with {known.subsystem or 'its runtime'}", (again,))
-    elsewhere = _elsewhere(model, asked)
+        return No(f"{document.name} is connected already, with {subsystem_facts.subsystem or 'its runtime'}", (again,))
+    elsewhere = _elsewhere(model, command)
     if elsewhere:
         return elsewhere
-    wish = asked.subsystem or (known.subsystem if known else "")
-    url = asked.url or (model.runtime.address if known is not None else "")  # a lost one is looked for where it was
+    wish = command.subsystem or (subsystem_facts.subsystem if subsystem_facts else "")
+    url = command.url or (
+        model.runtime.address if subsystem_facts is not None else ""
+    )  # a lost one is looked for where it was
     model = model.with_document(replace(document, live=Live(wish)))
     if model.runtime.state != "linked" or url not in ("", model.runtime.address):
         model = replace(model, runtime=view.RuntimeView("starting", url))
-    model, outcome = yield from _joined(model, document.id, wish, Reach(url, asked.token), outside)
+    model, outcome = yield from _joined(model, document.id, wish, Reach(url, command.token), outside)
     if isinstance(outcome, str):
-        yield Shown(_as_before(model, document.id, known, outcome))
+        yield Shown(_as_before(model, document.id, subsystem_facts, outcome))
         name = model.documents[document.id].name
         return No(f"{name} is not connected: {outcome}", (Remedy("Connect…", show=ShowConnect()),))
     return outcome
 
 
 @on_document
-def disconnect(model: Model, document: Document, asked: act.Disconnect, _outside: Surroundings) -> Done | No:
+def disconnect(model: Model, document: Document, command: act.Disconnect, _outside: Surroundings) -> Done | No:
     """Leave what runs as it is; the layout stays, what was known of its tasks does not."""
     if document.live is None:
         return No(f"{document.name} is not connected")
@@ -71,32 +73,34 @@ def connected(model: Model, doc: str, standing: live.Standing, outside: Surround
     me      the name by which the runtime knows this environment; empty: it may not change the subsystem
     """
     document = model.documents[doc]
-    known = document.live or Live(_MAIN)
+    subsystem_facts = document.live or Live(_MAIN)
     model = replace(model, runtime=runtime_view(model.runtime, standing))
-    found = merged(model, document, replace(known, me=me), standing)
-    model = model.with_document(_stepped(document, found))
-    done = _spawned(model, found, outside)
+    merged_document = merged(model, document, replace(subsystem_facts, me=me), standing)
+    model = model.with_document(_stepped(document, merged_document))
+    done = _spawned(model, merged_document, outside)
     described = describe(done.model)
     bounds = joint_limits.connected(described.model, described.model.documents[doc])
-    orders, says = (*done.orders, *described.orders, *bounds), (*found.says, *done.says)
-    return Done(described.model, value=f"connected with {known.subsystem}", orders=orders, says=says)
+    orders, says = (*done.orders, *described.orders, *bounds), (*merged_document.says, *done.says)
+    return Done(described.model, value=f"connected with {subsystem_facts.subsystem}", orders=orders, says=says)
 
 
-def _elsewhere(model: Model, asked: act.Connect) -> No | None:
+def _elsewhere(model: Model, command: act.Connect) -> No | None:
     """Why another runtime cannot be reached now: there is one at a time."""
-    if not asked.url or asked.url == model.runtime.address or model.runtime.state != "linked":
+    if not command.url or command.url == model.runtime.address or model.runtime.state != "linked":
         return None
-    users = [one for one in model.documents.values() if one.live is not None and one.live.state == "live"]
+    users = [
+        document for document in model.documents.values() if document.live is not None and document.live.state == "live"
+    ]
     here = model.runtime.address or "the runtime that was started here"
     if is_going(model):
         return No("an application runs on the runtime that would be left", (Remedy("Abort it", act.Steer("abort")),))
     if users:
-        remedies = tuple(Remedy(f"Disconnect {one.name}", act.Disconnect(one.id)) for one in users)
+        remedies = tuple(Remedy(f"Disconnect {user.name}", act.Disconnect(user.id)) for user in users)
         return No(f"{users[0].name} is connected with {here}, and there is one runtime at a time", remedies)
     left = ", ".join(model.runtime.subsystems)
-    if not left or asked.confirmed:
+    if not left or command.confirmed:
         return None
-    meant = msgspec.structs.replace(asked, confirmed=True)
+    meant = msgspec.structs.replace(command, confirmed=True)
     what = "which ends with it" if not model.runtime.address else "which comes to rest where this environment held it"
     return No(f"{here} is left, and with it {left}, {what}", (Remedy("Go on", meant),))
 
@@ -139,13 +143,13 @@ def _as_before(model: Model, doc: str, former: Live | None, reason: str) -> Mode
 
 def _subsystem(model: Model, document: Document, standing: live.Standing) -> str:
     """Of its own name, else the only one whose tasks are held by hand, else a new one."""
-    used = {one.live.subsystem for one in model.documents.values() if one.live and one.id != document.id}
-    free = [one for one in standing.subsystems if one.name not in used and not one.application]
-    if any(one.name == document.name for one in free):
+    used = {other.live.subsystem for other in model.documents.values() if other.live and other.id != document.id}
+    free = [subsystem for subsystem in standing.subsystems if subsystem.name not in used and not subsystem.application]
+    if any(subsystem_standing.name == document.name for subsystem_standing in free):
         return document.name
     if len(free) == 1 and free[0].tasks:
         return free[0].name
-    taken = used | {one.name for one in standing.subsystems}
+    taken = used | {subsystem.name for subsystem in standing.subsystems}
     return document.name if TASK_NAME.match(document.name) and document.name not in taken else _MAIN
 
 
@@ -154,26 +158,28 @@ def _occupied(model: Model, name: str, document: Document, standing: live.Standi
     for other in model.documents.values():
         if other.live is not None and other.live.subsystem == name and other.id != document.id:
             return f"{other.name} is connected with subsystem {name}; name another one"
-    running = [one.application for one in standing.subsystems if one.name == name and one.application]
+    running = [
+        subsystem.application for subsystem in standing.subsystems if subsystem.name == name and subsystem.application
+    ]
     return f"application {running[0]} runs in subsystem {name}; let it end, or name another one" if running else ""
 
 
-def _stepped(document: Document, found: Merged) -> Document:
+def _stepped(document: Document, merged_tasks: Merged) -> Document:
     """With a step, where connecting has changed what stands on the canvas."""
-    old, new = document.content, found.document.content
+    old, new = document.content, merged_tasks.document.content
     if old.configuration is new.configuration:
-        return settled(found.document)
+        return settled(merged_tasks.document)
     wanted = {name: new.wanted.get(name, False) for name in old.names}
     step = Step("connecting", "", Content(old.configuration, wanted), new)
-    return settled(replace(found.document, history=document.history.done(step)))
+    return settled(replace(merged_tasks.document, history=document.history.done(step)))
 
 
-def _spawned(model: Model, found: Merged, outside: Surroundings) -> Done:
+def _spawned(model: Model, merged_tasks: Merged, outside: Surroundings) -> Done:
     """With what is placed and does not run brought to life; what cannot be is left out, and said."""
-    document = model.documents[found.document.id]
+    document = model.documents[merged_tasks.document.id]
     units = living_units(model)
     wanted, says = {}, []
-    for name in found.spawn:
+    for name in merged_tasks.spawn:
         placed = document.content.placed(name)
         born = birth(placed, model.shelf, units) if placed else f"there is no {name}"
         if isinstance(born, str):

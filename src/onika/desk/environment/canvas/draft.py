@@ -65,7 +65,7 @@ def drafted(document: Document, site: Site) -> Draft | tuple[str, ...]:
     tasks = _tasks(document, site.at(home.path))
     kind = job_type(document.content.configuration, tasks, syntax)
     if not isinstance(kind, ActionType):
-        return tuple(in_words(plain(one.reason)) for one in kind)
+        return tuple(in_words(plain(refusal.reason)) for refusal in kind)
     former, taken = former_of(document.name, home, syntax, "job")
     acting = syntax.acting(kind.type)
     standing = [tasks[name] for name in document.content.names]
@@ -135,4 +135,7 @@ def _role(kind: ActionType, syntax: Syntax) -> str:
 
 def _notes(document: Document, tasks: Sequence[Task]) -> tuple[str, ...]:
     place = Place(document.name)
-    return tuple(said(one) for one in (*warning.hanging(tasks, place), *warning.further_triggers(tasks, place)))
+    return tuple(
+        said(further_trigger)
+        for further_trigger in (*warning.hanging(tasks, place), *warning.further_triggers(tasks, place))
+    )

@@ -26,63 +26,65 @@ from onika.words.name import TASK_NAME
 
 
 @on_document
-def group(model: Model, document: Document, asked: act.Group, _outside: Surroundings) -> Done | No:
+def group(model: Model, document: Document, command: act.Group, _outside: Surroundings) -> Done | No:
     """Handle tasks as one, in this order; supermodules that are among them whole go into it, under its name."""
-    tasks = tuple(dict.fromkeys(asked.tasks))
-    if not TASK_NAME.match(asked.name):
+    tasks = tuple(dict.fromkeys(command.tasks))
+    if not TASK_NAME.match(command.name):
         form = "a name of letters, digits and _ . - that begins with a letter"
-        return No(f"{asked.name!r} is no name for a supermodule", fields={"name": f"expected {form}"})
+        return No(f"{command.name!r} is no name for a supermodule", fields={"name": f"expected {form}"})
     if not tasks:
         return No("nothing is selected")
-    refused = absent(document, tasks) or _taken(document, asked.name, tasks)
+    refused = absent(document, tasks) or _taken(document, command.name, tasks)
     if refused:
         return refused
     configuration = document.content.configuration
-    new = Group(asked.name, tasks)
-    others = [one for one in configuration.groups if one.name != asked.name and not set(one.tasks) <= set(tasks)]
-    label = f"making {several(tasks)} the supermodule {asked.name}"
+    new = Group(command.name, tasks)
+    others = [
+        group for group in configuration.groups if group.name != command.name and not set(group.tasks) <= set(tasks)
+    ]
+    label = f"making {several(tasks)} the supermodule {command.name}"
     return _regrouped(model, document, replace(configuration, groups=(*others, new)), label)
 
 
-def ungroup(model: Model, asked: act.Ungroup, _outside: Surroundings) -> Done | No:
+def ungroup(model: Model, command: act.Ungroup, _outside: Surroundings) -> Done | No:
     """Expand a supermodule into its parts."""
-    found = _of(model, asked.doc, asked.name)
-    if isinstance(found, No):
-        return found
-    document, one = found
+    group_place = _of(model, command.doc, command.name)
+    if isinstance(group_place, No):
+        return group_place
+    document, group = group_place
     configuration = document.content.configuration
-    others = tuple(other for other in configuration.groups if other is not one)
-    return _regrouped(model, document, replace(configuration, groups=others), f"expanding {asked.name}")
+    others = tuple(other for other in configuration.groups if other is not group)
+    return _regrouped(model, document, replace(configuration, groups=others), f"expanding {command.name}")
 
 
-def save_group(model: Model, asked: act.SaveGroup, outside: Surroundings) -> Done | No:
+def save_group(model: Model, command: act.SaveGroup, outside: Surroundings) -> Done | No:
     """Save a supermodule as a configuration of its own; the value is the path of its file."""
-    found = _of(model, asked.doc, asked.name)
-    if isinstance(found, No):
-        return found
-    document, one = found
-    base = Path(asked.base) if asked.base else document.base
+    group_place = _of(model, command.doc, command.name)
+    if isinstance(group_place, No):
+        return group_place
+    document, group = group_place
+    base = Path(command.base) if command.base else document.base
     if base is None:
-        reason = f"{document.name} has no file yet: say in which base directory {asked.name} is to be"
-        return No(reason, _elsewhere(asked, None, outside))
+        reason = f"{document.name} has no file yet: say in which base directory {command.name} is to be"
+        return No(reason, _elsewhere(command, None, outside))
     directory = BaseDirectory(base)
-    path = directory.configuration_file(asked.name)
+    path = directory.configuration_file(command.name)
     if document.opened is not None and document.opened.path.resolve() == path.resolve():
-        return No(f"{path} is the file of the configuration that {asked.name} is a part of: give it another name")
-    done = directory.save_configuration(_part(model, document, one), overwrites=asked.overwrites)
+        return No(f"{path} is the file of the configuration that {command.name} is a part of: give it another name")
+    done = directory.save_configuration(_part(model, document, group), overwrites=command.overwrites)
     if isinstance(done, Refusal):
-        again = act.SaveGroup(asked.doc, asked.name, asked.base, overwrites=True)
-        return No(plain(done.reason), (*overwriting(done, again), *_elsewhere(asked, base, outside)))
+        again = act.SaveGroup(command.doc, command.name, command.base, overwrites=True)
+        return No(plain(done.reason), (*overwriting(done, again), *_elsewhere(command, base, outside)))
     return Done(model, value=str(done.path))
 
 
 @on_document
-def insert(model: Model, document: Document, asked: act.Insert, outside: Surroundings) -> Done | No:
+def insert(model: Model, document: Document, command: act.Insert, outside: Surroundings) -> Done | No:
     """Place all tasks of a configuration as a supermodule of its name; the value is the names of the tasks."""
-    found = read(asked.path, outside)
-    if isinstance(found, No):
-        return found
-    configuration = found.opened.value
+    reading = read(command.path, outside)
+    if isinstance(reading, No):
+        return reading
+    configuration = reading.opened.value
     name = configuration.name
     if not configuration.placed:
         return No(f"{name} has no tasks")
@@ -91,32 +93,40 @@ def insert(model: Model, document: Document, asked: act.Insert, outside: Surroun
     against = [*_namesake(document, name), *clipboard.objections(model.shelf, document, taken)]
     if against:
         return clipboard.refusal(f"{name} is not inserted", against)
-    return clipboard.placed(model, document, taken.at(*inside(asked.x, asked.y)), f"inserting {name}")
+    return clipboard.placed(model, document, taken.at(*inside(command.x, command.y)), f"inserting {name}")
 
 
-def turn_group(model: Model, asked: act.TurnGroup, outside: Surroundings) -> Done | No:
+def turn_group(model: Model, command: act.TurnGroup, outside: Surroundings) -> Done | No:
     """Turn a supermodule ON in its order, or OFF the other way round."""
-    found = _of(model, asked.doc, asked.name)
-    if isinstance(found, No):
-        return found
-    document, one = found
-    tasks = one.tasks if asked.is_on else one.tasks[::-1]
-    done = task_commands.turn(model, act.Turn(document.id, tasks, asked.is_on), outside)
-    return done if isinstance(done, No) else replace(done, label=f"turning {one.name} {'ON' if asked.is_on else 'OFF'}")
+    group_place = _of(model, command.doc, command.name)
+    if isinstance(group_place, No):
+        return group_place
+    document, group = group_place
+    tasks = group.tasks if command.is_on else group.tasks[::-1]
+    done = task_commands.turn(model, act.Turn(document.id, tasks, command.is_on), outside)
+    return (
+        done
+        if isinstance(done, No)
+        else replace(done, label=f"turning {group.name} {'ON' if command.is_on else 'OFF'}")
+    )
 
 
 def _of(model: Model, doc: str, name: str) -> tuple[Document, Group] | No:
     document = model.documents.get(doc)
     if document is None:
         return closed(Kind.CONFIGURATION)
-    found = document.content.configuration.group(name)
-    return (document, found) if found else No(f"there is no supermodule {name}")
+    group = document.content.configuration.group(name)
+    return (document, group) if group else No(f"there is no supermodule {name}")
 
 
-def _elsewhere(asked: act.SaveGroup, base: Path | None, outside: Surroundings) -> tuple[Remedy, ...]:
+def _elsewhere(command: act.SaveGroup, base: Path | None, outside: Surroundings) -> tuple[Remedy, ...]:
     """The other base directories that it could be saved in."""
-    bases = [one.path for one in outside.site.directories if one.path != base and os.access(one.path, os.W_OK)]
-    return tuple(Remedy(f"Save it in {one}", act.SaveGroup(asked.doc, asked.name, str(one))) for one in bases)
+    bases = [
+        directory.path
+        for directory in outside.site.directories
+        if directory.path != base and os.access(directory.path, os.W_OK)
+    ]
+    return tuple(Remedy(f"Save it in {base}", act.SaveGroup(command.doc, command.name, str(base))) for base in bases)
 
 
 def _regrouped(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
@@ -127,45 +137,45 @@ def _regrouped(model: Model, document: Document, configuration: Configuration, l
 def _taken(document: Document, name: str, tasks: tuple[str, ...]) -> No | None:
     """Why these cannot be one, if so: the name is that of others, or a part of another supermodule is among them."""
     against: list[Reason] = []
-    for one in document.content.configuration.groups:
-        among = [task for task in one.tasks if task in tasks]
-        if one.name == name:
+    for group in document.content.configuration.groups:
+        among = [task for task in group.tasks if task in tasks]
+        if group.name == name:
             against += [] if among else _namesake(document, name)
-        elif among and len(among) < len(one.tasks):
-            rest = tuple(task for task in one.tasks if task not in tasks)
+        elif among and len(among) < len(group.tasks):
+            rest = tuple(task for task in group.tasks if task not in tasks)
             verb = "is" if len(among) == 1 else "are"
             remedies = (
-                Remedy(f"Take all of {one.name}", act.Group(document.id, name, (*tasks, *rest))),
-                Remedy(f"Expand {one.name}", act.Ungroup(document.id, one.name)),
+                Remedy(f"Take all of {group.name}", act.Group(document.id, name, (*tasks, *rest))),
+                Remedy(f"Expand {group.name}", act.Ungroup(document.id, group.name)),
             )
-            against.append(Reason(f"{several(among)} {verb} in the supermodule {one.name} already", remedies))
+            against.append(Reason(f"{several(among)} {verb} in the supermodule {group.name} already", remedies))
     return clipboard.refusal(f"{name} is not made", against) if against else None
 
 
 def _namesake(document: Document, name: str) -> list[Reason]:
     """That a supermodule of this name is there already, if so."""
-    one = document.content.configuration.group(name)
-    if one is None:
+    group = document.content.configuration.group(name)
+    if group is None:
         return []
-    show = Remedy(f"Show {one.tasks[0]}", show=ShowTask(one.tasks[0]))
+    show = Remedy(f"Show {group.tasks[0]}", show=ShowTask(group.tasks[0]))
     expand = Remedy(f"Expand {name}", act.Ungroup(document.id, name))
     return [Reason(f"there is a supermodule {name} already", (show, expand))]
 
 
-def _part(model: Model, document: Document, one: Group) -> Configuration:
+def _part(model: Model, document: Document, group: Group) -> Configuration:
     """The configuration of a supermodule alone: its loci stand where they are, and count its own tasks."""
-    boxes = model.shelf.boxes(one.tasks)
+    boxes = model.shelf.boxes(group.tasks)
     svars = (pin.svar for box in boxes.values() for pin in box.pins)
-    taken = copied(document.content.configuration, one.tasks, svars)
-    part = Configuration(one.name, taken.placed, taken.loci, (one,))
+    taken = copied(document.content.configuration, group.tasks, svars)
+    part = Configuration(group.name, taken.placed, taken.loci, (group,))
     return loci.settled(part, boxes, part)
 
 
 def _in_order(configuration: Configuration) -> Iterator[str]:
     """The tasks of a file as they come: those of a supermodule in it together, in its order."""
-    told: set[str] = set()
-    home = {task: one for one in configuration.groups for task in one.tasks}
+    reported: set[str] = set()
+    home = {task: group for group in configuration.groups for task in group.tasks}
     for placed in configuration.placed:
         together = home[placed.task].tasks if placed.task in home else (placed.task,)
-        yield from (name for name in together if name not in told)
-        told.update(together)
+        yield from (name for name in together if name not in reported)
+        reported.update(together)

@@ -22,18 +22,18 @@ from onika.wire.view import Remedy
 
 
 @on_document
-def open_in_place(model: Model, document: Document, asked: act.OpenInPlace, outside: Surroundings) -> Done | No:
+def open_in_place(model: Model, document: Document, command: act.OpenInPlace, outside: Surroundings) -> Done | No:
     """Take over a configuration's tasks as one step; where tasks live, what becomes of them is said first."""
-    found = read(asked.path, outside)
-    if isinstance(found, No):
-        return found
-    base, opened = found.base, found.opened
+    configuration = read(command.path, outside)
+    if isinstance(configuration, No):
+        return configuration
+    base, opened = configuration.base, configuration.opened
     content = _content(document, opened.value)
-    if document.live is not None and document.live.state == "live" and not asked.confirmed:
-        told = _told(model, document, document.live, content)
-        if told:
-            meant = Remedy("Go on", act.OpenInPlace(asked.doc, asked.path, confirmed=True))
-            return No(f"opening {opened.value.name} in place of {document.name}: {told}", (meant,))
+    if document.live is not None and document.live.state == "live" and not command.confirmed:
+        sentence = _told(model, document, document.live, content)
+        if sentence:
+            meant = Remedy("Go on", act.OpenInPlace(command.doc, command.path, confirmed=True))
+            return No(f"opening {opened.value.name} in place of {document.name}: {sentence}", (meant,))
     new = replace(document, content=content, opened=opened, base=base.path, has_changed_on_disk=False)
     label = f"opening {opened.value.name} in place of {document.name}"
     return Done(with_loci(model, new), label, document.id, value=document.id)
@@ -44,20 +44,22 @@ def _content(document: Document, configuration: Configuration) -> Content:
     if document.live is None:
         return Content(configuration)
     wanted = document.content.wanted
-    return Content(configuration, {one.task: wanted.get(one.task, False) for one in configuration.placed})
+    return Content(configuration, {placed.task: wanted.get(placed.task, False) for placed in configuration.placed})
 
 
-def _told(model: Model, document: Document, known: Live, content: Content) -> str:
+def _told(model: Model, document: Document, subsystem_facts: Live, content: Content) -> str:
     """What becomes of each task, in words; empty: nothing happens to any."""
-    what = alteration(document.content, content, known, model.shelf, (), living_units(model))
+    what = alteration(document.content, content, subsystem_facts, model.shelf, (), living_units(model))
     if what.is_nothing and not what.faults:
         return ""
-    both = [one.task.name for one in what.spawn if one.task.name in what.kill]
-    new = [one.task.name for one in what.spawn if one.task.name not in what.kill]
+    both = [birth.task.name for birth in what.spawn if birth.task.name in what.kill]
+    new = [birth.task.name for birth in what.spawn if birth.task.name not in what.kill]
     gone = [name for name in what.kill if name not in both]
     touched = {*what.kill, *new}
-    again = [name for name in _again(model, known, what) if name not in touched]
-    kept = [name for name in content.wanted if name in known.tasks and name not in touched and name not in again]
+    again = [name for name in _again(model, subsystem_facts, what) if name not in touched]
+    kept = [
+        name for name in content.wanted if name in subsystem_facts.tasks and name not in touched and name not in again
+    ]
     parts = (
         _part("goes on untouched", "go on untouched", kept),
         _part("is exchanged", "are exchanged", both),
@@ -69,13 +71,13 @@ def _told(model: Model, document: Document, known: Live, content: Content) -> st
     return "; ".join(part for part in parts if part)
 
 
-def _again(model: Model, known: Live, what: Alteration) -> tuple[str, ...]:
+def _again(model: Model, subsystem_facts: Live, what: Alteration) -> tuple[str, ...]:
     """Whose constants come from another task afterwards."""
     tasks = model.shelf.tasks
-    living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in known.tasks if name in tasks]
-    new = [Standing(Ports.of(tasks[one.task.name]), tasks[one.task.name].module) for one in what.spawn]
+    living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in subsystem_facts.tasks if name in tasks]
+    new = [Standing(Ports.of(tasks[birth.task.name]), tasks[birth.task.name].module) for birth in what.spawn]
     return exchange(living, what.kill, new).reinit
 
 
-def _part(one: str, several: str, names: Sequence[str]) -> str:
-    return f"{', '.join(names)} {one if len(names) == 1 else several}" if names else ""
+def _part(singular: str, several: str, names: Sequence[str]) -> str:
+    return f"{', '.join(names)} {singular if len(names) == 1 else several}" if names else ""

@@ -24,42 +24,42 @@ from onika.wire.view import Remedy
 _FOLDERS = ("module", "conf", "dict", "appl")
 
 
-def open_library(model: Model, asked: act.OpenLibrary, _outside: Surroundings) -> Done | No:
+def open_library(model: Model, command: act.OpenLibrary, _outside: Surroundings) -> Done | No:
     """Open a base directory behind the others; one that is open already is shown."""
     try:
-        path = Path(asked.path).expanduser().absolute()
+        path = Path(command.path).expanduser().absolute()
         whole = path.resolve()
         refused = _no_base(path)
     except (OSError, RuntimeError, ValueError) as error:  # a name that no system allows, or no such user
-        return No(f"{asked.path!r} cannot be opened: {error}", fields={"path": str(error)})
+        return No(f"{command.path!r} cannot be opened: {error}", fields={"path": str(error)})
     if refused:
         return refused
-    known = next((one for one in model.shelf.libraries if one.base.path.resolve() == whole), None)
-    if known is not None:
-        return Done(model, value=str(known.base.path))
+    library = next((library for library in model.shelf.libraries if library.base.path.resolve() == whole), None)
+    if library is not None:
+        return Done(model, value=str(library.base.path))
     base = BaseDirectory(path)
-    done = rearranged(model, (*(one.base for one in model.shelf.libraries), base), frozenset())
-    found = file_index.listed([base], model.syntax)
-    return replace(done, model=found.beside(done.model), value=str(path), says=(*done.says, *told(found.faults)))
+    done = rearranged(model, (*(library.base for library in model.shelf.libraries), base), frozenset())
+    listed = file_index.listed([base], model.syntax)
+    return replace(done, model=listed.beside(done.model), value=str(path), says=(*done.says, *told(listed.faults)))
 
 
-def close_library(model: Model, asked: act.CloseLibrary, _outside: Surroundings) -> Done | No:
+def close_library(model: Model, command: act.CloseLibrary, _outside: Surroundings) -> Done | No:
     """Close a library; what is placed of it stays, and what was changed of its tasks comes back with it."""
-    bases = [one.base for one in model.shelf.libraries]
-    left = [base for base in bases if str(base.path) != asked.library]
+    bases = [library.base for library in model.shelf.libraries]
+    left = [base for base in bases if str(base.path) != command.library]
     if len(left) == len(bases):
-        return No(f"the library {asked.library} is not open")
+        return No(f"the library {command.library} is not open")
     done = rearranged(model, left, frozenset())
-    return replace(done, model=file_index.without(done.model, file_index.of_base(model, asked.library)))
+    return replace(done, model=file_index.without(done.model, file_index.of_base(model, command.library)))
 
 
 def reread(model: Model, changed: Set[Path]) -> Done:
     """With files of the open libraries read again."""
-    done = rearranged(model, (one.base for one in model.shelf.libraries), changed)
-    known = done.model
+    done = rearranged(model, (library.base for library in model.shelf.libraries), changed)
+    model = done.model
     for module in sorted({path.stem for path in changed if path.suffix == ".py"}):
-        known = forgotten(known, module)
-    return replace(done, model=known)  # what its class declares now is asked by whoever follows
+        model = forgotten(model, module)
+    return replace(done, model=model)  # what its class declares now is asked by whoever follows
 
 
 def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path]) -> Done:
@@ -75,7 +75,7 @@ def rearranged(model: Model, bases: Iterable[BaseDirectory], changed: Set[Path])
     says = [*_news(former.libraries, libraries), *dropped]
     names = {name for name in shelf.tasks if shelf.tasks[name] != former.tasks.get(name)}
     against = clashes(model, shelf, names & former.tasks.keys())
-    says += [page.Say("warning", one.text) for one in against]
+    says += [page.Say("warning", reason.text) for reason in against]
     return Done(pin_changes.resettled(replace(model, shelf=shelf), former), says=tuple(says))
 
 
@@ -123,5 +123,5 @@ def _is_elsewhere(name: str, former: Shelf, shelf: Shelf) -> bool:
 
 def _news(former: Iterable[Library], libraries: Iterable[Library]) -> list[page.Say]:
     """Faults that were not told yet."""
-    known = {fault for library in former for fault in library.faults}
-    return list(told(fault for one in libraries for fault in one.faults if fault not in known))
+    faults = {fault for library in former for fault in library.faults}
+    return list(told(fault for library in libraries for fault in library.faults if fault not in faults))

@@ -22,84 +22,84 @@ from onika.words.fault import Refusal
 from onika.words.name import SVAR_NAME
 
 
-def alias(model: Model, asked: act.Alias, _outside: Surroundings) -> Done | No:
+def alias(model: Model, command: act.Alias, _outside: Surroundings) -> Done | No:
     """Give the variable behind a pin, everywhere: every open configuration must bear it."""
-    task, filed = model.shelf.tasks.get(asked.task), model.shelf.filed(asked.task)
+    task, filed = model.shelf.tasks.get(command.task), model.shelf.filed(command.task)
     if task is None or filed is None:
-        return unknown(asked.task)
-    if asked.pin not in task.kinds():
-        return No(f"{asked.task} has no pin {asked.pin}")
-    svar = asked.svar.strip()
+        return unknown(command.task)
+    if command.pin not in task.kinds():
+        return No(f"{command.task} has no pin {command.pin}")
+    svar = command.svar.strip()
     if svar and not SVAR_NAME.match(svar):
         expected = "expected capital letters, digits, _ and ^, a letter first"
         return No(f"{svar!r} is no name of a variable: {expected}", fields={"svar": expected})
-    changed = task_edit.aliased(task, asked.pin, svar, filed)
-    shelf = model.shelf.edited({asked.task: changed})
-    against = clashes(model, shelf, (asked.task,))
-    name = svar or asked.pin
+    changed = task_edit.aliased(task, command.pin, svar, filed)
+    shelf = model.shelf.edited({command.task: changed})
+    against = clashes(model, shelf, (command.task,))
+    name = svar or command.pin
     if against:
-        return refused(f"{asked.pin} of {asked.task} cannot be {name}", against, "svar")
-    return Done(_taken_over(model, shelf), f"aliasing {asked.pin} of {asked.task} to {name}", asked.doc)
+        return refused(f"{command.pin} of {command.task} cannot be {name}", against, "svar")
+    return Done(_taken_over(model, shelf), f"aliasing {command.pin} of {command.task} to {name}", command.doc)
 
 
-def library_rate(model: Model, asked: act.LibraryRate, _outside: Surroundings) -> Done | No:
+def library_rate(model: Model, command: act.LibraryRate, _outside: Surroundings) -> Done | No:
     """A rate for later placements of this session (reading 10)."""
-    task = model.shelf.tasks.get(asked.task)
+    task = model.shelf.tasks.get(command.task)
     if task is None:
-        return unknown(asked.task)
+        return unknown(command.task)
     if task.type is not TaskType.PERIODIC:
-        reason = f"{asked.task} is {task.type.value}: only periodic tasks have a rate to set"
+        reason = f"{command.task} is {task.type.value}: only periodic tasks have a rate to set"
         return No(reason, fields={"hz": reason})
-    if not (math.isfinite(asked.hz) and asked.hz > 0):
-        reason = f"expected a number above 0 (Hz), found {asked.hz}"
-        return No(f"the rate of {asked.task}: {reason}", fields={"hz": reason})
-    rate = None if asked.hz == task.frequency else asked.hz
-    return Done(replace(model, shelf=model.shelf.rated({asked.task: rate})))
+    if not (math.isfinite(command.hz) and command.hz > 0):
+        reason = f"expected a number above 0 (Hz), found {command.hz}"
+        return No(f"the rate of {command.task}: {reason}", fields={"hz": reason})
+    rate = None if command.hz == task.frequency else command.hz
+    return Done(replace(model, shelf=model.shelf.rated({command.task: rate})))
 
 
-def local(model: Model, asked: act.Local, _outside: Surroundings) -> Done | No:
+def local(model: Model, command: act.Local, _outside: Surroundings) -> Done | No:
     """Other parameters of a module; the file's own reader says what may stand there."""
-    task = model.shelf.tasks.get(asked.task)
+    task = model.shelf.tasks.get(command.task)
     if task is None:
-        return unknown(asked.task)
-    lines = tuple(LocalLine(key, words) for key, words in asked.lines)
+        return unknown(command.task)
+    lines = tuple(LocalLine(key, words) for key, words in command.lines)
     wrong = {f"line {number}": text for number, line in enumerate(lines) if (text := _wrong(task, line))}
     keys = [line.key for line in lines]
     wrong |= {f"line {number}": f"expected {key} once" for number, key in enumerate(keys) if key in keys[:number]}
     if wrong:
-        return No(f"the parameters of {asked.task}: {'; '.join(wrong.values())}", fields=wrong)
-    shelf = model.shelf.edited({asked.task: replace(task, local=lines)})
-    return Done(_taken_over(model, shelf), f"setting the parameters of {asked.task}", asked.doc)
+        return No(f"the parameters of {command.task}: {'; '.join(wrong.values())}", fields=wrong)
+    shelf = model.shelf.edited({command.task: replace(task, local=lines)})
+    return Done(_taken_over(model, shelf), f"setting the parameters of {command.task}", command.doc)
 
 
-def save_task(model: Model, asked: act.SaveTask, _outside: Surroundings) -> Done | No:
+def save_task(model: Model, command: act.SaveTask, _outside: Surroundings) -> Done | No:
     """Write what was changed of a task, its rate too, to its file."""
-    task = model.shelf.tasks.get(asked.task)
+    task = model.shelf.tasks.get(command.task)
     if task is None:
-        return unknown(asked.task)
-    base, record = model.shelf.homes[asked.task].base, model.shelf.records[asked.task]
-    path = base.task_file(asked.task)
-    changed = replace(task, frequency=model.shelf.rates.get(asked.task, task.frequency))
+        return unknown(command.task)
+    base, record = model.shelf.homes[command.task].base, model.shelf.records[command.task]
+    path = base.task_file(command.task)
+    changed = replace(task, frequency=model.shelf.rates.get(command.task, task.frequency))
     if changed == record.task:
         return Done(model, value=str(path))
-    done = base.save_task(record, changed, overwrites=asked.overwrites)
+    done = base.save_task(record, changed, overwrites=command.overwrites)
     if isinstance(done, Refusal):
         remedies = (
-            *overwriting(done, act.SaveTask(asked.task, overwrites=True)),
-            Remedy("Take it as the file says", act.ForgetTask(asked.task)),
+            *overwriting(done, act.SaveTask(command.task, overwrites=True)),
+            Remedy("Take it as the file says", act.ForgetTask(command.task)),
         )
         return No(plain(done.reason), remedies)
-    return replace(_as_filed(model, asked.task, path), value=str(path))
+    return replace(_as_filed(model, command.task, path), value=str(path))
 
 
-def forget_task(model: Model, asked: act.ForgetTask, _outside: Surroundings) -> Done | No:
+def forget_task(model: Model, command: act.ForgetTask, _outside: Surroundings) -> Done | No:
     """A task as its file says now, where every open configuration bears it."""
-    if asked.task not in model.shelf.tasks:
-        return unknown(asked.task)
-    path = model.shelf.homes[asked.task].base.task_file(asked.task)
-    done = _as_filed(model, asked.task, path)
-    against = clashes(model, done.model.shelf, (asked.task,))
-    return refused(f"{asked.task} cannot be as its file says", against) if against else done
+    if command.task not in model.shelf.tasks:
+        return unknown(command.task)
+    path = model.shelf.homes[command.task].base.task_file(command.task)
+    done = _as_filed(model, command.task, path)
+    against = clashes(model, done.model.shelf, (command.task,))
+    return refused(f"{command.task} cannot be as its file says", against) if against else done
 
 
 def unknown(name: str) -> No:
@@ -129,6 +129,6 @@ def _wrong(task: Task, line: LocalLine) -> str:
     record, faults = rmod.read(text, task.name, task.name)
     if record is not None and record.task.local == (line,):
         return ""
-    found = next((one for one in faults if not one.is_note), None)
+    fault = next((fault for fault in faults if not fault.is_note), None)
     shown = " ".join((line.key, *line.words))
-    return f"expected {found.expected}, found {found.found}" if found else f"{shown!r} is no line of a key and words"
+    return str(fault.reason) if fault else f"{shown!r} is no line of a key and words"

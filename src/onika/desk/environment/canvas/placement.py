@@ -19,112 +19,119 @@ _LIMIT = 100_000
 
 
 @on_document
-def place(model: Model, document: Document, asked: act.Place, _outside: Surroundings) -> Done | No:
+def place(model: Model, document: Document, command: act.Place, _outside: Surroundings) -> Done | No:
     """Place a task from a library."""
-    refused = _refused(model, document, asked.task, ())
+    refused = _refused(model, document, command.task, ())
     if refused:
         return refused
-    rate = model.shelf.rates.get(asked.task, 0.0)
-    spot = inside(asked.x, asked.y)
-    new = Placed(asked.task, *spot, asked.in_left, rate, asked.rtpu or UNKNOWN_RTPU)
+    rate = model.shelf.rates.get(command.task, 0.0)
+    spot = inside(command.x, command.y)
+    new = Placed(command.task, *spot, command.in_left, rate, command.rtpu or UNKNOWN_RTPU)
     configuration = document.content.configuration
     return changed(
-        model, document, replace(configuration, placed=(*configuration.placed, new)), f"placing {asked.task}"
+        model, document, replace(configuration, placed=(*configuration.placed, new)), f"placing {command.task}"
     )
 
 
 @on_document
-def exchange(model: Model, document: Document, asked: act.Exchange, _outside: Surroundings) -> Done | No:
+def exchange(model: Model, document: Document, command: act.Exchange, _outside: Surroundings) -> Done | No:
     """Place a task where another stands."""
-    old = document.content.placed(asked.old)
+    old = document.content.placed(command.old)
     if old is None:
-        return No(f"there is no {asked.old} on the canvas")
-    refused = _refused(model, document, asked.new, (asked.old,))
+        return No(f"there is no {command.old} on the canvas")
+    refused = _refused(model, document, command.new, (command.old,))
     if refused:
         return refused
-    new = Placed(asked.new, old.x, old.y, old.in_left, model.shelf.rates.get(asked.new, 0.0), old.rtpu)
+    new = Placed(command.new, old.x, old.y, old.in_left, model.shelf.rates.get(command.new, 0.0), old.rtpu)
     configuration = document.content.configuration
-    placed = tuple(new if one is old else one for one in configuration.placed)
-    exchanged = replace(configuration, placed=placed, groups=_taken_over(configuration.groups, asked.old, asked.new))
-    return changed(model, document, exchanged, f"replacing {asked.old} by {asked.new}")
+    placed = tuple(new if placed is old else placed for placed in configuration.placed)
+    exchanged = replace(
+        configuration, placed=placed, groups=_taken_over(configuration.groups, command.old, command.new)
+    )
+    return changed(model, document, exchanged, f"replacing {command.old} by {command.new}")
 
 
 @on_document
-def remove(model: Model, document: Document, asked: act.Remove, _outside: Surroundings) -> Done | No:
+def remove(model: Model, document: Document, command: act.Remove, _outside: Surroundings) -> Done | No:
     """Remove tasks."""
-    missing = absent(document, asked.tasks)
+    missing = absent(document, command.tasks)
     if missing:
         return missing
     configuration = document.content.configuration
-    placed = tuple(one for one in configuration.placed if one.task not in asked.tasks)
-    return changed(model, document, replace(configuration, placed=placed), f"removing {several(asked.tasks)}")
+    placed = tuple(placed for placed in configuration.placed if placed.task not in command.tasks)
+    return changed(model, document, replace(configuration, placed=placed), f"removing {several(command.tasks)}")
 
 
 @on_document
-def move(model: Model, document: Document, asked: act.Move, _outside: Surroundings) -> Done | No:
+def move(model: Model, document: Document, command: act.Move, _outside: Surroundings) -> Done | No:
     """Move tasks and loci."""
-    missing = absent(document, asked.tasks)
+    missing = absent(document, command.tasks)
     if missing:
         return missing
     configuration = document.content.configuration
-    known = {one.svar for one in configuration.loci}
-    lost = [svar for svar in asked.loci if svar not in known]
+    svars = {locus.svar for locus in configuration.loci}
+    lost = [svar for svar in command.loci if svar not in svars]
     if lost:
         return No(f"there is no locus of {lost[0]} on the canvas")
-    tasks = {name: inside(*spot) for name, spot in asked.tasks.items()}
-    spots = {svar: inside(*spot) for svar, spot in asked.loci.items()}
-    placed = tuple(_at(one, tasks.get(one.task)) for one in configuration.placed)
+    tasks = {name: inside(*spot) for name, spot in command.tasks.items()}
+    spots = {svar: inside(*spot) for svar, spot in command.loci.items()}
+    placed = tuple(_at(placed, tasks.get(placed.task)) for placed in configuration.placed)
     moved = tuple(
-        replace(one, x=spots[one.svar][0], y=spots[one.svar][1]) if one.svar in spots else one
-        for one in configuration.loci
+        replace(locus, x=spots[locus.svar][0], y=spots[locus.svar][1]) if locus.svar in spots else locus
+        for locus in configuration.loci
     )
-    label = f"moving {several((*asked.tasks, *asked.loci))}"
+    label = f"moving {several((*command.tasks, *command.loci))}"
     return _as_it_stands(model, document, replace(configuration, placed=placed, loci=moved), label)
 
 
 @on_document
-def flip(model: Model, document: Document, asked: act.Flip, _outside: Surroundings) -> Done | No:
+def flip(model: Model, document: Document, command: act.Flip, _outside: Surroundings) -> Done | No:
     """Turn the direction of data flow."""
-    missing = absent(document, asked.tasks)
+    missing = absent(document, command.tasks)
     if missing:
         return missing
     configuration = document.content.configuration
     placed = tuple(
-        replace(one, in_left=not one.in_left) if one.task in asked.tasks else one for one in configuration.placed
+        replace(placed, in_left=not placed.in_left) if placed.task in command.tasks else placed
+        for placed in configuration.placed
     )
     turned = replace(configuration, placed=placed)
     boxes = model.shelf.boxes(document.content.names)
-    return _as_it_stands(model, document, loci.flipped(turned, asked.tasks, boxes), f"flipping {several(asked.tasks)}")
+    return _as_it_stands(
+        model, document, loci.flipped(turned, command.tasks, boxes), f"flipping {several(command.tasks)}"
+    )
 
 
 @on_document
-def align(model: Model, document: Document, asked: act.Align, _outside: Surroundings) -> Done | No:
+def align(model: Model, document: Document, command: act.Align, _outside: Surroundings) -> Done | No:
     """Bring tasks onto one line, or to equal distances."""
-    missing = absent(document, asked.tasks)
+    missing = absent(document, command.tasks)
     if missing:
         return missing
     configuration = document.content.configuration
-    chosen = [one for one in configuration.placed if one.task in asked.tasks]
-    boxes = model.shelf.boxes(asked.tasks)
+    chosen = [placed for placed in configuration.placed if placed.task in command.tasks]
+    boxes = model.shelf.boxes(command.tasks)
     heights = {name: box.height for name, box in boxes.items()}
-    spots = _aligned(chosen, heights, asked.edge)
-    placed = tuple(_at(one, spots.get(one.task)) for one in configuration.placed)
-    return _as_it_stands(model, document, replace(configuration, placed=placed), f"aligning {several(asked.tasks)}")
+    spots = _aligned(chosen, heights, command.edge)
+    placed = tuple(_at(placed, spots.get(placed.task)) for placed in configuration.placed)
+    return _as_it_stands(model, document, replace(configuration, placed=placed), f"aligning {several(command.tasks)}")
 
 
 @on_document
-def show(model: Model, document: Document, asked: act.Show, _outside: Surroundings) -> Done | No:
+def show(model: Model, document: Document, command: act.Show, _outside: Surroundings) -> Done | No:
     """Show or hide the connections of variables."""
     configuration = document.content.configuration
-    turned = tuple(replace(one, show=asked.is_shown) if one.svar in asked.svars else one for one in configuration.loci)
-    verb = "showing" if asked.is_shown else "hiding"
-    label = f"{verb} the connections of {several(asked.svars)}"
+    turned = tuple(
+        replace(locus, show=command.is_shown) if locus.svar in command.svars else locus for locus in configuration.loci
+    )
+    verb = "showing" if command.is_shown else "hiding"
+    label = f"{verb} the connections of {several(command.svars)}"
     return _as_it_stands(model, document, replace(configuration, loci=turned), label)
 
 
 def changed(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
     """With other tasks: the loci are settled, and what is wanted follows."""
-    names = tuple(one.task for one in configuration.placed)
+    names = tuple(placed.task for placed in configuration.placed)
     boxes = model.shelf.boxes((*names, *document.content.names))
     settled = loci.settled(configuration, boxes, document.content.configuration)
     content = document.content.with_configuration(settled)
@@ -135,8 +142,8 @@ def changed(model: Model, document: Document, configuration: Configuration, labe
 
 def several(names: Iterable[str]) -> str:
     """A few names, or how many there are."""
-    found = tuple(names)
-    return " and ".join(found) if len(found) <= 2 else f"{len(found)} things"
+    names = tuple(names)
+    return " and ".join(names) if len(names) <= 2 else f"{len(names)} things"
 
 
 def _as_it_stands(model: Model, document: Document, configuration: Configuration, label: str) -> Done:
@@ -150,18 +157,18 @@ def _refused(model: Model, document: Document, name: str, leaving: tuple[str, ..
     task = tasks.get(name)
     if task is None:
         return No(f"no open library has a task {name}", (Remedy("Open a library…", show=ShowLibraries()),))
-    others = [tasks[one] for one in document.content.names if one in tasks and one not in leaving]
-    found = reasons(placement.refusals(task, others), document.id, task)
-    if not found:
+    others = [tasks[name] for name in document.content.names if name in tasks and name not in leaving]
+    objections = reasons(placement.refusals(task, others), document.id, task)
+    if not objections:
         return None
-    remedies = tuple(dict.fromkeys(one for reason in found for one in reason.remedies))
-    return No(f"{name} cannot be placed: {'; '.join(reason.text for reason in found)}", remedies)
+    remedies = tuple(dict.fromkeys(remedy for reason in objections for remedy in reason.remedies))
+    return No(f"{name} cannot be placed: {'; '.join(reason.text for reason in objections)}", remedies)
 
 
 def absent(document: Document, names: Iterable[str]) -> No | None:
     """Why tasks that are not on the canvas cannot be meant, if so."""
-    known = set(document.content.names)
-    lost = [name for name in names if name not in known]
+    placed_names = set(document.content.names)
+    lost = [name for name in names if name not in placed_names]
     return No(f"there is no {' and no '.join(lost)} on the canvas") if lost else None
 
 
@@ -173,32 +180,36 @@ def inside(x: int, y: int) -> tuple[int, int]:
 def _taken_over(groups: Iterable[Group], old: str, new: str) -> tuple[Group, ...]:
     """A task in the place of another in its supermodule."""
     return tuple(
-        replace(one, tasks=tuple(new if name == old else name for name in one.tasks)) if old in one.tasks else one
-        for one in groups
+        replace(group, tasks=tuple(new if name == old else name for name in group.tasks))
+        if old in group.tasks
+        else group
+        for group in groups
     )
 
 
-def _at(one: Placed, spot: tuple[int, int] | None) -> Placed:
-    return one if spot is None else replace(one, x=spot[0], y=spot[1])
+def _at(placed: Placed, spot: tuple[int, int] | None) -> Placed:
+    return placed if spot is None else replace(placed, x=spot[0], y=spot[1])
 
 
 def _aligned(chosen: list[Placed], heights: dict[str, int], edge: str) -> dict[str, tuple[int, int]]:
-    bottoms = {one.task: one.y + heights.get(one.task, 0) for one in chosen}
+    bottoms = {placed.task: placed.y + heights.get(placed.task, 0) for placed in chosen}
     match edge:
         case "left":
-            return {one.task: (min(other.x for other in chosen), one.y) for one in chosen}
+            return {placed.task: (min(other.x for other in chosen), placed.y) for placed in chosen}
         case "right":
-            return {one.task: (max(other.x for other in chosen), one.y) for one in chosen}
+            return {placed.task: (max(other.x for other in chosen), placed.y) for placed in chosen}
         case "top":
-            return {one.task: (one.x, min(other.y for other in chosen)) for one in chosen}
+            return {placed.task: (placed.x, min(other.y for other in chosen)) for placed in chosen}
         case "bottom":
             low = max(bottoms.values(), default=0)
-            return {one.task: (one.x, low - heights.get(one.task, 0)) for one in chosen}
+            return {placed.task: (placed.x, low - heights.get(placed.task, 0)) for placed in chosen}
         case "columns":
-            xs = _spread(sorted(one.x for one in chosen))
-            return {one.task: (xs[n], one.y) for n, one in enumerate(sorted(chosen, key=lambda one: one.x))}
-    ys = _spread(sorted(one.y for one in chosen))
-    return {one.task: (one.x, ys[n]) for n, one in enumerate(sorted(chosen, key=lambda one: one.y))}
+            xs = _spread(sorted(placed.x for placed in chosen))
+            return {
+                placed.task: (xs[n], placed.y) for n, placed in enumerate(sorted(chosen, key=lambda placed: placed.x))
+            }
+    ys = _spread(sorted(placed.y for placed in chosen))
+    return {placed.task: (placed.x, ys[n]) for n, placed in enumerate(sorted(chosen, key=lambda placed: placed.y))}
 
 
 def _spread(values: list[int]) -> list[int]:

@@ -16,47 +16,50 @@ from onika.words.name import TASK_NAME
 
 
 @on_document
-def rate(model: Model, document: Document, asked: act.Rate, _outside: Surroundings) -> Done | No:
+def rate(model: Model, document: Document, command: act.Rate, _outside: Surroundings) -> Done | No:
     """The rate of a task in this configuration; 0: as its file says."""
-    placed = document.content.placed(asked.task)
+    placed = document.content.placed(command.task)
     if placed is None:
-        return No(f"there is no {asked.task} on the canvas")
-    if not isfinite(asked.hz) or asked.hz < 0:
-        return _no_rate(asked, "expected a rate above 0 Hz, or 0 for that of its file")
-    task = model.shelf.tasks.get(asked.task)
-    if task is not None and task.frequency is None and asked.hz:
-        return _no_rate(asked, f"expected none: {asked.task} runs once for each command or event")
-    words = f"{asked.hz:g} Hz" if asked.hz else "the rate of its file"
-    return _with(model, document, placed, replace(placed, frequency=asked.hz), f"giving {asked.task} {words}")
+        return No(f"there is no {command.task} on the canvas")
+    if not isfinite(command.hz) or command.hz < 0:
+        return _no_rate(command, "expected a rate above 0 Hz, or 0 for that of its file")
+    task = model.shelf.tasks.get(command.task)
+    if task is not None and task.frequency is None and command.hz:
+        return _no_rate(command, f"expected none: {command.task} runs once for each command or event")
+    words = f"{command.hz:g} Hz" if command.hz else "the rate of its file"
+    return _with(model, document, placed, replace(placed, frequency=command.hz), f"giving {command.task} {words}")
 
 
 @on_document
-def unit(model: Model, document: Document, asked: act.Unit, _outside: Surroundings) -> Done | No:
+def unit(model: Model, document: Document, command: act.Unit, _outside: Surroundings) -> Done | No:
     """The unit that a task of this configuration lives on; one that lives is exchanged for itself over there."""
-    placed = document.content.placed(asked.task)
+    placed = document.content.placed(command.task)
     if placed is None:
-        return No(f"there is no {asked.task} on the canvas")
-    rtpu = asked.rtpu or UNKNOWN_RTPU
+        return No(f"there is no {command.task} on the canvas")
+    rtpu = command.rtpu or UNKNOWN_RTPU
     if not TASK_NAME.match(rtpu):
         text = "expected a name of letters, digits and _ . - that begins with a letter"
         return No(f"{rtpu!r} is no name for a processing unit", fields={"rtpu": text})
-    known = document.live
-    if known is not None and known.state == "live":
+    subsystem_facts = document.live
+    if subsystem_facts is not None and subsystem_facts.state == "live":
         units = model.runtime.units
         if rtpu != UNKNOWN_RTPU and (rtpu not in units or units[rtpu].is_lost):
-            there = ", ".join(name for name, one in units.items() if not one.is_lost)
+            there = ", ".join(name for name, unit in units.items() if not unit.is_lost)
             return No(f"the runtime has no unit {rtpu} that lives", fields={"rtpu": f"expected one of {there}"})
-        if known.state_of(asked.task) in ("ON", "ASKING"):
-            off = Remedy(f"Turn {asked.task} OFF", act.Turn(document.id, (asked.task,), is_on=False))
-            return No(f"{asked.task} is {known.state_of(asked.task)}: it moves to another unit while it is OFF", (off,))
-    return _with(model, document, placed, replace(placed, rtpu=rtpu), f"moving {asked.task} to {rtpu}")
+        if subsystem_facts.state_of(command.task) in ("ON", "ASKING"):
+            off = Remedy(f"Turn {command.task} OFF", act.Turn(document.id, (command.task,), is_on=False))
+            return No(
+                f"{command.task} is {subsystem_facts.state_of(command.task)}: it moves to another unit while it is OFF",
+                (off,),
+            )
+    return _with(model, document, placed, replace(placed, rtpu=rtpu), f"moving {command.task} to {rtpu}")
 
 
-def _no_rate(asked: act.Rate, text: str) -> No:
-    return No(f"{asked.hz:g} Hz is no rate for {asked.task}", fields={"hz": text})
+def _no_rate(command: act.Rate, text: str) -> No:
+    return No(f"{command.hz:g} Hz is no rate for {command.task}", fields={"hz": text})
 
 
 def _with(model: Model, document: Document, old: Placed, new: Placed, label: str) -> Done:
     configuration = document.content.configuration
-    placed = tuple(new if one is old else one for one in configuration.placed)
+    placed = tuple(new if placed is old else placed for placed in configuration.placed)
     return changed(model, document, replace(configuration, placed=placed), label)

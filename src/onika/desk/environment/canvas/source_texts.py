@@ -21,35 +21,35 @@ from onika.words.name import TASK_NAME
 _STAMP = re.compile(r"[0-9a-f]{64}\Z")
 
 
-def read_text(model: Model, asked: act.ReadText, _outside: Surroundings) -> Done | No:
+def read_text(model: Model, command: act.ReadText, _outside: Surroundings) -> Done | No:
     """The text of a task's `.rmod` or of its module's code, with what is wrong with it."""
-    path = _path(model, asked.task, asked.kind)
+    path = _path(model, command.task, command.kind)
     if isinstance(path, No):
         return path
-    found, faults = whole.read(path)
-    if found is None:
-        return No("; ".join(plain(str(one)) for one in faults))
-    return Done(model, value=_view(path, *found))
+    text, faults = whole.read(path)
+    if text is None:
+        return No("; ".join(plain(str(fault)) for fault in faults))
+    return Done(model, value=_view(path, *text))
 
 
-def write_text(model: Model, asked: act.WriteText, _outside: Surroundings) -> Done | No:
+def write_text(model: Model, command: act.WriteText, _outside: Surroundings) -> Done | No:
     """Save such a text whole or not at all, also a half-done one, and tell its faults; a `.rmod` counts at once."""
-    path = _path(model, asked.task, asked.kind)
+    path = _path(model, command.task, command.kind)
     if isinstance(path, No):
         return path
-    if not _STAMP.match(asked.stamp):
+    if not _STAMP.match(command.stamp):
         return No("it cannot be told which text this one was made of: read it again first")
     try:
-        refused = whole.write(path, asked.text, whole.ANYTHING if asked.overwrites else asked.stamp)
+        refused = whole.write(path, command.text, whole.ANYTHING if command.overwrites else command.stamp)
     except ValueError:
         return No("the text holds signs that no file in UTF-8 can hold")
     if isinstance(refused, Refusal):
-        return _refused(path, refused, asked)
-    view = _view(path, asked.text, refused)
+        return _refused(path, refused, command)
+    view = _view(path, command.text, refused)
     done = libraries.reread(model, {path})
-    left_out = asked.kind == "rmod" and path.stem not in done.model.shelf.tasks
-    said = page.Say("warning", f"{path.name} is saved; it is at fault, and the task is left out until it is mended")
-    return replace(done, value=view, says=(said,) if left_out else done.says)
+    left_out = command.kind == "rmod" and path.stem not in done.model.shelf.tasks
+    message = page.Say("warning", f"{path.name} is saved; it is at fault, and the task is left out until it is mended")
+    return replace(done, value=view, says=(message,) if left_out else done.says)
 
 
 def _path(model: Model, task: str, kind: str) -> Path | No:
@@ -68,7 +68,7 @@ def _rmod(model: Model, task: str) -> Path | No:
     home = model.shelf.homes.get(task)
     if home is not None:
         return home.base.task_file(task)
-    files = (one.base.task_file(task) for one in model.shelf.libraries) if TASK_NAME.match(task) else ()
+    files = (library.base.task_file(task) for library in model.shelf.libraries) if TASK_NAME.match(task) else ()
     return next((file for file in files if file.is_file()), unknown(task))
 
 
@@ -83,11 +83,11 @@ def _code(model: Model, task: str) -> Path | No:
     return path
 
 
-def _refused(path: Path, refused: Refusal, asked: act.WriteText) -> No:
+def _refused(path: Path, refused: Refusal, command: act.WriteText) -> No:
     """With what stands there now, so that one can choose."""
-    found, _ = whole.read(path)
-    fields = {"theirs": found[0], "stamp": found[1]} if found and found[1] != asked.stamp else {}
-    again = act.WriteText(asked.task, asked.kind, asked.text, asked.stamp, overwrites=True)
+    text, _ = whole.read(path)
+    fields = {"theirs": text[0], "stamp": text[1]} if text and text[1] != command.stamp else {}
+    again = act.WriteText(command.task, command.kind, command.text, command.stamp, overwrites=True)
     is_other = bool(fields) or not path.exists()
     return No(plain(refused.reason), (Remedy("Overwrite it", again),) if is_other else (), fields)
 
@@ -100,12 +100,12 @@ def _view(path: Path, text: str, stamp: whole.Stamp) -> TextView:
 
 def _rmod_faults(path: Path, text: str) -> list[tuple[int, str]]:
     _, faults = rmod.read(text, path.stem, path.name)
-    return [(one.place.line, plain(f"expected {one.expected}, found {one.found}; {one.instead}")) for one in faults]
+    return [(fault.place.line, plain(f"{fault.reason}; {fault.instead}")) for fault in faults]
 
 
 def _code_faults(path: Path, text: str) -> list[tuple[int, str]]:
     """What the compiler says; nothing of the module is run."""
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as catch_warnings:
         warnings.simplefilter("always")
         try:
             compile(text, path.name, "exec", dont_inherit=True)
@@ -113,4 +113,4 @@ def _code_faults(path: Path, text: str) -> list[tuple[int, str]]:
             return [(error.lineno or 0, error.msg)]
         except (ValueError, RecursionError, MemoryError) as error:  # bytes of nothing; nested without end
             return [(0, str(error) or "nested too deeply")]
-    return [(one.lineno, str(one.message)) for one in told]
+    return [(warning_message.lineno, str(warning_message.message)) for warning_message in catch_warnings]

@@ -25,15 +25,15 @@ from onika.words.name import TASK_NAME
 _NO_SYNTAX = "there are no types of icons: the definition OnikaUpperSetUp.dta could not be read"
 
 
-def new(model: Model, asked: act.NewApplication, outside: Surroundings) -> Done | No:
+def new(model: Model, command: act.NewApplication, outside: Surroundings) -> Done | No:
     """Open a blank application; the value is its id."""
     del outside
     if model.syntax is None:
         return No(_NO_SYNTAX)
-    if not 1 <= asked.flows <= MOST_FLOWS:
+    if not 1 <= command.flows <= MOST_FLOWS:
         form = f"from 1 to {MOST_FLOWS}"
-        return No(f"an application has {form} flows, not {asked.flows}", fields={"flows": f"expected {form}"})
-    blank = Application(model.blank_name(), asked.is_parallel, (AppFlow(()),) * asked.flows)
+        return No(f"an application has {form} flows, not {command.flows}", fields={"flows": f"expected {form}"})
+    blank = Application(model.blank_name(), command.is_parallel, (AppFlow(()),) * command.flows)
     return _opened_beside(model, OpenApplication(_next_id(model), blank))
 
 

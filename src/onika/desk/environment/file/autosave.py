@@ -70,26 +70,28 @@ class Autosave:
 
     def _to_keep(self, documents: Mapping[str, Kept]) -> dict[str, Kept]:
         """The documents that are not saved; those that are as they were need no second look."""
-        found = {}
-        for doc, one in documents.items():
-            is_known = self._open.get(doc) is one
-            if doc in self._unsaved if is_known else one.is_unsaved:
-                found[doc] = one
-        return found
+        rescued = {}
+        for doc, document in documents.items():
+            is_known = self._open.get(doc) is document
+            if doc in self._unsaved if is_known else document.is_unsaved:
+                rescued[doc] = document
+        return rescued
 
     def _changed(self) -> list[str]:
         """The documents of which something else is to be kept than is."""
         new = (
-            doc for doc, one in self._unsaved.items() if doc not in self._kept or not _is_alike(self._kept[doc], one)
+            doc
+            for doc, state in self._unsaved.items()
+            if doc not in self._kept or not _is_alike(self._kept[doc], state)
         )
         return [*(doc for doc in self._kept if doc not in self._unsaved), *new]
 
 
-def _are_alike(one: Mapping[str, Kept], other: Mapping[str, Kept]) -> bool:
-    return one.keys() == other.keys() and all(_is_alike(one[doc], other[doc]) for doc in one)
+def _are_alike(kepts: Mapping[str, Kept], other: Mapping[str, Kept]) -> bool:
+    return kepts.keys() == other.keys() and all(_is_alike(kepts[doc], other[doc]) for doc in kepts)
 
 
-def _is_alike(one: Kept, other: Kept) -> bool:
+def _is_alike(kept: Kept, other: Kept) -> bool:
     """Whether the same is kept of both: what lives and what was done before does not count."""
-    is_of_one_file = one.opened is other.opened and one.base == other.base
-    return is_of_one_file and one.value == other.value
+    is_of_one_file = kept.opened is other.opened and kept.base == other.base
+    return is_of_one_file and kept.value == other.value

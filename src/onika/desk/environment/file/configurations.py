@@ -86,15 +86,15 @@ class Configurations:
 
     def close(self, model: Model, document: Document, alive: str, *, discards: bool) -> Done | No:
         """Close it; a configuration is always open. Tasks that live are ended or left, as `alive` says."""
-        known = document.live if document.live and document.live.state == "live" else None
-        moving = [task for task, facts in known.tasks.items() if facts.is_moving] if known else []
+        subsystem_facts = document.live if document.live and document.live.state == "live" else None
+        moving = [task for task, facts in subsystem_facts.tasks.items() if facts.is_moving] if subsystem_facts else []
         if moving and alive == "ask":
             return _asked_about(document, moving, discards=discards)
         left = model.without(document.id)
         done = Done(left) if left.documents else opened_beside(left, None, None, left.blank())
-        if known is None or not known.tasks or alive == "leave":
+        if subsystem_facts is None or not subsystem_facts.tasks or alive == "leave":
             return done
-        return replace(done, orders=(Order(live.Close(known.subsystem)),))
+        return replace(done, orders=(Order(live.Close(subsystem_facts.subsystem)),))
 
     def reread(self, model: Model, document: Document, reading: Reading[Configuration]) -> Done:
         """The tasks of its file are placed; what lives follows."""

@@ -50,12 +50,12 @@ def bases(site: Site, model: Model) -> Iterable[Path]:
     yield from (library.base.path for library in model.shelf.libraries)
     yield from (dictionary.base.path for dictionary in model.dictionaries)
     yield from (document.base for document in model.documents.values() if document.base is not None)
-    yield from (one.base for one in model.applications.values() if one.base is not None)
+    yield from (application.base for application in model.applications.values() if application.base is not None)
 
 
-def _paths(found: Iterable[Path]) -> dict[str, tuple[str, ...]]:
+def _paths(paths: Iterable[Path]) -> dict[str, tuple[str, ...]]:
     """The folders to be looked at, and the endings that count there."""
-    return {str(base / folder): endings for base in found for folder, endings in _FOLDERS.items()}
+    return {str(base / folder): endings for base in paths for folder, endings in _FOLDERS.items()}
 
 
 def _look(folders: Mapping[str, tuple[str, ...]], former: Mapping[str, dict[str, Mark]]) -> dict[str, dict[str, Mark]]:
@@ -64,25 +64,25 @@ def _look(folders: Mapping[str, tuple[str, ...]], former: Mapping[str, dict[str,
 
 def _marks(folder: str, endings: tuple[str, ...], former: dict[str, Mark]) -> dict[str, Mark]:
     """What stands in a folder; one that cannot be looked into for now has not changed."""
-    found: dict[str, Mark] = {}
+    marks: dict[str, Mark] = {}
     try:
         with os.scandir(folder) as entries:
             for entry in entries:
                 if entry.name.endswith(endings) and not entry.name.startswith("."):
                     mark = _mark(entry, former.get(entry.name))
                     if mark is not None:
-                        found[entry.name] = mark
+                        marks[entry.name] = mark
     except (FileNotFoundError, NotADirectoryError):
         return {}
     except OSError:
         return former
-    return found
+    return marks
 
 
 def _single(site: Site, former: Mapping[str, Mark]) -> dict[str, Mark]:
     """The files that stand in no base directory: those that may define the syntax."""
-    found = {str(path): _mark(path, former.get(str(path))) for path in site.syntax_files}
-    return {path: mark for path, mark in found.items() if mark is not None}
+    marks = {str(path): _mark(path, former.get(str(path))) for path in site.syntax_files}
+    return {path: mark for path, mark in marks.items() if mark is not None}
 
 
 class _File(Protocol):

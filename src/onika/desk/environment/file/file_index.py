@@ -49,13 +49,13 @@ class Listed:
 
 def listed(bases: Iterable[BaseDirectory], syntax: Syntax | None) -> Listed:
     """Every configuration and application of these base directories."""
-    found = Listed()
+    listed = Listed()
     for base in bases:
         for name in base.configurations:
-            found = found.and_(configuration(base, name))
+            listed = listed.and_(configuration(base, name))
         for name in base.applications:
-            found = found.and_(application(base, name, syntax))
-    return found
+            listed = listed.and_(application(base, name, syntax))
+    return listed
 
 
 def configuration(base: BaseDirectory, name: str) -> Listed:
@@ -74,22 +74,33 @@ def application(base: BaseDirectory, name: str, syntax: Syntax | None) -> Listed
         file = ApplicationFile(name, str(base.path), path)
         return Listed(applications={path: file}, sources={path: None}, faults=faults)
     steps = (step for _, flow in every_flow(read) for step in flow.steps)
-    file = ApplicationFile(name, str(base.path), path, len(read.flows), sum(isinstance(one, Icon) for one in steps))
+    file = ApplicationFile(name, str(base.path), path, len(read.flows), sum(isinstance(step, Icon) for step in steps))
     return Listed(applications={path: file}, sources={path: application_type(read, syntax)}, faults=faults)
 
 
 def without(model: Model, paths: Iterable[str]) -> Model:
     """The model without the files of these paths."""
     gone = frozenset(paths)
-    files = {path: one for path, one in model.files.items() if path not in gone}
-    applications = {path: one for path, one in model.application_files.items() if path not in gone}
-    return _with(model, files, applications, {path: one for path, one in model.sources.items() if path not in gone})
+    files = {path: file for path, file in model.files.items() if path not in gone}
+    applications = {
+        path: application_file for path, application_file in model.application_files.items() if path not in gone
+    }
+    return _with(
+        model, files, applications, {path: source for path, source in model.sources.items() if path not in gone}
+    )
 
 
 def of_base(model: Model, base: str) -> tuple[str, ...]:
     """The paths of what is listed of a base directory."""
-    configurations = (one.path for one in model.files.values() if one.base == base)
-    return (*configurations, *(one.path for one in model.application_files.values() if one.base == base))
+    configurations = (file.path for file in model.files.values() if file.base == base)
+    return (
+        *configurations,
+        *(
+            application_file.path
+            for application_file in model.application_files.values()
+            if application_file.base == base
+        ),
+    )
 
 
 def again(path: Path, syntax: Syntax | None) -> Listed | None:

@@ -43,11 +43,11 @@ class Recovery:
     def recovered(self) -> tuple[Rescue, ...]:
         """What those left that are dead; it stays on the disk until it is kept here by `carry_out`, or let go."""
         with _alone(self._all):
-            for folder in sorted(one for one in self._all.iterdir() if one.is_dir() and one != self.folder):
+            for folder in sorted(path for path in self._all.iterdir() if path.is_dir() and path != self.folder):
                 lock = _held(folder) if folder not in self._taken else None
                 if lock is not None:
                     self._taken[folder] = lock
-        return tuple(one for folder in self._taken for one in _read(folder))
+        return tuple(rescue for folder in self._taken for rescue in _read(folder))
 
     def carry_out(self, changes: Sequence[Change]) -> str:
         """Write and remove files; why not, if so. May take as long as a disk does."""
@@ -58,7 +58,7 @@ class Recovery:
                 continue
             done = whole.write(path, rescues.write(rescue_of(change.document)), whole.ANYTHING)
             if isinstance(done, Refusal):
-                return done.reason
+                return str(done.reason)
         if changes:
             self._let_go()
         return ""
@@ -82,31 +82,31 @@ class Recovery:
         self._taken = {}
 
 
-def reopened(model: Model, found: Sequence[Rescue]) -> Done:
+def reopened(model: Model, recovered: Sequence[Rescue]) -> Done:
     """With the documents that were not saved, as unsaved as they were; each is told."""
     says = []
-    for one in found:
+    for record in recovered:
         number = model.opened + 1
         names = {file.name for file in model.open_files}
-        name = model.blank_name() if not one.path and one.name in names else ""
+        name = model.blank_name() if not record.path and record.name in names else ""
         try:
-            document = _of(model, one, number, name)
+            document = _of(model, record, number, name)
         except ValueError as wrong:
-            says.append(page.Say("warning", f"{one.name} was not saved and cannot be had back: {wrong}"))
+            says.append(page.Say("warning", f"{record.name} was not saved and cannot be had back: {wrong}"))
             continue
         model = replace(model.with_file(document), opened=number)
-        said = f"{document.name} was not saved when Onika ended: it is open as it was"
-        says.append(page.Say("info", said, document.id))
+        sentence = f"{document.name} was not saved when Onika ended: it is open as it was"
+        says.append(page.Say("info", sentence, document.id))
     return Done(model, says=tuple(says))
 
 
-def _of(model: Model, one: Rescue, number: int, name: str) -> Document | OpenApplication:
+def _of(model: Model, rescue: Rescue, number: int, name: str) -> Document | OpenApplication:
     """What was rescued, under the next id; raises ValueError."""
-    if one.kind != appl.ENDING:
-        return document_of(one, Kind.CONFIGURATION.id(number), name)
+    if rescue.kind != appl.ENDING:
+        return document_of(rescue, Kind.CONFIGURATION.id(number), name)
     if model.syntax is None:
         raise ValueError("there are no types of icons")
-    return application_of(one, Kind.APPLICATION.id(number), model.syntax, name)
+    return application_of(rescue, Kind.APPLICATION.id(number), model.syntax, name)
 
 
 def _read(folder: Path) -> Iterator[Rescue]:

@@ -151,7 +151,7 @@ def _application(model: Model, opened: OpenApplication, history: History[Applica
 
 def _restored(model: Model, document: Document, way: _Way, history: History[Content], cannot: str) -> Done | No:
     wanted = moved_wanted(document.content.wanted, way.start, way.end) if document.live else {}
-    names = {one.task for one in way.end.configuration.placed}
+    names = {placed.task for placed in way.end.configuration.placed}
     kept = {name: is_on for name, is_on in wanted.items() if name in names}
     if document.live:
         kept = {**dict.fromkeys(sorted(names), False), **kept}

@@ -65,7 +65,7 @@ def _elsewhere() -> Remedy:
 
 def _reasons(opened: OpenApplication, syntax: Syntax, refused: Sequence[Refusal]) -> Iterable[str]:
     """What is wrong with its steps, which comes first, in the words of the list beside it; then what its holes want."""
-    wrong = [said(fault) for fault in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
+    wrong = [str(said(fault)) for fault in shape.faults(Outline.of(opened.application, syntax, opened.name), syntax)]
     return dict.fromkeys((*wrong, *(in_words(plain(refusal.reason)) for refusal in refused[len(wrong) :])))
 
 

@@ -49,7 +49,7 @@ def _beside(task: Task, document: Document, before: Shelf, after: Shelf) -> Iter
 def _known(task: Task | None, other: Task | None) -> set[str]:
     if task is None or other is None:
         return set()
-    return {one.reason for one in placement.refusals(task, (other,))}
+    return {str(one.reason) for one in placement.refusals(task, (other,))}
 
 
 def _said(one: Refusal, task: Task) -> str:

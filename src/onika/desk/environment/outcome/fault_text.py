@@ -1,115 +1,178 @@
 """A fault of an application in the words of whoever builds it from pictures, without lines, files and step numbers."""
 
-import re
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 from onika.desk.environment.outcome.remedy import plain
-from onika.desk.plan.icon_names import in_words
+from onika.desk.plan.icon_names import kind_named
+from onika.words.catalogue import sentence
 from onika.words.fault import Fault
+from onika.words.reason import Argument, Reason
+from onika.words.sentence import gaps
 
-_AT = re.compile(r",? (?:at )?step \d+(?: of (?:flow \d+|`[^`]*`)(?:, step \d+, branch \d+)*(?: of `[^`]*`)?)?")
-_NOWHERE = re.compile(r" (?:in|of) flow \d+(?:, step \d+, branch \d+)*\b")
-EMPTY = re.compile(r"an action in flow (\d+)(?: of `.*`)?")
-_INSTEAD = ("the application is not run", "nothing is run")
-_SUPPLIERS = "one supplier of each constant in a flow"
+_SENTENCES = {
+    "desk.icon_twice": "run.name_twice",
+    "desk.task_not_of_flow": "run.not_used",
+    "desk.task_unknown": "run.no_new_task",
+    "host.device_claimed": "run.device_claimed",
+    "host.device_unlike": "run.device_unlike",
+    "host.module_twice": "run.module_used",
+    "host.no_such_device": "run.no_device",
+    "host.no_such_world": "run.no_world",
+    "host.poses_unknown": "run.nothing_known",
+    "host.posture_missing": "run.posture_missing",
+    "host.postures_unknown": "run.nothing_known",
+    "host.trigger_missing": "run.no_trigger",
+    "host.unreachable": "run.unreachable",
+    "host.values_unfit": "run.values_unfit",
+    "rules.action_missing": "run.action_missing",
+    "rules.application_circle": "run.circle",
+    "rules.application_missing": "run.no_application",
+    "rules.condition_count": "run.condition_count",
+    "rules.condition_flow": "run.condition_variable",
+    "rules.condition_form": "run.condition_none",
+    "rules.condition_variable": "run.condition_variable",
+    "rules.configuration_missing": "run.no_configuration",
+    "rules.constant_missing": "run.no_constant",
+    "rules.constant_twice": "run.constants_shared",
+    "rules.device_twice": "run.device_shared",
+    "rules.edges_unfit": "run.edges_unfit",
+    "rules.end_unfit": "run.end_unfit",
+    "rules.flow_empty": "run.flow_empty",
+    "rules.hanging": "run.hanging",
+    "rules.kind_of_trigger": "run.kind_of_trigger",
+    "rules.kind_unknown": "run.kind_unknown",
+    "rules.loop_at_one_action": "run.loop_at_one_action",
+    "rules.loop_condition_misplaced": "run.loop_condition",
+    "rules.loop_tag_count": "run.loop_marked",
+    "rules.loop_test_count": "run.loop_tests",
+    "rules.loop_without_job": "run.loop_without_job",
+    "rules.loops_cross": "run.loops_cross",
+    "rules.loops_share_action": "run.loops_shared",
+    "rules.module_twice": "run.module_shared",
+    "rules.no_flow": "run.no_flow",
+    "rules.start_unfit": "run.start_unfit",
+    "rules.tag_alone": "run.tag_alone",
+    "rules.tag_not_parallel": "run.tag_not_parallel",
+    "rules.target_missing": "run.target_missing",
+    "rules.task_in": "run.task_in",
+    "rules.task_in_flow": "run.task_in",
+    "rules.icon_of_kind": "run.icon_of_kind",
+    "rules.task_missing": "run.no_task",
+    "runtime.constant_missing": "run.no_supplier",
+    "runtime.device_missing": "run.no_device_line",
+    "runtime.local_missing": "run.no_local",
+    "runtime.port_undeclared": "run.no_port",
+    "store.name_twice": "run.name_twice",
+}
+"""Of a reason, by its key, the sentence that says it without places; it takes arguments of that reason."""
 
-_WAITING = r"waits at (\S+)(?: of .+?)? \([^)]*\)"
-_WAITS = rf"(\S+) {_WAITING} for (\S+)"
+_WHY = {"desk.substitute_unfit": "reason", "host.devices_unfit": "why", "runtime.local_unfit": "why"}
+"""Reasons of which one argument says it all."""
 
-_SAYINGS: tuple[tuple[str, str], ...] = (
-    (r"edges that fit\|Application end behind (.+)", "nothing may end behind {0}: its edge fits no end"),
-    (r"edges that fit\|(.+) behind Application start", "{0} does not fit at the start"),
-    (r"edges that fit\|(.+) behind (.+)", "{0} does not fit behind {1}"),
-    (r"an? (.+) behind it\|none behind (.+)", "{1} wants a {0} behind it"),
-    (r"an action that takes this target\|none before (.+)", "no action before {0} takes it"),
-    (r"the loop tag (.+) at two actions\|.*", "both marks of the loop {0} are at one action; they belong to two"),
-    (r"the loop tag (.+) twice\|1 times.*", "the loop {0} is marked at one icon only; it has a test and an anchor"),
-    (r"the loop tag (.+) twice\|(\d+) times.*", "the loop {0} is marked at {1} icons; it has a test and an anchor"),
-    (
-        r"exactly one test icon of the loop (.+)\|(\d+),.*",
-        "the loop {0} has {1} tests; one of its icons is the test",
-    ),
-    (r"the condition of the loop (.+) at its test\|.*", "the condition of the loop {0} belongs at its test"),
-    (r"loops that do not cross\|(.+)", "the loops {0} cross; one has to lie within the other"),
-    (r"one loop tag at an action\|(.+) at (.+)", "{1} has two loop marks, {0}; an action bears one"),
-    (
-        r"a job on every way round the loop (.+)\|.*",
-        "a way round the loop {0} takes no time: it needs a job",
-    ),
-    (r"the synchronisation tag (.+) in two flows .*", "the tag {0} stands in one flow only: nobody would be met there"),
-    (r"a parallel application for the tag (.+)\|.*", "the tag {0} means nothing here: only parallel flows meet"),
-    (
-        rf"tags as often in each flow\|{_WAITS}, which has ended by then.*",
-        "{0} could wait at the tag {1} in vain: {2} does not come there as often",
-    ),
-    (
-        rf"tags in an order in which the flows can meet\|{_WAITS}, which {_WAITING} for \1.*",
-        "{0} waits at the tag {1} for {2}, which waits at the tag {3} for {0}: neither comes",
-    ),
-    (r"a type the syntax defines\|(.+) of (.+)", "nothing is known of {1}'s type, {0}"),
-    (r"an? (.+), as its trigger (.+) says\|(.+) for (.+)", "{3} is a {2} here, and its trigger {1} makes it a {0}"),
-    (r"at least one flow\|.*", "it has no flow"),
-    (r"an? (?:address|condition).*, as in.*\|(.+) at (.+)", "the condition {0} at {1} is none: compare a variable"),
-    (r"a condition on a variable .*\|(.+) at (.+)", "the condition {0} asks for a variable that no task has there"),
-    (r"module (\S+) once in a flow\|also in task (\S+)", "its module {0} is used already, by {1}"),
-    (r"every module once in a flow\|(.+) in (.+)", "{1} have one module, {0}: they cannot live in one flow"),
-    (r"every device claimed once in a flow\|(.+) by (.+)", "{1} both claim {0}: they cannot live in one flow"),
-    (r"(\d+) conditions of a branch, or none\|(\d+).*", "this branch needs {0} conditions or none, and has {1}"),
-    (rf"{_SUPPLIERS}\|(.+) from (.+)", "{1} cannot live in one flow: both give {0}"),
-    (r"values for (.+)\|(.+?): (.+)", "{1} does not suit {0}: {2}"),
-    (r"a target within reach\|(.+?): out of reach: (.+)", "{0} is out of reach: {1}"),
-    (r"a target within reach\|(.+?): (.+)", "{0} cannot be reached: {1}"),
-    (r"a posture of (\S+) where (\S+) would be\|(.+?): (?:out of reach: )?(.+)", "{0} cannot come to {2}: {3}"),
-    (
-        r"(?:poses of joint targets|postures for poses) from module (\S+)\|(.+?): none",
-        "nothing is known of {1} from {0}",
-    ),
-    (r"a task with the outputs of (\S+), that works in its place\|(.+)", "{1}"),
-    (r"a task of (.+?) \(.*\)\|(\S+)", "{0} does not use {1}"),
-    (r"a task on the search path\|no (\S+)", "there is no task {0}"),
-    (r"a device of world (\S+) \((.*)\)\|DEVICE (\S+)", "there is no device {2}; {0} has {1}"),
-    (r"a world \((.*)\)\|DEVICE (\S+)", "there is no world for the device {1}, but {0}"),
-    (r"the device that (\S+) means as (\S+)\|(.+)", "{1} is not the device that {0} means: {2}"),
-    (r"devices of \S+ that can be used together\|(.+)", "{0}"),
-    (r"device (\S+) for one task\|task (\S+) claims it too", "{1} and another task both claim {0}"),
-    (
-        r"the name (\S+) once on the search path\|it again, first in (.+)",
-        "{0} stands twice on the search path; that of {1} is used",
-    ),
-    (r"a task that writes (\S+)\|only (.+), reading it", "nobody writes {0}, read by {1}; it keeps its last value"),
-    (r"a task that (?:gives|supplies) the constants? (.+)\|(?:none|no such task).*", "no task gives the constant {0}"),
-    (r"only ports that module (\S+) declares\|(.+)", "module {0} has no port {1}"),
-    (r"(.+), as module (\S+) declares\|no such port", "its task has no port {0}, which module {1} declares"),
-    (r"LOCAL .+\|(LOCAL .+: expected .+)", "{0}"),
-    (r"(?:the|an?) (.+)\|none(?: for .*)?", "there is no {0}"),
-)
-"""Of `expected|found`, what is said; the first that fits counts."""
-
-_TABLE: tuple[tuple[Callable[[str], re.Match[str] | None], str], ...] = tuple(
-    (re.compile(pattern).fullmatch, words) for pattern, words in _SAYINGS
-)
+_KINDS = ("kind", "wanted")
+_NOT_DONE = ("words.application_not_run", "words.nothing_run")
 
 
-def said(fault: Fault) -> str:
+def said(fault: Fault) -> Reason:
     """A fault as a sentence."""
-    if match := EMPTY.fullmatch(fault.expected):
-        return f"flow {match[1]} is empty"
-    instead = "" if fault.instead in _INSTEAD else f"; {fault.instead}"
-    expected, found = (in_words(plain(_AT.sub("", _NOWHERE.sub("", one)))) for one in (fault.expected, fault.found))
-    for fits, words in _TABLE:
-        if match := fits(f"{expected}|{found}"):
-            return words.format(*match.groups())
-    return plain(f"expected {expected}, found {found}{instead}")
+    reason = _special(fault.reason) or simple(fault.reason)
+    if reason is not fault.reason:
+        return reason
+    if fault.instead.key in _NOT_DONE or not fault.instead:
+        return fault.reason
+    return Reason.of("run.fault_instead", reason=fault.reason, instead=fault.instead)
+
+
+def simple(reason: Reason) -> Reason:
+    """The reason without places, where there is such a sentence; else as it is."""
+    if reason.key == "rules.icon":
+        return Reason.plain(str(reason.args["name"]))
+    key = _SENTENCES.get(reason.key)
+    if key is None:
+        return reason
+    return _made(key, arguments(reason))
+
+
+def arguments(reason: Reason) -> dict[str, Argument]:
+    """The arguments of a reason, and those of the reasons among them; where names are the same, the outer ones."""
+    every = dict(reason.args)
+    for value in reason.args.values():
+        if isinstance(value, Reason):
+            every = arguments(value) | every
+    return every
 
 
 def together(faults: Iterable[Fault]) -> list[Fault]:
     """What two tasks have in common, told once with all of it: two arms in one flow share all their constants."""
-    found: dict[object, Fault] = {}
-    for one in faults:
-        name, of, who = one.found.partition(" from ")
-        key = (one.place, who) if one.expected == _SUPPLIERS and of else one
-        former = found.get(key)
-        joined = f"{former.found.removesuffix(of + who)}, {name}{of}{who}" if former and key is not one else one.found
-        found[key] = replace(one, found=joined)
-    return list(found.values())
+    merged: dict[object, Fault] = {}
+    for fault in faults:
+        args = fault.reason.args
+        is_shared = fault.reason.key == "rules.constant_twice"
+        key = (fault.place, args["tasks"]) if is_shared else fault
+        former = merged.get(key)
+        if former is not None and is_shared:
+            constants = (*_names(former.reason.args["constants"]), *_names(args["constants"]))
+            reason = Reason.of("rules.constant_twice", constants=constants, tasks=args["tasks"], flow=args["flow"])
+            merged[key] = replace(fault, reason=reason)
+        else:
+            merged[key] = fault
+    return list(merged.values())
+
+
+def _names(value: Argument) -> tuple[str, ...]:
+    return tuple(map(str, value)) if isinstance(value, tuple) else (str(value),)
+
+
+def _special(reason: Reason) -> Reason | None:
+    """The sentence of a reason that depends on its arguments."""
+    args = reason.args
+    match reason.key:
+        case "rules.loop_tag_count" if args["count"] == 1:
+            return Reason.of("run.loop_marked_once", tag=args["tag"])
+        case "rules.condition_form" if "name" not in arguments(reason):
+            return Reason.of("run.condition_at_branch", text=args["text"])
+        case "runtime.port_unlike" if getattr(args["given"], "key", "") == "runtime.no_such_port":
+            return _made("run.port_missing", args)
+        case "rules.tags_as_often" | "rules.tags_as_often_always":
+            return _in_vain(args["wait"])
+        case "rules.tags_in_order" | "rules.tags_in_order_always":
+            return _crossed(args["wait"])
+    if reason.key in _WHY:
+        why = args[_WHY[reason.key]]
+        return simple(why) if isinstance(why, Reason) else Reason.plain(plain(str(why)))
+    return None
+
+
+def _in_vain(wait: Argument) -> Reason | None:
+    if not isinstance(wait, Reason) or wait.key != "rules.flow_waits":
+        return None
+    args = arguments(wait)
+    return _made("run.tag_in_vain", args) if "tag" in args else None
+
+
+def _crossed(wait: Argument) -> Reason | None:
+    if not isinstance(wait, Reason) or wait.key != "rules.wait_which":
+        return None
+    first, further = wait.args["wait"], wait.args["further"]
+    if not isinstance(first, Reason) or not isinstance(further, Reason):
+        return None
+    ours, theirs = arguments(first), arguments(further)
+    is_pair = first.key == "rules.flow_waits" and "tag" in ours and "tag" in theirs and theirs["other"] == ours["flow"]
+    return _made("run.tags_crossed", {**ours, "other_tag": theirs["tag"]}) if is_pair else None
+
+
+def _made(key: str, args: Mapping[str, Argument]) -> Reason:
+    return Reason.of(key, **{name: _argument(name, args[name]) for name in gaps(sentence("en", key))})
+
+
+def _argument(name: str, value: Argument) -> Argument:
+    if isinstance(value, tuple):
+        return tuple(simple(item) if isinstance(item, Reason) else item for item in value)
+    if isinstance(value, Reason):
+        if value.key == "rules.tag_of":
+            return value.args["tag"]
+        return simple(value)
+    if isinstance(value, str):
+        return kind_named(value) if name in _KINDS else plain(value)
+    return value

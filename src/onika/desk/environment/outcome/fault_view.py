@@ -1,12 +1,11 @@
 """What is wrong with an application, told of its steps and with what could be done about it (E01, X01)."""
 
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
 
-from onika.desk.environment.outcome.fault_text import EMPTY, said, together
+from onika.desk.environment.outcome.fault_text import arguments, said, together
 from onika.desk.environment.run_state.membership import Belonging, icons
 from onika.desk.environment.state.open_application import OpenApplication
 from onika.desk.plan.icon_names import a, kind_named, listed, quoted
@@ -24,8 +23,19 @@ from onika.store.site import Site
 from onika.wire import act
 from onika.wire.view import FaultView, Remedy, ShowConfiguration, ShowFits, ShowLoop, ShowStep, ShowTarget, ShowValues
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
-_SUBSTITUTE = re.compile(r"redirect (\S+) to (\S+)")
+_OF_TAGS = (
+    "rules.tag_alone",
+    "rules.tag_not_parallel",
+    "rules.tags_as_often",
+    "rules.tags_as_often_always",
+    "rules.tags_in_order",
+    "rules.tags_in_order_always",
+    "rules.tag_in_endless_loop",
+    "rules.tags_too_many",
+)
+_OF_WHAT_IS_MISSING = ("rules.configuration_missing", "rules.application_missing", "rules.action_missing")
 
 
 def place_of(opened: OpenApplication) -> Place:
@@ -80,7 +90,7 @@ class Troubles:
         found: dict[tuple[int, str], FaultView] = {}
         for one in every:
             step = self._meant(one)
-            text, remedies = said(self._shown(one, step)), tuple(dict.fromkeys(self._remedies(one, step)))
+            text, remedies = str(said(self._shown(one, step))), tuple(dict.fromkeys(self._remedies(one, step)))
             level: Literal["fault", "warning"] = "warning" if one.is_note else "fault"
             found.setdefault((step, text), FaultView(text, level, step, remedies, is_of_runtime))
         yield from found.values()
@@ -105,7 +115,7 @@ class Troubles:
     def _meant(self, fault: Fault) -> int:
         step = self.step_of(fault.place)
         is_of_target = self._is_own(fault) and (_is_of_reach(fault) or _is_of_values(fault))
-        return self.target_of(step, fault.found.partition(":")[0]) if is_of_target else step
+        return self.target_of(step, str(fault.reason.args["target"])) if is_of_target else step
 
     def _is_own(self, fault: Fault) -> bool:
         """Whether it stands in the application itself, and not in one that it uses."""
@@ -113,10 +123,11 @@ class Troubles:
 
     def _shown(self, fault: Fault, number: int) -> Fault:
         """A target by what its icon shows, where it is found here by its name."""
-        step, (name, _, why) = self._step(number), fault.found.partition(":")
+        step, name = self._step(number), fault.reason.args.get("target")
         if number == self.step_of(fault.place) or not isinstance(step, Icon) or step.onikon.name != name:
             return fault
-        return replace(fault, found=f"{quoted(step.onikon)}:{why}")
+        args = {**fault.reason.args, "target": quoted(step.onikon)}
+        return replace(fault, reason=Reason.of(fault.reason.key, **args))
 
     def _is_hole(self, fault: Fault) -> bool:
         step = self._step(self.step_of(fault.place))
@@ -148,10 +159,10 @@ class Troubles:
             yield Remedy(f"Open {Path(fault.place.file).stem}", act.Open(fault.place.file))
         elif isinstance(step, Icon):
             yield from self._of_icon(fault, step)
-        if isinstance(step, Branch) and "conditions" in fault.expected:
+        if isinstance(step, Branch) and fault.reason.key == "rules.condition_count":
             yield Remedy("Its conditions…", show=ShowStep(number))
-        elif not number and (match := EMPTY.fullmatch(fault.expected)):
-            yield Remedy("What fits here", show=ShowFits(match[1], 0))
+        elif not number and fault.reason.key == "rules.flow_empty":
+            yield Remedy("What fits here", show=ShowFits(str(arguments(fault.reason)["number"]), 0))
         elif number:
             yield Remedy("Show it", show=ShowStep(number))
 
@@ -162,24 +173,26 @@ class Troubles:
             is_of_it = fault.place.file == f"redirect {one}" or file.name == f"{one.new}{rmod.ENDING}"
             if is_of_it or _is_of_reach(fault) or _is_of_company(fault):
                 yield Remedy(f"Let {one.old} do it again", act.Redirect(self.doc, one.home, one.old, ""))
-        for found in filter(None, map(_SUBSTITUTE.fullmatch, fault.remedies)):
-            yield Remedy(f"Redirect {found[1]} to {found[2]}", act.Redirect(self.doc, "", found[1], found[2]))
+        for way in fault.remedies:
+            if isinstance(way, Reason) and way.key == "desk.redirect_to":
+                old, new = str(way.args["old"]), str(way.args["new"])
+                yield Remedy(f"Redirect {old} to {new}", act.Redirect(self.doc, "", old, new))
 
     def _of_icon(self, fault: Fault, icon: Icon) -> Iterator[Remedy]:
-        expected, number = fault.expected, icon.number
-        if " loop" in expected and icon.while_tag is not None:
+        key, number = fault.reason.key, icon.number
+        if key.startswith("rules.loop") and icon.while_tag is not None:
             yield Remedy("Remove the loop", act.RemoveLoop(self.doc, number))
             yield Remedy("Mark it anew…", show=ShowLoop(number))
-        elif "tag" in expected and icon.synch_tag is not None:
+        elif key in _OF_TAGS and icon.synch_tag is not None:
             yield Remedy("Remove the tag", act.SetSynchTag(self.doc, number))
-        elif "as its trigger" in expected or expected == "a type the syntax defines":
+        elif key in ("rules.kind_of_trigger", "rules.kind_unknown"):
             yield Remedy("Take it from the dictionary anew", act.ExchangeIcon(self.doc, number, icon.onikon.name))
         elif _is_of_values(fault) or _is_of_reach(fault):
             yield Remedy("Its values…", show=ShowValues(number))
-        elif expected.endswith(" behind it"):
+        elif key == "rules.target_missing":
             spot = self._spots[number]
             yield Remedy("What fits behind it", show=ShowFits(spot.path, number))
-        elif expected.startswith(("the configuration ", "the application ", "an action that takes")):
+        elif key in _OF_WHAT_IS_MISSING:
             yield Remedy("Remove it", act.RemoveIcons(self.doc, (number,)))
         elif self.program is not None and icon.onikon.name in self.program.configurations and not fault.is_note:
             yield Remedy("Open its configuration", show=ShowConfiguration(icon.onikon.name))
@@ -187,16 +200,16 @@ class Troubles:
 
 def _is_of_reach(fault: Fault) -> bool:
     """Whether a robot does not come to a target."""
-    return "within reach" in fault.expected or fault.expected.startswith("a posture of ")
+    return fault.reason.key in ("host.unreachable", "host.posture_missing")
 
 
 def _is_of_company(fault: Fault) -> bool:
     """Whether two robots cannot be used together, whichever of them it stands at."""
-    return "that can be used together" in fault.expected or fault.expected.endswith(" for one task")
+    return fault.reason.key in ("host.devices_unfit", "host.device_claimed")
 
 
 def _is_of_values(fault: Fault) -> bool:
-    return fault.expected.startswith("values for")
+    return fault.reason.key == "host.values_unfit"
 
 
 def _named(name: str, program: ApplicationProgram) -> list[str]:

@@ -6,11 +6,12 @@ from pathlib import Path
 from onika.desk.environment.outcome.remedy import plain
 from onika.wire import page
 from onika.words.fault import Fault
+from onika.words.reason import Reason
 
 _MOST = 3
 """Files of one folder that are told one by one."""
 _LISTS = {"module": "library", "dict": "dictionary"}
-_SECOND = "the first one is used"
+_SECOND = Reason.of("words.first_used")
 
 
 def told(faults: Iterable[Fault]) -> tuple[page.Say, ...]:

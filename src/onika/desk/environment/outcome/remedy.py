@@ -7,6 +7,7 @@ from onika.model.task import Task
 from onika.wire import act
 from onika.wire.view import Reason, Remedy, ShowPin, ShowTask
 from onika.words.fault import Fault, Refusal
+from onika.words.reason import Text
 
 _NAMED = re.compile(r"(replace|show|alias) `?([^`]+)`?\Z")
 _TOLD = 4
@@ -19,9 +20,9 @@ def reasons(refused: Iterable[Refusal], doc: str, task: Task) -> tuple[Reason, .
     return tuple(Reason(plain(one.reason), tuple(_remedy(word, doc, task) for word in one.remedies)) for one in refused)
 
 
-def plain(text: str) -> str:
+def plain(text: Text) -> str:
     """A sentence without the marks that terminals show names with."""
-    return text.replace("`", "")
+    return str(text).replace("`", "")
 
 
 def unreadable(file: str, faults: Sequence[Fault]) -> str:

@@ -25,4 +25,4 @@ def simply_done(model: Model, wish: request.Request) -> Procedure:
 
 def _sentence(fault: request.FaultText) -> str:
     where = Path(fault.file).name + (f":{fault.line}" if fault.line else "")
-    return f"{where}: expected {fault.expected}, found {fault.found}"
+    return f"{where}: {fault.reason}"

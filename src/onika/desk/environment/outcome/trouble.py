@@ -76,14 +76,14 @@ def _warnings(tasks: Sequence[Task], place: Place) -> dict[str, ProblemView]:
     """What is odd and never forbidden: hanging inputs, further triggers, tasks that read what they write (C08, C29)."""
     found = {}
     for one in warning.hanging(tasks, place):
-        svar = one.expected.rpartition(" ")[2]
+        svar = str(one.reason.args["svar"])
         found[f"hanging {svar}"] = ProblemView(said(one), "warning", ShowLocus(svar))
     for one in warning.further_triggers(tasks, place):
-        name = plain(one.found).partition(" ")[0]
+        name = str(one.reason.args["task"])
         found[f"trigger {name}"] = ProblemView(said(one), "warning", ShowTask(name))
     for task in tasks:
         for one in warning.self_fed(task, place):
-            svar = one.found.partition(",")[0]
+            svar = str(one.reason.args["svar"])
             found[f"fed {task.name} {svar}"] = ProblemView(said(one), "note", ShowTask(task.name))
     return found
 
@@ -108,4 +108,4 @@ def _conflict(document: Document, later: Task, earlier: Task, refused: Sequence[
 
 def said(fault: Fault) -> str:
     """A fault as a sentence without its place."""
-    return plain(f"expected {fault.expected}, found {fault.found}; {fault.instead}")
+    return plain(f"{fault.reason}; {fault.instead}")

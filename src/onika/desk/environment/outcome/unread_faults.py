@@ -32,7 +32,7 @@ def _view(fault: Fault, lines: list[tuple[int, int]], is_partial: bool) -> Fault
     line = fault.place.line
     before = [number for at, number in lines if at <= line]
     where = f"line {line} of its file: " if line else ""
-    text = f"{where}expected {fault.expected}, found {fault.found}"
+    text = f"{where}{fault.reason}"
     step = before[-1] if before and line else 0
     if is_partial and not fault.is_note:
         return FaultView(plain(text), "fault", step)

@@ -62,7 +62,7 @@ def _read(subject: Subject, at_s: float) -> RecordedRun | No:
     recorded = recorded_run(RecordingSource(subject.path, at_s))
     if isinstance(recorded, RecordedRun):
         return recorded
-    why = (f"it cannot be continued: expected {fault.expected}, found {fault.found}" for fault in recorded)
+    why = (f"it cannot be continued: {fault.reason}" for fault in recorded)
     return No("; ".join(why))
 
 
@@ -145,7 +145,7 @@ def _unprepared(response: request.Response) -> No | None:
     if not response.faults:
         return None
     first = response.faults[0]
-    text = f"expected {first.expected}, found {first.found}"
+    text = f"{first.reason}"
     return No(f"the simulator does not take the recorded plan: {text}")
 
 

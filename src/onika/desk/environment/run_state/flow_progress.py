@@ -10,6 +10,7 @@ from onika.desk.environment.run_state.run import Run
 from onika.desk.environment.run_state.run_view import is_question, left_for, stop_view, tag
 from onika.desk.environment.run_state.transfer_view import jump_view
 from onika.desk.run import transfer_text
+from onika.desk.run.flow_status import WAITS
 from onika.wire import event
 from onika.wire.view import MeetView, StepRunView
 
@@ -17,10 +18,9 @@ ABORTED = "aborted by the user"
 _WHERE = re.compile(r"^\w+: (?:ModuleError|LawBroken): ")
 """Where in a module it was said: a module's own error is a sentence for people."""
 _MOST_MEETS = 60
-_WAITS = ("waiting", "joining")
 _BEFORE = ("ready", "spawning")
 _ENDS = ("killing", "ended")
-_STANDS = ("stopped", "paused", *_WAITS)
+_STANDS = ("stopped", "paused", *WAITS)
 
 
 def after(run: Run, message: event.Event) -> Run:
@@ -58,7 +58,7 @@ def over(run: Run, result: event.Result) -> Run:
     """The run at its end (E14); what was under way is left."""
     for subsystem, flow in run.view.flows.items():
         run = _closed(run, subsystem, flow.step, result.runtime_s)
-    return replace(run, busy={}, on=frozenset(), awaits=None).shown(
+    return replace(run, statuses={}, on=frozenset(), awaits=None).shown(
         state="over",
         asks={},
         stops={key: stop for key, stop in run.view.stops.items() if not key},
@@ -103,7 +103,7 @@ def _began(run: Run, began: event.Began) -> Run:
         began_s=began.at_s,
         should_take_s=should_take_s,
     )
-    return replace(run, busy={**run.busy, subsystem: began.index}, reason="")
+    return replace(run.with_status(subsystem, run.status(subsystem).began(began)), reason="")
 
 
 def _opened(run: Run, began: event.Began, step: int) -> Run:
@@ -130,7 +130,7 @@ def _done(run: Run, done: event.Done) -> Run:
     if action is None:
         return run
     subsystem = run.homes[done.flow]
-    run = replace(run, busy={key: at for key, at in run.busy.items() if key != subsystem})
+    run = run.with_status(subsystem, run.status(subsystem).done())
     run = run.in_flow(subsystem, done=run.view.flows[subsystem].done + 1).shown(done=run.view.done + 1)
     if len(action.spot) == 1:
         return _closed(run, subsystem, action.spot[0], done.at_s)
@@ -139,16 +139,14 @@ def _done(run: Run, done: event.Done) -> Run:
 
 def _moved(run: Run, moved: event.Moved) -> Run:
     former = run.view.flows[moved.subsystem]
-    waits_since_s = (
-        (former.waits_since_s if former.state == moved.state else moved.at_s) if moved.state in _WAITS else 0.0
-    )
-    run = run.in_flow(
+    status = run.status(moved.subsystem).moved(moved)
+    run = run.with_status(moved.subsystem, status).in_flow(
         moved.subsystem,
-        state=moved.state,
-        tag=tag(moved.tag) if moved.state in _WAITS else "",
-        waits_for=moved.waits_for,
-        waits_since_s=waits_since_s,
-        is_pausing=former.is_pausing and moved.state != "paused",
+        state=status.state,
+        tag=tag(status.tag) if status.state in WAITS else "",
+        waits_for=status.waits_for,
+        waits_since_s=status.waits_since_s,
+        is_pausing=former.is_pausing and status.state != "paused",
         text=run.speech.with_icons(moved.text),
     )
     if moved.state == "done":
@@ -177,7 +175,7 @@ def _closed(run: Run, subsystem: str, step: int, at_s: float) -> Run:
     former_step = run.view.steps.get(str(step))
     if former_step is None or former_step.state != "running" or run.view.flows[subsystem].is_nested:
         return run
-    is_left = subsystem in run.busy
+    is_left = run.status(subsystem).is_acting
     times = former_step.times if is_left else former_step.times + 1
     took_s = round(max(at_s - former_step.began_s, 0.0), 3)
     return _in_step(

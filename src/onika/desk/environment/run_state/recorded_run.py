@@ -126,11 +126,7 @@ def _losses(review: Review) -> list[str]:
 
 def _cannot_continue(path: Path) -> str:
     source = recorded_run(RecordingSource(path))
-    return (
-        "; ".join(f"expected {fault.expected}, found {fault.found}" for fault in source)
-        if isinstance(source, tuple)
-        else ""
-    )
+    return "; ".join(str(fault.reason) for fault in source) if isinstance(source, tuple) else ""
 
 
 def _began(iso: str) -> float:

@@ -9,6 +9,7 @@ from msgspec import structs
 from onika.desk.environment.run_state.membership import Belonging
 from onika.desk.environment.run_state.messages import Speech
 from onika.desk.plan.flow_index import FlowIndex
+from onika.desk.run.flow_status import FlowStatus
 from onika.wire import event
 from onika.wire.plan import Again, Plan, PlannedAction, Unless
 from onika.wire.view import FlowRunView, RunView
@@ -27,8 +28,8 @@ class Run:
     """The words in which it is told."""
     durations: Mapping[tuple[int, int], float] = field(default_factory=dict)
     """What targets say of how long their action should take, by flow and action."""
-    busy: Mapping[str, int] = field(default_factory=dict)
-    """The actions that are carried out, by subsystem."""
+    statuses: Mapping[str, FlowStatus] = field(default_factory=dict)
+    """Where its flows are, by subsystem."""
     on: frozenset[str] = frozenset()
     """The tasks that are ON, as `SUBSYSTEM/TASK`."""
     failures: Mapping[str, event.Failed] = field(default_factory=dict)
@@ -56,6 +57,14 @@ class Run:
     def homes(self) -> tuple[str, ...]:
         """Its subsystems, in the order of the plan."""
         return tuple(flow.subsystem for flow in self.plan.flows)
+
+    def status(self, subsystem: str) -> FlowStatus:
+        """Where a flow is."""
+        return self.statuses.get(subsystem, FlowStatus())
+
+    def with_status(self, subsystem: str, status: FlowStatus) -> "Run":
+        """With a flow where it is now."""
+        return replace(self, statuses={**self.statuses, subsystem: status})
 
     def number_of(self, subsystem: str) -> int | None:
         """Which flow of the plan lives in a subsystem; None: none."""

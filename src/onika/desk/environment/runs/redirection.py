@@ -5,6 +5,7 @@ from dataclasses import replace
 
 from msgspec import structs
 
+from onika.desk.environment.outcome.fault_text import said
 from onika.desk.environment.outcome.on_file import on_application, on_resting_application, syntax_of
 from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
@@ -33,7 +34,7 @@ def redirect(model: Model, opened: OpenApplication, command: act.Redirect, outsi
     if wish in redirects and prepared.plan is not None and prepared.program is not None:
         faults = list(redirection.faults((wish,), prepared.plan, prepared.program))
         if faults:
-            reasons = "; ".join(fault.found for fault in faults)
+            reasons = "; ".join(str(said(fault)) for fault in faults)
             return No(f"{wish.new} cannot stand for {wish.old}: {reasons}")
     changed = replace(opened, redirects=redirects, judgement=None, marks={}, looked=None)
     return Done(model.with_application(changed))
@@ -85,7 +86,7 @@ def _joined(seats: Sequence[SeatView]) -> SeatView:
 def _seat(seat: Seat) -> SeatView:
     candidates = tuple(
         CandidateView(
-            each.task.name, each.task.description, each.more, tuple(refusal.reason for refusal in each.refusals)
+            each.task.name, each.task.description, each.more, tuple(str(refusal.reason) for refusal in each.refusals)
         )
         for each in seat.candidates
     )

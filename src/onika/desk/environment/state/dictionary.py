@@ -10,6 +10,7 @@ from onika.model.syntax import Syntax
 from onika.store.base_directory import BaseDirectory
 from onika.store.opened_text import Faults, OpenedText
 from onika.words.fault import Fault, Place
+from onika.words.reason import Reason
 
 Found = tuple[OpenedText[Onikon] | None, Faults]
 """What one file gave."""
@@ -102,6 +103,10 @@ def _is_of(base: BaseDirectory, fault: Fault) -> bool:
 
 
 def _again(base: BaseDirectory, name: str, owner: BaseDirectory) -> Fault:
-    duplicate = f"it again, first in {owner.path / 'dict'}"
-    expected = f"the name {name} once in all dictionaries"
-    return Fault(Place(str(base.onikon_file(name))), expected, duplicate, "the first one is used", is_note=True)
+    path = str(owner.path / "dict")
+    return Fault(
+        Place(str(base.onikon_file(name))),
+        Reason.of("desk.icon_twice", name=name, path=path),
+        Reason.of("words.first_used"),
+        is_note=True,
+    )
