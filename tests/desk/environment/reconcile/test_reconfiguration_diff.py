@@ -2,7 +2,7 @@ from dataclasses import replace
 
 import pytest
 
-from onika.desk.environment.reconcile.reconfiguration_diff import Alteration, alteration, with_facts
+from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration, with_facts
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.live import Live, TaskFacts
 from onika.desk.environment.state.open_libraries import Shelf
@@ -41,7 +41,7 @@ def living(*states, **more):
 
 
 def test_what_is_placed_is_spawned_off_and_what_is_removed_is_killed(shelf):  # R-C11
-    what = alteration(content({"arm": True}), content({"source": False}), living(("arm", "ON")), shelf, (), UNITS)
+    what = reconfiguration(content({"arm": True}), content({"source": False}), living(("arm", "ON")), shelf, (), UNITS)
     assert (what.kill, [one.task.name for one in what.spawn], what.on, what.off) == (("arm",), ["source"], (), ())
     change = what.change("main")
     assert isinstance(change, live.Change) and [one.module for one in change.code] == ["source"]
@@ -50,58 +50,58 @@ def test_what_is_placed_is_spawned_off_and_what_is_removed_is_killed(shelf):  # 
 
 def test_nothing_comes_of_what_stays_as_it_was(shelf):
     same = content({"source": True, "filter": False})
-    what = alteration(same, same, living(("source", "ON"), ("filter", "OFF")), shelf, (), UNITS)
-    assert what.is_nothing and what == Alteration() and not what.wakes
+    what = reconfiguration(same, same, living(("source", "ON"), ("filter", "OFF")), shelf, (), UNITS)
+    assert what.is_nothing and what == Reconfiguration() and not what.wakes
 
 
 def test_producers_come_on_before_their_consumers(shelf):  # law 1
     names = ("filter", "source", "arm")
     off, on = dict.fromkeys(names, False), dict.fromkeys(names, True)
     known = living(*((name, "OFF") for name in names))
-    what = alteration(content(off), content(on), known, shelf, (), UNITS)
+    what = reconfiguration(content(off), content(on), known, shelf, (), UNITS)
     assert [one.task for one in what.on] == ["source", "filter", "arm"]
 
 
 def test_an_argument_line_goes_with_the_task_it_is_for(shelf):
     known = living(("once", "OFF"), turns={"once": "1 2"})
-    what = alteration(content({"once": False}), content({"once": True}), known, shelf, (), UNITS)
+    what = reconfiguration(content({"once": False}), content({"once": True}), known, shelf, (), UNITS)
     assert what.on == (live.Turn("once", "1 2"),)
 
 
 def test_a_task_that_is_wanted_already_is_turned_on_where_that_is_asked_for(shelf):  # R-C11
     same = content({"source": True})
-    assert alteration(same, same, living(("source", "ERROR")), shelf, (), UNITS).is_nothing
+    assert reconfiguration(same, same, living(("source", "ERROR")), shelf, (), UNITS).is_nothing
     known = living(("source", "ERROR"), turns={"source": ""})
-    assert alteration(same, same, known, shelf, (), UNITS).on == (live.Turn("source"),)
+    assert reconfiguration(same, same, known, shelf, (), UNITS).on == (live.Turn("source"),)
 
 
 def test_a_rate_changes_in_place_and_no_rate_is_given_to_who_has_none(shelf):  # R-C11
     names = {"source": True, "once": False}
     known = living(("source", "ON"), ("once", "OFF"))
     after = content(names, source={"frequency": 25.0}, once={"frequency": 25.0})
-    assert alteration(content(names), after, known, shelf, (), UNITS).rates == (("source", 25.0),)
-    back = alteration(after, content(names), known, shelf, (), UNITS)
+    assert reconfiguration(content(names), after, known, shelf, (), UNITS).rates == (("source", 25.0),)
+    back = reconfiguration(after, content(names), known, shelf, (), UNITS)
     assert back.rates == (("source", 10.0),)
 
 
 def test_who_is_not_born_yet_gets_another_rate_by_being_exchanged(shelf):  # law 10
     names = {"source": False}
     after = content(names, source={"frequency": 25.0})
-    what = alteration(content(names), after, living(("source", "WAITING")), shelf, (), UNITS)
+    what = reconfiguration(content(names), after, living(("source", "WAITING")), shelf, (), UNITS)
     assert what.kill == ("source",) and what.spawn[0].task.frequency == 25.0 and what.rates == ()
 
 
 def test_who_is_on_already_is_not_asked_to_come_on(shelf):
     off, on = content({"source": False}), content({"source": True})
-    assert alteration(off, on, living(("source", "ON")), shelf, (), UNITS).is_nothing
+    assert reconfiguration(off, on, living(("source", "ON")), shelf, (), UNITS).is_nothing
 
 
 def test_another_unit_or_a_changed_description_means_an_exchange(shelf):  # R-C04, reading 9
     names = {"source": True, "filter": False}
     known = living(("source", "ON"), ("filter", "OFF"))
-    moved = alteration(content(names), content(names, source={"rtpu": "rt1"}), known, shelf, (), UNITS)
+    moved = reconfiguration(content(names), content(names, source={"rtpu": "rt1"}), known, shelf, (), UNITS)
     assert moved.kill == ("source",) and moved.spawn[0].task.rtpu == "rt1" and moved.on == (live.Turn("source"),)
-    edited = alteration(content(names), content(names), known, shelf, ("filter",), UNITS)
+    edited = reconfiguration(content(names), content(names), known, shelf, ("filter",), UNITS)
     assert (edited.kill, edited.on) == (("filter",), ())
 
 
@@ -109,31 +109,31 @@ def test_another_unit_or_a_changed_description_means_an_exchange(shelf):  # R-C0
 def test_the_unit_it_lives_on_or_one_that_is_not_there_moves_nobody(shelf, rtpu):  # reading 12
     names = {"source": True}
     after = content(names, source={"rtpu": rtpu})
-    assert alteration(content(names), after, living(("source", "ON")), shelf, (), UNITS).is_nothing
+    assert reconfiguration(content(names), after, living(("source", "ON")), shelf, (), UNITS).is_nothing
 
 
 def test_hardware_that_is_exchanged_stays_off_until_somebody_turns_it_on(shelf):  # law 12, law 22
     names = {"arm": True}
-    what = alteration(content(names), content(names), living(("arm", "ON")), shelf, ("arm",), UNITS)
+    what = reconfiguration(content(names), content(names), living(("arm", "ON")), shelf, ("arm",), UNITS)
     assert what.kill == ("arm",) and what.on == () and what.resting == ("arm",)
 
 
 def test_a_placed_task_that_does_not_live_is_born_when_it_is_turned_on(shelf):
-    what = alteration(content({"source": False}), content({"source": True}), living(), shelf, (), UNITS)
+    what = reconfiguration(content({"source": False}), content({"source": True}), living(), shelf, (), UNITS)
     assert what.kill == () and what.spawn[0].task.name == "source" and what.on == (live.Turn("source"),)
 
 
 def test_who_has_no_code_is_a_fault_and_who_is_missing_is_left_out(shelf, tmp_path):  # R-C01, reading 11
     (tmp_path / "module" / "source.py").unlink()
     after = content({"source": False, "stranger": False})
-    what = alteration(content({}), after, living(), shelf, (), UNITS)
+    what = reconfiguration(content({}), after, living(), shelf, (), UNITS)
     assert what.faults == ("source cannot live: there is no source.py beside it or in another open library",)
     assert what.is_nothing
 
 
 def test_who_is_to_be_born_is_shown_so_at_once_on_its_unit(shelf):  # R-C11
     after = content({"source": False, "filter": False}, filter={"rtpu": "rt1"})
-    what = alteration(content({}), after, living(turns={"source": ""}), shelf, (), UNITS)
+    what = reconfiguration(content({}), after, living(turns={"source": ""}), shelf, (), UNITS)
     known = with_facts(living(turns={"source": ""}), what, UNITS)
     assert known.tasks["source"] == TaskFacts("SPAWNING", rtpu="rt0", hz=10.0)
     assert known.tasks["filter"].rtpu == "rt1" and known.turns == {}
@@ -148,8 +148,8 @@ def test_a_supermodule_is_spawned_and_turned_on_in_its_order_and_off_the_other_w
     names = ("source", "filter", "arm")
     off, on = grouped(dict.fromkeys(names, False)), grouped(dict.fromkeys(names, True))
     known = living(*((name, "OFF") for name in names))
-    assert [one.task for one in alteration(off, on, known, shelf, (), UNITS).on] == ["arm", "filter", "source"]
+    assert [one.task for one in reconfiguration(off, on, known, shelf, (), UNITS).on] == ["arm", "filter", "source"]
     moving = living(*((name, "ON") for name in names))
-    assert alteration(on, off, moving, shelf, (), UNITS).off == ("source", "filter", "arm")
-    born = alteration(grouped({}), off, living(), shelf, (), UNITS).spawn
+    assert reconfiguration(on, off, moving, shelf, (), UNITS).off == ("source", "filter", "arm")
+    born = reconfiguration(grouped({}), off, living(), shelf, (), UNITS).spawn
     assert [one.task.name for one in born] == ["arm", "filter", "source"]

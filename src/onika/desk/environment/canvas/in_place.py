@@ -9,7 +9,7 @@ from onika.desk.environment.outcome.outcome import Done, No
 from onika.desk.environment.outcome.services import Surroundings
 from onika.desk.environment.reconcile.merge import with_loci
 from onika.desk.environment.reconcile.reconciliation import living_units
-from onika.desk.environment.reconcile.reconfiguration_diff import Alteration, alteration
+from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration
 from onika.desk.environment.state.content import Content
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import Live
@@ -49,7 +49,7 @@ def _content(document: Document, configuration: Configuration) -> Content:
 
 def _told(model: Model, document: Document, subsystem_facts: Live, content: Content) -> str:
     """What becomes of each task, in words; empty: nothing happens to any."""
-    what = alteration(document.content, content, subsystem_facts, model.shelf, (), living_units(model))
+    what = reconfiguration(document.content, content, subsystem_facts, model.shelf, (), living_units(model))
     if what.is_nothing and not what.faults:
         return ""
     both = [birth.task.name for birth in what.spawn if birth.task.name in what.kill]
@@ -71,7 +71,7 @@ def _told(model: Model, document: Document, subsystem_facts: Live, content: Cont
     return "; ".join(part for part in parts if part)
 
 
-def _again(model: Model, subsystem_facts: Live, what: Alteration) -> tuple[str, ...]:
+def _again(model: Model, subsystem_facts: Live, what: Reconfiguration) -> tuple[str, ...]:
     """Whose constants come from another task afterwards."""
     tasks = model.shelf.tasks
     living = [Standing(Ports.of(tasks[name]), tasks[name].module) for name in subsystem_facts.tasks if name in tasks]

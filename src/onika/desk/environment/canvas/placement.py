@@ -192,24 +192,27 @@ def _at(placed: Placed, spot: tuple[int, int] | None) -> Placed:
 
 
 def _aligned(chosen: list[Placed], heights: dict[str, int], edge: str) -> dict[str, tuple[int, int]]:
-    bottoms = {placed.task: placed.y + heights.get(placed.task, 0) for placed in chosen}
+    """Where each task stands when all stand at one edge, or at equal distances in columns or rows."""
+    xs, ys = [placed.x for placed in chosen], [placed.y for placed in chosen]
     match edge:
         case "left":
-            return {placed.task: (min(other.x for other in chosen), placed.y) for placed in chosen}
+            return {placed.task: (min(xs), placed.y) for placed in chosen}
         case "right":
-            return {placed.task: (max(other.x for other in chosen), placed.y) for placed in chosen}
+            return {placed.task: (max(xs), placed.y) for placed in chosen}
         case "top":
-            return {placed.task: (placed.x, min(other.y for other in chosen)) for placed in chosen}
+            return {placed.task: (placed.x, min(ys)) for placed in chosen}
         case "bottom":
-            low = max(bottoms.values(), default=0)
-            return {placed.task: (placed.x, low - heights.get(placed.task, 0)) for placed in chosen}
+            return _at_the_bottom(chosen, heights)
         case "columns":
-            xs = _spread(sorted(placed.x for placed in chosen))
-            return {
-                placed.task: (xs[n], placed.y) for n, placed in enumerate(sorted(chosen, key=lambda placed: placed.x))
-            }
-    ys = _spread(sorted(placed.y for placed in chosen))
-    return {placed.task: (placed.x, ys[n]) for n, placed in enumerate(sorted(chosen, key=lambda placed: placed.y))}
+            in_columns = sorted(chosen, key=lambda placed: placed.x)
+            return {placed.task: (x, placed.y) for placed, x in zip(in_columns, _spread(sorted(xs)), strict=True)}
+    in_rows = sorted(chosen, key=lambda placed: placed.y)
+    return {placed.task: (placed.x, y) for placed, y in zip(in_rows, _spread(sorted(ys)), strict=True)}
+
+
+def _at_the_bottom(chosen: list[Placed], heights: dict[str, int]) -> dict[str, tuple[int, int]]:
+    low = max((placed.y + heights.get(placed.task, 0) for placed in chosen), default=0)
+    return {placed.task: (placed.x, low - heights.get(placed.task, 0)) for placed in chosen}
 
 
 def _spread(values: list[int]) -> list[int]:

@@ -13,7 +13,7 @@ from onika.desk.environment.outcome.outcome import Change, Done, News, No, Order
 from onika.desk.environment.outcome.runtime_refusal import refusal
 from onika.desk.environment.reconcile import merge
 from onika.desk.environment.reconcile.live_facts import settled, true_to_facts
-from onika.desk.environment.reconcile.reconfiguration_diff import Alteration, alteration, with_facts
+from onika.desk.environment.reconcile.reconfiguration_diff import Reconfiguration, reconfiguration, with_facts
 from onika.desk.environment.reconcile.rollback import file_before, reverted, without_steps
 from onika.desk.environment.state.document import Document
 from onika.desk.environment.state.live import Base, Live, Pending
@@ -30,7 +30,7 @@ def pursue(model: Model, document: Document) -> Done | No:
     subsystem_facts, base = _of(document)
     under_way = next((pending.after for pending in subsystem_facts.pending.values() if pending.after is not None), None)
     content = under_way or base.content
-    what = alteration(content, document.content, subsystem_facts, model.shelf, base.edits, living_units(model))
+    what = reconfiguration(content, document.content, subsystem_facts, model.shelf, base.edits, living_units(model))
     if what.faults:
         return No("; ".join(what.faults))
     if what.is_nothing:
@@ -139,7 +139,7 @@ def _awaiting(model: Model, document: Document, subsystem_facts: Live) -> Done:
     return Done(model.with_document(document), awaits=next_change(document.id, subsystem_facts))
 
 
-def _sent(model: Model, document: Document, what: Alteration) -> Done:
+def _sent(model: Model, document: Document, what: Reconfiguration) -> Done:
     subsystem_facts, base = _of(document)
     content = document.content
     if what.resting:
@@ -227,7 +227,7 @@ def _go_on(model: Model, document: Document | None, doc: str = "") -> Done:
     return replace(done, model=model, news=(come_to_nothing,))
 
 
-def _refused(document: Document, subsystem_facts: Live, what: Alteration, model: Model) -> No | None:
+def _refused(document: Document, subsystem_facts: Live, what: Reconfiguration, model: Model) -> No | None:
     if subsystem_facts.is_foreign:
         name, holder = subsystem_facts.subsystem, subsystem_facts.holder
         reason = f"{name} is held by {holder}, who can release it; everybody can stop it"

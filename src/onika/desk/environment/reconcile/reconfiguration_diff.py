@@ -12,7 +12,7 @@ from onika.wire import live
 
 
 @dataclass(frozen=True, slots=True)
-class Alteration:
+class Reconfiguration:
     """The tasks of a change by what happens to them; one that is in `kill` and in `spawn` is exchanged."""
 
     kill: tuple[str, ...] = ()
@@ -28,14 +28,14 @@ class Alteration:
     @property
     def is_nothing(self) -> bool:
         """Whether nothing happens."""
-        return self == Alteration()
+        return self == Reconfiguration()
 
     @property
     def names(self) -> frozenset[str]:
         """Whom it touches."""
         born = (newcomer.task.name for newcomer in self.spawn)
         return frozenset(
-            (*self.kill, *born, *self.off, *(turn.task for turn in self.on), *(turn for turn, _ in self.rates))
+            (*self.kill, *born, *self.off, *(turn.task for turn in self.on), *(name for name, _ in self.rates))
         )
 
     @property
@@ -50,87 +50,101 @@ class Alteration:
         return live.Change(subsystem, self.kill, spawn, tuple(code.values()), self.off, self.on, self.rates)
 
 
-def alteration(
+def reconfiguration(
     before: Content,
     after: Content,
     subsystem_facts: Live,
     shelf: Shelf,
     changed: Collection[str],
     units: Collection[str],
-) -> Alteration:
+) -> Reconfiguration:
     """From one content to another, with some tasks of the libraries changed, beside what is known to live."""
-    stay = [name for name in after.wanted if name in before.wanted and name in subsystem_facts.tasks]
+    difference = _Difference(before, after, subsystem_facts, shelf, changed, units)
+    stay = [name for name in after.wanted if difference.stays(name)]
     rates = _rates(stay, before, after, shelf)
-    unborn = {
-        name for name, _ in rates if subsystem_facts.state_of(name) == "WAITING"
-    }  # who is not born yet has no rate to change
-    exchanged = [
-        name for name in stay if name in changed or name in unborn or _moves(name, after, subsystem_facts, units)
-    ]
-    absent = [name for name in after.wanted if name not in subsystem_facts.tasks and name in before.wanted]
+    unborn = {name for name, _ in rates if difference.is_unborn(name)}
+
+    exchanged = [name for name in stay if name in unborn or difference.is_exchanged(name)]
     new = [name for name in after.wanted if name not in before.wanted]
-    born = [
-        *new,
-        *exchanged,
-        *(name for name in absent if after.wanted[name] and _is_turned(name, before, subsystem_facts)),
-    ]
-    births = {name: _birth(name, after, shelf, units) for name in born if name in shelf.tasks}
+    again = [name for name in after.wanted if difference.comes_again(name)]
+    births = {name: _birth(name, after, shelf, units) for name in (*new, *exchanged, *again) if name in shelf.tasks}
+
     resting = [name for name in exchanged if before.wanted[name] and is_hardware(shelf.tasks[name], shelf)]
-    on = [
-        name
-        for name, is_on in after.wanted.items()
-        if is_on and name not in resting and (name in births or _comes_on(name, before, subsystem_facts))
-    ]
+    wanted_on = [name for name, is_on in after.wanted.items() if is_on and name not in resting]
+    on = [name for name in wanted_on if name in births or difference.comes_on(name)]
     off = [name for name in stay if before.wanted[name] and not after.wanted[name] and name not in births]
+    gone = [name for name in before.wanted if name not in after.wanted or name in births]
+
     groups = after.configuration  # a runtime spawns who supplies a constant before who needs it, whatever they say
-    return Alteration(
-        kill=tuple(
-            name
-            for name in before.wanted
-            if name in subsystem_facts.tasks and (name not in after.wanted or name in births)
-        ),
-        spawn=tuple(newcomer for name in groups.in_group_order(births) if isinstance(newcomer := births[name], Birth)),
+    in_order = [births[name] for name in groups.in_group_order(births)]
+    return Reconfiguration(
+        kill=tuple(name for name in gone if difference.lives(name)),
+        spawn=tuple(newcomer for newcomer in in_order if isinstance(newcomer, Birth)),
         off=tuple(reversed(groups.in_group_order(reversed(off)))),
         on=tuple(live.Turn(name, subsystem_facts.turns.get(name, "")) for name in _in_order(on, after, shelf)),
         rates=tuple((name, hz) for name, hz in rates if name not in births),
         resting=tuple(resting),
-        faults=tuple(newcomer for newcomer in births.values() if isinstance(newcomer, str)),
+        faults=tuple(reason for reason in births.values() if not isinstance(reason, Birth)),
     )
 
 
-def with_facts(subsystem_facts: Live, what: Alteration, units: Collection[str]) -> Live:
+@dataclass(frozen=True, slots=True)
+class _Difference:
+    """Questions about one task between two contents, beside what lives."""
+
+    before: Content
+    after: Content
+    facts: Live
+    shelf: Shelf
+    changed: Collection[str]
+    units: Collection[str]
+
+    def lives(self, name: str) -> bool:
+        """Whether the subsystem has it."""
+        return name in self.facts.tasks
+
+    def stays(self, name: str) -> bool:
+        """Whether it was wanted, is wanted, and lives."""
+        return name in self.before.wanted and self.lives(name)
+
+    def is_unborn(self, name: str) -> bool:
+        """Whether it waits to be born: it has no rate to change yet."""
+        return self.facts.state_of(name) == "WAITING"
+
+    def is_exchanged(self, name: str) -> bool:
+        """Whether another one takes its place: its task has changed, or it is to live on another unit."""
+        return name in self.changed or self._moves(name)
+
+    def comes_again(self, name: str) -> bool:
+        """Whether it was wanted, does not live any more, and is turned on."""
+        is_absent = name in self.before.wanted and not self.lives(name)
+        return is_absent and self.after.wanted[name] and self._is_turned(name)
+
+    def comes_on(self, name: str) -> bool:
+        """Whether one that lives is to go ON and is not."""
+        return self.lives(name) and not self.facts.tasks[name].is_moving and self._is_turned(name)
+
+    def _is_turned(self, name: str) -> bool:
+        return name in self.facts.turns or not self.before.wanted.get(name, False)
+
+    def _moves(self, name: str) -> bool:
+        placed = self.after.placed(name)
+        here = self.facts.tasks[name].rtpu
+        return placed is not None and bool(here) and placed.rtpu in self.units and placed.rtpu != here
+
+
+def with_facts(subsystem_facts: Live, what: Reconfiguration, units: Collection[str]) -> Live:
     """What is known while it is under way: who is to be born is shown at once."""
     first = next(iter(units), "")
-    spawning = {
-        newcomer.task.name: TaskFacts(
-            "SPAWNING", rtpu=newcomer.task.rtpu if newcomer.task.rtpu in units else first, hz=newcomer.task.frequency
-        )
-        for newcomer in what.spawn
-    }
+    spawning: dict[str, TaskFacts] = {}
+    for newcomer in what.spawn:
+        task = newcomer.task
+        unit = task.rtpu if task.rtpu in units else first
+        spawning[task.name] = TaskFacts("SPAWNING", rtpu=unit, hz=task.frequency)
     rates = {
         name: replace(subsystem_facts.tasks[name], hz=hz) for name, hz in what.rates if name in subsystem_facts.tasks
     }
     return replace(subsystem_facts, tasks={**subsystem_facts.tasks, **rates, **spawning}, turns={})
-
-
-def _comes_on(name: str, before: Content, subsystem_facts: Live) -> bool:
-    """Whether one that lives is to go ON and is not."""
-    return (
-        name in subsystem_facts.tasks
-        and not subsystem_facts.tasks[name].is_moving
-        and _is_turned(name, before, subsystem_facts)
-    )
-
-
-def _is_turned(name: str, before: Content, subsystem_facts: Live) -> bool:
-    return name in subsystem_facts.turns or not before.wanted.get(name, False)
-
-
-def _moves(name: str, after: Content, subsystem_facts: Live, units: Collection[str]) -> bool:
-    """Whether it is to live on another unit."""
-    placed = after.placed(name)
-    here = subsystem_facts.tasks[name].rtpu
-    return placed is not None and bool(here) and placed.rtpu in units and placed.rtpu != here
 
 
 def _birth(name: str, after: Content, shelf: Shelf, units: Collection[str]) -> Birth | str:
