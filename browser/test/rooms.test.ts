@@ -20,7 +20,7 @@ const FLOORS: readonly (readonly string[])[] = [
   ['texts'],
   ['state', 'geom'],
 ]
-const TOP = ['App.svelte', 'main.ts']
+const TOP = ['App.svelte', 'dialogs.ts', 'main.ts']
 const GROUND = ['api.gen.ts', 'theme.css']
 const LARGEST = 38
 
